@@ -5,12 +5,11 @@ from __future__ import annotations
 from typing import Any
 
 from plastron_tui.diagnostics import Diagnostic, Label, Span, codes, guess, write
-from plastron_tui.diagnostics.suggest import nearest
 from plastron_tui.language import statements as st
 from plastron_tui.language.declaration import Statement
 from plastron_tui.language.text_places import span_in_text
 from plastron_tui.ros.names import NameProblem
-from plastron_tui.ros.package_keys import find_license, licenses
+from plastron_tui.ros.package_keys import find_license, find_own_license, license_help
 from plastron_tui.ros.packages import (
     check_file_name,
     check_package_name,
@@ -110,18 +109,18 @@ def check_maintainer(_: Run, statement: st.CreatePackage) -> None:
 
 
 def check_license(_: Run, statement: st.CreatePackage) -> None:
-    """Check that a license is one that SPDX knows."""
+    """Check that a license is one that SPDX knows, or stands for one of somebody's own."""
     name = statement.license
-    if name is None or find_license(name) is not None:
+    if name is None or find_license(name) is not None or find_own_license(name) is not None:
         return
     where = statement.span_of("license")
-    right = nearest(name, licenses())
+    remedy, right = license_help(name)
     raise Mistake(
         Diagnostic(
             codes.UNKNOWN_LICENSE,
             f"`{name}` is no license that SPDX and Plastron know",
             where,
-            help=None if right is None else f"did you mean `{right}`?",
+            help=remedy,
             fix=None if right is None else write(f'"{right}"', where),
         )
     )

@@ -12,7 +12,7 @@ from dataclasses import replace
 from pathlib import PurePosixPath
 
 from plastron_tui.ros.interfaces import InterfaceKind
-from plastron_tui.ros.package_keys import find_license, licenses
+from plastron_tui.ros.package_keys import PROPRIETARY, find_license, find_own_license, licenses
 from plastron_tui.targets.templates import render_template
 
 from .checks import check_package, is_refused
@@ -153,9 +153,13 @@ def _about(spec: PackageSpec) -> dict[str, bytes]:
         "setup": "devel/setup.bash" if spec.ros_version == 1 else "install/setup.bash",
         "license": None if identifier is None else licenses()[identifier],
         "identifier": identifier,
+        "own": None if spec.license is None else find_own_license(spec.license),
         "has_text": has_text,
     }
     files = {"README.md": _render("README.md.j2", values)}
+    if spec.license == PROPRIETARY:
+        text = _render(f"licenses/{PROPRIETARY}.j2", {"holder": spec.person.name})
+        files["LICENSE"] = text
     if identifier is not None and has_text:
         files["LICENSE"] = _render(f"licenses/{identifier}.j2", {"holder": spec.person.name})
     return files

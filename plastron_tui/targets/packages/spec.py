@@ -11,11 +11,9 @@ from plastron_tui.diagnostics import Diagnostic, Span
 from plastron_tui.model.workspace import Node
 from plastron_tui.ros.catalog.distributions import usual_distribution
 from plastron_tui.ros.interfaces import InterfaceKind
+from plastron_tui.ros.package_keys import PROPRIETARY
 from plastron_tui.ros.packages import DEFAULT_VERSION, MAINTAINER_MISSING, Maintainer
 from plastron_tui.sources.base import Language
-
-PROPRIETARY = "Proprietary"
-"""The license of a package of which the program does not say one: nobody else may use it."""
 
 
 class BuildType(str, Enum):
@@ -99,7 +97,8 @@ class PackageSpec:
         ros_version: the generation of ROS, 1 or 2.
         description: one line of text; "" where none was given.
         maintainer: who looks after it, None where the program does not say it.
-        license: an SPDX identifier, None where the program does not say one.
+        license: an SPDX identifier, or what stands for another license; None where the program
+            does not say one.
         version: three numbers.
         distribution: the distribution of ROS that it is for.
         nodes: the nodes that it installs.

@@ -17,6 +17,7 @@ from made_packages import ADA, ROS_VERSION, nodes_of, spec_of, with_types, write
 from rules import broken_rules
 
 from plastron_tui.diagnostics import Span
+from plastron_tui.ros.package_keys import find_own_license
 from plastron_tui.ros.packages import Maintainer
 from plastron_tui.targets.packages import (
     BuildType,
@@ -201,6 +202,27 @@ def test_license_without_a_text_is_linked() -> None:
     assert found.files is not None
     assert "LICENSE" not in found.files
     assert b"spdx.org/licenses/GPL-3.0-only" in found.files["README.md"].text
+
+
+OWN_LICENSES = [
+    ("proprietary", b"see [LICENSE](LICENSE)", "Copyright (c) Ada\n\nAll rights reserved.\n"),
+    ("LicenseRef-Acme-1.0", b"`LicenseRef-Acme-1.0`. Put its text", None),
+]
+
+
+@pytest.mark.parametrize(("written", "told", "text"), OWN_LICENSES)
+def test_a_license_of_ones_own(written: str, told: bytes, text: str | None) -> None:
+    catkin_pkg = pytest.importorskip("catkin_pkg.package")
+    meant = find_own_license(written)
+    maintainer = Maintainer("Ada", "ada@example.com")
+    found = render_package(replace(kept("rclpy"), license=meant, maintainer=maintainer))
+    assert (found.files is not None, found.diagnostics) == (True, ())
+    assert found.files is not None
+    package = catkin_pkg.parse_package_string(found.files["package.xml"].text.decode())
+    assert package.licenses == [meant]
+    assert told in found.files["README.md"].text
+    held = found.files.get("LICENSE")
+    assert (None if held is None else held.text.decode()) == text
 
 
 def test_types_of_ros_2_are_in_a_package_of_their_own() -> None:
