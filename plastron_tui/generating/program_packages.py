@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, NamedTuple
 from plastron_tui.diagnostics import Diagnostic, Label, codes
 from plastron_tui.model.launch_checks import in_no_package
 from plastron_tui.model.launches import Launch, LaunchGeneration
+from plastron_tui.model.packages import nodes_folder
 from plastron_tui.model.workspace import Node, Workspace
 from plastron_tui.sources.launch.new_elements import CannotWriteError
 from plastron_tui.targets.launch.program import Executable, request_of
@@ -41,6 +42,12 @@ if TYPE_CHECKING:
     from .destination import Writing
     from .generation import Generated
     from .text_files import Folder
+
+
+def _are_apart(spec: PackageSpec) -> bool:
+    """Tell whether the nodes of a package leave its name to the module of its types."""
+    homes = (each.node.home for each in spec.nodes)
+    return all(home is not None and home.folder == nodes_folder(spec.name) for home in homes)
 
 
 class Made(NamedTuple):
@@ -107,7 +114,10 @@ class ProgramPackages:
         types = definitions.get(package.name, ())
         if types and spec.ros_version == 2 and not (spec.nodes or launches):
             return self._types_alone(replace(spec, definitions=types))
-        spec = replace(spec, definitions=definitions.get(home, ()), launches=launches)
+        if types and spec.ros_version == 2 and _are_apart(spec):
+            spec = replace(spec, definitions=types, builds_types=True, launches=launches)
+        else:
+            spec = replace(spec, definitions=definitions.get(home, ()), launches=launches)
         rendered = render_package(spec)
         nodes = {node_path(spec, each) for each in spec.nodes}
         files = {
@@ -132,8 +142,8 @@ class ProgramPackages:
         return Made(files, rendered.diagnostics)
 
     def _without_builder(self, spec: PackageSpec) -> Iterator[Diagnostic]:
-        """Tell the types that a package of nodes would have to build, and builds not in ROS 2."""
-        if spec.ros_version == 1 or spec.name not in self._own(spec.ros_version):
+        """Tell the types of a package of ROS 2 that are made after its nodes were placed."""
+        if spec.ros_version == 1 or spec.builds_types:
             return
         for each in self._workspace.types.values():
             definition = each.definitions.get(spec.ros_version)
@@ -141,12 +151,10 @@ class ProgramPackages:
             if each.source is None and package == spec.name:
                 yield Diagnostic(
                     codes.BAD_PACKAGE_FILE,
-                    f"`{spec.name}/{each.name}` is of a package that `create_package` makes, and "
-                    "types of ROS 2 are built in one of their own",
+                    f"`{spec.name}/{each.name}` is of a package that is written further up "
+                    "without types",
                     each.span,
-                    help=f"give the package another name than `{spec.name}`"
-                    if not each.package
-                    else f"leave the package out: `{each.name}`",
+                    help="make the type before `generate_package`",
                     labels=(Label(spec.span, "made here"),) if spec.span is not None else (),
                 )
 

@@ -21,9 +21,9 @@ from plastron_tui.ros.packages import (
 from .launches import Launch
 from .load_package import home_in
 from .mistake import Mistake
-from .packages import Contained, Package, PackageGeneration
+from .packages import Contained, Package, PackageGeneration, nodes_folder
 from .run import Run
-from .workspace import Generation, Node
+from .workspace import Generation, Home, Node
 
 
 def create_package(run: Run, statement: st.CreatePackage) -> None:
@@ -286,9 +286,21 @@ def generate_package(run: Run, statement: st.GeneratePackage) -> None:
     for each in package.contents.values():
         if isinstance(each.item, Node):
             library = each.item.library or run.setting.library
-            generation = Generation(each.item.snapshot(), library, statement.span)
+            node = each.item.snapshot()
+            if _has_types(run, package, node):
+                node.home = Home(package.name, each.name, nodes_folder(package.name))
+            generation = Generation(node, library, statement.span)
             workspace.generations.append(generation)
     workspace.written_packages.append(PackageGeneration(package.snapshot(), statement.span))
+
+
+def _has_types(run: Run, package: Package, node: Node) -> bool:
+    """Tell whether a package that is created is to build types of ROS 2 beside a node."""
+    if package.source is not None or run.checks.version_of(node) == 1:
+        return False
+    own = run.types.own_package(2)
+    made = (each for each in run.workspace.types.values() if each.source is None)
+    return any(2 in each.definitions and (each.package or own) == package.name for each in made)
 
 
 def check_package_there(run: Run, statement: Any) -> Package:

@@ -31,6 +31,11 @@ def dependencies_of(spec: PackageSpec) -> tuple[tuple[Dependency, ...], tuple[Di
         # ROS 2 documentation, "Integrating launch files into ROS 2 packages".
         run.add("roslaunch" if spec.ros_version == 1 else "ros2launch")
     found = [Dependency("buildtool_depend", tool) for tool in _BUILD_TOOLS[spec.builds]]
+    if spec.builds_types:
+        found.append(Dependency("buildtool_depend", "rosidl_default_generators"))
+        needed = needs_of_definitions(spec)
+        found += [Dependency("depend", package) for package in sorted(needed)]
+        run = (run - needed) | {"rosidl_default_runtime"}
     if spec.ros_version == 1 and spec.definitions:
         # The wiki page "catkin/package.xml", and the package message_generation.
         found.append(Dependency("build_depend", "message_generation"))

@@ -8,6 +8,7 @@ from enum import Enum
 from typing import NamedTuple
 
 from plastron_tui.diagnostics import Diagnostic, Span
+from plastron_tui.model.packages import nodes_folder
 from plastron_tui.model.workspace import Node
 from plastron_tui.ros.catalog.distributions import usual_distribution
 from plastron_tui.ros.interfaces import InterfaceKind
@@ -104,9 +105,11 @@ class PackageSpec:
         nodes: the nodes that it installs.
         launches: the launch files that it installs.
         configs: the files in its folder `config`.
-        definitions: its types. In ROS 2 they are in a package of their own, see `interfaces_of`.
+        definitions: its types. In ROS 2 they are in a package of their own, see `interfaces_of`,
+            unless it `builds_types`.
         packages: the packages with interface types that are known, to tell imports by.
         build_type: how it is built; None for the one that its contents ask for.
+        builds_types: whether its types of ROS 2 are built with it, not in a package beside it.
         span: the statement that creates it.
     """
 
@@ -123,6 +126,7 @@ class PackageSpec:
     definitions: tuple[PackagedDefinition, ...] = ()
     packages: frozenset[str] = frozenset()
     build_type: BuildType | None = None
+    builds_types: bool = False
     span: Span | None = None
 
     @property
@@ -132,7 +136,14 @@ class PackageSpec:
             return self.build_type
         if self.ros_version == 1:
             return BuildType.CATKIN
+        if self.builds_types:
+            return BuildType.AMENT_CMAKE_PYTHON if self.nodes else BuildType.AMENT_CMAKE
         return BuildType.AMENT_PYTHON if self.nodes else BuildType.AMENT_CMAKE
+
+    @property
+    def modules(self) -> str:
+        """The folder of its Python modules."""
+        return nodes_folder(self.name) if self.builds_types else self.name
 
     @property
     def summary(self) -> str:
