@@ -223,6 +223,9 @@ defaults in ROS 1, is an error where a node of it uses the type.
 A type without a package belongs to the program's: in ROS 2 to `ROVER_interfaces` beside the package
 `rover`, in ROS 1 to `rover` itself, and in a program without a package to `PROGRAM_interfaces`, after
 the program's file. `create_message_type rover_msgs/WheelSpeed with …` names another one.
+Where it names a package that the program creates, as in `create_message_type rover/WheelSpeed with …`,
+that package builds the type beside its nodes, in ROS 2 too: with `ament_cmake` and
+`ament_cmake_python`, and with its modules in the folder `rover_nodes`, since the types have `rover`.
 
 `load_type 'msg/WheelSpeed.msg' as WheelSpeed` reads a definition that exists. `has_field` gives a type a
 field more, or one of its fields another type, and `no_longer_has_field` takes one away: every other byte

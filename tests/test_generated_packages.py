@@ -355,12 +355,30 @@ def test_a_taken_name_is_told_once(tmp_path: Path) -> None:
     assert [each.code for each in told].count("taken-package-name") == 1
 
 
-def test_a_package_of_nodes_builds_no_types_in_ros_2(tmp_path: Path) -> None:
-    text = f"{OF_PACKAGE}create_package 'demo' as demo {ABOUT}\ndemo contains driver\n{WRITE}"
+def test_types_that_come_after_their_package_was_written_are_told(tmp_path: Path) -> None:
+    late = "create_message_type demo/Late with int8 x\n"
+    text = f"{SPEED}create_package 'demo' as demo {ABOUT}\ndemo contains driver\n{WRITE}{late}"
     _, diagnostics = session(tmp_path, text).plan()
     [found] = [each for each in diagnostics if each.code == "bad-package-file"]
     assert found.span is not None
-    assert text[found.span.start :].startswith("create_message_type")
+    assert text[found.span.start :].startswith("create_message_type demo/Late")
+
+
+def test_files_of_types_and_nodes_together(tmp_path: Path) -> None:
+    text = f"{OF_PACKAGE}create_package 'demo' as demo {ABOUT}\ndemo contains driver\n{WRITE}"
+    assert generate(tmp_path, text) == []
+    found = files(tmp_path)
+    assert {name.partition("/")[0] for name in found if "/" in name} == {"demo"}
+    assert not {"demo/setup.py", "demo/demo/__init__.py"} & found.keys()
+    for name, part in {
+        "demo/CMakeLists.txt": "ament_python_install_package(demo_nodes)",
+        "demo/package.xml": "<member_of_group>rosidl_interface_packages</member_of_group>",
+        "demo/msg/WheelSpeed.msg": "float64 left",
+        "demo/demo_nodes/driver.py": "from demo.msg import WheelSpeed",
+        "demo/demo_nodes/__init__.py": "",
+        "demo/test/test_driver.py": "demo_nodes.driver",
+    }.items():
+        assert part in found[name].decode(), name
 
 
 BY_BOB = ABOUT.replace("Ada", "Bob")
