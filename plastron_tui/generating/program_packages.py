@@ -11,6 +11,7 @@ from plastron_tui.model.launch_checks import in_no_package
 from plastron_tui.model.launches import Launch, LaunchGeneration
 from plastron_tui.model.packages import nodes_folder
 from plastron_tui.model.workspace import Node, Workspace
+from plastron_tui.ros.launch import Argument, items_of
 from plastron_tui.sources.launch.new_elements import CannotWriteError
 from plastron_tui.targets.launch.program import Executable, request_of
 from plastron_tui.targets.launch.python import write_python
@@ -48,6 +49,13 @@ def _are_apart(spec: PackageSpec) -> bool:
     """Tell whether the nodes of a package leave its name to the module of its types."""
     homes = (each.node.home for each in spec.nodes)
     return all(home is not None and home.folder == nodes_folder(spec.name) for home in homes)
+
+
+def _is_open(launch: Launch) -> bool:
+    """Tell whether who starts a launch file has to give it an argument."""
+    there = () if launch.source is None else items_of(launch.source.launch.items, Argument)
+    defaults = (each.default for each in (*launch.arguments.values(), *there))
+    return any(default is None for default in defaults)
 
 
 class Made(NamedTuple):
@@ -303,7 +311,7 @@ class ProgramPackages:
             *(each.package for each in launch.includes.values()),
             *(() if launch.source is None else packages_of(launch.source)),
         }
-        return PackagedLaunch(name, text, frozenset(needs))
+        return PackagedLaunch(name, text, frozenset(needs), is_open=_is_open(launch))
 
     def _name_and_text(self, launch: Launch, version: int) -> tuple[str, bytes] | Diagnostic:
         if launch.source is not None:

@@ -88,7 +88,8 @@ def _imported(spec: PackageSpec) -> tuple[set[str], tuple[Diagnostic, ...]]:
 def _for_tests(spec: PackageSpec) -> set[str]:
     """Return what the tests import, and what their build files find."""
     if spec.ros_version == 1:
-        return {"python3-pytest", "rosgraph", "rosmaster"} if spec.nodes else set()
+        nodes = {"python3-pytest", "rosgraph", "rosmaster"} if spec.nodes else set()
+        return nodes | ({"roslaunch"} if spec.launches else set())
     needed = set(_LINTERS[spec.builds])
     if spec.nodes:
         needed |= {"domain_coordinator"}

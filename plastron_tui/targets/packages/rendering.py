@@ -208,7 +208,7 @@ def _filled(spec: PackageSpec, template: str) -> bytes:
         "maintainer_email": python_argument("maintainer_email", spec.person.mail, 4),
         "description": python_argument("description", spec.summary, 4),
         "license": python_string(spec.licensed),
-        "launches": bool(spec.launches),
+        "launches": sorted(spec.launches),
         "configs": bool(spec.configs),
         "messages": of(InterfaceKind.MESSAGE),
         "services": of(InterfaceKind.SERVICE),

@@ -59,12 +59,21 @@ class PackagedNode(NamedTuple):
 
 
 class PackagedLaunch(NamedTuple):
-    """A launch file in a package; `needs` are the packages whose nodes or files it starts."""
+    """A launch file in a package.
+
+    Attributes:
+        name: its name.
+        text: what it holds.
+        needs: the packages whose nodes or files it starts.
+        span: the statement that puts it there.
+        is_open: whether who starts it has to give it an argument.
+    """
 
     name: str
     text: bytes
     needs: frozenset[str] = frozenset()
     span: Span | None = None
+    is_open: bool = False
 
 
 class PackagedFile(NamedTuple):

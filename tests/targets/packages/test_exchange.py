@@ -193,7 +193,7 @@ def test_roslaunch_starts_nodes_that_exchange_own_types(tmp_path: Path) -> None:
         assert launched.interrupt() == 0
     call(["catkin_make", "-j2", "run_tests"], workspace, system)
     told = call(["catkin_test_results", "build"], workspace, system)
-    assert "2 tests, 0 errors, 0 failures" in told
+    assert "4 tests, 0 errors, 0 failures" in told
 
 
 def nodes_of(launch: Path) -> list[str]:

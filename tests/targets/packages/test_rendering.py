@@ -22,6 +22,7 @@ from plastron_tui.ros.packages import Maintainer
 from plastron_tui.targets.packages import (
     BuildType,
     PackagedFile,
+    PackagedLaunch,
     PackageSpec,
     interfaces_of,
     render_interfaces,
@@ -46,6 +47,8 @@ def shape(name: str) -> PackageSpec:
         found = interfaces_of(with_types(kept("rclpy")))
         assert found is not None
         return found
+    if name == "types and nodes":
+        return replace(with_types(kept("rclpy")), builds_types=True)
     return replace(kept("rclpy"), build_type=BuildType(name))
 
 
@@ -54,12 +57,15 @@ def read(description: str) -> str:
     return unescape(description, {"&quot;": '"'})
 
 
-SHAPES = ("catkin", "ament_python", "ament_cmake_python", "ament_cmake", "interfaces")
+SHAPES = (
+    *("catkin", "ament_python", "ament_cmake_python", "ament_cmake", "interfaces"),
+    "types and nodes",
+)
 
 
 def rendered(spec: PackageSpec, folder: Path) -> Path:
-    write(render_interfaces(spec) if spec.definitions and spec.ros_version == 2 else
-          render_package(spec), folder)  # fmt: skip
+    is_apart = spec.ros_version == 2 and spec.definitions and not spec.builds_types
+    write(render_interfaces(spec) if is_apart else render_package(spec), folder)
     return folder
 
 
@@ -202,6 +208,27 @@ def test_license_without_a_text_is_linked() -> None:
     assert found.files is not None
     assert "LICENSE" not in found.files
     assert b"spdx.org/licenses/GPL-3.0-only" in found.files["README.md"].text
+
+
+def test_catkin_checks_launch_files() -> None:
+    launches = (
+        PackagedLaunch("b.launch", b"<launch/>"),
+        PackagedLaunch("a.launch", b"<launch/>", is_open=True),
+    )
+    spec = replace(kept("rospy"), launches=launches)
+    found = render_package(spec)
+    assert found.files is not None
+    checks = [
+        line.strip()
+        for line in found.files["CMakeLists.txt"].text.decode().splitlines()
+        if "roslaunch" in line
+    ]
+    assert checks == [
+        "find_package(roslaunch REQUIRED)",
+        "roslaunch_add_file_check(launch/a.launch IGNORE_UNSET_ARGS)",
+        "roslaunch_add_file_check(launch/b.launch)",
+    ]
+    assert "roslaunch" in keys(spec, "test_depend")
 
 
 OWN_LICENSES = [
