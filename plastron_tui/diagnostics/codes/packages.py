@@ -80,7 +80,8 @@ MAINTAINER_MISSING = Code(
 UNKNOWN_LICENSE = Code(
     "unknown-license",
     "A license is named by its identifier in the SPDX License List, such as `Apache-2.0`, `MIT` or "
-    "`BSD-3-Clause`. The help line has the nearest one.",
+    "`BSD-3-Clause`. The help line has the nearest one. Closed code is `Proprietary`, and a "
+    "license with a text of its own `LicenseRef-NAME`.",
     bad="create_package 'rover' as rover licensed_under \"Apache-2\"\n",
     good="create_package 'rover' as rover licensed_under \"Apache-2.0\"\n",
 )
