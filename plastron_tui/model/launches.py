@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, NamedTuple
 
 from plastron_tui.diagnostics import Diagnostic, Span, codes
+from plastron_tui.ros.launch import joined
 from plastron_tui.ros.parameters import Setting
 
 if TYPE_CHECKING:
@@ -84,6 +85,7 @@ class Start(NamedTuple):
         parameters: a file with values of its parameters, None for none.
         span: the statement.
         where: what is started, in the statement.
+        container_where: its container, there; None for none.
     """
 
     node: Node | None
@@ -97,11 +99,18 @@ class Start(NamedTuple):
     parameters: str | None
     span: Span
     where: Span
+    container_where: Span | None = None
 
     @property
     def run_name(self) -> str:
-        """What a program calls it by: its name at run time."""
-        return self.name or (self.executable if self.node is None else self.node.name)
+        """Its name at run time; a component without one is called as its class is."""
+        own = self.executable.rpartition("::")[2] if self.node is None else self.node.name
+        return self.name or own
+
+    @property
+    def full_name(self) -> str:
+        """What a program calls it by: its namespace and its name, without the first `/`."""
+        return f"{joined('', self.namespace or '')}/{self.run_name}".lstrip("/")
 
 
 class LaunchArgument(NamedTuple):
@@ -130,7 +139,7 @@ class Launch:
         span: the statement that created or loaded it.
         source: what a loaded one came from, None for one that was created.
         arguments: those that the program gave it, by name.
-        starts: what the program lets it start, by their names at run time.
+        starts: what the program lets it start, by their full names.
         includes: what the program lets it include, by `PACKAGE/FILE`.
         removed_arguments: what the program took out of its source, by the same names.
         removed_starts: likewise.
