@@ -19,7 +19,7 @@ from plastron_tui.ros.parameters import Setting
 
 from .launch_lookups import VALUE_HELP, bad_name, find_launch, find_node, names_there, plain_value
 from .launch_lookups import twice as told_twice
-from .launches import Launch, Start
+from .launches import Launch, ParameterFile, Start
 from .mistake import Mistake
 from .run import Run
 from .workspace import Node
@@ -93,7 +93,7 @@ def _start(run: Run, launch: Launch, statement: st.Starts) -> Start:
         statement.container,
         tuple(_remaps(run, launch, statement, version)),
         tuple(_settings(run, launch, statement, version)),
-        statement.parameters,
+        _parameters(run, statement, version),
         statement.span,
         where,
         container,
@@ -185,6 +185,16 @@ def _settings(
         if isinstance(value, str):
             _check_arguments(run, launch, value, Span(where.start + 1, where.end - 1))
         yield each.parameter, value
+
+
+def _parameters(run: Run, statement: st.Starts, version: int) -> ParameterFile | None:
+    if statement.parameters is None:
+        return None
+    where = statement.span_of("parameters")
+    loaded = run.setting.read_parameters(statement.parameters, version)
+    if loaded.path is None:
+        raise Mistake(*(each._replace(span=where) for each in loaded.diagnostics))
+    return ParameterFile(loaded.path, loaded.text, where)
 
 
 def _child_span(statement: st.Starts, syntax: Any, field: str) -> Span:

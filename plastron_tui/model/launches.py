@@ -70,6 +70,41 @@ def no_launch(source: str) -> LoadedLaunch:
     return LoadedLaunch(None, (found,))
 
 
+class ParameterFile(NamedTuple):
+    """A parameter file that a program lets a node have.
+
+    Attributes:
+        path: where it is.
+        text: what it holds.
+        where: its path, in the statement.
+        package: the package that installs it, "" where that is not known yet.
+        inner: where it is in that package.
+    """
+
+    path: Path
+    text: bytes
+    where: Span
+    package: str = ""
+    inner: str = ""
+
+
+class LoadedParameters(NamedTuple):
+    """What a reader made of the path of a parameter file; None with the reason."""
+
+    path: Path | None
+    text: bytes = b""
+    diagnostics: tuple[Diagnostic, ...] = ()
+
+
+ParameterReader = Callable[[str, int], LoadedParameters]
+
+
+def no_parameters(source: str, ros_version: int) -> LoadedParameters:
+    """Find no parameter file: where a program has no folder, there is none."""
+    found = Diagnostic(codes.FILE_NOT_FOUND, f"no file `{source}` beside the program")
+    return LoadedParameters(None, b"", (found,))
+
+
 class Start(NamedTuple):
     """A `starts` of a program.
 
@@ -96,7 +131,7 @@ class Start(NamedTuple):
     container: str | None
     remaps: tuple[tuple[str, str], ...]
     settings: tuple[tuple[str, Setting], ...]
-    parameters: str | None
+    parameters: ParameterFile | None
     span: Span
     where: Span
     container_where: Span | None = None
@@ -156,6 +191,12 @@ class Launch:
     removed_arguments: dict[str, Span] = field(default_factory=dict)
     removed_starts: dict[str, Span] = field(default_factory=dict)
     removed_includes: dict[str, Span] = field(default_factory=dict)
+
+    @property
+    def parameter_files(self) -> tuple[ParameterFile, ...]:
+        """The parameter files that its nodes have."""
+        found = (each.parameters for each in self.starts.values())
+        return tuple(each for each in found if each is not None)
 
     def snapshot(self) -> Launch:
         """Return the launch file as it is now, untouched by what later statements do to it."""

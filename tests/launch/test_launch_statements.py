@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import pytest
 
+from plastron_tui.model.launch_checks import with_parameter_files
 from plastron_tui.model.workspace import Node
 from plastron_tui.session import Options, Session
 from plastron_tui.sources.launch.python_reader import read_launch_python
@@ -32,7 +35,8 @@ bringup starts talker in 'front' remapping 'chatter' to 'hello' setting 'speed' 
 bringup starts 'demo/listener' as 'ear' with parameters 'config/ear.yaml'
 bringup starts 'demo/Camera' as 'camera' inside 'eyes'
 bringup includes 'rover/sensors.launch.xml'
-generate_launch bringup
+demo contains bringup
+generate_package demo
 """
 )
 WRITTEN = """\
@@ -62,11 +66,14 @@ def _own(node: Node) -> Executable:
     return Executable("own", node.name)
 
 
-def test_a_program_makes_a_launch_file() -> None:
-    session = Session(FULL.encode())
+def test_a_program_makes_a_launch_file(tmp_path: Path) -> None:
+    (tmp_path / "config").mkdir()
+    (tmp_path / "config" / "ear.yaml").write_text("ear:\n  ros__parameters:\n    loud: true\n")
+    session = Session(FULL.encode(), tmp_path / "p.plastron", Options("rclpy"), environ={})
     assert session.diagnostics == ()
-    (made,) = session.workspace.written_launches
-    assert write_xml(request_of(made.launch, 2, _own).added, 2) == WRITTEN
+    workspace = session.workspace
+    made = with_parameter_files(workspace.launches["bringup"], workspace.packages["demo"])
+    assert write_xml(request_of(made, 2, _own).added, 2) == WRITTEN
 
 
 @pytest.mark.parametrize(

@@ -20,7 +20,7 @@ from plastron_tui.ros.launch import (
     Remapping,
     StartedNode,
 )
-from plastron_tui.ros.launch_text import Substitution, Text, package_file, text, with_arguments
+from plastron_tui.ros.launch_text import Substitution, package_file, text, with_arguments
 from plastron_tui.ros.names import name_as_written, parameter_name
 from plastron_tui.ros.parameter_values import yaml_text
 from plastron_tui.ros.parameters import ParameterType, Setting, as_setting
@@ -114,7 +114,8 @@ def _node(start: Start, ros_version: int, find: FindExecutable) -> StartedNode:
         name = start.run_name
     parameters: list[Parameter] = []
     if start.parameters is not None:
-        parameters.append(ParameterFile(_file(start.parameters, own.package)))
+        file = start.parameters
+        parameters.append(ParameterFile(package_file(file.package, file.inner)))
     parameters += [_parameter(start, key, value, ros_version) for key, value in start.settings]
     return StartedNode(
         text(own.package),
@@ -144,10 +145,6 @@ def _parameter(start: Start, name: str, value: Setting, ros_version: int) -> Par
         return ParameterValue(text(name), found, holds is ParameterType.STRING)
     fitting = None if holds is None else as_setting(holds, value)
     return ParameterValue(text(name), value if fitting is None else fitting)
-
-
-def _file(path: str, package: str) -> Text:
-    return text(path) if path.startswith("/") else package_file(package, path)
 
 
 def _plain(value: Setting) -> str:
