@@ -71,7 +71,10 @@ def remove(document: XmlDocument, kind: type[Item], name: str, ros_version: int)
     if used is not None:
         message = f"`{name}` is still used here, and cannot be taken out"
         return XmlEdit(None, (Diagnostic(codes.EDIT_REFUSED, message, used, document.file),))
-    return _checked(document, remove_element(document, element), ros_version, found[0], -1)
+    # A file without anything in it is one that people write something into.
+    is_outermost = document.parents.get(element) is document.root
+    edit = remove_element(document, element, closes=not is_outermost)
+    return _checked(document, edit, ros_version, found[0], -1)
 
 
 def _head(root: Element, name: str) -> Element | None:
