@@ -316,9 +316,20 @@ class ProgramPackages:
             text = write_python(request.added) if is_python else write_xml(request.added, version)
         except CannotWriteError as problem:
             message = f"ROS {version} has no words for {problem} in a launch file"
-            return Diagnostic(codes.BAD_LAUNCH_NAME, message, launch.span)
+            where = self._unspeakable(launch, version)
+            return Diagnostic(codes.BAD_LAUNCH_NAME, message, where or launch.span)
         suffix = ".launch.py" if is_python else ".launch.xml" if version == 2 else ".launch"
         return f"{launch.name}{suffix}", text.encode()
+
+    def _unspeakable(self, launch: Launch, version: int) -> Span | None:
+        """Return the first statement whose node cannot be written, None for none."""
+        for start in launch.starts.values():
+            alone = replace(launch, arguments={}, includes={}, starts={start.full_name: start})
+            try:
+                write_xml(request_of(alone, version, self._executable).added, version)
+            except CannotWriteError:
+                return start.span
+        return None
 
     def _executable(self, node: Node) -> Executable:
         """Tell what starts a node: in ROS 1 it is the file itself."""

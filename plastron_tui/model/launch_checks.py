@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 from collections.abc import Callable, Iterator
 from dataclasses import replace
 from pathlib import Path
@@ -86,8 +85,7 @@ def _inner(home: Package, file: ParameterFile) -> str:
 
 def _within(folder: Path, path: Path) -> str | None:
     """Return the path of a file in a folder, None for one that is not in it."""
-    real, outer = Path(os.path.realpath(path)), Path(os.path.realpath(folder))
-    return real.relative_to(outer).as_posix() if real.is_relative_to(outer) else None
+    return path.relative_to(folder).as_posix() if path.is_relative_to(folder) else None
 
 
 def check_launches(workspace: Workspace, version_of: VersionOf) -> Iterator[Diagnostic]:
@@ -120,7 +118,7 @@ def _same_names(package: Package) -> Iterator[Diagnostic]:
         name = _inner(package, file)
         # Not every file system tells capitals from small letters.
         first = there.setdefault(name.lower(), file)
-        if os.path.realpath(first.path) != os.path.realpath(file.path):
+        if (first.path.name, first.text) != (file.path.name, file.text):
             yield Diagnostic(
                 codes.BAD_PACKAGE_FILE,
                 f"`{package.name}` gets another file as `{name}` already",

@@ -55,7 +55,7 @@ class ParameterReader:
         wrong = _problem(text, ros_version)
         if wrong is not None:
             return _failed(codes.BAD_PARAMETERS, f"`{source}` {wrong[0]}", wrong[1])
-        return LoadedParameters(path, text)
+        return LoadedParameters(Path(os.path.normpath(path)), text)
 
     def _not_there(self, source: str, path: Path) -> LoadedParameters:
         try:

@@ -135,6 +135,9 @@ def test_two_files_of_one_name_are_told(project: Path) -> None:
     first = starts.format("talker", "own.yaml")
     same = starts.format("talker as 'other'", "deep/../own.yaml")
     assert run(project, f"{first}{same}{PACKAGE}")[1] == []
+    (project / "deep/own.yaml").write_text(TEXTS["rclpy"])
+    equal = starts.format("talker as 'other'", "deep/own.yaml")
+    assert run(project, f"{first}{equal}{PACKAGE}")[1] == []
     second = starts.format("talker as 'other'", "deep/Own.yaml")
     text, found = run(project, f"{first}{second}{PACKAGE}")
     assert [each.code for each in found] == ["bad-package-file"]
@@ -159,3 +162,19 @@ def test_a_changed_parameter_file_is_copied_again(project: Path) -> None:
     (project / "own.yaml").write_text(TEXTS["rclpy"].replace("0.5", "0.7"))
     assert run(project, program)[1] == []
     assert "0.7" in (project / "output/demo/config/own.yaml").read_text()
+
+
+@pytest.mark.parametrize(
+    "statement, code, wrong",
+    [
+        ("bringup starts 'eye/eye::Eye' inside 'eyes'", "not-a-component", "'eyes'"),
+        ("bringup starts 'eye/eye' setting 'home' = \"$(env HOME)\"", "bad-launch-name", None),
+    ],
+)
+def test_what_ros_1_cannot_say_is_told_where_it_is_said(
+    project: Path, statement: str, code: str, wrong: str | None
+) -> None:
+    text, found = run(project, f"{statement}\ngenerate_launch bringup\n", "rospy")
+    assert [each.code for each in found] == [code]
+    assert found[0].span is not None
+    assert text[found[0].span.start : found[0].span.end] == (wrong or statement)
