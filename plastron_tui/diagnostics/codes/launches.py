@@ -7,6 +7,7 @@ from plastron_tui.diagnostics.code import Code
 from .programs import TALKING
 
 _BRINGUP = f"{TALKING}create_launch 'bringup' as bringup\n"
+_ARGUMENT = f"{_BRINGUP}bringup has_argument 'robot' with default \"rover\"\n"
 _PACKAGE = """\
 create_package 'demo' as demo described_as "Says hello." maintained_by "Ada <ada@example.com>" \
 licensed_under "MIT"
@@ -57,6 +58,21 @@ BAD_LAUNCH_NAME = Code(
     "is started as `'PACKAGE/EXECUTABLE'`, a file is included as `'PACKAGE/FILE'`.",
     bad=f"{_BRINGUP}bringup starts 'talker'\n",
     good=f"{_BRINGUP}bringup starts 'demo/talker'\n",
+)
+
+UNKNOWN_ARGUMENT = Code(
+    "unknown-argument",
+    "A launch file has no argument of this name, or is to lose one that it uses.",
+    bad=f"{_ARGUMENT}bringup starts talker in '$(var robt)'\n",
+    good=f"{_ARGUMENT}bringup starts talker in '$(var robot)'\n",
+)
+
+NOT_A_COMPONENT = Code(
+    "not-a-component",
+    "A container is to have a node that it cannot load: it loads components, classes of C++ that "
+    "packages of ROS 2 install. A node in Python runs in a process of its own.",
+    bad=f"{_BRINGUP}bringup starts talker inside 'eyes'\n",
+    good=f"{_BRINGUP}bringup starts 'image_proc/image_proc::RectifyNode' inside 'eyes'\n",
 )
 
 BROKEN_LAUNCH = Code(
