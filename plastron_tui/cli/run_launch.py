@@ -29,6 +29,7 @@ def run_launch(file: Path, words: Sequence[str], options: Options, others: Seque
         others: options of programs that were given, and that say nothing to a launch file.
     """
     from plastron_tui.regular_files import read_regular, reason
+    from plastron_tui.runtime.build_progress import ProgressLine
     from plastron_tui.runtime.environment import find_environments
     from plastron_tui.runtime.launch import run_nodes
     from plastron_tui.runtime.launch_run import prepare
@@ -50,7 +51,8 @@ def run_launch(file: Path, words: Sequence[str], options: Options, others: Seque
         report.add(diagnostics, lambda _: None)
         if environment is not None:
             arguments = dict(_pair(word) for word in words)
-            prepared = prepare(read.launch, file, arguments, environment)
+            with ProgressLine(drawn_on(sys.stderr)) as line:
+                prepared = prepare(read.launch, file, arguments, environment, tell=line.tell)
             report.add(prepared.diagnostics, lambda _: None)
             if prepared.nodes and not report.status:
                 told = f"running {file.name} on {environment.words}"
