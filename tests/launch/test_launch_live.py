@@ -8,6 +8,9 @@ import sys
 from pathlib import Path
 
 import pytest
+from loaded_packages import KINDS, lay
+from loaded_packages import TALKER as PROGRAM_TALKER
+from loaded_packages import run as write_program
 from machine import find_ros, graph_environ, skip_or_fail, wait_until
 
 from plastron_tui.runtime.environment import missing_packages
@@ -153,6 +156,44 @@ def test_nodes_of_a_launch_file_talk_and_are_ended(tmp_path: Path, ros_version: 
             status = run.wait(60)
     assert status == 128 + signal.SIGINT, log.read_text()
     assert _processes(str(tmp_path)) == []
+
+
+@pytest.mark.long
+@pytest.mark.parametrize("kind", ["catkin", "ament_python"])
+def test_a_launch_file_of_a_loaded_package_starts_its_new_node(tmp_path: Path, kind: str) -> None:
+    library, files = KINDS[kind]
+    ros_version = 1 if library == "rospy" else 2
+    environment = find_ros(ros_version)
+    if ros_version == 1 and missing_packages(environment, ["roslaunch"]):
+        skip_or_fail("roslaunch is not installed")
+    package = lay(tmp_path / "src", files)
+    program = (
+        f"{PROGRAM_TALKER}demo contains talker\ncreate_launch 'bringup' as bringup\n"
+        "bringup starts talker as 'speaker'\ndemo contains bringup\ngenerate_package demo\n"
+    )
+    assert write_program(program, tmp_path / "src", library, in_place=True) == ()
+    file = package / "launch" / ("bringup.launch" if ros_version == 1 else "bringup.launch.xml")
+    environ = graph_environ(tmp_path)
+    log = tmp_path / "said.log"
+    with log.open("w") as out:
+        run = subprocess.Popen(
+            [sys.executable, "-m", "plastron_tui", "run", str(file), "--for", "50"],
+            env=environ,
+            stdout=out,
+            stderr=out,
+        )
+        try:
+            wait_until(
+                lambda: (
+                    run.poll() is not None or 'name="speaker"' in _described(environ, ros_version)
+                ),
+                "the node is up",
+            )
+            assert run.poll() is None, log.read_text()
+        finally:
+            run.send_signal(signal.SIGINT)
+            status = run.wait(60)
+    assert status == 128 + signal.SIGINT, log.read_text()
 
 
 def _described(environ: dict[str, str], ros_version: int) -> str:
