@@ -12,11 +12,14 @@ from plastron_tui.language.inputs import InputValue, ListValue, Literal
 from plastron_tui.ros.launch import Argument, Include, Item, StartedNode, items_of
 from plastron_tui.ros.launch_values import as_value
 from plastron_tui.ros.names import check_node_name, check_parameter_name, check_topic_name, spelled
+from plastron_tui.ros.packages import LONGEST_FILE_NAME
 from plastron_tui.ros.parameters import Setting
 
 from .launches import Included, Launch, LaunchArgument, LaunchGeneration, Start
 from .mistake import Mistake
 from .run import Run
+
+_LONGEST_NAME = LONGEST_FILE_NAME - len(".launch.xml")
 
 
 def create_launch(run: Run, statement: st.CreateLaunch) -> None:
@@ -34,6 +37,12 @@ def check_launch_named(run: Run, statement: st.CreateLaunch) -> None:
         message = f"`{name}` cannot be the name of a launch file"
         help_text = "its name has letters, digits, `_`, `-` and dots, without its ending"
         raise _bad_name(message, statement.span_of("name"), help_text)
+    if len(name) > _LONGEST_NAME:
+        message = (
+            f"the name of a launch file has at most {_LONGEST_NAME} characters, and this one "
+            f"{len(name)}"
+        )
+        raise _bad_name(message, statement.span_of("name"), "choose a shorter one")
     for other in run.workspace.launches.values():
         if other.name == name:
             raise _twice(
