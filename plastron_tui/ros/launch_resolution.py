@@ -7,7 +7,7 @@ namespace to the one around it unless it starts with `/`.
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass, field, replace
 from typing import NamedTuple
 
@@ -30,6 +30,7 @@ from .launch import (
     Unread,
     Variable,
 )
+from .launch_inclusion import Including
 from .launch_text import Scope, Text
 from .launch_values import typed
 from .names import spelled
@@ -116,30 +117,6 @@ def _no_include(path: str) -> Opened:
     return Opened(None, 2, "", "included files are not read here")
 
 
-class _Including(NamedTuple):
-    """A file that includes another one.
-
-    Attributes:
-        path: the file, without symbolic links.
-        given: the names of the arguments that it was given.
-        arguments: what is known of its arguments where it includes the other one.
-    """
-
-    path: str
-    given: frozenset[str]
-    arguments: Mapping[str, str]
-
-    def is_again(self, path: str, arguments: Mapping[str, str]) -> bool:
-        """Tell whether including a file with these arguments is the same once more.
-
-        A file that includes itself with other arguments may come to an end.
-        """
-        return self.path == path and all(
-            arguments[name] == value if name in arguments else name not in self.given
-            for name, value in self.arguments.items()
-        )
-
-
 @dataclass(frozen=True, slots=True)
 class _State:
     """What holds at a place of a launch file."""
@@ -147,7 +124,7 @@ class _State:
     scope: Scope
     file: str | None
     ros_version: int
-    around: tuple[_Including, ...] = ()
+    around: tuple[Including, ...] = ()
     namespace: str = ""
     remaps: tuple[tuple[str, str], ...] = ()
     parameters: tuple[tuple[str, Setting], ...] = ()
@@ -360,15 +337,15 @@ class _Resolution:
                 known[name] = value
         return known
 
-    def _around(self, state: _State) -> tuple[_Including, ...]:
+    def _around(self, state: _State) -> tuple[Including, ...]:
         """Return the files that include each other at a place, the outermost first."""
         if state.file is None:
             return state.around
         real = os.path.realpath(state.file)
-        return (*state.around, _Including(real, state.given, state.scope.arguments))
+        return (*state.around, Including(real, state.given, state.scope.arguments))
 
     def _endless(
-        self, item: Include, state: _State, between: tuple[_Including, ...], again: _Including
+        self, item: Include, state: _State, between: tuple[Including, ...], again: Including
     ) -> None:
         names = " and ".join(f"`{os.path.basename(each.path)}`" for each in between)  # noqa: PTH119
         message = f"`{os.path.basename(again.path)}` includes itself without end"  # noqa: PTH119

@@ -13,6 +13,7 @@ from loaded_packages import TALKER as PROGRAM_TALKER
 from loaded_packages import run as write_program
 from machine import find_ros, graph_environ, skip_or_fail, wait_until
 
+from plastron_tui.diagnostics import has_errors
 from plastron_tui.runtime.environment import missing_packages
 
 pytestmark = pytest.mark.live
@@ -194,6 +195,45 @@ def test_a_launch_file_of_a_loaded_package_starts_its_new_node(tmp_path: Path, k
             run.send_signal(signal.SIGINT)
             status = run.wait(60)
     assert status == 128 + signal.SIGINT, log.read_text()
+
+
+OWN_TYPE = """\
+create_message_type WheelSpeed with float64 left
+create_node 'wheels' as wheels
+create_message turning of message_type WheelSpeed and input left=0.5
+wheels publish turning to 'wheel_speed' of message_type WheelSpeed at 10 hz
+create_node 'watcher' as watcher
+subscribe watcher to 'wheel_speed' of message_type WheelSpeed
+create_launch 'bringup' as bringup
+bringup starts wheels
+bringup starts watcher
+create_package 'rover' as rover maintained_by "Ada <ada@example.com>" licensed_under "MIT"
+rover contains wheels
+rover contains watcher
+rover contains bringup
+generate_package rover
+"""
+
+
+@pytest.mark.long
+@pytest.mark.parametrize("library", ["rospy", "rclpy"])
+def test_types_beside_a_launch_file_are_built_before_it_runs(tmp_path: Path, library: str) -> None:
+    ros_version = 1 if library == "rospy" else 2
+    environment = find_ros(ros_version)
+    if ros_version == 1 and missing_packages(environment, ["roslaunch"]):
+        skip_or_fail("roslaunch is not installed")
+    assert not has_errors(write_program(OWN_TYPE, tmp_path, library))
+    (file,) = (tmp_path / "output/rover/launch").iterdir()
+    done = subprocess.run(
+        [sys.executable, "-m", "plastron_tui", "run", str(file), "--for", "8"],
+        env=graph_environ(tmp_path),
+        capture_output=True,
+        text=True,
+        timeout=120,
+    )
+    assert "left" in done.stdout, done.stdout + done.stderr
+    assert "0.5" in done.stdout
+    assert "launch-differs" not in done.stderr
 
 
 def _described(environ: dict[str, str], ros_version: int) -> str:
