@@ -86,4 +86,10 @@ UNRESOLVED_LAUNCH = Code(
     "a value, a condition that is computed, a package that is not here. What hangs on it is left "
     "out.",
 )
+
+LAUNCH_DIFFERS = Code(
+    "launch-differs",
+    "A launch file starts something else than the program wrote that made it: it was changed by "
+    "hand since. What the file says is started; to have it in the program too, say it there.",
+)
 """No program shows the last ones: what a launch file says is not said in a program."""
