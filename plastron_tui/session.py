@@ -269,13 +269,17 @@ class Session:
         """Make the file of one `generate_node`."""
         return self._planner(self.workspace.generations).generate(generation)
 
-    def plan(self) -> tuple[FilePlan, tuple[Diagnostic, ...]]:
+    def plan(self, *, has_copies: bool = True) -> tuple[FilePlan, tuple[Diagnostic, ...]]:
         """Compare the files that the program asks for with the disk.
 
         The diagnostics say why a file is missing from the plan; a plan that has errors is not
         to be written.
+
+        Args:
+            has_copies: whether it has what the program leaves as it is in loaded packages.
         """
-        return self.plan_of(self.generated())
+        made = self.generated()
+        return self._planner(self.workspace.generations).plan(made, has_copies=has_copies)
 
     def own_packages(self, nodes: Sequence[Node], ros_version: int) -> dict[str, RenderedPackage]:
         """Return the packages of the program's own types that nodes use, those needed first.

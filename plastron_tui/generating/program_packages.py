@@ -9,7 +9,9 @@ from typing import TYPE_CHECKING, NamedTuple
 from plastron_tui.diagnostics import Diagnostic, Label, codes
 from plastron_tui.model.launch_checks import unwritable, with_parameter_files
 from plastron_tui.model.launches import Launch, LaunchGeneration
+from plastron_tui.model.packages import nodes_folder
 from plastron_tui.model.workspace import Node, Workspace
+from plastron_tui.ros.launch import Argument, items_of
 from plastron_tui.sources.launch.new_elements import CannotWriteError
 from plastron_tui.targets.launch.program import Executable, request_of
 from plastron_tui.targets.launch.python import write_python
@@ -42,6 +44,19 @@ if TYPE_CHECKING:
     from .destination import Writing
     from .generation import Generated
     from .text_files import Folder
+
+
+def _are_apart(spec: PackageSpec) -> bool:
+    """Tell whether the nodes of a package leave its name to the module of its types."""
+    homes = (each.node.home for each in spec.nodes)
+    return all(home is not None and home.folder == nodes_folder(spec.name) for home in homes)
+
+
+def _is_open(launch: Launch) -> bool:
+    """Tell whether who starts a launch file has to give it an argument."""
+    there = () if launch.source is None else items_of(launch.source.launch.items, Argument)
+    defaults = (each.default for each in (*launch.arguments.values(), *there))
+    return any(default is None for default in defaults)
 
 
 class Made(NamedTuple):
@@ -108,9 +123,11 @@ class ProgramPackages:
         types = definitions.get(package.name, ())
         if types and spec.ros_version == 2 and not (spec.nodes or launches):
             return self._types_alone(replace(spec, definitions=types))
-        definitions_here = definitions.get(home, ())
-        configs = _configs(package)
-        spec = replace(spec, definitions=definitions_here, launches=launches, configs=configs)
+        spec = replace(spec, launches=launches, configs=_configs(package))
+        if types and spec.ros_version == 2 and _are_apart(spec):
+            spec = replace(spec, definitions=types, builds_types=True)
+        else:
+            spec = replace(spec, definitions=definitions.get(home, ()))
         rendered = render_package(spec)
         nodes = {node_path(spec, each) for each in spec.nodes}
         files = {
@@ -135,8 +152,8 @@ class ProgramPackages:
         return Made(files, rendered.diagnostics)
 
     def _without_builder(self, spec: PackageSpec) -> Iterator[Diagnostic]:
-        """Tell the types that a package of nodes would have to build, and builds not in ROS 2."""
-        if spec.ros_version == 1 or spec.name not in self._own(spec.ros_version):
+        """Tell the types of a package of ROS 2 that are made after its nodes were placed."""
+        if spec.ros_version == 1 or spec.builds_types:
             return
         for each in self._workspace.types.values():
             definition = each.definitions.get(spec.ros_version)
@@ -144,12 +161,10 @@ class ProgramPackages:
             if each.source is None and package == spec.name:
                 yield Diagnostic(
                     codes.BAD_PACKAGE_FILE,
-                    f"`{spec.name}/{each.name}` is of a package that `create_package` makes, and "
-                    "types of ROS 2 are built in one of their own",
+                    f"`{spec.name}/{each.name}` is of a package that is written further up "
+                    "without types",
                     each.span,
-                    help=f"give the package another name than `{spec.name}`"
-                    if not each.package
-                    else f"leave the package out: `{each.name}`",
+                    help="make the type before `generate_package`",
                     labels=(Label(spec.span, "made here"),) if spec.span is not None else (),
                 )
 
@@ -302,7 +317,7 @@ class ProgramPackages:
             *(each.package for each in launch.includes.values()),
             *(() if launch.source is None else packages_of(launch.source)),
         }
-        return PackagedLaunch(name, text, frozenset(needs))
+        return PackagedLaunch(name, text, frozenset(needs), is_open=_is_open(launch))
 
     def _name_and_text(self, launch: Launch, version: int) -> tuple[str, bytes] | Diagnostic:
         if launch.source is not None:

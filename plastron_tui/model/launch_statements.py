@@ -9,12 +9,15 @@ from plastron_tui.diagnostics import Diagnostic, Span, codes, guess
 from plastron_tui.language import statements as st
 from plastron_tui.language.declaration import Statement
 from plastron_tui.ros.launch import Argument, Include, Item, StartedNode
+from plastron_tui.ros.packages import LONGEST_FILE_NAME
 
 from .launch_lookups import VALUE_HELP, bad_name, find_launch, names_there, plain_value, twice
 from .launch_starts import argument_use, starts
 from .launches import Included, Launch, LaunchArgument, LaunchGeneration
 from .mistake import Mistake
 from .run import Run
+
+_LONGEST_NAME = LONGEST_FILE_NAME - len(".launch.xml")
 
 
 def create_launch(run: Run, statement: st.CreateLaunch) -> None:
@@ -32,6 +35,12 @@ def check_launch_named(run: Run, statement: st.CreateLaunch) -> None:
         message = f"`{name}` cannot be the name of a launch file"
         help_text = "its name has letters, digits, `_`, `-` and dots, without its ending"
         raise bad_name(message, statement.span_of("name"), help_text)
+    if len(name) > _LONGEST_NAME:
+        message = (
+            f"the name of a launch file has at most {_LONGEST_NAME} characters, and this one "
+            f"{len(name)}"
+        )
+        raise bad_name(message, statement.span_of("name"), "choose a shorter one")
     for other in run.workspace.launches.values():
         if other.name == name:
             raise twice(
