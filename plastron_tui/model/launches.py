@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Callable
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, NamedTuple
 
 from plastron_tui.diagnostics import Diagnostic, Span, codes
-from plastron_tui.ros.launch import joined
+from plastron_tui.ros.launch import StartedNode, joined, names_of
 from plastron_tui.ros.parameters import Setting
 
 if TYPE_CHECKING:
@@ -191,6 +192,16 @@ class Launch:
     removed_arguments: dict[str, Span] = field(default_factory=dict)
     removed_starts: dict[str, Span] = field(default_factory=dict)
     removed_includes: dict[str, Span] = field(default_factory=dict)
+
+    @property
+    def by_shortest_name(self) -> dict[str, Start]:
+        """What the program lets it start, by the least that tells each from the others."""
+        there = () if self.source is None else names_of(self.source.launch.items, StartedNode)
+        names = Counter(name.rpartition("/")[2] for name in (*self.starts, *there))
+        return {
+            each.run_name if names[each.run_name] == 1 else name: each
+            for name, each in self.starts.items()
+        }
 
     @property
     def parameter_files(self) -> tuple[ParameterFile, ...]:

@@ -267,7 +267,11 @@ def test_a_name_alone_is_enough_where_one_node_has_it() -> None:
     taken = "bringup no_longer_starts 'ear'\n"
     [told] = Session(f"{HEAD}{two}{taken}".encode()).diagnostics
     assert told.help == "say which: `front/ear`, `rear/ear`"
+    both = Session(f"{HEAD}{two}".encode()).workspace.launches["bringup"]
+    assert list(both.by_shortest_name) == ["front/ear", "rear/ear"]
     one = two.partition("\n")[0]
+    alone = Session(f"{HEAD}{one}\n".encode()).workspace.launches["bringup"]
+    assert list(alone.by_shortest_name) == ["ear"]
     session = Session(f"{HEAD}{one}\n{taken}".encode())
     assert session.diagnostics == ()
     assert session.workspace.launches["bringup"].starts == {}
