@@ -215,6 +215,7 @@ class Session:
         from plastron_tui.project.definition_reader import DefinitionReader
         from plastron_tui.project.launch_reader import LaunchReader
         from plastron_tui.project.package_reader import PackageReader
+        from plastron_tui.project.parameter_reader import ParameterReader
 
         return Setting(
             self.library,
@@ -232,6 +233,7 @@ class Session:
                 self.document.text,
                 self._files.manifest,
             ),
+            ParameterReader(self.folder, self.boundary),
         )
 
     @property
@@ -267,13 +269,17 @@ class Session:
         """Make the file of one `generate_node`."""
         return self._planner(self.workspace.generations).generate(generation)
 
-    def plan(self) -> tuple[FilePlan, tuple[Diagnostic, ...]]:
+    def plan(self, *, has_copies: bool = True) -> tuple[FilePlan, tuple[Diagnostic, ...]]:
         """Compare the files that the program asks for with the disk.
 
         The diagnostics say why a file is missing from the plan; a plan that has errors is not
         to be written.
+
+        Args:
+            has_copies: whether it has what the program leaves as it is in loaded packages.
         """
-        return self.plan_of(self.generated())
+        made = self.generated()
+        return self._planner(self.workspace.generations).plan(made, has_copies=has_copies)
 
     def own_packages(self, nodes: Sequence[Node], ros_version: int) -> dict[str, RenderedPackage]:
         """Return the packages of the program's own types that nodes use, those needed first.

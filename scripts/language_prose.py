@@ -223,10 +223,14 @@ defaults in ROS 1, is an error where a node of it uses the type.
 A type without a package belongs to the program's: in ROS 2 to `ROVER_interfaces` beside the package
 `rover`, in ROS 1 to `rover` itself, and in a program without a package to `PROGRAM_interfaces`, after
 the program's file. `create_message_type rover_msgs/WheelSpeed with …` names another one.
+Where it names a package that the program creates, as in `create_message_type rover/WheelSpeed with …`,
+that package builds the type beside its nodes, in ROS 2 too: with `ament_cmake` and
+`ament_cmake_python`, and with its modules in the folder `rover_nodes`, since the types have `rover`.
 
 `load_type 'msg/WheelSpeed.msg' as WheelSpeed` reads a definition that exists. `has_field` gives a type a
 field more, or one of its fields another type, and `no_longer_has_field` takes one away: every other byte
-of the file stays. A change that something of the program does not bear is an error that names it.
+of the file stays. A change that something of the program does not bear is an error that names it. The
+file is written to `PACKAGE/msg/WheelSpeed.msg` in the output folder, with `--in-place` where it is.
 
 ## Packages and launch files
 
@@ -249,13 +253,37 @@ The package is for the ROS of its nodes: one for catkin in ROS 1, for `ament_pyt
 ROS 2. What the nodes import is in its `package.xml`. A node is started by its name, or by the one behind
 `as`. What people write into these files stays, as with nodes.
 
+Its tests start each node and ask the graph for what it has. In ROS 2 they check the style too. In ROS 1
+they check its launch files with `roslaunch_add_file_check`; of style they check nothing, since `roslint`
+is no part of Debian's ROS, and a package that needs it could not be built there.
+
 `load_package 'src/rover' as rover` reads a package that exists. What `contains` asks for is then written
 into its `package.xml`, `setup.py` or `CMakeLists.txt`, where each has its like; what a file computes, and
-Plastron is not sure of, is refused with the line.
+Plastron is not sure of, is refused with the line. The output folder gets the whole package, changed, so
+that it is built from there ([more](commands.md#packages-that-exist)); with `--in-place` it is changed
+where it is. `no_longer_contains` takes out what `contains` put in, to the byte; the file of the node stays,
+and a warning says so.
 
 A launch file starts nodes, each with its name, namespace, other names for its topics, and parameters, and
 includes other launch files. It is XML in both generations of ROS; with `launch: python` in
 `plastron.yaml` Python in ROS 2. `load_launch` reads one in XML, to change it.
+
+```plastron
+create_launch 'rover' as rover
+rover has_argument 'side' with default "left"
+rover has_argument 'speed' with default 0.5
+rover starts 'rover_base/wheels' in '$(var side)' remapping 'cmd_vel' to '/$(var side)/speed' setting 'max' = "$(var speed)"
+rover starts 'image_proc/image_proc::RectifyNode' as 'eye' inside 'eyes'
+```
+
+What an argument brings is `$(var NAME)` in a name, a namespace, the new name of a topic and a text, for
+ROS 1 as well; `"$(var speed)"` alone is a number where it comes to one. Nodes of one name in two
+namespaces are two: `no_longer_starts 'left/wheels'` says which. A container holds components, which are
+classes of C++ and are named as such; a node in Python runs in a process of its own.
+
+The file behind `with parameters` is looked for from the program's folder. The package that contains the
+launch file gets a copy of it in `config`, and installs it; into a package that is loaded you copy it
+yourself, and name it there.
 
 ## Client libraries
 

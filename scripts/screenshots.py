@@ -52,6 +52,7 @@ class Picture(NamedTuple):
     seconds: float = 0.8
 
 
+_OWN = "own_message.plastron"
 _TALKER = "talker_listener.plastron"
 _WIZARD = ["escape", "ctrl+u"]
 
@@ -117,6 +118,21 @@ PICTURES = (
         "studio-change", "A node that somebody else wrote",
         "Only what the statements ask for changes; the preview is the difference.",
         "change_node.plastron", (150, 36), ["down"] * 8, "gruvbox",
+    ),
+    Picture(
+        "studio-type", "A message of your own",
+        "It is a line of the program; the preview is the package that builds it.",
+        _OWN, (150, 36), ["down"],
+    ),
+    Picture(
+        "studio-launch", "A launch file",
+        "What it starts, and the file that `ros2 launch` takes.",
+        _OWN, (150, 36), ["down"] * 11,
+    ),
+    Picture(
+        "studio-package", "A package",
+        "Everything that a workspace takes: manifest, build files, license, launch files, tests.",
+        _OWN, (150, 40), ["ctrl+end", "up"],
     ),
     Picture(
         "studio-light", "Light",

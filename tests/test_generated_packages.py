@@ -238,12 +238,14 @@ def test_launch_files_are_written_in_python_on_request(tmp_path: Path) -> None:
     assert "LaunchDescription" in text and "remappings" in text
 
 
+MANIFEST = '<package format="3"><name>{}</name></package>\n'
 DEFINITION = "# How fast the wheels turn.\nfloat64 left   # m/s\r\n\n# a section\nfloat64 right"
 CHANGE = "load_type 'msg/Wheels.msg' as Wheels\nWheels has_field \"float64 slip\"\n"
 
 
 @pytest.mark.parametrize("in_place", [False, True])
 def test_a_definition_that_exists_keeps_all_other_bytes(tmp_path: Path, in_place: bool) -> None:
+    (tmp_path / "package.xml").write_text(MANIFEST.format("robot"))
     file = tmp_path / "msg" / "Wheels.msg"
     file.parent.mkdir()
     file.write_bytes(DEFINITION.encode())
@@ -253,7 +255,8 @@ def test_a_definition_that_exists_keeps_all_other_bytes(tmp_path: Path, in_place
     plan, found = program.plan()
     assert [*program.diagnostics, *found] == []
     assert write(plan).diagnostics == ()
-    written = file if in_place else tmp_path / "output" / "Wheels.msg"
+    made = tmp_path / "output" / "robot" / "msg" / "Wheels.msg"
+    written = file if in_place else made
     # The end of the text stays as it is: without a newline.
     assert written.read_bytes() == DEFINITION.encode() + b"\nfloat64 slip"
     if not in_place:
@@ -262,6 +265,51 @@ def test_a_definition_that_exists_keeps_all_other_bytes(tmp_path: Path, in_place
     plan, found = again.plan()
     assert [*again.diagnostics, *found] == []
     assert {each.state.value for each in plan.files} <= {"identical"}
+
+
+NAMESAKES = (
+    "load_type 'a/msg/Wheel.msg' as first\nload_type 'b/srv/Wheel.srv' as second\n"
+    "load_type 'b/msg/Wheel.msg' as third\nfirst has_field \"float64 slip\"\n"
+    'second has_field "float64 grip"\nthird has_field "float64 roll"\n'
+)
+
+
+def two_packages(folder: Path) -> None:
+    for package in ("a", "b"):
+        for kind, text in ("msg", "int8 x\n"), ("srv", "int8 x\n---\n"):
+            (folder / package / kind).mkdir(parents=True)
+            (folder / package / kind / f"Wheel.{kind}").write_text(text)
+        (folder / package / "package.xml").write_text(MANIFEST.format(package))
+
+
+@pytest.mark.parametrize("in_place", [False, True])
+def test_types_of_one_name_in_two_packages_are_two_files(tmp_path: Path, in_place: bool) -> None:
+    two_packages(tmp_path)
+    options = Options("rclpy", tmp_path / "output", in_place=in_place)
+    text = f"{NAMESAKES}generate_type first\n"
+    program = Session(text.encode(), tmp_path / "a.plastron", options, environ={})
+    plan, found = program.plan()
+    assert [*program.diagnostics, *found] == []
+    assert write(plan).diagnostics == ()
+    root = tmp_path if in_place else tmp_path / "output"
+    assert (root / "a/msg/Wheel.msg").read_text() == "int8 x\nfloat64 slip\n"
+    assert (root / "b/msg/Wheel.msg").read_text() == "int8 x\nfloat64 roll\n"
+    assert (root / "b/srv/Wheel.srv").read_text() == "int8 x\nfloat64 grip\n---\n"
+
+
+@pytest.mark.parametrize(
+    "first",
+    ["load_type 'a/msg/Wheel.msg' as first\n", "create_message_type a/Wheel with int8 y\n"],
+)
+def test_a_type_that_is_there_is_not_loaded(tmp_path: Path, first: str) -> None:
+    two_packages(tmp_path)
+    text = f"{first}load_type 'a/msg/Wheel.msg' as second\nload_type 'a/srv/Wheel.srv' as third\n"
+    program = Session(text.encode(), tmp_path / "a.plastron", environ={})
+    [found] = program.diagnostics
+    assert (found.code, found.message) == (
+        "type-exists",
+        "the program has a type `a/Wheel` already",
+    )
 
 
 OUTSIDE = ["../Wheels.msg", "/etc/Wheels.msg", "msg/Nothing.msg", "msg", "msg/Wheels.txt"]
@@ -307,12 +355,30 @@ def test_a_taken_name_is_told_once(tmp_path: Path) -> None:
     assert [each.code for each in told].count("taken-package-name") == 1
 
 
-def test_a_package_of_nodes_builds_no_types_in_ros_2(tmp_path: Path) -> None:
-    text = f"{OF_PACKAGE}create_package 'demo' as demo {ABOUT}\ndemo contains driver\n{WRITE}"
+def test_types_that_come_after_their_package_was_written_are_told(tmp_path: Path) -> None:
+    late = "create_message_type demo/Late with int8 x\n"
+    text = f"{SPEED}create_package 'demo' as demo {ABOUT}\ndemo contains driver\n{WRITE}{late}"
     _, diagnostics = session(tmp_path, text).plan()
     [found] = [each for each in diagnostics if each.code == "bad-package-file"]
     assert found.span is not None
-    assert text[found.span.start :].startswith("create_message_type")
+    assert text[found.span.start :].startswith("create_message_type demo/Late")
+
+
+def test_files_of_types_and_nodes_together(tmp_path: Path) -> None:
+    text = f"{OF_PACKAGE}create_package 'demo' as demo {ABOUT}\ndemo contains driver\n{WRITE}"
+    assert generate(tmp_path, text) == []
+    found = files(tmp_path)
+    assert {name.partition("/")[0] for name in found if "/" in name} == {"demo"}
+    assert not {"demo/setup.py", "demo/demo/__init__.py"} & found.keys()
+    for name, part in {
+        "demo/CMakeLists.txt": "ament_python_install_package(demo_nodes)",
+        "demo/package.xml": "<member_of_group>rosidl_interface_packages</member_of_group>",
+        "demo/msg/WheelSpeed.msg": "float64 left",
+        "demo/demo_nodes/driver.py": "from demo.msg import WheelSpeed",
+        "demo/demo_nodes/__init__.py": "",
+        "demo/test/test_driver.py": "demo_nodes.driver",
+    }.items():
+        assert part in found[name].decode(), name
 
 
 BY_BOB = ABOUT.replace("Ada", "Bob")

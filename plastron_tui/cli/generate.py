@@ -190,5 +190,5 @@ def _same_file(name: str) -> Diagnostic:
     return Diagnostic(
         codes.SAME_FILE,
         f"an earlier program writes `{name}` too, with another text",
-        help="give one of the nodes another name, or one of the programs another `-o`",
+        help="give what one of them is of another name, or one of the programs another `-o`",
     )

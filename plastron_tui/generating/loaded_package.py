@@ -49,7 +49,7 @@ _DEPENDS = "depends"
 
 
 _INSTALLED = "installed"
-"""Whether it was with a launch file that the package began to install it."""
+"""Whether it was with a node's or a launch file that the package began to install it."""
 
 _LAUNCH = "launch"
 _NO_LAUNCHES: Mapping[str, PackagedLaunch] = {}
@@ -100,8 +100,8 @@ def loaded_package_files(
         generated = by_variable.get(variable)
         if isinstance(contained.item, Node) and generated is not None:
             work.put(contained, generated)
-        elif isinstance(contained.item, Launch):
-            work.put_launch(contained, launches.get(variable))
+        elif isinstance(contained.item, Launch) and variable in launches:
+            work.put_launch(contained, contained.item, launches[variable])
     if any(each.severity is Severity.ERROR for each in work.found):
         return LoadedFiles((), frozenset(), tuple(work.found))
     return LoadedFiles((*work.files(), *work.written), frozenset(work.moved), tuple(work.found))
@@ -129,14 +129,31 @@ class _Change:
             file = self.source.executables[name].file
             added = None if file is None else self._added(file)
             ours = {each for each in self.source.texts if self._added(each) is not None}
-            changed = remove_executable(self.source, self.texts, name, self._needs, added, ours)
+            was_there = file is not None and self._remembered(file, _INSTALLED) is False
+            changed = remove_executable(
+                self.source,
+                self.texts,
+                name,
+                self._needs,
+                added,
+                ours,
+                is_installed_elsewhere=was_there,
+            )
             if not self._take(changed, span) or file is None:
                 continue
             is_back = any(each.name == name for each in self.package.contents.values())
             if file in self.source.texts and not is_back:
-                message = f"`{file}` of `{self.source.name}` stays where it is"
-                help_ = "remove it by hand if nothing else needs it"
-                self.found.append(Diagnostic(codes.FILE_STAYS, message, span, help=help_))
+                self.found.append(self._stays(name, file, span, was_there))
+
+    def _stays(self, name: str, file: str, span: Span, was_there: bool) -> Diagnostic:
+        """Tell that the file of an executable stays, and what installs it still."""
+        message = f"`{file}` of `{self.source.name}` stays where it is"
+        if was_there:
+            known = self.source.executables[name]
+            message += f", and line {known.line} of `{known.where}`, which was there before the "
+            message += "node, installs it"
+        help_ = "remove it by hand if nothing else needs it"
+        return Diagnostic(codes.FILE_STAYS, message, span, help=help_)
 
     def take_out_launches(self) -> None:
         """Take out the launch files that the program takes out of the package."""
@@ -188,7 +205,8 @@ class _Change:
         text = generated.files.files.main
         known = self.source.texts.get(file)
         if known not in (None, text) and not self._is_own(file):
-            self.found.append(self._taken(file, contained.span))
+            help_ = "name it otherwise: `contains … as 'other_name'`"
+            self.found.append(self._taken(file, contained.span, help_))
             return
         library = self.libraries[generated.generation.library]
         name = file.rpartition("/")[2]
@@ -203,11 +221,19 @@ class _Change:
         )
         keys, unknown = self._keys(node, library)
         self.found += unknown
-        changed = add_node(self.source, self.texts, contained.name, file, keys)
+        before = self.texts
+        changed = add_node(self.source, before, contained.name, file, keys)
         if self._take(changed, contained.span) and not finds_scripts(self.source):
             self.found.append(self._elsewhere(contained))
+        is_new = self._begins_to_install(before, file)
         for each in generated.files.output_files():
-            self._write_node(each, changed.added)
+            base = None if each.base is None else {**each.base, _INSTALLED: is_new}
+            self._write_node(replace(each, base=base), changed.added)
+
+    def _begins_to_install(self, before: Mapping[str, bytes], file: str) -> bool:
+        """Tell whether it is with a file that the package begins to install it, or did before."""
+        is_new = any(before[name] != self.texts[name] for name in before if name != PACKAGE_XML)
+        return is_new or (self._remembered(file, _INSTALLED) is True and self._is_own(file))
 
     def _elsewhere(self, contained: Contained) -> Diagnostic:
         message = (
@@ -216,17 +242,16 @@ class _Change:
         help_ = f"`install_scripts=$base/lib/{self.source.name}` below `[install]` of `setup.cfg`"
         return Diagnostic(codes.SCRIPT_ELSEWHERE, message, contained.span, help=help_)
 
-    def put_launch(self, contained: Contained, launch: PackagedLaunch | None) -> None:
-        """Put a launch file into the package's folder `launch`; None where it cannot be written."""
-        if launch is None:
-            message = f"the launch file `{contained.name}` is not written into `{self.source.name}`"
-            self.found.append(Diagnostic(codes.EDIT_REFUSED, message, contained.span))
-            return
-        is_within = isinstance(contained.item, Launch) and self._within(contained.item)
+    def put_launch(self, contained: Contained, item: Launch, launch: PackagedLaunch) -> None:
+        """Put a launch file into the package's folder `launch`, or leave it where it is in it."""
+        is_within = self._within(item)
         file = is_within or f"{_LAUNCH}/{launch.name}"
         known = self.source.texts.get(file)
         if not is_within and known not in (None, launch.text) and not self._is_own(file):
-            self.found.append(self._taken(file, contained.span))
+            help_ = (
+                f"change it with `load_launch`, or call this one another name than `{item.name}`"
+            )
+            self.found.append(self._taken(file, contained.span, help_))
             return
         keys = sorted(
             {*launch.needs, "roslaunch" if self.source.ros_version == 1 else "ros2launch"}
@@ -238,14 +263,11 @@ class _Change:
             # It is changed as a launch file that is loaded.
             self.texts.pop(file, None)
             return
-        is_new = any(before[name] != self.texts[name] for name in before if name != PACKAGE_XML)
-        if self._remembered(file, _INSTALLED) is True and self._is_own(file):
-            is_new = True
         made = OutputFile(
             f"{self.source.name}/{file}",
             launch.text,
             is_executable=False,
-            base={_INSTALLED: is_new},
+            base={_INSTALLED: self._begins_to_install(before, file)},
         )
         self._write_node(made, changed.added)
 
@@ -259,16 +281,14 @@ class _Change:
         """Tell whether an earlier run wrote a file, where this one would write over it."""
         return self._is_in_place(file) and self._entry(file) in self.manifest
 
-    def _taken(self, file: str, span: Span) -> Diagnostic:
+    def _taken(self, file: str, span: Span, help_: str) -> Diagnostic:
         message = f"the package `{self.source.name}` has a file `{file}` already"
         for there in self.source.executables.values():
             if there.file == file:
                 message += f": line {there.line} of `{there.where}` installs it"
                 break
-        help_ = (
-            "name it otherwise: `contains … as 'other_name'`, or write over the package with "
-            "`--in-place` where an earlier run made the file"
-        )
+        if not self._is_in_place(file) and self._entry(file) in self.manifest:
+            help_ = "write over it with `--in-place`, as the run did that made it"
         return Diagnostic(codes.ALREADY_CONTAINED, message, span, help=help_)
 
     def _keys(
@@ -342,8 +362,10 @@ class _Change:
         for name, text in self.texts.items():
             before = self.source.texts[name]
             is_over = self._is_in_place(name)
-            # What an earlier run changed is as it was before when nothing of it is left.
-            is_left = not is_over and f"{self.source.name}/{name}" in self.manifest
+            # What an earlier run changed is as it was before when nothing of it is left. What it
+            # copied has a base.
+            there, manifest = f"{self.source.name}/{name}", self.manifest
+            is_left = not is_over and there in manifest and there not in manifest.bases
             if text == before and not is_left:
                 continue
             found.append(

@@ -87,6 +87,9 @@ def rendered_definitions(
 def loaded_definitions(types: Iterable[OwnType], *, in_place: bool) -> Iterator[OutputFile]:
     """Yield the files of types that a program loaded and changed.
 
+    Elsewhere than in their places they go where those of types that are made do: below the folder
+    of their package, in that of their kind. Two packages may have types of one name.
+
     Args:
         types: the program's own types.
         in_place: whether they are written over the files that they came from.
@@ -97,7 +100,7 @@ def loaded_definitions(types: Iterable[OwnType], *, in_place: bool) -> Iterator[
         text = next(iter(each.definitions.values())).text
         path, held = each.source
         yield OutputFile(
-            path.name,
+            f"{each.package}/{each.kind.value}/{path.name}",
             text,
             is_executable=False,
             merged_from=held if in_place else None,

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 from plastron_tui.model.workspace import Node
 from plastron_tui.ros.interfaces import InterfaceKind
-from plastron_tui.ros.package_keys import find_license
+from plastron_tui.ros.package_keys import find_license, find_own_license
 from plastron_tui.ros.packages import parse_maintainer
 from plastron_tui.targets.packages.spec import PackagedNode, PackageSpec
 
@@ -64,7 +64,7 @@ def package_spec(
         first.target.ros_version,
         package.description,
         maintainer,
-        (find_license(package.license) or package.license) or None,
+        find_license(package.license) or find_own_license(package.license) or None,
         distribution=catalog.distribution,
         nodes=tuple(nodes),
         packages=frozenset(each for kind in InterfaceKind for each in catalog.packages(kind)),

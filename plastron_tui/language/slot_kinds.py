@@ -95,7 +95,11 @@ class SlotKind(Enum):
         'a name and an address, such as "Ann <ann@example.org>"',
         Form.TEXT,
     )
-    LICENSE = '"LICENSE"', 'the SPDX name of a license, such as "Apache-2.0"', Form.TEXT
+    LICENSE = (
+        '"LICENSE"',
+        'the SPDX name of a license, such as "Apache-2.0", or "Proprietary"',
+        Form.TEXT,
+    )
     ITEM = "VARIABLE", "the variable of a node or of a launch file", Form.VARIABLE
     EXECUTABLE = "'EXECUTABLE'", "the name of an executable, in single quotes", Form.QUOTED
     HELD = (

@@ -58,7 +58,9 @@ def home_in(run: Run, statement: st.Contains, package: Package, node: Node, name
     folder = source.node_folder
     if folder is None:
         message = f"`{source.name}` has no folder of Python modules that its `setup.py` installs"
-        raise Mistake(Diagnostic(codes.EDIT_REFUSED, message, statement.span_of("package")))
+        help_ = f"make a folder `{source.name}` with an `__init__.py`, and name it in `packages`"
+        where = statement.span_of("package")
+        raise Mistake(Diagnostic(codes.EDIT_REFUSED, message, where, help=help_))
     file = f"{folder}/{name.replace('-', '_').replace('.', '_')}.py".lstrip("/")
     key = source.executable(name)
     if key is not None and key not in package.removed and source.executables[key].file != file:

@@ -15,6 +15,7 @@ from plastron_tui.ros.packages import check_package_name, mended_package_name
 
 from .consequences import Consequences
 from .context import Setting
+from .later_types import LaterTypes
 from .libraries import default_library
 from .mistake import Mistake
 from .own_types import InterfaceKey, OwnType, interfaces_of
@@ -70,6 +71,7 @@ class NamedTypes:
         self._version = setting.ros_version(None)
         self._resolvers: dict[int, TypeResolver] = {}
         self._package: str | None = None
+        self._later = LaterTypes()
         self._uses: list[_Use] = []
         self.fitters: dict[int, Fitter] = {}
         self._earlier_fitters = fitters
@@ -90,6 +92,9 @@ class NamedTypes:
         own = self._own(text, kind)
         if own is not None and version in own.wrong:
             raise Mistake(_not_in(own, version, where))
+        later = self.explain(statement, text, kind, found)
+        if later is not found:
+            raise Mistake(Diagnostic(later.code, later.message, where, help=later.help))
         remedy: str | None = self._elsewhere(text, kind, version)
         fix: Fix | None = None
         if remedy is None:
@@ -103,6 +108,12 @@ class NamedTypes:
         if problem.code != codes.UNKNOWN_TYPE or name in self._workspace.types:
             return False
         return self._consequences.declares(name)
+
+    def explain(
+        self, statement: Statement, text: str, kind: InterfaceKind, problem: TypeProblem
+    ) -> TypeProblem:
+        """Return what to say of a type that is not known where a statement names it."""
+        return self._later.explain(statement, text, kind, problem)
 
     def _own(self, text: str, kind: InterfaceKind) -> OwnType | None:
         own = self._workspace.types.get(text.rpartition("/")[2])
@@ -148,6 +159,7 @@ class NamedTypes:
         first = next(created, None)
         self._package = self._package if first is None else first.name
         self._uses = []
+        self._later = LaterTypes(program.statements)
 
     def own_package(self, version: int) -> str:
         """Return the package of the program's types that name none.

@@ -10,6 +10,7 @@ from plastron_tui.language import statements as st
 from plastron_tui.ros.definition_changes import find_circle
 from plastron_tui.ros.interfaces import InterfaceKind
 
+from .field_lines import written_type
 from .mistake import Mistake
 from .own_type_values import fit_anew
 from .own_types import Definition, OwnType, interfaces_of
@@ -73,13 +74,17 @@ def _check_circle(run: Run, statement: Any, own: OwnType, version: int) -> None:
     if circle:
         names = [each.name for each in circle]
         shown = " in ".join(f"`{each}`" for each in (*names, names[0]))
-        slot = "definition" if isinstance(statement, st.HasField) else "type"
-        if own.source is not None and isinstance(statement, st.LoadType):
-            slot = "source"
+        match statement:
+            case st.HasField():
+                where = written_type(statement)
+            case st.LoadType():
+                where = statement.span_of("source")
+            case _:
+                where = statement.span_of("type")
         message = f"`{names[0]}` contains itself: {shown}"
         if len(names) == 1:
             message = f"`{names[0]}` contains itself"
-        raise Mistake(Diagnostic(codes.CIRCULAR_TYPE, message, statement.span_of(slot)))
+        raise Mistake(Diagnostic(codes.CIRCULAR_TYPE, message, where))
 
 
 def users_of(run: Run, own: OwnType) -> Iterator[Span]:

@@ -4,11 +4,14 @@ from __future__ import annotations
 
 from typing import Any
 
-from plastron_tui.diagnostics import Diagnostic, Label, codes, guess, write
-from plastron_tui.diagnostics.suggest import nearest
+from plastron_tui.diagnostics import Diagnostic, Label, Span, codes, guess, write
 from plastron_tui.language import statements as st
-from plastron_tui.ros.package_keys import find_license, licenses
+from plastron_tui.language.declaration import Statement
+from plastron_tui.language.text_places import span_in_text
+from plastron_tui.ros.names import NameProblem
+from plastron_tui.ros.package_keys import find_license, find_own_license, license_help
 from plastron_tui.ros.packages import (
+    check_file_name,
     check_package_name,
     check_text,
     parse_maintainer,
@@ -18,9 +21,9 @@ from plastron_tui.ros.packages import (
 from .launches import Launch
 from .load_package import home_in
 from .mistake import Mistake
-from .packages import Contained, Package, PackageGeneration
+from .packages import Contained, Package, PackageGeneration, nodes_folder
 from .run import Run
-from .workspace import Generation, Node
+from .workspace import Generation, Home, Node
 
 
 def create_package(run: Run, statement: st.CreatePackage) -> None:
@@ -57,7 +60,7 @@ def check_package_named(run: Run, statement: st.CreatePackage) -> None:
             Diagnostic(
                 codes.BAD_PACKAGE_NAME,
                 problem.message,
-                where,
+                _place(statement, "name", problem),
                 help=None if right is None else f"write '{right}'",
                 fix=None if right is None else write(f"'{right}'", where),
             )
@@ -80,8 +83,15 @@ def check_description(_: Run, statement: st.CreatePackage) -> None:
     if statement.description:
         problem = check_text(statement.description, "the description of a package")
         if problem is not None:
-            where = statement.span_of("description")
+            where = _place(statement, "description", problem)
             raise Mistake(Diagnostic(codes.BAD_PACKAGE_TEXT, problem.message, where))
+
+
+def _place(statement: Statement, slot: str, problem: NameProblem) -> Span:
+    """Return where something wrong stands in a text of a statement."""
+    start, end = problem.offset, problem.offset + problem.length
+    is_whole = end - start >= len(getattr(statement, slot))
+    return statement.span_of(slot) if is_whole else span_in_text(statement, slot, start, end)
 
 
 def check_maintainer(_: Run, statement: st.CreatePackage) -> None:
@@ -92,23 +102,25 @@ def check_maintainer(_: Run, statement: st.CreatePackage) -> None:
     maintainer, problem = parse_maintainer(statement.maintainer)
     if maintainer is None or problem is not None:
         message = "this names nobody" if problem is None else problem.message
+        if problem is not None:
+            where = _place(statement, "maintainer", problem)
         help_ = 'write "Ada <ada@example.com>"'
         raise Mistake(Diagnostic(codes.BAD_MAINTAINER, message, where, help=help_))
 
 
 def check_license(_: Run, statement: st.CreatePackage) -> None:
-    """Check that a license is one that SPDX knows."""
+    """Check that a license is one that SPDX knows, or stands for one of somebody's own."""
     name = statement.license
-    if name is None or find_license(name) is not None:
+    if name is None or find_license(name) is not None or find_own_license(name) is not None:
         return
     where = statement.span_of("license")
-    right = nearest(name, licenses())
+    remedy, right = license_help(name)
     raise Mistake(
         Diagnostic(
             codes.UNKNOWN_LICENSE,
             f"`{name}` is no license that SPDX and Plastron know",
             where,
-            help=None if right is None else f"did you mean `{right}`?",
+            help=remedy,
             fix=None if right is None else write(f'"{right}"', where),
         )
     )
@@ -118,6 +130,7 @@ def contains(run: Run, statement: st.Contains) -> None:
     """Put a node or a launch file into a package."""
     package = check_package_there(run, statement)
     item = check_item(run, statement)
+    check_executable(run, statement)
     _check_place(run, statement, package)
     _check_ros(run, statement, package, item)
     contained = Contained(item, statement.executable, statement.span)
@@ -149,6 +162,20 @@ def check_item(run: Run, statement: st.Contains) -> Node | Launch:
     if item is None:
         raise _unknown_item(run, statement)
     return item
+
+
+def check_executable(run: Run, statement: st.Contains) -> None:
+    """Check what one starts a node of a package by: files are called by it."""
+    node = run.workspace.nodes.get(statement.item)
+    name = statement.executable or ("" if node is None else node.name)
+    problem = check_file_name(name, "an executable") if name else None
+    if problem is not None:
+        slot = "item" if statement.executable is None else "executable"
+        where = (
+            _place(statement, slot, problem) if slot == "executable" else statement.span_of(slot)
+        )
+        remedy = None if statement.executable else "name it otherwise: `contains … as 'other_name'`"
+        raise Mistake(Diagnostic(codes.BAD_PACKAGE_FILE, problem.message, where, help=remedy))
 
 
 def _check_place(run: Run, statement: st.Contains, package: Package) -> None:
@@ -259,9 +286,21 @@ def generate_package(run: Run, statement: st.GeneratePackage) -> None:
     for each in package.contents.values():
         if isinstance(each.item, Node):
             library = each.item.library or run.setting.library
-            generation = Generation(each.item.snapshot(), library, statement.span)
+            node = each.item.snapshot()
+            if _has_types(run, package, node):
+                node.home = Home(package.name, each.name, nodes_folder(package.name))
+            generation = Generation(node, library, statement.span)
             workspace.generations.append(generation)
     workspace.written_packages.append(PackageGeneration(package.snapshot(), statement.span))
+
+
+def _has_types(run: Run, package: Package, node: Node) -> bool:
+    """Tell whether a package that is created is to build types of ROS 2 beside a node."""
+    if package.source is not None or run.checks.version_of(node) == 1:
+        return False
+    own = run.types.own_package(2)
+    made = (each for each in run.workspace.types.values() if each.source is None)
+    return any(2 in each.definitions and (each.package or own) == package.name for each in made)
 
 
 def check_package_there(run: Run, statement: Any) -> Package:

@@ -32,6 +32,14 @@ class Contained(NamedTuple):
         return self.executable or self.item.name
 
 
+def nodes_folder(package: str) -> str:
+    """Return where the nodes of a ROS 2 package are that builds its own types too.
+
+    rosidl_generator_py makes the Python module of the package's name, with the types in it.
+    """
+    return f"{package}_nodes"
+
+
 @dataclass(slots=True)
 class Package:
     """A package, as the program has it so far.

@@ -28,6 +28,7 @@ from .mistake import Mistake
 from .node_statements import check_managed, check_node_name, check_work
 from .package_statements import (
     check_description,
+    check_executable,
     check_item,
     check_license,
     check_maintainer,
@@ -281,7 +282,7 @@ _CHECKS: dict[type[Statement], tuple[_Check, ...]] = {
         *(_variable, check_package_named, check_description, check_maintainer, check_license),
     ),
     st.LoadPackage: (_variable,),
-    st.Contains: (check_package_there, check_item),
+    st.Contains: (check_package_there, check_item, check_executable),
     st.CreateLaunch: (_variable, check_launch_named),
     st.LoadLaunch: (_variable,),
 }

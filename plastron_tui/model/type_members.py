@@ -47,6 +47,7 @@ class Naming(NamedTuple):
         resolver: looks types up.
         own: the type itself, of which it can have no field.
         is_broken: tells whether a type that is not known was to be made by a broken statement.
+        explain: returns what to say of a type that is not known.
     """
 
     version: int
@@ -54,6 +55,7 @@ class Naming(NamedTuple):
     resolver: TypeResolver
     own: str
     is_broken: Callable[[str, TypeProblem], bool]
+    explain: Callable[[str, InterfaceKind, TypeProblem], TypeProblem]
 
     def full(self, type_text: str) -> str | TypeProblem:
         """Return a type as a definition of the package has it: with its package, if another's.
@@ -71,6 +73,9 @@ class Naming(NamedTuple):
         if isinstance(found, TypeProblem):
             if self.is_broken(name, found):
                 raise Mistake
+            explained = self.explain(name, InterfaceKind.MESSAGE, found)
+            if explained is not found:
+                return explained
             right = nearest(name, PRIMITIVES[self.version]) if name.islower() else None
             is_slip = right is not None and found.code == codes.UNKNOWN_TYPE
             return found._replace(help=f"did you mean `{right}`?") if is_slip else found
@@ -174,6 +179,10 @@ def changed_by_builders(value: Value | None) -> str | None:
         return "a text in a definition of ROS 2 does not keep a backslash"
     if isinstance(value, tuple) and any('"' in each and "'" in each for each in texts):
         return "a list of texts in a definition of ROS 2 does not keep quotes of both kinds"
+    if isinstance(value, tuple) and any(
+        each[:1] in "'\"" and each[:1] == each[-1:] for each in texts if each
+    ):
+        return "a list of texts in a definition of ROS 2 does not keep the quotes around a text"
     if isinstance(value, tuple) and not all(each.isascii() for each in texts):
         return "a list of texts in a definition of ROS 2 is ASCII alone"
     return None

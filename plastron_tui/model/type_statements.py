@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from functools import partial
 from typing import Any
 
 from plastron_tui.diagnostics import (
@@ -21,15 +22,22 @@ from plastron_tui.language.declaration import Statement
 from plastron_tui.language.definitions import FieldText
 from plastron_tui.ros.definition import parse_definition
 from plastron_tui.ros.definition_edits import add_member, remove_member, replace_member
-from plastron_tui.ros.definition_members import check_type_name, check_type_package, generated_stems
+from plastron_tui.ros.definition_members import (
+    check_type_length,
+    check_type_name,
+    check_type_package,
+    generated_stems,
+)
 from plastron_tui.ros.definition_text import format_definition
-from plastron_tui.ros.interfaces import Constant, Interface, InterfaceKind, InterfaceName, Section
+from plastron_tui.ros.interfaces import Interface, InterfaceKind, InterfaceName, Section
+from plastron_tui.ros.packages import LONGEST_PACKAGE_NAME
 
+from .field_lines import field_line
 from .mistake import Mistake
 from .own_type_changes import Make, in_use, settle, users_of
 from .own_types import SECTIONS, Definition, DefinitionSource, OwnType
 from .run import Run
-from .type_members import Naming, changed_by_builders, members_of, section_of
+from .type_members import Naming, members_of, section_of
 
 _PARTS: dict[type[Statement], tuple[InterfaceKind, tuple[str, ...]]] = {
     st.CreateMessageType: (InterfaceKind.MESSAGE, ("fields",)),
@@ -107,6 +115,11 @@ def check_type_named(run: Run, statement: Any) -> tuple[str, str]:
         )
     run.checks.new_name(statement, "type", name)
     problem = check_type_package(package, version) if package else None
+    if problem is None and len(package) > LONGEST_PACKAGE_NAME:
+        problem = (
+            f"the name of a package has at most {LONGEST_PACKAGE_NAME} characters, and this one "
+            f"{len(package)}"
+        )
     problem = problem or check_type_name(name, version)
     if problem is not None:
         right = "".join(part[:1].upper() + part[1:] for part in name.split("_"))
@@ -122,6 +135,9 @@ def check_type_named(run: Run, statement: Any) -> tuple[str, str]:
         )
     _check_files(run, statement, package, name)
     owner = package or run.types.own_package(version)
+    too_long = check_type_length(owner, name, _PARTS[type(statement)][0], version)
+    if too_long is not None:
+        raise Mistake(Diagnostic(codes.BAD_TYPE_NAME, too_long, where))
     if run.types.is_of_ros(owner, version):
         message = f"`{owner}` is a package of ROS, which gets no types of yours"
         raise Mistake(Diagnostic(codes.TYPE_EXISTS, message, where, help="leave the package out"))
@@ -159,7 +175,8 @@ def _made(
 ) -> Definition | list[Diagnostic]:
     own = name.name if kind is InterfaceKind.MESSAGE else ""
     types = run.types
-    naming = Naming(version, name.package, types.resolver(version), own, types.is_broken)
+    explain = partial(types.explain, statement)
+    naming = Naming(version, name.package, types.resolver(version), own, types.is_broken, explain)
     sections: list[Section] = []
     wrong: list[Diagnostic] = []
     for _, fields in parts:
@@ -187,6 +204,7 @@ def load_type(run: Run, statement: st.LoadType) -> None:
         raise Mistake(*(each._replace(span=where) for each in loaded.diagnostics))
     path, text, package, kind = loaded.definition
     name = InterfaceName(package, path.stem)
+    _check_first(run, statement, kind, name)
 
     def make(version: int) -> Definition | list[Diagnostic]:
         read = parse_definition(text, name, kind, version, path)
@@ -200,6 +218,27 @@ def load_type(run: Run, statement: st.LoadType) -> None:
     settle(run, statement, own, make, variable=statement.variable)
 
 
+def _check_first(
+    run: Run, statement: st.LoadType, kind: InterfaceKind, name: InterfaceName
+) -> None:
+    """Check that the program has no type of the kind and name that a definition file has."""
+    version = run.checks.version(None)
+    for other in run.workspace.types.values():
+        owner = other.package or run.types.own_package(version)
+        if (other.kind, owner, other.name) != (kind, name.package, name.name):
+            continue
+        message = f"the program has a type `{name}` already"
+        raise Mistake(
+            Diagnostic(
+                codes.TYPE_EXISTS,
+                message,
+                statement.span_of("source"),
+                help="load it once, or a file of another package",
+                labels=(Label(other.span, "first here"),),
+            )
+        )
+
+
 def has_field(run: Run, statement: st.HasField) -> None:
     """Give a type a field, or a field another type."""
     own = _own_type(run, statement)
@@ -208,7 +247,7 @@ def has_field(run: Run, statement: st.HasField) -> None:
 
     def make(version: int) -> Definition | list[Diagnostic]:
         name = InterfaceName(own.package or run.types.own_package(version), own.name)
-        line = _line(run, statement, name, version)
+        line = field_line(run, statement, name, version)
         if isinstance(line, list):
             return line
         before = own.definitions[version]
@@ -230,33 +269,6 @@ def has_field(run: Run, statement: st.HasField) -> None:
         return _read_again(text, name, own.kind, version, where)
 
     settle(run, statement, own, make, variable=statement.type)
-
-
-def _line(
-    run: Run, statement: st.HasField, name: InterfaceName, version: int
-) -> str | list[Diagnostic]:
-    """Return the line of a definition that a statement has in quotes, its type in full."""
-    where = statement.span_of("definition")
-    written = statement.definition.strip()
-    words = written.split(maxsplit=1)
-    if len(words) < 2 or "\n" in written:
-        message = "this is neither a field nor a constant"
-        return [Diagnostic(codes.BAD_FIELD, message, where, help='write "float64 x", say')]
-    types = run.types
-    naming = Naming(version, name.package, types.resolver(version), name.name, types.is_broken)
-    full = naming.full(words[0])
-    if not isinstance(full, str):
-        start = where.start + 1 + statement.definition.index(words[0])
-        span = Span(start, start + len(words[0].encode()))
-        return [Diagnostic(full.code, full.message, span, help=full.help)]
-    line = f"{full} {words[1]}"
-    read = parse_definition(line, name, InterfaceKind.MESSAGE, version, is_new=True)
-    if read.interface is None:
-        return [_in_string(each, where) for each in read.diagnostics]
-    [member] = members_of(read.interface.sections[0]).values()
-    value = member.value if isinstance(member, Constant) else member.default
-    unsure = changed_by_builders(value) if version == 2 else None
-    return line if unsure is None else [Diagnostic(codes.BAD_FIELD, unsure, where)]
 
 
 def _in_string(found: Diagnostic, where: Span) -> Diagnostic:

@@ -6,7 +6,6 @@ writer carries it out.
 
 from __future__ import annotations
 
-import errno
 import os
 import stat
 from collections.abc import Sequence
@@ -14,13 +13,12 @@ from dataclasses import dataclass, replace
 from enum import Enum
 from pathlib import Path
 
-from plastron_tui.diagnostics import Code, Diagnostic, codes
-from plastron_tui.regular_files import read_regular, reason
+from plastron_tui.diagnostics import Diagnostic, codes
+from plastron_tui.regular_files import read_regular
 
-from .manifest import NAME as MANIFEST_NAME
 from .manifest import Base, Manifest
-from .own_files import PREFIX
 from .patch_stack import Layers
+from .target_paths import RefusedError, cannot_write, real_folder_of, refusal, target_of
 
 LARGEST_OUTPUT = 64 * 1024 * 1024
 """The largest file that is compared and replaced, in bytes: what a huge program generates."""
@@ -134,14 +132,6 @@ class FilePlan:
         return tuple(file.problem for file in self.files if file.problem is not None)
 
 
-class _RefusedError(Exception):
-    """A file that cannot be planned; never leaves this module."""
-
-    def __init__(self, diagnostic: Diagnostic) -> None:
-        super().__init__(diagnostic.message)
-        self.diagnostic = diagnostic
-
-
 def make_plan(
     folder: Path,
     files: Sequence[OutputFile],
@@ -163,19 +153,20 @@ def make_plan(
             that a link in somebody's repository does not lead the default folder astray.
     """
     try:
-        real_folder = _real_folder(folder, within)
-    except _RefusedError as refused:
+        real_folder = real_folder_of(folder, within)
+    except RefusedError as refused:
         return FilePlan(folder, ()), (refused.diagnostic,)
     planned: dict[Path, PlannedFile] = {}
     diagnostics: list[Diagnostic] = []
     for file in files:
         new = _plan_or_refuse(folder, real_folder, file, manifest)
         if isinstance(new, Diagnostic):
-            diagnostics.append(new)
+            # A folder that is none is in the way of each file below it.
+            diagnostics += [new] if new not in diagnostics else []
         elif planned.setdefault(new.path, new).text != new.text:
-            message = f"two nodes would be written to `{file.name}`"
-            remedy = "give one of the nodes another name"
-            diagnostics.append(_diagnostic(codes.SAME_FILE, message, folder / file.name, remedy))
+            message = f"two texts would be written to `{file.name}`"
+            remedy = "give what one of them is of another name"
+            diagnostics.append(refusal(codes.SAME_FILE, message, folder / file.name, remedy))
     return FilePlan(folder, tuple(planned.values()), Path(real_folder)), tuple(diagnostics)
 
 
@@ -184,13 +175,13 @@ def _plan_or_refuse(
 ) -> PlannedFile | Diagnostic:
     try:
         return _plan_file(folder, real_folder, file, manifest)
-    except _RefusedError as refused:
+    except RefusedError as refused:
         return refused.diagnostic
 
 
 def _plan_file(folder: Path, real_folder: str, file: OutputFile, manifest: Manifest) -> PlannedFile:
     shown = file.path or folder / file.name
-    path, status = _target(shown, real_folder, file)
+    path, status = target_of(shown, real_folder, file.name, file.path)
     before = None if status is None else _read(path, shown)
     is_inside = file.path is None or os.path.dirname(path) == real_folder
     known = file.entry or (file.name if is_inside else None)
@@ -198,7 +189,7 @@ def _plan_file(folder: Path, real_folder: str, file: OutputFile, manifest: Manif
     file = replace(file, is_executable=is_executable)
     state, problem = _state(file, before, status, manifest if known else Manifest(), shown)
     if status is not None and state is not FileState.IDENTICAL and is_protected(path, status):
-        raise _RefusedError(read_only(shown))
+        raise RefusedError(read_only(shown))
     seen = [(os.path.realpath(folder), each) for folder, each in file.seen]
     if seen and is_inside:
         seen.append((real_folder, manifest))
@@ -231,7 +222,7 @@ def _state(
     if file.merged_from is not None and before != file.merged_from:
         message = f"`{file.name}` changed on the disk since it was read"
         remedy = "run it again to start from what the file holds now"
-        return FileState.CONFLICT, _diagnostic(codes.CHANGED_ON_DISK, message, shown, remedy)
+        return FileState.CONFLICT, refusal(codes.CHANGED_ON_DISK, message, shown, remedy)
     if file.problem is not None:
         return FileState.CONFLICT, file.problem
     if before is None or status is None:
@@ -250,90 +241,14 @@ def _state(
         "`load` it to keep what it holds, or use `generate --force` to overwrite it and keep a "
         "backup"
     )
-    return FileState.CONFLICT, _diagnostic(codes.FILE_CONFLICT, message, shown, remedy)
-
-
-def _real_folder(folder: Path, within: Path | None) -> str:
-    try:
-        real = os.path.realpath(os.fsencode(folder))
-        root = None if within is None else os.path.realpath(os.fsencode(within))
-    except (OSError, ValueError) as error:
-        message = f"`{str(folder)!a}` cannot be the name of a folder"
-        raise _RefusedError(_diagnostic(codes.CANNOT_WRITE, message, None)) from error
-    if root is not None and not _is_inside(real, root):
-        message = f"the output folder `{folder}` is a link that leads out of `{within}`"
-        remedy = "name the folder with `-o` if that is what you want"
-        raise _RefusedError(_diagnostic(codes.OUTSIDE_OUTPUT, message, folder, remedy))
-    if os.path.lexists(real) and not os.path.isdir(real):
-        message = f"the output folder `{folder}` is not a folder"
-        raise _RefusedError(_diagnostic(codes.CANNOT_WRITE, message, folder))
-    return os.fsdecode(real)
-
-
-def _target(shown: Path, real_folder: str, file: OutputFile) -> tuple[str, os.stat_result | None]:
-    """Return the real path of the file that is written, and its status."""
-    if not _is_inner_name(file.name):
-        message = f"{file.name!a} cannot be the name of a file in the output folder"
-        raise _RefusedError(_diagnostic(codes.OUTSIDE_OUTPUT, message, None))
-    try:
-        if file.path is not None:
-            path = os.path.realpath(file.path)
-            status = _status(path)
-        else:
-            path = os.path.join(real_folder, file.name)
-            # A folder on the way may be a link.
-            path = os.path.join(os.path.realpath(os.path.dirname(path)), os.path.basename(path))
-            status = _status(path)
-            if status is not None and stat.S_ISLNK(status.st_mode):
-                path = os.path.realpath(path)
-                status = _status(path)
-    except (OSError, ValueError) as error:
-        raise _RefusedError(cannot_write(shown, error)) from error
-    if file.path is None and not _is_inside(os.fsencode(path), os.fsencode(real_folder)):
-        message = f"`{file.name}` is a symbolic link that leads out of the output folder"
-        remedy = "remove the link, or choose another folder with `-o`"
-        raise _RefusedError(_diagnostic(codes.OUTSIDE_OUTPUT, message, shown, remedy))
-    if status is not None and not stat.S_ISREG(status.st_mode):
-        what = "a folder" if stat.S_ISDIR(status.st_mode) else "not a plain file"
-        message = f"cannot write `{file.name}`: it is {what}"
-        raise _RefusedError(_diagnostic(codes.CANNOT_WRITE, message, shown))
-    return path, status
-
-
-def _is_inner_name(name: str) -> bool:
-    """Tell whether a name means a file of the folder or of one in it, and none of Plastron's own.
-
-    Between folders stands `/`.
-    """
-    return all(map(_is_plain_name, name.split("/")))
-
-
-def _is_plain_name(name: str) -> bool:
-    if not name or name in {".", "..", MANIFEST_NAME} or name.startswith(PREFIX):
-        return False
-    try:
-        os.fsencode(name)
-    except UnicodeEncodeError:
-        return False
-    return name.isprintable() and "\\" not in name
-
-
-def _is_inside(path: bytes, folder: bytes) -> bool:
-    return path == folder or path.startswith(folder.rstrip(b"/") + b"/")
-
-
-def _status(path: str) -> os.stat_result | None:
-    try:
-        return os.lstat(path)
-    except FileNotFoundError:
-        return None
+    return FileState.CONFLICT, refusal(codes.FILE_CONFLICT, message, shown, remedy)
 
 
 def _read(path: str, shown: Path) -> bytes:
     try:
         return read_regular(path, LARGEST_OUTPUT)
     except OSError as error:
-        raise _RefusedError(cannot_write(shown, error)) from error
+        raise RefusedError(cannot_write(shown, error)) from error
 
 
 def is_protected(path: Path | str, status: os.stat_result) -> bool:
@@ -350,27 +265,4 @@ def read_only(file: Path) -> Diagnostic:
     """Return the diagnostic for a file that nobody is to write."""
     message = f"cannot write `{file.name}`: it is read-only"
     remedy = f"allow it with `chmod u+w {file.name}`, or write to another file"
-    return _diagnostic(codes.CANNOT_WRITE, message, file, remedy)
-
-
-def cannot_write(file: Path, error: Exception) -> Diagnostic:
-    """Return the diagnostic for what the operating system said about a file."""
-    if isinstance(error, (FileExistsError, IsADirectoryError)) and error.filename is not None:
-        # No target that exists is an error: it is a name that the writer needs for itself.
-        name = error.filename if error.filename2 is None else error.filename2
-        file = Path(os.fsdecode(name))
-        return _diagnostic(codes.CANNOT_WRITE, f"`{file.name}` is in the way", file, "remove it")
-    remedy = None
-    number = getattr(error, "errno", None)
-    if number in {errno.ENOSPC, errno.EDQUOT}:
-        remedy = "free some space and run it again"
-    elif number in {errno.EACCES, errno.EPERM, errno.EROFS}:
-        remedy = "choose a folder that you may write to with `-o`"
-    message = f"cannot write `{file.name}`: {reason(error)}"
-    return _diagnostic(codes.CANNOT_WRITE, message, file, remedy)
-
-
-def _diagnostic(
-    code: Code, message: str, file: Path | None, remedy: str | None = None
-) -> Diagnostic:
-    return Diagnostic(code, message, file=file, help=remedy)
+    return refusal(codes.CANNOT_WRITE, message, file, remedy)

@@ -29,9 +29,10 @@ from .interrupts import Interrupts
 from .locks import BusyError
 from .manifest import NAME, Base, Manifest, digest, load_manifest, manifest_text
 from .patch_stack import Layers
-from .plan import LARGEST_OUTPUT, FilePlan, FileState, PlannedFile, cannot_write, is_protected
+from .plan import LARGEST_OUTPUT, FilePlan, FileState, PlannedFile, is_protected
 from .recovery import not_removed
 from .replacement import ChangedError
+from .target_paths import cannot_write
 from .transaction import Step, Transaction
 
 MOST_TRIES = 4

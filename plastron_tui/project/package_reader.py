@@ -36,7 +36,14 @@ _TEXTS = frozenset(
 )  # fmt: skip
 """What may name a package, or a file of this one; without an ending there are scripts."""
 
-_BUILT = frozenset({"build", "install", "devel", "log", "node_modules", "__pycache__"})
+BUILT_FOLDERS = frozenset({"build", "install", "devel", "log"})
+"""What builds leave beside the files of a package."""
+
+DEEPEST = 64
+"""How many folders of a package a file may be in."""
+
+CACHES = frozenset({"node_modules", "__pycache__"})
+_BUILT = BUILT_FOLDERS | CACHES
 _MOST_FILES = 4_000
 _MOST_BYTES = 16_000_000
 _LARGEST_BUILD_FILE = 4_000_000
@@ -165,7 +172,7 @@ def _files(folder: Path) -> Iterator[str]:
         here = "" if inner == folder else f"{inner.relative_to(folder).as_posix()}/"
         folders[:] = (
             []
-            if is_other
+            if is_other or here.count("/") >= DEEPEST
             else sorted(each for each in folders if not each.startswith(".") and each not in _BUILT)
         )
         if not is_other:

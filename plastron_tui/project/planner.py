@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+import os
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path, PurePath
 from typing import TYPE_CHECKING
@@ -20,6 +21,7 @@ if TYPE_CHECKING:
     from plastron_tui.generating.generation import Generated
     from plastron_tui.generating.program_packages import ProgramPackages
     from plastron_tui.model.own_types import OwnInterfaces
+    from plastron_tui.model.packages import Package
     from plastron_tui.model.source import FileSet
     from plastron_tui.model.workspace import Generation, Workspace
     from plastron_tui.output.manifest import Manifest, Reading
@@ -145,7 +147,11 @@ class Planner:
         return FileNames(configuration.output, manifest, name, is_plain, self._written)
 
     def plan(
-        self, made: Sequence[Generated], *, is_preview: bool = False
+        self,
+        made: Sequence[Generated],
+        *,
+        is_preview: bool = False,
+        has_copies: bool = True,
     ) -> tuple[FilePlan, tuple[Diagnostic, ...]]:
         """Compare the files of nodes with the disk; the diagnostics say why one is missing.
 
@@ -154,6 +160,8 @@ class Planner:
             is_preview: whether the plan is only looked at: where the project is not trusted, it
                 is made without what that stands against, and without the files of the program as
                 a whole.
+            has_copies: whether it has the files too that the program leaves as they are in the
+                packages that it loads.
         """
         from plastron_tui.generating.program_files import ProgramFiles, program_files
         from plastron_tui.output.plan import FilePlan, make_plan
@@ -178,21 +186,23 @@ class Planner:
         files = [file for each in (*sets, *common.files) for file in each.output_files()]
         if params is not None:
             files.append(params)
-        files, refused = self._with_loaded([*files, *whole], made, manifest)
+        has_copies = has_copies and not is_preview
+        files, refused = self._with_loaded([*files, *whole], made, manifest, has_copies=has_copies)
         found += refused
-        if self._workspace is not None and not has_errors(found):
+        if self._workspace is not None and has_copies and not has_errors(found):
             found += self._left(files, manifest)
         plan, problems = make_plan(output, files, manifest, within=configuration.writes_within)
         return plan, (*found, *problems)
 
     def _left(self, files: Sequence[OutputFile], manifest: Manifest) -> list[Diagnostic]:
         """Tell the files of packages that the program has written, and writes no longer."""
-        if not any("/" in each.name for each in files):
+        written = [each.name for each in files if each.path is None]
+        if not any("/" in each for each in written):
             return []
         from plastron_tui.generating.text_files import Folder, left_files
 
         folder = Folder(self._configuration.output, manifest, self._author.name)
-        return left_files((each.name for each in files), folder)
+        return left_files(written, folder)
 
     def _whole(
         self, made: Sequence[Generated], manifest: Manifest
@@ -230,7 +240,12 @@ class Planner:
         )
 
     def _with_loaded(
-        self, files: list[OutputFile], made: Sequence[Generated], manifest: Manifest
+        self,
+        files: list[OutputFile],
+        made: Sequence[Generated],
+        manifest: Manifest,
+        *,
+        has_copies: bool,
     ) -> tuple[list[OutputFile], tuple[Diagnostic, ...]]:
         """Add the files of the packages that the program loads, as it changes them."""
         workspace = self._workspace
@@ -257,7 +272,51 @@ class Planner:
             files = [each for each in files if each.name not in changed.nodes]
             files += changed.files
             told += changed.diagnostics
+            if has_copies and not in_place and not has_errors(changed.diagnostics):
+                known = self._changed_alone(files, made)
+                files, notes = self._with_copies(package, files, known, manifest)
+                told += notes
         return files, told
+
+    def _changed_alone(
+        self, files: Sequence[OutputFile], made: Sequence[Generated]
+    ) -> dict[str, bytes]:
+        """Return what becomes of files that the program loads by themselves, by their real paths.
+
+        Where a package has such a file, the copy of the package has it as it becomes.
+        """
+        assert self._workspace is not None
+        by_name = {each.name: each.text for each in files}
+        launches = [each.launch.source for each in self._workspace.written_launches]
+        paths = [each.path for each in launches if each is not None]
+        found = [(path, by_name.get(path.name)) for path in paths]
+        for each in made:
+            source = each.generation.node.source
+            is_ported = source is not None and source.library != each.generation.library
+            if source is not None and each.files is not None and not is_ported:
+                found.append((source.path, each.files.files.main))
+        return {os.path.realpath(path): text for path, text in found if text is not None}
+
+    def _with_copies(
+        self,
+        package: Package,
+        files: list[OutputFile],
+        known: Mapping[str, bytes],
+        manifest: Manifest,
+    ) -> tuple[list[OutputFile], tuple[Diagnostic, ...]]:
+        """Add the other files of a package, of which the output folder gets the changed ones."""
+        from .package_copy import CopySetting, with_copies
+
+        configuration = self._configuration
+        setting = CopySetting(
+            configuration.output,
+            manifest,
+            configuration.boundary,
+            self._author.name,
+            configuration.options.force,
+        )
+        copied = with_copies(package, files, known, setting)
+        return list(copied.files), copied.diagnostics
 
     def _params(self, manifest: Manifest) -> OutputFile | None:
         """Make the parameter file of all that is generated, where the project reaches so far."""

@@ -214,7 +214,15 @@ class _Reader:
         start, end = match.start("rest"), match.start("rest") + len(text)
         if is_constant:
             text, start = text[1:], start + 1
-        text = text.strip()
+        if text.strip():
+            start += len(text) - len(text.lstrip())
+            text = text.strip()
+            end = start + len(text)
+        else:
+            text = ""
+        if self.ros_version == 2:
+            # As `rosidl_adapter` does before it looks for quotes.
+            text = text.replace("\t", " ")
         wrong: ValueError | None = None
         value: Value | None = None
         if text or is_constant:

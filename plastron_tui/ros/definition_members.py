@@ -175,6 +175,42 @@ def check_type_package(name: str, ros_version: int) -> str | None:
     return None
 
 
+LONGEST_TYPE_NAME = 200
+"""The longest name of a type, in characters, with a `_` before each word.
+
+Files are called by it, of which file systems take names of 255 bytes: rosidl makes
+`detail/NAME__rosidl_typesupport_introspection_cpp.hpp`.
+"""
+
+_LONGEST_OF_ROS_1 = 200
+"""The most characters of a package and a type of ROS 1.
+
+genmsg makes the target `_PACKAGE_generate_messages_check_deps_NAME`, which CMake makes a folder
+for; actionlib_msgs has 14 characters more.
+"""
+
+
+def check_type_length(package: str, name: str, kind: InterfaceKind, ros_version: int) -> str | None:
+    """Tell why files cannot be called by a type, None when they can."""
+    if len(name) > LONGEST_TYPE_NAME:
+        return f"the name of a type has at most {LONGEST_TYPE_NAME} characters, not {len(name)}"
+    if ros_version == 1:
+        count = len(package) + len(name)
+        if count <= _LONGEST_OF_ROS_1:
+            return None
+        return (
+            f"a type and its package have at most {_LONGEST_OF_ROS_1} characters in ROS 1, not "
+            f"{count}"
+        )
+    stem = max(len(each.rpartition("/")[2]) for each in generated_stems(name, kind, 2))
+    if stem <= LONGEST_TYPE_NAME:
+        return None
+    return (
+        f"files of this type are called by its words, with a `_` between two of them: they have "
+        f"at most {LONGEST_TYPE_NAME} characters, not {stem}"
+    )
+
+
 def generated_stems(name: str, kind: InterfaceKind, ros_version: int) -> frozenset[str]:
     """Return what the files are called that are generated for a type, with their folder.
 
@@ -305,6 +341,7 @@ def _check_elements(
     elements = value if isinstance(value, tuple) else (value,)
     for element in elements:
         problem = check_scalar(type_.name, element, ros_version, type_.string_bound)
+        problem = problem or _check_tabs(type_, element)
         problem = problem or _check_text(element, is_constant, ros_version)
         if problem is not None:
             return problem
@@ -314,6 +351,17 @@ def _check_elements(
         if is_short or (most is not None and len(value) > most):
             return f"{len(value)} elements do not fit `{type_}`"
     return None
+
+
+def _check_tabs(type_: FieldType, value: Scalar) -> str | None:
+    """Tell where a text is too long for its bound as `rosidl_adapter` counts: before escapes."""
+    if type_.string_bound is None or not isinstance(value, str):
+        return None
+    tabs = value.count("\t")
+    count = len(value) + tabs
+    if not tabs or count <= type_.string_bound:
+        return None
+    return f"{count} characters do not fit `{type_}`: builders count a tab as two, `\\t`"
 
 
 def _check_text(value: Scalar, is_constant: bool, ros_version: int) -> str | None:

@@ -8,10 +8,18 @@ from __future__ import annotations
 from collections.abc import Container, Mapping
 from functools import cache
 from pathlib import Path
+from string import ascii_letters, digits
 from typing import Any
+
+from plastron_tui.diagnostics.suggest import nearest
 
 from .catalog.data import load
 
+PROPRIETARY = "Proprietary"
+"""The license of a package that nobody else may use, as packages of ROS write it."""
+
+_OWN_LICENSE = "LicenseRef-"
+_OWN_LICENSE_LETTERS = frozenset(f"{ascii_letters}{digits}-.")
 _DATA = Path(__file__).parent / "data"
 
 
@@ -29,6 +37,29 @@ def find_license(written: str) -> str | None:
     expressions).
     """
     return next((each for each in licenses() if each.lower() == written.lower()), None)
+
+
+def find_own_license(written: str) -> str | None:
+    """Return what stands for a license that is not in the SPDX list; None where it does not.
+
+    REP 149 wants a license named, whatever it is: closed packages say `Proprietary`. A text of
+    one's own is a `LicenseRef-NAME` (SPDX specification, annex on license expressions).
+    """
+    if written.lower() == PROPRIETARY.lower():
+        return PROPRIETARY
+    name = written.removeprefix(_OWN_LICENSE)
+    is_named = name != written and name and not set(name) - _OWN_LICENSE_LETTERS
+    return written if is_named else None
+
+
+def license_help(written: str) -> tuple[str, str | None]:
+    """Return how to write a license that is unknown, and what is probably meant, if anything."""
+    if written.startswith(_OWN_LICENSE):
+        return f"behind `{_OWN_LICENSE}` stand letters, digits, `-` and dots", None
+    right = nearest(written, [*licenses(), PROPRIETARY])
+    if right is not None:
+        return f"did you mean `{right}`?", right
+    return f'closed code is "{PROPRIETARY}", a license of your own "{_OWN_LICENSE}NAME"', None
 
 
 def key_of_module(module: str, ros_version: int, packages: Container[str]) -> str | None:

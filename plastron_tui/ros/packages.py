@@ -14,8 +14,19 @@ from typing import NamedTuple
 
 from .names import NameProblem
 
-LONGEST_PACKAGE_NAME = 200
-"""The longest name of a package, in characters: it becomes the name of folders and files."""
+LONGEST_PACKAGE_NAME = 160
+"""The longest name of a package, in characters.
+
+Files are called by it, of which file systems take names of 255 bytes. For a package of types, with
+`_interfaces` behind the name, rosidl_generator_py builds
+`NAME_s__rosidl_typesupport_introspection_c.cpython-312-x86_64-linux-gnu.so`.
+"""
+
+LONGEST_FILE_NAME = 200
+"""The longest name of a file of a package, and of an executable, in characters.
+
+A test of it is called `test_NAME.py`, which pytest compiles to a file with some 30 letters more.
+"""
 
 MAINTAINER_MISSING = ("Maintainer", "maintainer@example.com")
 """Who maintains a package of which the program does not say it: RFC 2606 keeps the domain free."""
@@ -196,9 +207,9 @@ def check_file_name(name: str, what: str) -> NameProblem | None:
         return NameProblem(message, bad[0], bad[1] - bad[0])
     if name[0] in ".-":
         return NameProblem(f"the name of {what} starts with a letter", 0, 1)
-    if len(name) > LONGEST_PACKAGE_NAME:
-        message = f"the name of {what} has at most {LONGEST_PACKAGE_NAME} characters"
-        return NameProblem(message, LONGEST_PACKAGE_NAME, len(name) - LONGEST_PACKAGE_NAME)
+    if len(name) > LONGEST_FILE_NAME:
+        message = f"the name of {what} has at most {LONGEST_FILE_NAME} characters"
+        return NameProblem(message, LONGEST_FILE_NAME, len(name) - LONGEST_FILE_NAME)
     return None
 
 

@@ -14,7 +14,8 @@ USED = f"{A}create_message m of message_type A and input x=5\n"
 ROSPY = "create_node 'n' as n using rospy\n"
 RCLPY = "create_node 'n' as n using rclpy\n"
 
-SLASH = "A has_field \"string y 'b\\\\c'\""
+VALUE = "'b\\\\c'"
+SLASH = f'A has_field "string y {VALUE}"'
 LISTED = "create_message_type A with string[] x default "
 QUOTES = '["a\'\\""]'
 
@@ -44,12 +45,19 @@ MADE = {
     f"{S}S no_longer_has_field 'x' in request\n": "---\n",
 }
 
+LONG = "A" + "a" * 279
+WORDS = "Aa" * 90
 WRONG: list[tuple[str, str, str, str, str | None]] = [
     ("", "create_message_type wheel_speed with none", "bad-type-name", "wheel_speed",
      "write `WheelSpeed`"),
     ("", "create_message_type p/msg/A with none", "bad-type-name", "p/msg/A", "write `p/A`"),
     ("", "create_message_type Bad/A with none", "bad-type-name", "Bad/A", None),
     ("", "create_message_type std_msgs/A with none", "type-exists", "std_msgs/A", "leave"),
+    ("", f"create_message_type {LONG} with none", "bad-type-name", LONG, None),
+    ("", f"create_action_type {WORDS} with none returning none reporting none",
+     "bad-type-name", WORDS, None),
+    ("", f"create_message_type {LONG.lower()}/A with none", "bad-type-name",
+     f"{LONG.lower()}/A", None),
     (A, "create_message_type A with none", "type-exists", "A", "`A has_field"),
     (A, "create_service_type a with none returning none", "bad-type-name", "a", "`A`"),
     ("create_message_type HTTPServer with none\n", "create_message_type HttpServer with none",
@@ -73,10 +81,22 @@ WRONG: list[tuple[str, str, str, str, str | None]] = [
     (A, 'A has_field "int32 x"', "field-exists", '"int32 x"', None),
     (A, 'A has_field "int32"', "bad-field", '"int32"', "float64 x"),
     ("", 'create_message_type A with string x default "a\u2028b"', "bad-field", '"a\u2028b"', None),
-    (A, SLASH, "bad-field", SLASH.removeprefix("A has_field "), None),
+    (A, SLASH, "bad-field", VALUE, None),
     ("", f"{LISTED}{QUOTES}", "bad-field", QUOTES, None),
     (A, 'A has_field "foo y"', "unknown-type", "foo", None),
     (A, 'A has_field "A a"', "circular-type", "A", None),
+    (A, 'A has_field "  int32 class"', "bad-field", "class", "class_value"),
+    (A, 'A has_field "Pose2D  class"', "bad-field", "class", "class_value"),
+    (A, 'A has_field "string<=2 y \'äöü\'"', "bad-field", "'äöü'", None),
+    ("", LISTED + '["\\""]', "bad-field", '["\\""]', None),
+    ("", LISTED + '["\\"ab\\""]', "bad-field", '["\\"ab\\""]', None),
+    (A, 'A has_field "uint8 \\u004eO = 300 # high"', "bad-field", "300", None),
+    (A, 'A has_field "int32<=2 y"', "bad-field", "<=2", None),
+    (A, 'A has_field "int32 linux"', "bad-field", "linux", None),
+    (A, 'A has_field "string y \'\U0001f600\tb\'"', "bad-field", "\t", "t"),
+    (A, 'A has_field "string y \'\\ud83d\\ude00\\tb\'"', "bad-field", "\\t", "t"),
+    (A, 'A has_field "string<=3 y \'a\\\\tb\'"', "bad-field", "'a\\\\tb'", None),
+    ("", 'create_message_type A with string<=3 x default "a\\tb"', "bad-field", '"a\\tb"', None),
     (A, 'A has_field "int32 y" in response', "no-such-field", "response", "leave it out"),
     (S, 'S has_field "int32 y" in respons', "no-such-field", "respons", "`response`"),
     (S, "S no_longer_has_field 'x' in response", "no-such-field", "'x'", None),
@@ -84,7 +104,7 @@ WRONG: list[tuple[str, str, str, str, str | None]] = [
     (A, "AA no_longer_has_field 'x'", "unknown-own-type", "AA", "`A`"),
     (RCLPY, "n no_longer_has_field 'x'", "unknown-own-type", "n", "`n` is a node"),
     ("", 'String has_field "int32 x"', "unknown-own-type", "String", None),
-    (B, 'A has_field "B b"', "circular-type", '"B b"', None),
+    (B, 'A has_field "B b"', "circular-type", "B", None),
     (B, "drop_type A", "type-in-use", "drop_type A", None),
     (USED, "drop_type A", "type-in-use", "drop_type A", None),
     (USED, "A no_longer_has_field 'x'", "type-in-use", "A no_longer_has_field 'x'", None),
@@ -125,6 +145,14 @@ def test_a_mistake_changes_no_type(line: tuple[str, str]) -> None:
     }
 
 
+def test_ros_1_makes_folders_of_a_package_and_a_type() -> None:
+    package, name = "a" * 150, "A" + "a" * 50
+    text = f"create_message_type {package}/{name} with none\n"
+    [found] = run(text, "rospy").diagnostics
+    assert (found.code, marked(text, found)) == ("bad-type-name", f"{package}/{name}")
+    assert list(run(text, "rclpy").diagnostics) == []
+
+
 def test_who_uses_a_type_is_told() -> None:
     text = f"{USED}A no_longer_has_field 'x'\n"
     [found] = run(text, "rclpy").diagnostics
@@ -147,6 +175,40 @@ def test_a_type_belongs_to_the_package(text: str, version: int) -> None:
     found = run(text, "rclpy", program="program")
     [(_, name)] = found.own_types[version]
     assert str(name) == f"{PACKAGES[text, version]}/A"
+
+
+LATER = [
+    ("create_message_type A with B b\ncreate_message_type B with A a\n", "circular-type",
+     "`A` contains itself: `A` in `B` in `A`", "B"),
+    ("create_message_type A with B[] b\ncreate_message_type B with p/C c\n"
+     "create_message_type p/C with string s, A[<=3] a\n", "circular-type",
+     "`A` contains itself: `A` in `C` in `B` in `A`", "B[]"),
+    (f'{A}A has_field "B b"\ncreate_message_type B with A a\n', "circular-type",
+     "`A` contains itself: `A` in `B` in `A`", "B"),
+    ("create_message_type A with B b\ncreate_message_type B with int32 a\n", "unknown-type",
+     "`B` is made further down, and used here already", "B"),
+    ("create_message_type A with B b\ncreate_message_type B with C c\n"
+     "create_message_type C with B b\n", "unknown-type",
+     "`B` is made further down, and used here already", "B"),
+    ("create_service_type A with B b returning none\ncreate_message_type B with int32 x\n",
+     "unknown-type", "`B` is made further down, and used here already", "B"),
+    ("create_message m of message_type q/B and input x=1\ncreate_message_type q/B with int32 x\n",
+     "unknown-type", "`B` is made further down, and used here already", "q/B"),
+    ("create_message m of message_type q/B and input x=1\ncreate_message_type B with int32 x\n",
+     "unknown-type", None, "q/B"),
+    ("create_message m of message_type B and input x=1\n"
+     "create_service_type B with int32 x returning none\n", "unknown-type", None, "B"),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize(("text", "code", "message", "where"), LATER)
+def test_a_type_is_made_before_it_is_used(
+    text: str, code: str, message: str | None, where: str
+) -> None:
+    found, *others = run(text, "rclpy").diagnostics
+    assert (found.code, marked(text, found)) == (code, where)
+    assert not others or code == "unknown-type"
+    assert (found.message == message) if message else ("further down" not in found.message)
 
 
 def test_a_type_is_used_from_the_next_line_on() -> None:

@@ -10,6 +10,7 @@ from plastron_tui.model.workspace import Home
 ROVER = f"{TALKER}create_package 'rover' as rover\n"
 FULL = f"{ROVER}rover contains n as 'talk'\n"
 
+LONG = "a" * 280
 WRONG: list[tuple[str, str, str, str, str | None]] = [
     (ROVER, "create_package 'rover' as r", "package-exists", "'rover'", "choose another"),
     (ROVER, "create_package 'robot' as rover", "variable-exists", "rover", "one namespace"),
@@ -36,6 +37,42 @@ WRONG: list[tuple[str, str, str, str, str | None]] = [
         f"{FULL}create_node 'talk' as x\n",
         *("rover contains x", "already-contained", "x", "name it otherwise"),
     ),
+    (
+        ROVER,
+        "create_package 'p1' as p licensed_under \"Propritary\"",
+        "unknown-license",
+        '"Propritary"',
+        "did you mean `Proprietary`?",
+    ),
+    (
+        ROVER,
+        "create_package 'p1' as p licensed_under \"LicenseRef-a b\"",
+        "unknown-license",
+        '"LicenseRef-a b"',
+        "letters, digits",
+    ),
+    (
+        ROVER,
+        "create_package 'p1' as p licensed_under \"LicenseRef-\"",
+        "unknown-license",
+        '"LicenseRef-"',
+        "letters, digits",
+    ),
+    (
+        ROVER,
+        "create_package 'p1' as p licensed_under \"ours alone\"",
+        "unknown-license",
+        '"ours alone"',
+        'closed code is "Proprietary"',
+    ),
+    (TALKER, f"create_package '{LONG}' as r", "bad-package-name", LONG[160:], None),
+    (ROVER, f"rover contains n as '{LONG}'", "bad-package-file", LONG[200:], None),
+    (ROVER, "rover contains n as 'a b'", "bad-package-file", " ", None),
+    (
+        f"{ROVER}create_node '{LONG[:240]}' as x\n",
+        *("rover contains x", "bad-package-file", "x", "name it otherwise"),
+    ),
+    (TALKER, f"create_launch '{LONG}' as r", "bad-launch-name", f"'{LONG}'", "shorter"),
     (FULL, "rover no_longer_contains m", "not-contained", "m", None),
     (FULL, "rover no_longer_contains 'n'", "not-contained", "'n'", None),
     (FULL, "rover no_longer_contains 'tlk'", "not-contained", "'tlk'", "did you mean `talk`?"),

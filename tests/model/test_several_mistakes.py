@@ -213,6 +213,7 @@ SLOTS: dict[str, dict[str, list[str]]] = {
     },
     "create_package {} as k described_as {}": {"'new'": ["'a b'"], '"a"': ['"a\\nb"']},
     "{} contains {}": {"rover": ["rovr"], "n": ["m", "nn"]},
+    "{} contains {} as {}": {"rover": ["rovr"], "n": ["m"], "'run'": ["'a b'"]},
     "generate_package {}": {"rover": ["rovr"]},
     "load_package {} as {}": {"'src/p'": [], "k": ["n"]},
     "create_launch {} as {}": {"'new'": ["'bringup'"], "k": ["n", "_k"]},

@@ -169,3 +169,33 @@ def test_every_code_is_declared() -> None:
         *("cannot-write", "outside-output", "file-conflict"),
         *("changed-on-disk", "same-file", "bad-manifest"),
     } <= codes.CODES.keys()
+
+
+IN_THE_WAY = {
+    "a file": ("file", "rover", "cannot-write"),
+    "a file further down": ("file", "rover/test", "cannot-write"),
+    "a link to a file": ("link to a file", "rover", "cannot-write"),
+    "a circle of links": ("link to itself", "rover", "cannot-write"),
+    "a link that leads out": ("link out", "rover", "outside-output"),
+}
+
+
+@pytest.mark.parametrize(("what", "where", "code"), IN_THE_WAY.values(), ids=list(IN_THE_WAY))
+def test_what_is_in_the_way_of_a_folder_is_told_once(
+    tmp_path: Path, what: str, where: str, code: str
+) -> None:
+    output, path = tmp_path / "output", tmp_path / "output" / where
+    path.parent.mkdir(parents=True)
+    (tmp_path / "elsewhere").mkdir()
+    if what == "file":
+        path.write_bytes(b"")
+    elif what == "link to a file":
+        (output / "file").write_bytes(b"")
+        path.symlink_to("file")
+    else:
+        path.symlink_to(path.name if what == "link to itself" else tmp_path / "elsewhere")
+    names = ("rover/test/a.py", "rover/test/b.py", "rover/test/deep/c.py", "other/d.py")
+    files = [OutputFile(name, b"") for name in names]
+    plan, diagnostics = make_plan(output, files, NONE)
+    assert [(each.code, each.file) for each in diagnostics] == [(code, path)]
+    assert [each.name for each in plan.files] == ["other/d.py"]

@@ -5,6 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
+from loaded_packages import AMENT_PYTHON, IN, lay
 from studio_driver import Driver, studio
 
 from plastron_tui.language import Document
@@ -147,6 +148,13 @@ def test_the_preview_has_the_files_of_what_is_at_the_cursor(
     assert variable == "rover" or names == files
     statement = {"rover": "generate_package", "bringup": "bringup starts", "Speed": "create_mess"}
     assert analysis.written_at(TEXT.index(statement[variable])) == variable
+
+
+def test_the_preview_of_a_loaded_package_has_what_is_changed(tmp_path: Path) -> None:
+    lay(tmp_path, AMENT_PYTHON)
+    analysis = analysis_of(IN, tmp_path / "x.plastron")
+    names = {each.name for each in previews_of(analysis, "demo")}
+    assert names == {"demo/package.xml", "demo/setup.py", "demo/demo/talker.py"}
 
 
 async def act(driver: Driver, start: str, key: str) -> None:

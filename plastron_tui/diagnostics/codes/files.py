@@ -71,7 +71,8 @@ NOT_KEPT = Code(
 
 SAME_FILE = Code(
     "same-file",
-    "Two nodes of a program would be written to one file. Give one of them another name.",
+    "Two texts would be written to one file: two nodes, launch files or packages have one name. "
+    "Give one of them another name.",
 )
 
 BAD_MANIFEST = Code(

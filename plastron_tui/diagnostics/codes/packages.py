@@ -80,7 +80,8 @@ MAINTAINER_MISSING = Code(
 UNKNOWN_LICENSE = Code(
     "unknown-license",
     "A license is named by its identifier in the SPDX License List, such as `Apache-2.0`, `MIT` or "
-    "`BSD-3-Clause`. The help line has the nearest one.",
+    "`BSD-3-Clause`. The help line has the nearest one. Closed code is `Proprietary`, and a "
+    "license with a text of its own `LicenseRef-NAME`.",
     bad="create_package 'rover' as rover licensed_under \"Apache-2\"\n",
     good="create_package 'rover' as rover licensed_under \"Apache-2.0\"\n",
 )
@@ -116,6 +117,15 @@ FILE_STAYS = Code(
     "file-stays",
     "An executable was taken out of a package, or has another name, and its file is left there: "
     "something else may need it. Remove it by hand where nothing does.",
+    severity=Severity.WARNING,
+)
+
+NOT_COPIED = Code(
+    "not-copied",
+    "The output folder gets a loaded package as a whole, so that it is built from there, and here "
+    "something of it is missing: the package has more than 2,000 files or 32 MB, or something of "
+    "it cannot be read, or is a link that leads out of the project. With `--in-place` the package "
+    "is changed where it is.",
     severity=Severity.WARNING,
 )
 

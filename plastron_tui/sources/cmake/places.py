@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
+from plastron_tui.diagnostics import codes
+from plastron_tui.sources.build_files import refusal
 from plastron_tui.sources.splices import Splice, indent_of, line_end, line_start, newline_of
 
 from .arguments import begins_line
@@ -81,16 +83,30 @@ def insert_after(listing: Listing, statement: Statement, call: bytes, blank: boo
 
 
 def insert_installation(lists: CMakeLists, call: bytes) -> list[Splice]:
-    """Insert a call of `install` where such calls stand, or else where they belong."""
+    """Insert a call of `install` where such calls stand, or else where they belong.
+
+    With catkin that is below `catkin_package`, which sets where things are installed (its
+    documentation).
+
+    Raises:
+        RefusedError: the package is a metapackage, which has nothing to install (REP 127).
+    """
     listing = lists.listing
-    installing = [
-        each
-        for each in listing.statements
-        if isinstance(each, Command) and each.name in _INSTALLING
-    ]
+    for made in lists.named("catkin_metapackage"):
+        why = "makes it a metapackage, which installs nothing"
+        remedy = "put it into another package"
+        span = made.command.span
+        raise refusal(listing.text, listing.path, span, why, codes.EDIT_REFUSED, remedy)
+    commands = [each for each in listing.statements if isinstance(each, Command)]
+    installing = [each for each in commands if each.name in _INSTALLING]
     if installing:
-        return insert_after(listing, installing[-1], call, blank=True)
-    return insert_before_end(lists, call)
+        splices = insert_after(listing, installing[-1], call, blank=True)
+    else:
+        splices = insert_before_end(lists, call)
+    for each in reversed(commands):
+        if each.name == "catkin_package" and splices[0].start < each.end:
+            return insert_after(listing, each, call, blank=True)
+    return splices
 
 
 def insert_before_end(lists: CMakeLists, call: bytes) -> list[Splice]:

@@ -134,6 +134,8 @@ def remove_executable(
     needs: Callable[[bytes], Mapping[str, Iterable[str]]],
     added: Mapping[str, bool] | None = None,
     others_added: Container[str] = (),
+    *,
+    is_installed_elsewhere: bool = False,
 ) -> Changed:
     """Let a package install an executable no more, nor depend on what only that needed.
 
@@ -148,12 +150,36 @@ def remove_executable(
         added: the dependencies that came with the executable, each with whether a file named it
             before, which the package lived with; None where nothing tells.
         others_added: the files of other nodes that came so.
+        is_installed_elsewhere: whether what installs it was there before, and stays.
     """
     known = source.executables[executable]
-    path = source.folder / known.where
     refused = tuple(plugin_refusals(source, texts, known.file)) if known.file else ()
     if refused:
         return Changed(None, refused[:1])
+    after = Changed(dict(texts))
+    if not is_installed_elsewhere:
+        after = _uninstalled(source, texts, executable)
+    text = texts.get(known.file or "")
+    if after.texts is None or text is None or not source.is_whole:
+        return after
+    others = {
+        name: each for name, each in after.texts.items() if name not in (known.file, PACKAGE_XML)
+    }
+    nodes = {name: each for name, each in others.items() if name in others_added}
+    gone = []
+    for key, modules in needs(text).items():
+        if added is not None and key not in added:
+            continue
+        judged = nodes if added is not None and added[key] else others
+        if not any(named_elsewhere(judged, (key, *modules))):
+            gone.append(key)
+    return _remove_dependencies(source, after.texts, gone)
+
+
+def _uninstalled(source: PackageSource, texts: Mapping[str, bytes], executable: str) -> Changed:
+    """Take an executable out of the file that makes it one."""
+    known = source.executables[executable]
+    path = source.folder / known.where
     if known.where == SETUP_PY:
         from plastron_tui.sources.setup_py.scripts import remove_console_script
 
@@ -173,23 +199,10 @@ def remove_executable(
     if after.texts is None:
         return after
     if after.texts[known.where] == texts[known.where]:
-        message = f"line {known.line} of `{known.where}` installs `{executable}` among others"
+        message = f"line {known.line} of `{known.where}` installs `{executable}`"
+        message += " by a pattern or in a branch"
         return Changed(None, (Diagnostic(codes.COMPUTED_BUILD_FILE, message, file=path),))
-    text = texts.get(known.file or "")
-    if text is None or not source.is_whole:
-        return after
-    others = {
-        name: each for name, each in after.texts.items() if name not in (known.file, PACKAGE_XML)
-    }
-    nodes = {name: each for name, each in others.items() if name in others_added}
-    gone = []
-    for key, modules in needs(text).items():
-        if added is not None and key not in added:
-            continue
-        judged = nodes if added is not None and added[key] else others
-        if not any(named_elsewhere(judged, (key, *modules))):
-            gone.append(key)
-    return _remove_dependencies(source, after.texts, gone)
+    return after
 
 
 def _with(texts: Mapping[str, bytes], name: str, edited: Edited) -> Changed:

@@ -12,6 +12,7 @@ from plastron_tui.ros.catalog.data import index
 from plastron_tui.ros.interfaces import InterfaceKind
 
 from .analysis import Analysis
+from .conventions import conventions_of
 from .imports import is_interface_module
 from .splices import Splice, line_end, line_start
 
@@ -173,7 +174,9 @@ def _anchor(analysis: Analysis, group: Group, module: str, line: str) -> Node | 
     alike = group
     if is_interface_module(module):
         alike = [node for node in group if is_interface_module(module_of(analysis, node))] or group
-    for members, has_kinds in ((group, True), (group, False), (alike, False)):
+    # Where both orders fit, the style of ROS 2 tells: single quotes, and modules in one order.
+    is_ament = analysis.library.ros_version == 2 and conventions_of(analysis).quote == "'"
+    for members, has_kinds in ((group, not is_ament), (group, is_ament), (alike, False)):
         # Names from one module have their own order where each has a line.
         for has_names in (True, False):
             order = _Order(has_kinds, has_names)

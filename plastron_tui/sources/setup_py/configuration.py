@@ -91,8 +91,10 @@ def check_project(text: bytes, path: Path) -> None:
             dynamic += line.said
     is_open = '"scripts"' in dynamic or '"entry-points"' in dynamic
     if project is not None and not is_open:
-        why = "says which scripts there are, in place of `setup.py`"
-        remedy = "add the script to `[project.scripts]` by hand"
+        why = (
+            "says which scripts there are, from version 61 of setuptools on, and `setup.py` before"
+        )
+        remedy = 'let `setup.py` say it in all of them: `dynamic = ["scripts"]` below `[project]`'
         raise refusal(
             text, path, (project.start, project.end), why, codes.COMPUTED_BUILD_FILE, remedy
         )

@@ -58,6 +58,10 @@ class PackageEdit(NamedTuple):
     diagnostics: tuple[Diagnostic, ...] = ()
 
 
+_BESIDES_TESTS = ("build_depend", "run_depend")
+"""What catkin_pkg refuses in format 1 beside a `<test_depend>` of the same name."""
+
+
 def add_dependency(
     package: PackageXml, name: str, needs: Iterable[str], ros_version: int
 ) -> PackageEdit:
@@ -83,6 +87,12 @@ def add_dependency(
             message = f"a metapackage has no `<{tag}>`, as on `{name}`"
             span = package.document.root.name_span
             return PackageEdit(None, (), (_refused(package, message, span),))
+    for one in package.dependencies if package.format == 1 else ():
+        if one.tag == "test_depend" and one.name == name and set(tags) & {*_BESIDES_TESTS}:
+            message = f"format 1 takes no `<{tags[0]}>` on `{name}` beside the `<test_depend>`"
+            help_ = f"write `<{tags[0]}>` in its place: tests have it then, too"
+            span = one.element.name_span
+            return PackageEdit(None, (), (_refused(package, message, span)._replace(help=help_),))
     condition = _condition(package, ros_version)
     attributes = (("condition", condition),) if condition is not None else ()
     after = package

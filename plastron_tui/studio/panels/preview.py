@@ -70,7 +70,7 @@ def _written(analysis: Analysis, variable: str) -> Iterator[Preview]:
     is_meant = _meant(analysis.workspace, variable)
     if is_meant is None:
         return
-    plan, problems = analysis.session.plan()
+    plan, problems = analysis.session.plan(has_copies=False)
     files = [file for file in plan.files if is_meant(PurePosixPath(file.name))]
     for file in files:
         yield _preview(file, file.state, _disk_diff(file), problems)

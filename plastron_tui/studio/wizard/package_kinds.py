@@ -24,8 +24,9 @@ _LICENSES = (
     ("MPL-2.0", "changed files stay open, others need not"),
     ("BSL-1.0", "as MIT, without the notice in what is built"),
     ("CC0-1.0", "everything, without conditions"),
+    ("Proprietary", "closed code: all rights reserved"),
 )
-"""Licenses that packages of ROS have most often, by their SPDX names."""
+"""Licenses that packages of ROS have most often, by their SPDX names, and closed code."""
 
 
 class PackageNameKind(Kind):

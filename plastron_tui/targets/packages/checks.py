@@ -8,9 +8,13 @@ from typing import NamedTuple
 from plastron_tui.diagnostics import Diagnostic, Span, codes
 from plastron_tui.diagnostics.code import Code
 from plastron_tui.diagnostics.severity import Severity
-from plastron_tui.diagnostics.suggest import did_you_mean
 from plastron_tui.ros.names import NameProblem
-from plastron_tui.ros.package_keys import find_license, licenses
+from plastron_tui.ros.package_keys import (
+    PROPRIETARY,
+    find_license,
+    find_own_license,
+    license_help,
+)
 from plastron_tui.ros.packages import (
     check_file_name,
     check_mail,
@@ -19,7 +23,7 @@ from plastron_tui.ros.packages import (
     check_version,
 )
 
-from .spec import PROPRIETARY, BuildType, PackageSpec
+from .spec import BuildType, PackageSpec
 
 
 def check_package(spec: PackageSpec) -> tuple[Diagnostic, ...]:
@@ -53,13 +57,13 @@ def _head(spec: PackageSpec) -> Iterator[Diagnostic]:
         message = f"no license is named for `{spec.name}`: it is `{PROPRIETARY}`"
         help_ = 'write the license, as in: licensed_under "Apache-2.0"'
         yield Diagnostic(codes.LICENSE_MISSING, message, spec.span, help=help_)
-    elif spec.license != PROPRIETARY and find_license(spec.license) is None:
+    elif find_license(spec.license) is None and find_own_license(spec.license) is None:
         message = f"`{spec.license}` is no license that SPDX and Plastron know"
         yield Diagnostic(
             codes.UNKNOWN_LICENSE,
             message,
             spec.span,
-            help=did_you_mean(spec.license, licenses()),
+            help=license_help(spec.license)[0],
         )
 
 

@@ -31,6 +31,11 @@ def dependencies_of(spec: PackageSpec) -> tuple[tuple[Dependency, ...], tuple[Di
         # ROS 2 documentation, "Integrating launch files into ROS 2 packages".
         run.add("roslaunch" if spec.ros_version == 1 else "ros2launch")
     found = [Dependency("buildtool_depend", tool) for tool in _BUILD_TOOLS[spec.builds]]
+    if spec.builds_types:
+        found.append(Dependency("buildtool_depend", "rosidl_default_generators"))
+        needed = needs_of_definitions(spec)
+        found += [Dependency("depend", package) for package in sorted(needed)]
+        run = (run - needed) | {"rosidl_default_runtime"}
     if spec.ros_version == 1 and spec.definitions:
         # The wiki page "catkin/package.xml", and the package message_generation.
         found.append(Dependency("build_depend", "message_generation"))
@@ -83,7 +88,8 @@ def _imported(spec: PackageSpec) -> tuple[set[str], tuple[Diagnostic, ...]]:
 def _for_tests(spec: PackageSpec) -> set[str]:
     """Return what the tests import, and what their build files find."""
     if spec.ros_version == 1:
-        return {"python3-pytest", "rosgraph", "rosmaster"} if spec.nodes else set()
+        nodes = {"python3-pytest", "rosgraph", "rosmaster"} if spec.nodes else set()
+        return nodes | ({"roslaunch"} if spec.launches else set())
     needed = set(_LINTERS[spec.builds])
     if spec.nodes:
         needed |= {"domain_coordinator"}

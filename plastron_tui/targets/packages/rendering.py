@@ -12,7 +12,7 @@ from dataclasses import replace
 from pathlib import PurePosixPath
 
 from plastron_tui.ros.interfaces import InterfaceKind
-from plastron_tui.ros.package_keys import find_license, licenses
+from plastron_tui.ros.package_keys import PROPRIETARY, find_license, find_own_license, licenses
 from plastron_tui.targets.templates import render_template
 
 from .checks import check_package, is_refused
@@ -28,6 +28,9 @@ from .spec import (
     RenderedPackage,
     interfaces_name,
 )
+
+_WITH_TYPES = "rosidl_interface_packages"
+"""The group of the packages of ROS 2 that build types (REP 149; rosidl_default_generators)."""
 
 _CONSOLE_MAIN = "main"
 """The function of a node's file that starts it; rclpy's and rospy's templates have it."""
@@ -45,7 +48,7 @@ def render_package(spec: PackageSpec) -> RenderedPackage:
 
     The types of a ROS 2 package are in the package that `interfaces_of` says.
     """
-    if spec.ros_version == 2 and spec.definitions:
+    if spec.ros_version == 2 and not spec.builds_types:
         spec = replace(spec, definitions=())
     problems = check_package(spec)
     if is_refused(problems):
@@ -53,7 +56,7 @@ def render_package(spec: PackageSpec) -> RenderedPackage:
     dependencies, unknown = dependencies_of(spec)
     build = spec.builds
     files = {
-        "package.xml": package_xml(spec, dependencies),
+        "package.xml": package_xml(spec, dependencies, [_WITH_TYPES] if spec.builds_types else ()),
         **_about(spec),
         **{f"launch/{each.name}": each.text for each in spec.launches},
         **{f"config/{each.name}": each.text for each in spec.configs},
@@ -69,8 +72,9 @@ def render_package(spec: PackageSpec) -> RenderedPackage:
         files |= {each.path: each.text for each in spec.definitions}
     else:
         files["CMakeLists.txt"] = _filled(spec, "ament_cmake/CMakeLists.txt.j2")
+        files |= {each.path: each.text for each in spec.definitions}
     if build in (BuildType.AMENT_PYTHON, BuildType.AMENT_CMAKE_PYTHON):
-        files[f"{spec.name}/__init__.py"] = b""
+        files[f"{spec.modules}/__init__.py"] = b""
     files |= _tests(spec)
     rendered = {path: PackageFile(text) for path, text in files.items()}
     for node in spec.nodes:
@@ -80,13 +84,13 @@ def render_package(spec: PackageSpec) -> RenderedPackage:
 
 def node_path(spec: PackageSpec, node: PackagedNode) -> str:
     """Return where the file of a node stands in its package."""
-    folder = "scripts" if spec.builds is BuildType.CATKIN else spec.name
+    folder = "scripts" if spec.builds is BuildType.CATKIN else spec.modules
     return str(PurePosixPath(folder, node.file))
 
 
 def interfaces_of(spec: PackageSpec) -> PackageSpec | None:
     """Return the package with the types of a ROS 2 package, None where it needs none."""
-    if spec.ros_version == 1 or not spec.definitions:
+    if spec.ros_version == 1 or spec.builds_types or not spec.definitions:
         return None
     return replace(
         spec,
@@ -123,7 +127,7 @@ def render_interfaces(spec: PackageSpec) -> RenderedPackage:
         "definitions": sorted(each.path for each in spec.definitions),
     }
     files = {
-        "package.xml": package_xml(spec, dependencies, ["rosidl_interface_packages"]),
+        "package.xml": package_xml(spec, dependencies, [_WITH_TYPES]),
         "CMakeLists.txt": _render("interfaces/CMakeLists.txt.j2", values),
         **_about(spec),
         **{each.path: each.text for each in spec.definitions},
@@ -153,9 +157,13 @@ def _about(spec: PackageSpec) -> dict[str, bytes]:
         "setup": "devel/setup.bash" if spec.ros_version == 1 else "install/setup.bash",
         "license": None if identifier is None else licenses()[identifier],
         "identifier": identifier,
+        "own": None if spec.license is None else find_own_license(spec.license),
         "has_text": has_text,
     }
     files = {"README.md": _render("README.md.j2", values)}
+    if spec.license == PROPRIETARY:
+        text = _render(f"licenses/{PROPRIETARY}.j2", {"holder": spec.person.name})
+        files["LICENSE"] = text
     if identifier is not None and has_text:
         files["LICENSE"] = _render(f"licenses/{identifier}.j2", {"holder": spec.person.name})
     return files
@@ -200,12 +208,14 @@ def _filled(spec: PackageSpec, template: str) -> bytes:
         "maintainer_email": python_argument("maintainer_email", spec.person.mail, 4),
         "description": python_argument("description", spec.summary, 4),
         "license": python_string(spec.licensed),
-        "launches": bool(spec.launches),
+        "launches": sorted(spec.launches),
         "configs": bool(spec.configs),
         "messages": of(InterfaceKind.MESSAGE),
         "services": of(InterfaceKind.SERVICE),
         "actions": of(InterfaceKind.ACTION),
         "needed": sorted(needs_of_definitions(spec)) if spec.definitions else [],
+        "definitions": sorted(each.path for each in spec.definitions),
+        "modules": spec.modules,
         "with_python": spec.builds is BuildType.AMENT_CMAKE_PYTHON,
     }
     return _render(template, values)
@@ -228,7 +238,7 @@ def _tests(spec: PackageSpec) -> dict[str, bytes]:
             "label": node.node.name,
             "test": node.module,
             "started": python_string(
-                node_path(spec, node) if spec.ros_version == 1 else f"{spec.name}.{node.module}"
+                node_path(spec, node) if spec.ros_version == 1 else f"{spec.modules}.{node.module}"
             ),
             "is_managed": node.node.is_managed,
             "expected": [

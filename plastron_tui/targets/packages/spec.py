@@ -8,14 +8,13 @@ from enum import Enum
 from typing import NamedTuple
 
 from plastron_tui.diagnostics import Diagnostic, Span
+from plastron_tui.model.packages import nodes_folder
 from plastron_tui.model.workspace import Node
 from plastron_tui.ros.catalog.distributions import usual_distribution
 from plastron_tui.ros.interfaces import InterfaceKind
+from plastron_tui.ros.package_keys import PROPRIETARY
 from plastron_tui.ros.packages import DEFAULT_VERSION, MAINTAINER_MISSING, Maintainer
 from plastron_tui.sources.base import Language
-
-PROPRIETARY = "Proprietary"
-"""The license of a package of which the program does not say one: nobody else may use it."""
 
 
 class BuildType(str, Enum):
@@ -60,12 +59,21 @@ class PackagedNode(NamedTuple):
 
 
 class PackagedLaunch(NamedTuple):
-    """A launch file in a package; `needs` are the packages whose nodes or files it starts."""
+    """A launch file in a package.
+
+    Attributes:
+        name: its name.
+        text: what it holds.
+        needs: the packages whose nodes or files it starts.
+        span: the statement that puts it there.
+        is_open: whether who starts it has to give it an argument.
+    """
 
     name: str
     text: bytes
     needs: frozenset[str] = frozenset()
     span: Span | None = None
+    is_open: bool = False
 
 
 class PackagedFile(NamedTuple):
@@ -99,15 +107,18 @@ class PackageSpec:
         ros_version: the generation of ROS, 1 or 2.
         description: one line of text; "" where none was given.
         maintainer: who looks after it, None where the program does not say it.
-        license: an SPDX identifier, None where the program does not say one.
+        license: an SPDX identifier, or what stands for another license; None where the program
+            does not say one.
         version: three numbers.
         distribution: the distribution of ROS that it is for.
         nodes: the nodes that it installs.
         launches: the launch files that it installs.
         configs: the files in its folder `config`.
-        definitions: its types. In ROS 2 they are in a package of their own, see `interfaces_of`.
+        definitions: its types. In ROS 2 they are in a package of their own, see `interfaces_of`,
+            unless it `builds_types`.
         packages: the packages with interface types that are known, to tell imports by.
         build_type: how it is built; None for the one that its contents ask for.
+        builds_types: whether its types of ROS 2 are built with it, not in a package beside it.
         span: the statement that creates it.
     """
 
@@ -124,6 +135,7 @@ class PackageSpec:
     definitions: tuple[PackagedDefinition, ...] = ()
     packages: frozenset[str] = frozenset()
     build_type: BuildType | None = None
+    builds_types: bool = False
     span: Span | None = None
 
     @property
@@ -133,7 +145,14 @@ class PackageSpec:
             return self.build_type
         if self.ros_version == 1:
             return BuildType.CATKIN
+        if self.builds_types:
+            return BuildType.AMENT_CMAKE_PYTHON if self.nodes else BuildType.AMENT_CMAKE
         return BuildType.AMENT_PYTHON if self.nodes else BuildType.AMENT_CMAKE
+
+    @property
+    def modules(self) -> str:
+        """The folder of its Python modules."""
+        return nodes_folder(self.name) if self.builds_types else self.name
 
     @property
     def summary(self) -> str:

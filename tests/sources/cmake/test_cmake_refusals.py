@@ -42,6 +42,15 @@ def test_a_syntax_error_is_told_with_its_line(text: str) -> None:
     assert told.file == PATH
 
 
+@pytest.mark.parametrize("add", [programs.add_program, shares.add_shared])
+def test_a_metapackage_installs_nothing(add) -> None:
+    edited = add(f"{CATKIN}catkin_metapackage()\n".encode(), PATH, "scripts/x.py")
+    assert edited.text is None
+    (told,) = edited.diagnostics
+    assert (told.code, told.help) == (codes.EDIT_REFUSED, "put it into another package")
+    assert told.message.startswith("line 3 of `CMakeLists.txt` makes it a metapackage")
+
+
 COMPUTED = [
     (
         dependencies.add_dependency,

@@ -105,8 +105,8 @@ main()
 
 def test_a_class_in_a_function_sees_what_the_function_imports() -> None:
     text = edited(CLASS_IN_FUNCTION, publish("at", "geometry_msgs/Point", x=1.0))
-    assert text.startswith("import logging\n\n\ndef main():\n    import rclpy\n")
-    assert "    import rclpy\n    from geometry_msgs.msg import Point\n    from rclpy.node" in text
+    start = "import logging\n\n\ndef main():\n    from geometry_msgs.msg import Point\n"
+    assert text.startswith(f"{start}    import rclpy\n    from rclpy.node")
     assert text.count("import Point") == 1
 
 
@@ -187,6 +187,25 @@ def test_an_import_goes_where_it_sorts(order: str) -> None:
     main = "def hear(message):\n    pass\n\n\nrospy.init_node('n')\nrospy.spin()\n"
     text = edited(f"{before}\n{main}", subscribe("text", callback="hear"))
     assert text.startswith(f"{after}\n")
+
+
+_POINT = "from geometry_msgs.msg import Point\n"
+BOTH_ORDERS = {
+    # The style of ROS 2, which ament_flake8 checks, has single quotes, and modules in one order.
+    "single quotes": ("'", f"{_POINT}import rclpy\nfrom rclpy.node import Node\n"),
+    "double quotes": ('"', f"import rclpy\n{_POINT}from rclpy.node import Node\n"),
+}
+
+
+@pytest.mark.parametrize(("quote", "after"), BOTH_ORDERS.values(), ids=BOTH_ORDERS)
+def test_quotes_tell_the_order_where_two_fit(quote: str, after: str) -> None:
+    before = "import rclpy\nfrom rclpy.node import Node\n"
+    main = (
+        "\n\ndef hear(message):\n    pass\n\n\nrclpy.init()\nnode = Node('n')\nrclpy.spin(node)\n"
+    )
+    main = main.replace("'", quote)
+    text = edited(before + main, subscribe("at", "geometry_msgs/Point", "hear"))
+    assert text.startswith(f"{after}\n\ndef")
 
 
 # Where `from std_msgs.msg import String` goes: at the `>`; Twist at the `<`.

@@ -132,6 +132,18 @@ def test_what_the_build_tools_would_refuse_is_refused(
     assert [(one.code, one.message) for one in edit.diagnostics] == [("edit-refused", message)]
 
 
+@pytest.mark.parametrize(("needs", "tag"), [("exec", "run_depend"), ("build", "build_depend")])
+def test_the_first_format_takes_nothing_beside_a_test_depend(needs: str, tag: str) -> None:
+    package = package_of(["<test_depend>new</test_depend>"], 1)
+    [told] = add_dependency(package, "new", {needs}, 1).diagnostics
+    assert told.code == "edit-refused"
+    assert f"no `<{tag}>` on `new` beside the `<test_depend>`" in told.message
+    assert told.span is not None and told.help is not None
+    text = package.document.text
+    assert text[told.span.start : told.span.end] == b"test_depend"
+    assert f"`<{tag}>` in its place" in told.help
+
+
 @st.composite
 def files(draw: st.DrawFn) -> bytes:
     number = draw(st.sampled_from([1, 2, 3]))

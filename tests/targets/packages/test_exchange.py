@@ -5,20 +5,15 @@ from __future__ import annotations
 import json
 import shutil
 import subprocess
-from collections.abc import Mapping
-from dataclasses import replace
+from collections.abc import Iterable, Mapping
 from pathlib import Path
 from typing import Any
 
 import pytest
 from catkin_pkg.packages import find_packages
 from machine import find_ros, graph_environ
-from made_packages import write
 from processes import PLASTRON, Process, processes
-from program_packages import spec_of
 from ros_workspaces import SCRIPTS, SYSTEM, call, complete_ros2, skip_without
-
-from plastron_tui.targets.packages import BuildType, PackagedLaunch, render_package
 
 pytestmark = [pytest.mark.live]
 
@@ -67,19 +62,31 @@ PACKAGES = {
               "rover_start": "ament_cmake"},
     "rospy": {"rover": "catkin", "rover_start": "catkin"},
 }  # fmt: skip
+TOGETHER = {"rover": "ament_cmake", "rover_start": "ament_cmake"}
 LAUNCH = {"rclpy": "bringup.launch.xml", "rospy": "bringup.launch"}
 
 
-def generate(library: str, folder: Path) -> Path:
-    """Generate the program, and return the source folder of a workspace with a copy of it."""
+def generate(library: str, folder: Path, packages: Iterable[str], types: str = "") -> Path:
+    """Generate the program, and return the source folder of a workspace with a copy of it.
+
+    Args:
+        library: the client library.
+        folder: where the workspace is made.
+        packages: the packages that it is to have.
+        types: what stands before the names of types where they are made.
+    """
     text = TYPES[library] + NODES.replace("FILE", LAUNCH[library])
+    text = text.replace("_type ", f"_type {types}") if types else text
+    for kind in ("message", "service", "action"):
+        text = text.replace(f"of {kind}_type {types}", f"of {kind}_type ")
     written = folder / "written"
     written.mkdir()
     (written / "rover.plastron").write_text(text)
     command = [PLASTRON, "generate", "rover.plastron", "--target", library, "-o", "out"]
     call(command, written, {"PATH": SYSTEM})
     source = folder / "ws" / "src"
-    for name in PACKAGES[library]:
+    assert {each.name for each in (written / "out").iterdir() if each.is_dir()} == set(packages)
+    for name in packages:
         shutil.copytree(written / "out" / name, source / name)
     shutil.rmtree(written)
     for file in source.rglob("*"):
@@ -110,20 +117,18 @@ def check_style(source: Path, kinds: Mapping[str, str]) -> None:
 
 
 @pytest.mark.long(1)
-@pytest.mark.parametrize("build_type", [BuildType.AMENT_PYTHON, BuildType.AMENT_CMAKE_PYTHON])
-def test_installed_executables_exchange_own_types(build_type: BuildType, tmp_path: Path) -> None:
+@pytest.mark.parametrize("are_together", [False, True], ids=["types apart", "types together"])
+def test_installed_executables_exchange_own_types(are_together: bool, tmp_path: Path) -> None:
     pytest.importorskip("rclpy")
     wheels = complete_ros2(tmp_path)
     skip_without("colcon", "cmake", "make", "c++", path=wheels["PATH"])
-    source = generate("rclpy", tmp_path)
-    kinds = PACKAGES["rclpy"]
-    if build_type is not BuildType.AMENT_PYTHON:
-        build_otherwise(source, build_type, tmp_path)
-        kinds = kinds | {"rover": "ament_cmake"}
+    kinds = TOGETHER if are_together else PACKAGES["rclpy"]
+    types = "rover" if are_together else "rover_interfaces"
+    source = generate("rclpy", tmp_path, kinds, "rover/" if are_together else "")
     check_style(source, kinds)
     workspace = source.parent
     told = call(["colcon", "build"], workspace, wheels)
-    assert "Summary: 3 packages finished" in told
+    assert f"Summary: {len(kinds)} packages finished" in told
     installed = workspace / "install"
     assert (installed / "rover_start/share/rover_start/launch/all.launch.xml").is_file()
     assert (installed / "rover/share/rover/launch" / LAUNCH["rclpy"]).is_file()
@@ -139,10 +144,10 @@ def test_installed_executables_exchange_own_types(build_type: BuildType, tmp_pat
             node = Process(["sh", "-c", f"cd {workspace} && {words}"], environ, tmp_path / name)
             started.append(node)
         serving, asking = started
-        asking.wait_to_print("wheel_speed: rover_interfaces.msg.WheelSpeed(left=4.5,")
-        asking.wait_to_print("main=rover_interfaces.msg.Axle(angle=0.5, label='front')")
+        asking.wait_to_print(f"wheel_speed: {types}.msg.WheelSpeed(left=4.5,")
+        asking.wait_to_print(f"main={types}.msg.Axle(angle=0.5, label='front')")
         asking.wait_to_print("SetLevel_Response(success=True, message='done')")
-        asking.wait_to_print("drive: succeeded: rover_interfaces.action.Drive_Result")
+        asking.wait_to_print(f"drive: succeeded: {types}.action.Drive_Result")
         serving.wait_to_print("angle=0.5, label='left'), name='hi'")
         serving.wait_to_print("Drive_Goal(distance=1.5)")
         assert [each.interrupt() for each in started] == [0, 0]
@@ -150,16 +155,6 @@ def test_installed_executables_exchange_own_types(build_type: BuildType, tmp_pat
     told = call(["colcon", "test-result", "--all"], workspace, wheels)
     # Those of the style and of the two nodes; those of the nodes, which CTest counts as well.
     assert "Summary: 4 tests, 0 errors, 0 failures, 0 skipped" in told
-
-
-def build_otherwise(source: Path, build_type: BuildType, folder: Path) -> None:
-    """Write the package of the nodes anew, as one that no node of a program asks for yet."""
-    text = TYPES["rclpy"] + NODES.replace("FILE", LAUNCH["rclpy"])
-    launch = source / "rover" / "launch" / LAUNCH["rclpy"]
-    launches = (PackagedLaunch(launch.name, launch.read_bytes(), frozenset({"rover"})),)
-    spec = spec_of(text, "rclpy", folder)
-    shutil.rmtree(source / "rover")
-    write(render_package(replace(spec, build_type=build_type, launches=launches)), source / "rover")
 
 
 def graph_of(folder: Path) -> dict[str, str]:
@@ -171,7 +166,7 @@ def graph_of(folder: Path) -> dict[str, str]:
 def test_roslaunch_starts_nodes_that_exchange_own_types(tmp_path: Path) -> None:
     find_ros(1)
     skip_without("catkin_make", "roslaunch", "rosmaster", "rostopic", path=SYSTEM)
-    source = generate("rospy", tmp_path)
+    source = generate("rospy", tmp_path, PACKAGES["rospy"])
     check_style(source, PACKAGES["rospy"])
     workspace = source.parent
     system = {"PATH": SYSTEM, "ROS_IP": "127.0.0.1", **graph_of(tmp_path)}
@@ -198,7 +193,7 @@ def test_roslaunch_starts_nodes_that_exchange_own_types(tmp_path: Path) -> None:
         assert launched.interrupt() == 0
     call(["catkin_make", "-j2", "run_tests"], workspace, system)
     told = call(["catkin_test_results", "build"], workspace, system)
-    assert "2 tests, 0 errors, 0 failures" in told
+    assert "4 tests, 0 errors, 0 failures" in told
 
 
 def nodes_of(launch: Path) -> list[str]:

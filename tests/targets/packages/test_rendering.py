@@ -17,10 +17,12 @@ from made_packages import ADA, ROS_VERSION, nodes_of, spec_of, with_types, write
 from rules import broken_rules
 
 from plastron_tui.diagnostics import Span
+from plastron_tui.ros.package_keys import find_own_license
 from plastron_tui.ros.packages import Maintainer
 from plastron_tui.targets.packages import (
     BuildType,
     PackagedFile,
+    PackagedLaunch,
     PackageSpec,
     interfaces_of,
     render_interfaces,
@@ -45,6 +47,8 @@ def shape(name: str) -> PackageSpec:
         found = interfaces_of(with_types(kept("rclpy")))
         assert found is not None
         return found
+    if name == "types and nodes":
+        return replace(with_types(kept("rclpy")), builds_types=True)
     return replace(kept("rclpy"), build_type=BuildType(name))
 
 
@@ -53,12 +57,15 @@ def read(description: str) -> str:
     return unescape(description, {"&quot;": '"'})
 
 
-SHAPES = ("catkin", "ament_python", "ament_cmake_python", "ament_cmake", "interfaces")
+SHAPES = (
+    *("catkin", "ament_python", "ament_cmake_python", "ament_cmake", "interfaces"),
+    "types and nodes",
+)
 
 
 def rendered(spec: PackageSpec, folder: Path) -> Path:
-    write(render_interfaces(spec) if spec.definitions and spec.ros_version == 2 else
-          render_package(spec), folder)  # fmt: skip
+    is_apart = spec.ros_version == 2 and spec.definitions and not spec.builds_types
+    write(render_interfaces(spec) if is_apart else render_package(spec), folder)
     return folder
 
 
@@ -201,6 +208,48 @@ def test_license_without_a_text_is_linked() -> None:
     assert found.files is not None
     assert "LICENSE" not in found.files
     assert b"spdx.org/licenses/GPL-3.0-only" in found.files["README.md"].text
+
+
+def test_catkin_checks_launch_files() -> None:
+    launches = (
+        PackagedLaunch("b.launch", b"<launch/>"),
+        PackagedLaunch("a.launch", b"<launch/>", is_open=True),
+    )
+    spec = replace(kept("rospy"), launches=launches)
+    found = render_package(spec)
+    assert found.files is not None
+    checks = [
+        line.strip()
+        for line in found.files["CMakeLists.txt"].text.decode().splitlines()
+        if "roslaunch" in line
+    ]
+    assert checks == [
+        "find_package(roslaunch REQUIRED)",
+        "roslaunch_add_file_check(launch/a.launch IGNORE_UNSET_ARGS)",
+        "roslaunch_add_file_check(launch/b.launch)",
+    ]
+    assert "roslaunch" in keys(spec, "test_depend")
+
+
+OWN_LICENSES = [
+    ("proprietary", b"see [LICENSE](LICENSE)", "Copyright (c) Ada\n\nAll rights reserved.\n"),
+    ("LicenseRef-Acme-1.0", b"`LicenseRef-Acme-1.0`. Put its text", None),
+]
+
+
+@pytest.mark.parametrize(("written", "told", "text"), OWN_LICENSES)
+def test_a_license_of_ones_own(written: str, told: bytes, text: str | None) -> None:
+    catkin_pkg = pytest.importorskip("catkin_pkg.package")
+    meant = find_own_license(written)
+    maintainer = Maintainer("Ada", "ada@example.com")
+    found = render_package(replace(kept("rclpy"), license=meant, maintainer=maintainer))
+    assert (found.files is not None, found.diagnostics) == (True, ())
+    assert found.files is not None
+    package = catkin_pkg.parse_package_string(found.files["package.xml"].text.decode())
+    assert package.licenses == [meant]
+    assert told in found.files["README.md"].text
+    held = found.files.get("LICENSE")
+    assert (None if held is None else held.text.decode()) == text
 
 
 def test_types_of_ros_2_are_in_a_package_of_their_own() -> None:

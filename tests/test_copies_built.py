@@ -1,0 +1,42 @@
+"""The output folder alone, with a loaded package that got a node, built by the tools of its ROS."""
+
+from __future__ import annotations
+
+import os
+import shutil
+import sys
+from pathlib import Path
+
+import pytest
+from loaded_packages import IN, KINDS, lay, run
+from ros_workspaces import SCRIPTS, SYSTEM, call, skip_without
+
+pytestmark = [pytest.mark.live]
+
+NAMES = {
+    "ament_python": ("listener", "talker"),
+    "ament_cmake": ("listener.py", "talker.py"),
+    "catkin": ("listener.py", "talker.py"),
+}
+
+
+@pytest.mark.long(1)
+@pytest.mark.parametrize("kind", KINDS)
+def test_the_output_folder_is_built_alone(kind: str, tmp_path: Path) -> None:
+    library, files = KINDS[kind]
+    package = lay(tmp_path, files)
+    assert run(IN, tmp_path, library) == ()
+    shutil.rmtree(package)
+    (tmp_path / "output").rename(tmp_path / "src")
+    if kind == "catkin":
+        skip_without("catkin_make", path=SYSTEM)
+        call(["catkin_make", "-j1", "install"], tmp_path, {"PATH": SYSTEM})
+        installed = tmp_path / "install"
+    else:
+        pytest.importorskip("rclpy")
+        path = f"{SCRIPTS}:{SYSTEM}"
+        skip_without("colcon", "cmake", path=path)
+        call(["colcon", "build"], tmp_path, {"PATH": path, "AMENT_PREFIX_PATH": sys.prefix})
+        installed = tmp_path / "install/demo"
+    for name in NAMES[kind]:
+        assert os.access(installed / "lib/demo" / name, os.X_OK)
