@@ -68,7 +68,7 @@ MADE = {
         "demo/demo/__init__.py": "",
         "demo/resource/demo": "",
         "demo/LICENSE": "MIT License",
-        "demo/test/test_talker.py": "chatter",
+        "demo/test/test_talker_node.py": "chatter",
     },
     ("rospy", PACKAGE + WRITE): {
         "demo/package.xml": "<exec_depend>rospy</exec_depend>",
@@ -332,7 +332,7 @@ def test_a_file_that_is_written_no_longer_is_told(tmp_path: Path) -> None:
     generate(tmp_path, PACKAGE + WRITE)
     renamed = (PACKAGE + WRITE).replace("create_node 'talker'", "create_node 'speaker'")
     assert generate(tmp_path, renamed) == ["file-stays", "file-stays"]
-    for name in ("demo/talker.py", "test/test_talker.py"):
+    for name in ("demo/talker.py", "test/test_talker_node.py"):
         (tmp_path / "output" / "demo" / name).unlink()
     assert generate(tmp_path, renamed) == []
 
@@ -376,7 +376,7 @@ def test_files_of_types_and_nodes_together(tmp_path: Path) -> None:
         "demo/msg/WheelSpeed.msg": "float64 left",
         "demo/demo_nodes/driver.py": "from demo.msg import WheelSpeed",
         "demo/demo_nodes/__init__.py": "",
-        "demo/test/test_driver.py": "demo_nodes.driver",
+        "demo/test/test_driver_node.py": "demo_nodes.driver",
     }.items():
         assert part in found[name].decode(), name
 
