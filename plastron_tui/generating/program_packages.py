@@ -31,6 +31,7 @@ from plastron_tui.targets.packages.spec import (
 )
 
 from .launch_files import edited_launch, is_within, launch_output, name_within, packages_of
+from .loaded_types import refused_types
 from .own_definitions import Packaged, own_definitions, rendered_definitions, used_packages
 from .package_spec import package_spec
 
@@ -177,7 +178,8 @@ class ProgramPackages:
     def _definitions_alone(self) -> Iterator[Made]:
         """Yield the packages of types that nodes use, or that are asked for, and no package has."""
         assert self._default is not None
-        have = {each.package.name for each in self._workspace.written_packages}
+        written = {each.package.name: each.package for each in self._workspace.written_packages}
+        have = {name for name, each in written.items() if each.source is None}
         have |= {interfaces_name(name) for name in have}
         versions = {each.target.ros_version: each for each in self._libraries.values()}
         for version, library in versions.items():
@@ -195,6 +197,9 @@ class ProgramPackages:
                     if asked is not None and asked.interface.name.package in own:
                         wanted[asked.interface.name.package] = None
             for package in (each for each in wanted if each not in have):
+                if (refused := refused_types(self._workspace, package, version)) is not None:
+                    yield Made({}, refused)
+                    continue
                 rendered = rendered_definitions(package, own, version, library.catalog.distribution)
                 files = rendered.files or {}
                 yield Made({f"{package}/{path}": file for path, file in files.items()})

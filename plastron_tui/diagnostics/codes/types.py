@@ -26,6 +26,12 @@ TYPE_EXISTS = Code(
     good=_SPEED,
 )
 
+TYPE_NOT_WRITTEN = Code(
+    "type-not-written",
+    "A type belongs to a package that exists, and its definition cannot be put there: nothing "
+    "writes the package, or it builds no types. A second package of its name would hide it.",
+)
+
 BAD_FIELD = Code(
     "bad-field",
     "A field or a constant is not as definitions have it: its name, its type, its bound or its "

@@ -1,0 +1,60 @@
+"""The types of a program that belong to packages which it loads."""
+
+from __future__ import annotations
+
+import os
+from typing import TYPE_CHECKING
+
+from plastron_tui.diagnostics import Diagnostic, codes
+from plastron_tui.targets.packages.spec import interfaces_name
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+
+    from plastron_tui.model.own_types import OwnType
+    from plastron_tui.model.workspace import Workspace
+
+
+def types_of(workspace: Workspace, package: str, version: int) -> Iterator[OwnType]:
+    """Yield the types that a program makes for a package, in a generation of ROS."""
+    for each in workspace.types.values():
+        definition = each.definitions.get(version)
+        if each.source is None and definition is not None:
+            if definition.interface.name.package == package:
+                yield each
+
+
+def refused_types(
+    workspace: Workspace, package: str, version: int
+) -> tuple[Diagnostic, ...] | None:
+    """Say why no package is made for types; None where one is.
+
+    A package that is loaded, or that stands beside one, is there: a second one of its name would
+    hide it.
+
+    Args:
+        workspace: what the program built.
+        package: the package that the types are of.
+        version: the generation of ROS.
+    """
+    for each in workspace.packages.values():
+        source = each.source
+        if source is None or source.ros_version != version:
+            continue
+        if each.name == package:
+            why = f"`{package}` is loaded, and nothing writes it"
+            help_ = f"write the package: `generate_package {each.variable}`"
+        elif interfaces_name(each.name) == package and os.path.lexists(
+            source.folder.parent / package
+        ):
+            why = f"the folder `{package}` is there, beside that of `{each.name}`"
+            help_ = f"load that package too, and write it: `load_package … as {package}`"
+        else:
+            continue
+        return tuple(
+            Diagnostic(
+                codes.TYPE_NOT_WRITTEN, f"`{own.name}` is not written: {why}", own.span, help=help_
+            )
+            for own in types_of(workspace, package, version)
+        )
+    return None
