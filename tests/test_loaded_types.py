@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
+import difflib
 from pathlib import Path
 
 import pytest
-from loaded_packages import AMENT_PYTHON, KINDS, lay, run, texts
+from loaded_packages import AMENT_CMAKE, AMENT_PYTHON, CATKIN, KINDS, lay, run, texts
 
 LOADED = "load_package 'demo' as demo\n"
 SPEED = f"{LOADED}create_message_type Speed with float64 left, float64 right\n"
@@ -41,3 +42,163 @@ def test_a_type_of_a_package_that_nothing_writes_is_told(
     told = run(f"{program}generate_node driver{end}\n", tmp_path, library)
     assert [(each.code, each.span is not None) for each in told] == [("type-not-written", True)]
     assert not (tmp_path / "output").exists()
+
+
+CATKIN_WITH_TYPES = {
+    **CATKIN,
+    "package.xml": CATKIN["package.xml"].replace(
+        "  <exec_depend>rospy</exec_depend>\n",
+        "  <build_depend>message_generation</build_depend>\n"
+        "  <exec_depend>message_runtime</exec_depend>\n"
+        "  <exec_depend>rospy</exec_depend>\n",
+    ),
+    "CMakeLists.txt": """\
+cmake_minimum_required(VERSION 3.0.2)
+project(demo)
+find_package(catkin REQUIRED COMPONENTS message_generation rospy)
+
+## types
+add_message_files(
+  FILES
+  Num.msg   # a number
+)
+generate_messages()
+
+catkin_package(CATKIN_DEPENDS message_runtime)
+""",
+    "msg/Num.msg": "int64 num\n",
+}
+AMENT_WITH_TYPES = {
+    "package.xml": AMENT_CMAKE["package.xml"],
+    "CMakeLists.txt": """\
+cmake_minimum_required(VERSION 3.8)
+project(demo)
+find_package(ament_cmake REQUIRED)
+find_package(rosidl_default_generators REQUIRED)
+rosidl_generate_interfaces(${PROJECT_NAME}
+  "msg/Num.msg"
+)
+ament_package()
+""",
+    "msg/Num.msg": "int64 num\n",
+}
+AMENT_ALONE = {
+    "package.xml": AMENT_CMAKE["package.xml"],
+    "CMakeLists.txt": """\
+cmake_minimum_required(VERSION 3.8)
+project(demo)
+find_package(ament_cmake REQUIRED)
+ament_package()
+""",
+}
+HEADED = "Speed with std_msgs/Header header"
+MADE = {
+    "catkin, none before": (
+        CATKIN,
+        "create_message_type Speed with float64 left",
+        "msg/Speed.msg",
+        [
+            "+find_package(catkin REQUIRED COMPONENTS message_generation)",
+            "+",
+            "+add_message_files(FILES",
+            "+  Speed.msg)",
+            "+",
+            "+generate_messages()",
+            "+catkin_package(CATKIN_DEPENDS message_runtime)",
+        ],
+        [
+            "+  <build_depend>message_generation</build_depend>",
+            "+  <exec_depend>message_runtime</exec_depend>",
+        ],
+    ),
+    "catkin, beside others": (
+        CATKIN_WITH_TYPES,
+        "create_message_type Speed with float64 left",
+        "msg/Speed.msg",
+        ["+  Speed.msg"],
+        [],
+    ),
+    "catkin, of another package": (
+        CATKIN_WITH_TYPES,
+        f"create_message_type {HEADED}",
+        "msg/Speed.msg",
+        [
+            "+find_package(catkin REQUIRED COMPONENTS message_generation rospy std_msgs)",
+            "+  Speed.msg",
+            "+generate_messages(DEPENDENCIES std_msgs)",
+            "+catkin_package(CATKIN_DEPENDS message_runtime std_msgs)",
+        ],
+        ["+  <build_depend>std_msgs</build_depend>", "+  <exec_depend>std_msgs</exec_depend>"],
+    ),
+    "catkin, a service": (
+        CATKIN_WITH_TYPES,
+        "create_service_type Go with none returning bool ok",
+        "srv/Go.srv",
+        ["+", "+add_service_files(FILES", "+  Go.srv", "+)"],
+        [],
+    ),
+    "catkin, an action": (
+        CATKIN_WITH_TYPES,
+        "create_action_type Go with none returning bool ok reporting none",
+        "action/Go.action",
+        [
+            "+find_package(catkin REQUIRED COMPONENTS actionlib_msgs message_generation rospy)",
+            "+add_action_files(FILES",
+            "+  Go.action",
+            "+)",
+            "+generate_messages(DEPENDENCIES actionlib_msgs)",
+            "+",
+            "+catkin_package(CATKIN_DEPENDS message_runtime actionlib_msgs)",
+        ],
+        [
+            "+  <build_depend>actionlib_msgs</build_depend>",
+            "+  <exec_depend>actionlib_msgs</exec_depend>",
+        ],
+    ),
+    "ament_cmake, none before": (
+        AMENT_ALONE,
+        f"create_message_type demo/{HEADED}",
+        "msg/Speed.msg",
+        [
+            "+find_package(std_msgs REQUIRED)",
+            "+find_package(rosidl_default_generators REQUIRED)",
+            "+rosidl_generate_interfaces(${PROJECT_NAME}",
+            '+  "msg/Speed.msg"',
+            "+  DEPENDENCIES std_msgs",
+            "+)",
+        ],
+        [
+            "+  <buildtool_depend>rosidl_default_generators</buildtool_depend>",
+            "+  <depend>std_msgs</depend>",
+            "+  <exec_depend>rosidl_default_runtime</exec_depend>",
+            "+  <member_of_group>rosidl_interface_packages</member_of_group>",
+        ],
+    ),
+    "ament_cmake, beside others": (
+        AMENT_WITH_TYPES,
+        "create_message_type demo/Speed with float64 left",
+        "msg/Speed.msg",
+        ['+  "msg/Speed.msg"'],
+        [],
+    ),
+}
+
+
+def added(before: str, after: bytes) -> list[str]:
+    lines = difflib.unified_diff(before.splitlines(), after.decode().splitlines(), n=0)
+    return [line for line in lines if line.startswith("+") and not line.startswith("+++")]
+
+
+@pytest.mark.parametrize("name", MADE)
+def test_a_loaded_package_builds_the_types(name: str, tmp_path: Path) -> None:
+    files, statement, file, cmake, manifest = MADE[name]
+    package = lay(tmp_path, files)
+    library = "rospy" if name.startswith("catkin") else "rclpy"
+    program = f"{LOADED}{statement}\ngenerate_package demo\n"
+    assert run(program, tmp_path, library, in_place=True) == ()
+    made = texts(package)
+    assert set(made) == {*files, file}
+    assert added(files["CMakeLists.txt"], made["CMakeLists.txt"]) == cmake
+    assert sorted(added(files["package.xml"], made["package.xml"])) == sorted(manifest)
+    assert run(program, tmp_path, library, in_place=True) == ()
+    assert texts(package) == made

@@ -19,9 +19,9 @@ def types_of(workspace: Workspace, package: str, version: int) -> Iterator[OwnTy
     """Yield the types that a program makes for a package, in a generation of ROS."""
     for each in workspace.types.values():
         definition = each.definitions.get(version)
-        if each.source is None and definition is not None:
-            if definition.interface.name.package == package:
-                yield each
+        name = None if definition is None else definition.interface.name
+        if each.source is None and name is not None and name.package == package:
+            yield each
 
 
 def refused_types(
@@ -30,13 +30,15 @@ def refused_types(
     """Say why no package is made for types; None where one is.
 
     A package that is loaded, or that stands beside one, is there: a second one of its name would
-    hide it.
+    hide it. With one that is written its types are.
 
     Args:
         workspace: what the program built.
         package: the package that the types are of.
         version: the generation of ROS.
     """
+    if any(each.package.name == package for each in workspace.written_packages):
+        return ()
     for each in workspace.packages.values():
         source = each.source
         if source is None or source.ros_version != version:

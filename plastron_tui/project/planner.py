@@ -257,6 +257,7 @@ class Planner:
         if workspace is None or not loaded:
             return files, ()
         from plastron_tui.generating.loaded_package import loaded_package_files
+        from plastron_tui.generating.loaded_types import types_of
 
         libraries = {name: found for name in LIBRARIES if (found := self._library(name))}
         told: tuple[Diagnostic, ...] = ()
@@ -266,8 +267,10 @@ class Planner:
             told += problems
             if problems:
                 continue
+            assert package.source is not None
+            types = types_of(workspace, package.name, package.source.ros_version)
             changed = loaded_package_files(
-                package, made, libraries, output, manifest, launches, in_place=in_place
+                package, made, libraries, output, manifest, launches, types, in_place=in_place
             )
             files = [each for each in files if each.name not in changed.nodes]
             files += changed.files

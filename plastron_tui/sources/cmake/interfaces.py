@@ -20,7 +20,7 @@ from .facts import (
     interfaces,
 )
 from .places import insert_after, insert_before_end, written_call
-from .reader import CMakeLists
+from .reader import CMakeLists, read_cmake
 from .syntax import Command
 
 _GENERATING = {False: "rosidl_generate_interfaces", True: "generate_messages"}
@@ -53,6 +53,50 @@ def add_interface_dependency(text: bytes, path: Path, name: str) -> Edited:
 def remove_interface_dependency(text: bytes, path: Path, name: str) -> Edited:
     """Name a package no more whose types the package's own are made of."""
     return change(text, path, lambda lists: _remove_dependency(lists, name))
+
+
+def builds_types(text: bytes, path: Path) -> bool:
+    """Tell whether a file makes types already; one that cannot be read makes none."""
+    lists, _ = read_cmake(text, path)
+    return lists is not None and any(each.is_plain for each in interfaces(lists))
+
+
+def add_generating(text: bytes, path: Path) -> Edited:
+    """Call `generate_messages`, without which catkin makes no types; nothing changes with one."""
+    return change(text, path, _add_generating)
+
+
+def check_module(text: bytes, path: Path) -> Edited:
+    """Refuse types beside a Python module of the package's name: theirs has the same name.
+
+    Both make the module of that name (rosidl_generator_py, ament_cmake_python); a file that makes
+    types already is let be.
+    """
+    return change(text, path, _check_module)
+
+
+def _add_generating(lists: CMakeLists) -> bytes:
+    calls = lists.named(_GENERATING[True])
+    listing = lists.listing
+    if any(each.is_plain for each in calls):
+        return listing.text
+    for each in calls:
+        why = "calls `generate_messages` under a condition"
+        raise refusal(listing.text, listing.path, each.command.span, why)
+    call = written_call(listing, _GENERATING[True], "", [])
+    return applied(lists, _before_generating(lists, call), Counter(), "generating messages")
+
+
+def _check_module(lists: CMakeLists) -> bytes:
+    listing = lists.listing
+    if not any(each.is_plain for each in interfaces(lists)):
+        for call in lists.named("ament_python_install_package"):
+            if call.items and call.items[0].value in (lists.name, "${PROJECT_NAME}"):
+                why = f"installs a Python module `{lists.name}`, as the types would be"
+                remedy = "leave the package out where the type is made: it gets one of its own then"
+                span = call.command.span
+                raise refusal(listing.text, listing.path, span, why, codes.EDIT_REFUSED, remedy)
+    return listing.text
 
 
 def _add(lists: CMakeLists, file: str) -> bytes:
