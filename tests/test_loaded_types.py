@@ -8,6 +8,8 @@ from pathlib import Path
 import pytest
 from loaded_packages import AMENT_CMAKE, AMENT_PYTHON, CATKIN, KINDS, lay, run, texts
 
+from plastron_tui.session import Options, Session
+
 LOADED = "load_package 'demo' as demo\n"
 SPEED = f"{LOADED}create_message_type Speed with float64 left, float64 right\n"
 USED = (
@@ -202,3 +204,21 @@ def test_a_loaded_package_builds_the_types(name: str, tmp_path: Path) -> None:
     assert sorted(added(files["package.xml"], made["package.xml"])) == sorted(manifest)
     assert run(program, tmp_path, library, in_place=True) == ()
     assert texts(package) == made
+
+
+def test_a_package_that_is_built_for_a_run_has_its_other_types(tmp_path: Path) -> None:
+    others = {"srv/Ask.srv": "std_msgs/Header header\n---\n", "msg/Bad.msg": "int64\n"}
+    lay(tmp_path, {**CATKIN_WITH_TYPES, **others})
+    program = f"{SPEED}{USED}generate_node driver\n"
+    session = Session(program.encode(), tmp_path / "a.plastron", Options("rospy"), environ={})
+    nodes = list(session.workspace.nodes.values())
+    files = session.own_packages(nodes, 1)["demo"].files
+    assert files is not None
+    kinds = (".msg", ".srv", ".action")
+    found = {path: file.text for path, file in files.items() if path.endswith(kinds)}
+    assert found == {
+        "msg/Num.msg": b"int64 num\n",
+        "msg/Speed.msg": b"float64 left\nfloat64 right\n",
+        "srv/Ask.srv": others["srv/Ask.srv"].encode(),
+    }
+    assert b"std_msgs" in files["CMakeLists.txt"].text

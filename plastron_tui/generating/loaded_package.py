@@ -56,6 +56,7 @@ _INSTALLED = "installed"
 """Whether it was with a node's or a launch file that the package began to install it."""
 
 _LAUNCH = "launch"
+_DEFINITIONS = tuple(f".{each.value}" for each in InterfaceKind)
 _NO_LAUNCHES: Mapping[str, PackagedLaunch] = {}
 
 
@@ -376,6 +377,8 @@ class _Change:
             # copied has a base.
             there, manifest = f"{self.source.name}/{name}", self.manifest
             is_left = not is_over and there in manifest and there not in manifest.bases
+            # What becomes of a definition that is there is said by who loads it.
+            is_left = is_left and not name.endswith(_DEFINITIONS)
             if text == before and not is_left:
                 continue
             found.append(

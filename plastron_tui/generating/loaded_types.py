@@ -6,12 +6,15 @@ import os
 from typing import TYPE_CHECKING
 
 from plastron_tui.diagnostics import Diagnostic, codes
+from plastron_tui.model.own_types import Definition, OwnType
+from plastron_tui.ros.definition import parse_definition
+from plastron_tui.ros.interfaces import InterfaceKind, InterfaceName
 from plastron_tui.targets.packages.spec import interfaces_name
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
 
-    from plastron_tui.model.own_types import OwnType
+    from plastron_tui.model.package_source import PackageSource
     from plastron_tui.model.workspace import Workspace
 
 
@@ -60,3 +63,48 @@ def refused_types(
             for own in types_of(workspace, package, version)
         )
     return None
+
+
+def types_of_run(workspace: Workspace, version: int) -> list[OwnType]:
+    """Return the types in the packages that are built for a run: the program's, and others.
+
+    A loaded package that is built with a type of the program's has its other types too, or it
+    would hide them; one whose definition cannot be read is left out.
+
+    Args:
+        workspace: what the program built.
+        version: the generation of ROS.
+    """
+    return [*workspace.types.values(), *_others(workspace, version)]
+
+
+def _others(workspace: Workspace, version: int) -> Iterator[OwnType]:
+    known = {
+        (definition.interface.name, each.kind)
+        for each in workspace.types.values()
+        if (definition := each.definitions.get(version)) is not None
+    }
+    packages = {name.package for name, _ in known}
+    for each in workspace.packages.values():
+        source = each.source
+        if source is None or source.ros_version != version or each.name not in packages:
+            continue
+        for kind, name, file in _definition_files(source):
+            if (name, kind) in known:
+                continue
+            text = source.texts[file]
+            read = parse_definition(text, name, kind, version, source.folder / file)
+            if read.interface is not None:
+                definitions = {version: Definition(text, read.interface)}
+                yield OwnType(name.name, each.name, kind, each.span, definitions)
+
+
+def _definition_files(
+    source: PackageSource,
+) -> Iterator[tuple[InterfaceKind, InterfaceName, str]]:
+    for file in source.texts:
+        folder, _, base = file.partition("/")
+        name, _, ending = base.partition(".")
+        for kind in InterfaceKind:
+            if folder == ending == kind.value:
+                yield kind, InterfaceName(source.name, name), file
