@@ -188,7 +188,8 @@ rover/                      the program's folder
 
 `types` in `plastron.yaml` names other folders to look in instead. To run a node, ROS needs the package
 built and sourced; what the program itself makes `plastron run` builds. These bare names always mean the same, whatever
-else is installed, and all of them run ([how](commands.md#plastron-run)):
+else is installed, until a program makes a type of such a name, which a warning says; and all of them run
+([how](commands.md#plastron-run)):
 
 | name | ROS 1 | ROS 2 |
 |---|---|---|
@@ -226,6 +227,8 @@ the program's file. `create_message_type rover_msgs/WheelSpeed with …` names a
 Where it names a package that the program creates, as in `create_message_type rover/WheelSpeed with …`,
 that package builds the type beside its nodes, in ROS 2 too: with `ament_cmake` and
 `ament_cmake_python`, and with its modules in the folder `rover_nodes`, since the types have `rover`.
+Where it names one that the program loads, or is of a loaded package of catkin, `generate_package` puts
+the definition there, and what builds it into `CMakeLists.txt` and `package.xml`.
 
 `load_type 'msg/WheelSpeed.msg' as WheelSpeed` reads a definition that exists. `has_field` gives a type a
 field more, or one of its fields another type, and `no_longer_has_field` takes one away: every other byte
@@ -262,7 +265,9 @@ into its `package.xml`, `setup.py` or `CMakeLists.txt`, where each has its like;
 Plastron is not sure of, is refused with the line. The output folder gets the whole package, changed, so
 that it is built from there ([more](commands.md#packages-that-exist)); with `--in-place` it is changed
 where it is. `no_longer_contains` takes out what `contains` put in, to the byte; the file of the node stays,
-and a warning says so.
+and a warning says so, as one does where a launch file of the package starts the node still. To take out
+again what is gone already does nothing. A `CMakeLists.txt` is read with the extra `cmake`
+(`pip install 'plastron-tui[cmake]'`), which `./dev` brings.
 
 A launch file starts nodes, each with its name, namespace, other names for its topics, and parameters, and
 includes other launch files. It is XML in both generations of ROS; with `launch: python` in

@@ -222,3 +222,38 @@ def test_a_package_that_is_built_for_a_run_has_its_other_types(tmp_path: Path) -
         "srv/Ask.srv": others["srv/Ask.srv"].encode(),
     }
     assert b"std_msgs" in files["CMakeLists.txt"].text
+
+
+def test_types_may_be_of_a_package_of_ones_own_that_has_the_name_of_one_of_ros(
+    tmp_path: Path,
+) -> None:
+    name = "control_msgs"
+    renamed = {
+        file: text.replace("<name>demo<", f"<name>{name}<").replace("(demo)", f"({name})")
+        for file, text in CATKIN.items()
+    }
+    package = lay(tmp_path, renamed, name)
+    program = f"""\
+load_package '{name}' as mine
+create_message_type {name}/Speed with float64 left
+generate_package mine
+"""
+    assert run(program, tmp_path, "rospy", in_place=True) == ()
+    assert texts(package)["msg/Speed.msg"] == b"float64 left\n"
+
+
+@pytest.mark.parametrize(
+    ("name", "told"),
+    [("String", ["type-hidden"]), ("rover_msgs/String", ["type-hidden"]), ("Label", [])],
+)
+def test_a_type_that_a_bare_name_means_no_longer_is_told(
+    name: str, told: list[str], tmp_path: Path
+) -> None:
+    text = f"create_message_type {name} with string data\ngenerate_type {name[-6:].strip('/')}\n"
+    found = Session(
+        text.encode(), tmp_path / "a.plastron", Options("rclpy"), environ={}
+    ).diagnostics
+    assert [each.code for each in found] == told
+    for each in found:
+        assert each.span is not None
+        assert text[each.span.start : each.span.end] == name

@@ -256,6 +256,7 @@ class Planner:
         }
         if workspace is None or not loaded:
             return files, ()
+        from plastron_tui.generating.loaded_notes import still_started
         from plastron_tui.generating.loaded_package import loaded_package_files
         from plastron_tui.generating.loaded_types import types_of
 
@@ -275,8 +276,9 @@ class Planner:
             files = [each for each in files if each.name not in changed.nodes]
             files += changed.files
             told += changed.diagnostics
+            known = self._changed_alone(files, made)
+            told += tuple(still_started(package, files, known))
             if has_copies and not in_place and not has_errors(changed.diagnostics):
-                known = self._changed_alone(files, made)
                 files, notes = self._with_copies(package, files, known, manifest)
                 told += notes
         return files, told
