@@ -257,3 +257,13 @@ def test_a_type_that_a_bare_name_means_no_longer_is_told(
     for each in found:
         assert each.span is not None
         assert text[each.span.start : each.span.end] == name
+
+
+@pytest.mark.parametrize("kind", ["ament_python", "catkin"])
+def test_a_type_may_be_made_before_its_package_is_loaded(kind: str, tmp_path: Path) -> None:
+    library, files = KINDS[kind]
+    lay(tmp_path, files)
+    program = f"{SPEED.removeprefix(LOADED)}{LOADED}{USED}{IN}"
+    assert run(program, tmp_path, library) == ()
+    package = "demo" if kind == "catkin" else "demo_interfaces"
+    assert f"output/{package}/msg/Speed.msg" in texts(tmp_path)
