@@ -98,9 +98,11 @@ def test_cut_after_every_word(kind: str, text: str) -> None:
 @pytest.mark.parametrize(("kind", "text"), WHOLE)
 @pytest.mark.parametrize("newline", ["\n", "\r\n"])
 def test_cut_within_every_word(kind: str, text: str, newline: str) -> None:
+    followers = [
+        next(whole for whole in WHOLE if whole[1].startswith(word)) for word in FIRST_WORDS
+    ]
     for end in range(1, len(text)):
-        for first_word in FIRST_WORDS:
-            after = next(whole for whole in WHOLE if whole[1].startswith(first_word))
+        for after in followers:
             assert_recovers(text[:end], WHOLE[-1], after, newline)
 
 
