@@ -267,3 +267,19 @@ def test_a_type_may_be_made_before_its_package_is_loaded(kind: str, tmp_path: Pa
     assert run(program, tmp_path, library) == ()
     package = "demo" if kind == "catkin" else "demo_interfaces"
     assert f"output/{package}/msg/Speed.msg" in texts(tmp_path)
+
+
+def test_nothing_is_written_through_folders_that_lead_out_of_the_project(tmp_path: Path) -> None:
+    outside = tmp_path / "outside"
+    project = tmp_path / "project"
+    project.mkdir()
+    (project / "plastron.yaml").touch()
+    package = lay(project, {name: text for name, text in CATKIN.items() if "/" not in name})
+    for name in ("msg", "scripts"):
+        (outside / name).mkdir(parents=True)
+        (package / name).symlink_to(outside / name)
+    before = texts(project)
+    told = run(f"{SPEED}{USED}{IN}", project, "rospy", in_place=True)
+    assert [each.code for each in told] == ["outside-project"] * 2
+    assert texts(project) == before
+    assert texts(outside) == {}

@@ -276,12 +276,21 @@ class Planner:
             files = [each for each in files if each.name not in changed.nodes]
             files += changed.files
             told += changed.diagnostics
+            told += tuple(self._leading_out(package, changed.files))
             known = self._changed_alone(files, made)
             told += tuple(still_started(package, files, known))
             if has_copies and not in_place and not has_errors(changed.diagnostics):
                 files, notes = self._with_copies(package, files, known, manifest)
                 told += notes
         return files, told
+
+    def _leading_out(self, package: Package, files: Sequence[OutputFile]) -> Iterator[Diagnostic]:
+        """Refuse to write into folders of a package that are links out of the project."""
+        boundary = self._configuration.boundary
+        for each in files:
+            if each.path is not None and not boundary.allows(each.path):
+                message = f"`{each.name}` would be {boundary.place_of(each.path)}"
+                yield Diagnostic(codes.OUTSIDE_PROJECT, message, package.span, help=boundary.remedy)
 
     def _changed_alone(
         self, files: Sequence[OutputFile], made: Sequence[Generated]
