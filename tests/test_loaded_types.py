@@ -168,6 +168,7 @@ MADE = {
             '+  "msg/Speed.msg"',
             "+  DEPENDENCIES std_msgs",
             "+)",
+            "+ament_export_dependencies(rosidl_default_runtime)",
         ],
         [
             "+  <buildtool_depend>rosidl_default_generators</buildtool_depend>",
@@ -283,3 +284,67 @@ def test_nothing_is_written_through_folders_that_lead_out_of_the_project(tmp_pat
     assert [each.code for each in told] == ["outside-project"] * 2
     assert texts(project) == before
     assert texts(outside) == {}
+
+
+UNDER_CONDITION = {
+    **AMENT_WITH_TYPES,
+    "CMakeLists.txt": AMENT_WITH_TYPES["CMakeLists.txt"]
+    .replace("rosidl_generate_interfaces(", "if(X)\nrosidl_generate_interfaces(")
+    .replace("ament_package", "endif()\nament_package"),
+}
+GENERATING = "generate_messages()\n"
+MESSAGES = "add_message_files(\n  FILES\n  Num.msg   # a number\n)\n"
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "code", "line"),
+    [
+        (GENERATING, f"if(X)\n{GENERATING}endif()\n", "computed-build-file", 11),
+        ("Num.msg   # a number", "${TYPES}", "computed-build-file", 6),
+        ("catkin_package(CATKIN_DEPENDS message_runtime)", "", "computed-build-file", 1),
+        ("find_package(catkin REQUIRED", "find_package(catkin REQUIRED ${X}", None, 0),
+        (MESSAGES, f"foreach(each a b)\n{MESSAGES}endforeach()\n", None, 0),
+    ],
+)
+def test_what_a_package_computes_is_refused_or_let_be(
+    old: str, new: str, code: str | None, line: int, tmp_path: Path
+) -> None:
+    cmake = CATKIN_WITH_TYPES["CMakeLists.txt"].replace(old, new)
+    package = lay(tmp_path, {**CATKIN_WITH_TYPES, "CMakeLists.txt": cmake})
+    before = texts(package)
+    program = f"{LOADED}create_message_type {HEADED}\ngenerate_package demo\n"
+    told = run(program, tmp_path, "rospy", in_place=True)
+    assert [each.code for each in told] == [code] * (code is not None)
+    if code is not None:
+        assert told[0].message.startswith(f"line {line} of `CMakeLists.txt`")
+        assert texts(package) == before
+
+
+@pytest.mark.parametrize(
+    ("kind", "type_", "old", "new", "code"),
+    [
+        ("ament_python", "demo/Speed", "", "", "type-not-written"),
+        ("ament_cmake", "demo/Speed", "", "", "edit-refused"),
+        ("ament_types", "demo/Speed", "", "", "computed-build-file"),
+        ("catkin", "Speed", "</package>", "</packag>", "broken-xml"),
+    ],
+)
+def test_a_package_that_cannot_have_types_is_left(
+    kind: str, type_: str, old: str, new: str, code: str, tmp_path: Path
+) -> None:
+    library, files = {**KINDS, "ament_types": ("rclpy", UNDER_CONDITION)}[kind]
+    manifest = files["package.xml"].replace(old, new) if old else files["package.xml"]
+    package = lay(tmp_path, {**files, "package.xml": manifest})
+    before = texts(package)
+    program = f"{LOADED}create_message_type {type_} with float64 left\ngenerate_package demo\n"
+    told = run(program, tmp_path, library, in_place=True)
+    assert [each.code for each in told] == [code]
+    assert texts(package) == before
+
+
+def test_a_definition_that_is_there_is_not_written_over(tmp_path: Path) -> None:
+    package = lay(tmp_path, {**CATKIN_WITH_TYPES, "msg/Speed.msg": "int8 other\n"})
+    before = texts(package)
+    told = run(f"{SPEED}generate_package demo\n", tmp_path, "rospy", in_place=True)
+    assert [(each.code, each.span is not None) for each in told] == [("type-exists", True)]
+    assert texts(package) == before

@@ -66,6 +66,11 @@ def add_generating(text: bytes, path: Path) -> Edited:
     return change(text, path, _add_generating)
 
 
+def export_runtime(text: bytes, path: Path) -> Edited:
+    """Let what uses the types of an ament package have what they need to run."""
+    return change(text, path, _export_runtime)
+
+
 def check_module(text: bytes, path: Path) -> Edited:
     """Refuse types beside a Python module of the package's name: theirs has the same name.
 
@@ -80,11 +85,25 @@ def _add_generating(lists: CMakeLists) -> bytes:
     listing = lists.listing
     if any(each.is_plain for each in calls):
         return listing.text
-    for each in calls:
-        why = "calls `generate_messages` under a condition"
-        raise refusal(listing.text, listing.path, each.command.span, why)
+    _check_unconditional(lists, _GENERATING[True])
     call = written_call(listing, _GENERATING[True], "", [])
     return applied(lists, _before_generating(lists, call), Counter(), "generating messages")
+
+
+def _check_unconditional(lists: CMakeLists, name: str) -> None:
+    """Refuse to write a call anew that stands under a condition."""
+    listing = lists.listing
+    for each in lists.named(name):
+        why = f"calls `{name}` under a condition"
+        raise refusal(listing.text, listing.path, each.command.span, why)
+
+
+def _export_runtime(lists: CMakeLists) -> bytes:
+    name, runtime = "ament_export_dependencies", "rosidl_default_runtime"
+    if any(item.value == runtime for call in lists.named(name) for item in call.items):
+        return lists.listing.text
+    call = written_call(lists.listing, name, runtime, [])
+    return applied(lists, insert_before_end(lists, call), Counter(), f"exporting `{runtime}`")
 
 
 def _check_module(lists: CMakeLists) -> bytes:
@@ -112,6 +131,7 @@ def _add_ament(lists: CMakeLists, file: str) -> list[Splice]:
     listing = lists.listing
     calls = [each for each in lists.named(_GENERATING[False]) if each.is_plain and each.items]
     if not calls:
+        _check_unconditional(lists, _GENERATING[False])
         first = "${PROJECT_NAME}"
         call = written_call(listing, _GENERATING[False], first, [f'"{file}"'])
         return insert_before_end(lists, call)
@@ -188,6 +208,8 @@ def _add_dependency(lists: CMakeLists, name: str) -> bytes:
         return listing.text
     calls = [each for each in lists.named(_GENERATING[is_catkin]) if each.is_plain]
     splices: list[Splice] | None
+    if not calls:
+        _check_unconditional(lists, _GENERATING[is_catkin])
     if not calls and is_catkin:
         call = written_call(listing, "generate_messages", "DEPENDENCIES", [name])
         splices = _before_generating(lists, call)

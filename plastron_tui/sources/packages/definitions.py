@@ -46,11 +46,15 @@ def add_definition(
     needs = [each for each in needs if each != source.name]
     text = texts[CMAKE_LISTS]
     is_first = not builds_types(text, path)
-    edits = _catkin(file, needs, is_first) if source.ros_version == 1 else _ament(file, needs)
+    edits = (
+        _catkin(file, needs, is_first) if source.ros_version == 1 else _ament(file, needs, is_first)
+    )
     for edit in edits:
         edited = edit(text, path)
         if edited.text is None:
-            return Changed(None, edited.diagnostics)
+            # The lines that are told are those of the file as it is.
+            before = edit(source.texts[CMAKE_LISTS], path)
+            return Changed(None, before.diagnostics or edited.diagnostics)
         text = edited.text
     return _declare(source, {**texts, CMAKE_LISTS: text}, needs, is_first)
 
@@ -74,19 +78,22 @@ def _catkin(file: str, needs: list[str], is_first: bool) -> list[_Edit]:
     ]
 
 
-def _ament(file: str, needs: list[str]) -> list[_Edit]:
+def _ament(file: str, needs: list[str], is_first: bool) -> list[_Edit]:
     from plastron_tui.sources.cmake.dependencies import add_dependency
     from plastron_tui.sources.cmake.interfaces import (
         add_interface,
         add_interface_dependency,
         check_module,
+        export_runtime,
     )
 
+    found = [*needs, _GENERATORS[2]] if is_first else needs
     return [
         check_module,
-        *(partial(add_dependency, name=each) for each in (*needs, _GENERATORS[2])),
+        *(partial(add_dependency, name=each) for each in found),
         partial(add_interface, file=file),
         *(partial(add_interface_dependency, name=each) for each in needs),
+        *((export_runtime,) if is_first else ()),
     ]
 
 
