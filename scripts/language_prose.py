@@ -228,7 +228,9 @@ Where it names a package that the program creates, as in `create_message_type ro
 that package builds the type beside its nodes, in ROS 2 too: with `ament_cmake` and
 `ament_cmake_python`, and with its modules in the folder `rover_nodes`, since the types have `rover`.
 Where it names one that the program loads, or is of a loaded package of catkin, `generate_package` puts
-the definition there, and what builds it into `CMakeLists.txt` and `package.xml`.
+the definition there, and what builds it into `CMakeLists.txt` and `package.xml`. The interface package
+of a loaded package of ROS 2 is made in the output folder, with `--in-place` beside that package; where
+one is there already, load it too and write it with `generate_package`.
 
 `load_type 'msg/WheelSpeed.msg' as WheelSpeed` reads a definition that exists. `has_field` gives a type a
 field more, or one of its fields another type, and `no_longer_has_field` takes one away: every other byte

@@ -348,3 +348,22 @@ def test_a_definition_that_is_there_is_not_written_over(tmp_path: Path) -> None:
     told = run(f"{SPEED}generate_package demo\n", tmp_path, "rospy", in_place=True)
     assert [(each.code, each.span is not None) for each in told] == [("type-exists", True)]
     assert texts(package) == before
+
+
+def test_in_place_the_interface_package_stands_beside_the_loaded_one(tmp_path: Path) -> None:
+    lay(tmp_path / "src", AMENT_PYTHON)
+    program = f"{SPEED}{USED}{IN}".replace("'demo'", "'src/demo'")
+    assert run(program, tmp_path, "rclpy", in_place=True) == ()
+    made = texts(tmp_path / "src/demo_interfaces")
+    assert made["msg/Speed.msg"] == b"float64 left\nfloat64 right\n"
+    assert texts(tmp_path / "output") == {}
+    assert run(program, tmp_path, "rclpy", in_place=True) == ()
+    readme = tmp_path / "src/demo_interfaces/README.md"
+    readme.write_text(readme.read_text() + "By hand.\n")
+    wider = program.replace("float64 right", "float64 right, bool ok").replace(
+        "1.0, 2.0", "1.0, 2.0, True"
+    )
+    assert run(wider, tmp_path, "rclpy", in_place=True) == ()
+    after = texts(tmp_path / "src/demo_interfaces")
+    assert after["msg/Speed.msg"].endswith(b"bool ok\n")
+    assert after["README.md"].endswith(b"By hand.\n")

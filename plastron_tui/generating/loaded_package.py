@@ -37,6 +37,7 @@ from plastron_tui.targets.packages.spec import BuildType, PackagedLaunch, Packag
 from .launch_files import is_within, name_within
 from .loaded_notes import file_stays, script_elsewhere
 from .own_definitions import own_definitions
+from .text_files import entry_of
 
 if TYPE_CHECKING:
     from plastron_tui.model.own_types import OwnType
@@ -336,7 +337,7 @@ class _Change:
 
     def _entry(self, file: str) -> str:
         """Return what the manifest calls a file that is written where the package is."""
-        return os.path.relpath(self.source.folder / file, self.output).replace(os.sep, "/")
+        return entry_of(self.source.folder / file, self.output)
 
     def _added(self, file: str) -> Mapping[str, bool] | None:
         """Return the dependencies that came with a file, None where nothing tells.

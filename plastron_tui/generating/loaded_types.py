@@ -12,8 +12,10 @@ from plastron_tui.ros.interfaces import InterfaceKind, InterfaceName
 from plastron_tui.targets.packages.spec import interfaces_name
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator
+    from collections.abc import Callable, Iterator
+    from pathlib import Path
 
+    from plastron_tui.boundary import Boundary
     from plastron_tui.model.package_source import PackageSource
     from plastron_tui.model.workspace import Workspace
 
@@ -27,8 +29,24 @@ def types_of(workspace: Workspace, package: str, version: int) -> Iterator[OwnTy
             yield each
 
 
+def places_beside(workspace: Workspace, boundary: Boundary) -> dict[str, Path]:
+    """Return where the interface packages of loaded packages go with them, by their names.
+
+    Args:
+        workspace: what the program built.
+        boundary: the project, which they do not leave.
+    """
+    return {
+        interfaces_name(each.name): each.source.folder.parent
+        for each in workspace.packages.values()
+        if each.source is not None
+        and each.source.ros_version == 2
+        and boundary.allows(each.source.folder.parent)
+    }
+
+
 def refused_types(
-    workspace: Workspace, package: str, version: int
+    workspace: Workspace, package: str, version: int, is_own: Callable[[Path], bool]
 ) -> tuple[Diagnostic, ...] | None:
     """Say why no package is made for types; None where one is.
 
@@ -39,6 +57,7 @@ def refused_types(
         workspace: what the program built.
         package: the package that the types are of.
         version: the generation of ROS.
+        is_own: tells whether an earlier run wrote a file.
     """
     if any(each.package.name == package for each in workspace.written_packages):
         return ()
@@ -49,9 +68,7 @@ def refused_types(
         if each.name == package:
             why = f"`{package}` is loaded, and nothing writes it"
             help_ = f"write the package: `generate_package {each.variable}`"
-        elif interfaces_name(each.name) == package and os.path.lexists(
-            source.folder.parent / package
-        ):
+        elif interfaces_name(each.name) == package and _is_there(source.folder, package, is_own):
             why = f"the folder `{package}` is there, beside that of `{each.name}`"
             help_ = f"load that package too, and write it: `load_package … as {package}`"
         else:
@@ -63,6 +80,12 @@ def refused_types(
             for own in types_of(workspace, package, version)
         )
     return None
+
+
+def _is_there(folder: Path, package: str, is_own: Callable[[Path], bool]) -> bool:
+    """Tell whether somebody's package is beside a folder."""
+    place = folder.parent / package
+    return os.path.lexists(place) and not is_own(place / "package.xml")
 
 
 def types_of_run(workspace: Workspace, version: int) -> list[OwnType]:

@@ -37,6 +37,8 @@ from .own_definitions import Packaged, own_definitions, rendered_definitions, us
 from .package_spec import package_spec
 
 if TYPE_CHECKING:
+    from pathlib import Path
+
     from plastron_tui.diagnostics import Span
     from plastron_tui.model.packages import Package
     from plastron_tui.output.plan import OutputFile
@@ -76,6 +78,7 @@ class ProgramPackages:
         made: Sequence[Generated],
         library_of: Callable[[str], Library | None],
         default: str,
+        is_own: Callable[[Path], bool] = lambda _: False,
         *,
         python_launch: bool = False,
     ) -> None:
@@ -86,10 +89,12 @@ class ProgramPackages:
             made: the files of its nodes.
             library_of: gives a client library by its name, None for one that nothing writes.
             default: the client library of what no node tells the ROS of.
+            is_own: tells whether an earlier run wrote a file.
             python_launch: whether launch files of ROS 2 are written in Python.
         """
         self._workspace = workspace
         self._made = made
+        self._is_own = is_own
         self._python_launch = python_launch
         names = dict.fromkeys((*(each.generation.library for each in made), default))
         found = {name: library_of(name) for name in names}
@@ -199,7 +204,9 @@ class ProgramPackages:
                     if asked is not None and asked.interface.name.package in own:
                         wanted[asked.interface.name.package] = None
             for package in (each for each in wanted if each not in have):
-                if (refused := refused_types(self._workspace, package, version)) is not None:
+                if (
+                    refused := refused_types(self._workspace, package, version, self._is_own)
+                ) is not None:
                     yield Made({}, refused)
                     continue
                 rendered = rendered_definitions(package, own, version, library.catalog.distribution)

@@ -6,6 +6,7 @@ merged three ways, and what both sides changed is a conflict.
 
 from __future__ import annotations
 
+import os
 from collections.abc import Iterable, Mapping
 from dataclasses import replace
 from pathlib import Path
@@ -20,6 +21,12 @@ from plastron_tui.targets.packages.spec import PackageFile
 from .user_edits import kept_handwork, of_other_program, on_disk, unmergeable
 
 _TEXT = "text"
+_NOWHERE_ELSE: Mapping[str, Path] = {}
+
+
+def entry_of(path: Path, output: Path) -> str:
+    """Return what the manifest of an output folder calls a file that is elsewhere."""
+    return os.path.relpath(path, output).replace(os.sep, "/")
 
 
 class Folder(NamedTuple):
@@ -39,18 +46,23 @@ class Folder(NamedTuple):
 
 
 def text_files(
-    files: Mapping[str, PackageFile], folder: Folder
+    files: Mapping[str, PackageFile], folder: Folder, places: Mapping[str, Path] = _NOWHERE_ELSE
 ) -> tuple[list[OutputFile], list[Diagnostic]]:
     """Return files as they are to be written, and what is to be said of handwork in them.
 
     Args:
         files: what the program makes, by the path in the output folder.
         folder: where they go.
+        places: the folders that packages are written into instead, by their names.
     """
     made: list[OutputFile] = []
     notes: list[Diagnostic] = []
     for name, file in files.items():
-        output, found = _text_file(name, file, folder)
+        place = places.get(name.partition("/")[0])
+        entry = name if place is None else entry_of(place / name, folder.output)
+        output, found = _text_file(entry, file, folder)
+        if place is not None:
+            output = replace(output, name=name, path=place / name, entry=entry, seen=())
         made.append(output)
         notes += found
     return made, notes
