@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
+import pytest
 from wizard_driver import WizardDriver, wizard_from_welcome
 
 from plastron_tui.model.kinds import Publisher, Subscription
@@ -22,6 +23,7 @@ async def begin(it: WizardDriver) -> None:
         )
 
 
+@pytest.mark.long
 async def test_two_nodes_exchange_a_message_of_ones_own(here: Path) -> None:
     async with wizard_from_welcome() as it:
         await begin(it)
