@@ -108,7 +108,7 @@ def find_boundary(folder: Path) -> Boundary:
     start = real_path(folder)
     project_file = None
     for place in (start, *start.parents):
-        ends_search = _ends_search(place)
+        ends_search = holds_home(place)
         if ends_search and place != start:
             break
         file = place / PROJECT_FILE
@@ -125,7 +125,7 @@ def _is_hidden_or_installed(parts: tuple[str, ...]) -> bool:
     return any(part.startswith(".") or part in _INSTALLED for part in parts)
 
 
-def _ends_search(folder: Path) -> bool:
+def holds_home(folder: Path) -> bool:
     """Tell whether a folder is the home folder, or one above it."""
     if folder == folder.parent:
         return True

@@ -215,6 +215,7 @@ class Session:
         from plastron_tui.project.definition_reader import DefinitionReader
         from plastron_tui.project.launch_reader import LaunchReader
         from plastron_tui.project.package_reader import PackageReader
+        from plastron_tui.project.parameter_reader import ParameterReader
 
         return Setting(
             self.library,
@@ -232,6 +233,7 @@ class Session:
                 self.document.text,
                 self._files.manifest,
             ),
+            ParameterReader(self.folder, self.boundary),
         )
 
     @property

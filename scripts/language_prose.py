@@ -268,6 +268,23 @@ A launch file starts nodes, each with its name, namespace, other names for its t
 includes other launch files. It is XML in both generations of ROS; with `launch: python` in
 `plastron.yaml` Python in ROS 2. `load_launch` reads one in XML, to change it.
 
+```plastron
+create_launch 'rover' as rover
+rover has_argument 'side' with default "left"
+rover has_argument 'speed' with default 0.5
+rover starts 'rover_base/wheels' in '$(var side)' remapping 'cmd_vel' to '/$(var side)/speed' setting 'max' = "$(var speed)"
+rover starts 'image_proc/image_proc::RectifyNode' as 'eye' inside 'eyes'
+```
+
+What an argument brings is `$(var NAME)` in a name, a namespace, the new name of a topic and a text, for
+ROS 1 as well; `"$(var speed)"` alone is a number where it comes to one. Nodes of one name in two
+namespaces are two: `no_longer_starts 'left/wheels'` says which. A container holds components, which are
+classes of C++ and are named as such; a node in Python runs in a process of its own.
+
+The file behind `with parameters` is looked for from the program's folder. The package that contains the
+launch file gets a copy of it in `config`, and installs it; into a package that is loaded you copy it
+yourself, and name it there.
+
 ## Client libraries
 
 A node is written for a client library: `rospy` in ROS 1, `rclpy` in ROS 2. (`roscpp`, `rclcpp` and

@@ -106,3 +106,21 @@ def test_a_launch_file_that_is_there_is_not_written_over(tmp_path: Path) -> None
     [told] = run(IN, tmp_path, library, in_place=True)
     assert told.code == "already-contained"
     assert texts(package) == before
+
+
+@pytest.mark.parametrize("place", ["demo/config/own.yaml", "own.yaml"])
+def test_a_parameter_file_has_to_be_in_the_loaded_package(place: str, tmp_path: Path) -> None:
+    library, files = KINDS["ament_python"]
+    parameters = "ear:\n  ros__parameters:\n    loud: true\n"
+    package = lay(tmp_path, {**files, "config/own.yaml": parameters})
+    (tmp_path / "own.yaml").write_text(parameters)
+    before = texts(package)
+    bringup = BRINGUP.replace("'other/eye'", f"'other/eye' with parameters '{place}'")
+    found = run(f"load_package 'demo' as demo\n{bringup}{WRITE}", tmp_path, library, in_place=True)
+    if place == "own.yaml":
+        assert [each.code for each in found] == ["edit-refused"]
+        assert texts(package) == before
+    else:
+        assert found == ()
+        launch = texts(package)["launch/bringup.launch.xml"]
+        assert b"$(find-pkg-share demo)/config/own.yaml" in launch

@@ -227,14 +227,13 @@ def test_the_copy_has_what_becomes_of_files_that_are_loaded_alone(tmp_path: Path
     lay(tmp_path, {"launch/b.launch.xml": _LAUNCH})
     for _ in range(2):
         assert run(ALONE, tmp_path, "rclpy") == ()
-        made = texts(tmp_path / "output")
-        for name, file in {
-            "listener.py": "demo/listener.py",
-            "A.msg": "msg/A.msg",
-            "b.launch.xml": "launch/b.launch.xml",
+        made, before = texts(tmp_path / "output"), texts(tmp_path / "demo")
+        for file, alone in {
+            "demo/listener.py": "listener.py",
+            "launch/b.launch.xml": "b.launch.xml",
+            "msg/A.msg": "demo/msg/A.msg",
         }.items():
-            assert made[f"demo/{file}"] == made[name], name
-            assert made[name] != texts(tmp_path / "demo")[file], name
+            assert made[f"demo/{file}"] == made[alone] != before[file], file
 
 
 @pytest.fixture

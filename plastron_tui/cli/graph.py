@@ -47,12 +47,13 @@ def command(
 
     Several programs give one graph. Of a program with mistakes, what is right is shown. With names
     as `plastron run` takes them, it is the graph of such a run.
+
+    Of a launch file it is what that starts; behind it stand its arguments, as NAME:=VALUE.
     """
     report = Report()
     launches, arguments, files = _launch_files(files)
     if launches:
-        if files or remaps or namespace is not None:
-            raise click.UsageError("launch files are shown alone, with the names that they give")
+        refuse(_wrong_with_launch_files(files, remaps, namespace))
         _show_launch_files(launches, arguments, format_, report)
         finish(report)
         return
@@ -77,6 +78,17 @@ def _launch_files(
     given = [str(each).partition(":=") for each in files if ":=" in str(each)]
     others = tuple(each for each in files if each not in launches and ":=" not in str(each))
     return launches, {name: value for name, _, value in given}, others
+
+
+def _wrong_with_launch_files(
+    programs: tuple[Path, ...], remaps: tuple[Remap, ...], namespace: str | None
+) -> str | None:
+    for option, value in (("--remap", remaps), ("--namespace", namespace)):
+        if value:
+            return f"{option} is for programs; a launch file says itself which names nodes get"
+    for each in programs:
+        return f"launch files are shown without programs, such as `{each}`"
+    return None
 
 
 def _show_launch_files(

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import sys
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -16,7 +16,9 @@ from .common import Report, finish
 from .run_options import refuse
 
 if TYPE_CHECKING:
+    from plastron_tui.diagnostics import LineIndex
     from plastron_tui.runtime.launch import Options
+    from plastron_tui.sources.launch.xml_reader import LaunchRead
 
 
 def run_launch(file: Path, words: Sequence[str], options: Options, others: Sequence[str]) -> None:
@@ -29,6 +31,7 @@ def run_launch(file: Path, words: Sequence[str], options: Options, others: Seque
         others: options of programs that were given, and that say nothing to a launch file.
     """
     from plastron_tui.regular_files import read_regular, reason
+    from plastron_tui.runtime.build_progress import ProgressLine
     from plastron_tui.runtime.environment import find_environments
     from plastron_tui.runtime.launch import run_nodes
     from plastron_tui.runtime.launch_run import prepare
@@ -44,22 +47,41 @@ def run_launch(file: Path, words: Sequence[str], options: Options, others: Seque
         finish(report)
         return
     read = read_launch(source, file)
-    report.add(read.diagnostics, lambda _: None)
+    report.add(read.diagnostics, _lines)
     if read.launch is not None and not report.status:
         environment, diagnostics = find_environments().choose(read.format.ros_version)
-        report.add(diagnostics, lambda _: None)
+        report.add(diagnostics, _lines)
         if environment is not None:
             arguments = dict(_pair(word) for word in words)
-            prepared = prepare(read.launch, file, arguments, environment)
-            report.add(prepared.diagnostics, lambda _: None)
+            with ProgressLine(drawn_on(sys.stderr)) as line:
+                prepared = prepare(read.launch, file, arguments, environment, tell=line.tell)
+            told = (*prepared.diagnostics, *_differences(read, source, file, arguments))
+            report.add(told, _lines)
             if prepared.nodes and not report.status:
-                told = f"running {file.name} on {environment.words}"
-                click.echo(visible(told), err=True)
+                click.echo(visible(f"running {file.name} on {environment.words}"), err=True)
                 out, err = drawn_on(sys.stdout), drawn_on(sys.stderr)
                 result = run_nodes(prepared.nodes, options, out=out, err=err)
-                report.add(result.diagnostics, lambda _: None, file)
+                report.add(result.diagnostics, _lines, file)
                 report.status = max(report.status, result.status)
     finish(report)
+
+
+def _lines(path: Path | None) -> LineIndex | None:
+    """Return the lines of a launch file that something is said of."""
+    from plastron_tui.project.program_file import lines_of
+
+    return None if path is None else lines_of(path)
+
+
+def _differences(
+    read: LaunchRead, source: bytes, file: Path, arguments: Mapping[str, str]
+) -> tuple[Diagnostic, ...]:
+    """Return how what is started differs from what the file's program said."""
+    from plastron_tui.project.launch_comparison import differences
+
+    if read.launch is None:
+        return ()
+    return differences(read.launch, source, file, read.format.ros_version, arguments)
 
 
 def _wrong_usage(words: Sequence[str], others: Sequence[str]) -> str | None:

@@ -20,7 +20,7 @@ from plastron_tui.output.manifest import Manifest
 from plastron_tui.output.merge3 import merge_lines, replay, split_lines
 from plastron_tui.output.patch_stack import Author, Layer, Layers, digest_of, live_layers
 from plastron_tui.output.plan import OutputFile
-from plastron_tui.ros.launch import Argument, Include, Item, StartedNode, items_of
+from plastron_tui.ros.launch import Argument, Include, Item, StartedNode, items_of, names_of
 from plastron_tui.sources.launch.xml_reader import read_launch_xml
 
 from .destination import Writing
@@ -184,11 +184,11 @@ def _shows(layer: Layer, files: FileSet) -> bool:
     return any((each in now) == (each in after) for each in before ^ after)
 
 
-def _names(text: bytes) -> set[tuple[type[Item], str | None]]:
+def _names(text: bytes) -> set[tuple[type[Item], str]]:
     launch = read_launch_xml(text).launch
     kinds = (Argument, StartedNode, Include)
     items = () if launch is None else launch.items
-    return {(kind, each.called) for kind in kinds for each in items_of(items, kind)}
+    return {(kind, name) for kind in kinds for name in names_of(items, kind)}
 
 
 def _items(text: bytes) -> Counter[Item]:

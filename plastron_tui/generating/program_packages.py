@@ -7,7 +7,7 @@ from dataclasses import replace
 from typing import TYPE_CHECKING, NamedTuple
 
 from plastron_tui.diagnostics import Diagnostic, Label, codes
-from plastron_tui.model.launch_checks import in_no_package
+from plastron_tui.model.launch_checks import unwritable, with_parameter_files
 from plastron_tui.model.launches import Launch, LaunchGeneration
 from plastron_tui.model.packages import nodes_folder
 from plastron_tui.model.workspace import Node, Workspace
@@ -24,6 +24,7 @@ from plastron_tui.targets.packages.rendering import (
 )
 from plastron_tui.targets.packages.spec import (
     BuildType,
+    PackagedFile,
     PackagedLaunch,
     PackageFile,
     PackageSpec,
@@ -122,10 +123,11 @@ class ProgramPackages:
         types = definitions.get(package.name, ())
         if types and spec.ros_version == 2 and not (spec.nodes or launches):
             return self._types_alone(replace(spec, definitions=types))
+        spec = replace(spec, launches=launches, configs=_configs(package))
         if types and spec.ros_version == 2 and _are_apart(spec):
-            spec = replace(spec, definitions=types, builds_types=True, launches=launches)
+            spec = replace(spec, definitions=types, builds_types=True)
         else:
-            spec = replace(spec, definitions=definitions.get(home, ()), launches=launches)
+            spec = replace(spec, definitions=definitions.get(home, ()))
         rendered = render_package(spec)
         nodes = {node_path(spec, each) for each in spec.nodes}
         files = {
@@ -206,7 +208,7 @@ class ProgramPackages:
         problems: list[Diagnostic] = []
         for contained in package.contents.values():
             if isinstance(contained.item, Launch):
-                written = self._written(contained.item, version)
+                written = self._written(contained.item, version, package)
                 if isinstance(written, Diagnostic):
                     problems.append(written)
                 else:
@@ -245,14 +247,15 @@ class ProgramPackages:
         for variable, (launch, span) in last.items():
             if launch.source is None or (variable in self._held and variable not in homes):
                 continue
-            written = self._written(launch, launch.source.format.ros_version)
+            home = homes.get(variable)
+            written = self._written(launch, launch.source.format.ros_version, home)
             if isinstance(written, Diagnostic):
                 has_place = written.span is not None or written.file is not None
                 found.append(written if has_place else written._replace(span=span))
                 continue
-            home = homes.get(variable)
             name = launch.source.path.name if home is None else name_within(home, launch)
             named = name, PackageFile(written.text)
+            launch = with_parameter_files(launch, home)
             file, notes = launch_output(launch, named, self._executable, folder, writing)
             files.append(file)
             found += notes
@@ -267,7 +270,7 @@ class ProgramPackages:
         problems: list[Diagnostic] = []
         for each, variable, launch, _ in self._contained_launches():
             if each is package:
-                written = self._written(launch, package.source.ros_version)
+                written = self._written(launch, package.source.ros_version, package)
                 if isinstance(written, Diagnostic):
                     problems.append(written)
                 else:
@@ -296,10 +299,13 @@ class ProgramPackages:
                 return library.target.ros_version
         return self._default.target.ros_version
 
-    def _written(self, launch: Launch, version: int) -> PackagedLaunch | Diagnostic:
-        """Write a launch file, or say what it cannot say."""
-        for problem in in_no_package(launch):
+    def _written(
+        self, launch: Launch, version: int, home: Package | None = None
+    ) -> PackagedLaunch | Diagnostic:
+        """Write a launch file into a package, None for none, or say what it cannot say."""
+        for problem in unwritable(launch, version, home):
             return problem
+        launch = with_parameter_files(launch, home)
         name_and_text = self._name_and_text(launch, version)
         if isinstance(name_and_text, Diagnostic):
             return name_and_text
@@ -324,9 +330,21 @@ class ProgramPackages:
         try:
             text = write_python(request.added) if is_python else write_xml(request.added, version)
         except CannotWriteError as problem:
-            return Diagnostic(codes.BAD_LAUNCH_NAME, str(problem), launch.span)
+            message = f"ROS {version} has no words for {problem} in a launch file"
+            where = self._unspeakable(launch, version)
+            return Diagnostic(codes.BAD_LAUNCH_NAME, message, where or launch.span)
         suffix = ".launch.py" if is_python else ".launch.xml" if version == 2 else ".launch"
         return f"{launch.name}{suffix}", text.encode()
+
+    def _unspeakable(self, launch: Launch, version: int) -> Span | None:
+        """Return the first statement whose node cannot be written, None for none."""
+        for start in launch.starts.values():
+            alone = replace(launch, arguments={}, includes={}, starts={start.full_name: start})
+            try:
+                write_xml(request_of(alone, version, self._executable).added, version)
+            except CannotWriteError:
+                return start.span
+        return None
 
     def _executable(self, node: Node) -> Executable:
         """Tell what starts a node: in ROS 1 it is the file itself."""
@@ -335,3 +353,11 @@ class ProgramPackages:
         if library is None or library.target.ros_version == 2:
             return Executable(node.home.package, node.home.executable)
         return Executable(node.home.package, f"{node.home.stem}{library.target.language.suffix}")
+
+
+def _configs(package: Package) -> tuple[PackagedFile, ...]:
+    """Return the parameter files of a package's launch files."""
+    launches = (each.item for each in package.contents.values() if isinstance(each.item, Launch))
+    files = (file for launch in launches for file in launch.parameter_files)
+    found = {each.path.name: PackagedFile(each.path.name, each.text, each.where) for each in files}
+    return tuple(found.values())

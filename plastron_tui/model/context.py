@@ -10,7 +10,7 @@ from plastron_tui.diagnostics import Diagnostic, codes
 from plastron_tui.ros.catalog import Catalog
 from plastron_tui.ros.interfaces import InterfaceKind
 
-from .launches import LaunchReader, no_launch
+from .launches import LaunchReader, ParameterReader, no_launch, no_parameters
 from .libraries import Libraries
 from .package_source import PackageReader, no_package
 
@@ -80,6 +80,7 @@ class Setting(NamedTuple):
         read_definition: reads the definitions that the program loads.
         read_package: reads the packages that the program loads.
         read_launch: reads the launch files that the program loads.
+        read_parameters: reads the parameter files that launch files name.
         is_chosen: whether somebody chose `library`; otherwise it is what there is on this machine.
     """
 
@@ -92,6 +93,7 @@ class Setting(NamedTuple):
     read_definition: DefinitionReader = _no_definition
     read_package: PackageReader = no_package
     read_launch: LaunchReader = no_launch
+    read_parameters: ParameterReader = no_parameters
 
     def ros_version(self, library: str | None) -> int:
         """Return the generation of ROS of a client library; of the program's for one unknown."""

@@ -2,16 +2,30 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
+from dataclasses import replace
+from pathlib import Path
 
-from plastron_tui.diagnostics import Diagnostic, codes
+from plastron_tui.diagnostics import Diagnostic, Label, codes
 
-from .launches import Launch
+from .launches import Launch, ParameterFile
+from .packages import Package
 from .workspace import Workspace
 
+_CONFIG = "config"
 
-def in_no_package(launch: Launch) -> Iterator[Diagnostic]:
-    """Yield an error for each node that a launch file starts and that no package contains."""
+VersionOf = Callable[[str | None], int]
+"""Gives the generation of ROS of a client library, None for that of the program."""
+
+
+def unwritable(launch: Launch, ros_version: int, home: Package | None) -> Iterator[Diagnostic]:
+    """Yield what keeps a launch file from being written.
+
+    Args:
+        launch: the launch file.
+        ros_version: the generation of ROS that it is for.
+        home: the package that it is written into, None for none.
+    """
     for start in launch.starts.values():
         if start.node is not None and start.node.home is None:
             variable = start.node.variable
@@ -21,14 +35,94 @@ def in_no_package(launch: Launch) -> Iterator[Diagnostic]:
                 start.where,
                 help=f"put it into one: `PACKAGE contains {variable}`",
             )
+        if ros_version == 1 and start.container is not None:
+            message = "a launch file of ROS 1 has no containers of components"
+            where = start.container_where
+            help_ = f"leave out `inside '{start.container}'`: it runs in a process of its own"
+            yield Diagnostic(codes.NOT_A_COMPONENT, message, where, help=help_)
+    for file in launch.parameter_files:
+        yield from _not_installed(launch, file, home)
 
 
-def check_launches(workspace: Workspace) -> Iterator[Diagnostic]:
+def _not_installed(
+    launch: Launch, file: ParameterFile, home: Package | None
+) -> Iterator[Diagnostic]:
+    name = file.path.name
+    if home is None:
+        yield Diagnostic(
+            codes.IN_NO_PACKAGE,
+            f"`{launch.variable}` is in no package that is written, which would install `{name}`",
+            file.where,
+            help=f"put it into one: `PACKAGE contains {launch.variable}`",
+        )
+    elif home.source is not None and _within(home.source.folder, file.path) is None:
+        yield Diagnostic(
+            codes.EDIT_REFUSED,
+            f"`{name}` is not in `{home.name}`, and parameter files are not put into a package "
+            "that is loaded",
+            file.where,
+            help=f"copy it to `{home.source.folder / _CONFIG / name}`, and name that",
+        )
+
+
+def with_parameter_files(launch: Launch, home: Package | None) -> Launch:
+    """Return a launch file that finds its parameter files where a package installs them."""
+    if home is None:
+        return launch
+    found = {}
+    for name, start in launch.starts.items():
+        file = start.parameters
+        if file is not None:
+            file = file._replace(package=home.name, inner=_inner(home, file))
+        found[name] = start._replace(parameters=file)
+    return replace(launch, starts=found)
+
+
+def _inner(home: Package, file: ParameterFile) -> str:
+    within = None if home.source is None else _within(home.source.folder, file.path)
+    return within or f"{_CONFIG}/{file.path.name}"
+
+
+def _within(folder: Path, path: Path) -> str | None:
+    """Return the path of a file in a folder, None for one that is not in it."""
+    return path.relative_to(folder).as_posix() if path.is_relative_to(folder) else None
+
+
+def check_launches(workspace: Workspace, version_of: VersionOf) -> Iterator[Diagnostic]:
     """Yield what keeps launch files from being written that a program writes."""
-    written = {each.launch.variable: each.launch for each in workspace.written_launches}
-    for each in workspace.written_packages:
-        for variable, contained in each.package.contents.items():
+    written: dict[str, tuple[Launch, Package | None]] = {
+        each.launch.variable: (each.launch, None) for each in workspace.written_launches
+    }
+    packages = {each.package.variable: each.package for each in workspace.written_packages}
+    for package in packages.values():
+        for variable, contained in package.contents.items():
             if isinstance(contained.item, Launch):
-                written[variable] = contained.item
-    for launch in written.values():
-        yield from in_no_package(launch)
+                written[variable] = contained.item, package
+        yield from _same_names(package)
+    for launch, home in written.values():
+        yield from unwritable(launch, _version(launch, version_of), home)
+
+
+def _version(launch: Launch, version_of: VersionOf) -> int:
+    if launch.source is not None:
+        return launch.source.format.ros_version
+    nodes = (each.node for each in launch.starts.values() if each.node is not None)
+    return version_of(next((each.library for each in nodes), None))
+
+
+def _same_names(package: Package) -> Iterator[Diagnostic]:
+    """Yield an error for each second parameter file of a name: both would be one file."""
+    there: dict[str, ParameterFile] = {}
+    launches = (each.item for each in package.contents.values() if isinstance(each.item, Launch))
+    for file in (each for launch in launches for each in launch.parameter_files):
+        name = _inner(package, file)
+        # Not every file system tells capitals from small letters.
+        first = there.setdefault(name.lower(), file)
+        if (first.path.name, first.text) != (file.path.name, file.text):
+            yield Diagnostic(
+                codes.BAD_PACKAGE_FILE,
+                f"`{package.name}` gets another file as `{name}` already",
+                file.where,
+                help="give one of them another name",
+                labels=(Label(first.where, "first here"),),
+            )

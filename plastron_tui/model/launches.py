@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Callable
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, NamedTuple
 
 from plastron_tui.diagnostics import Diagnostic, Span, codes
+from plastron_tui.ros.launch import StartedNode, joined, names_of
 from plastron_tui.ros.parameters import Setting
 
 if TYPE_CHECKING:
@@ -69,6 +71,41 @@ def no_launch(source: str) -> LoadedLaunch:
     return LoadedLaunch(None, (found,))
 
 
+class ParameterFile(NamedTuple):
+    """A parameter file that a program lets a node have.
+
+    Attributes:
+        path: where it is.
+        text: what it holds.
+        where: its path, in the statement.
+        package: the package that installs it, "" where that is not known yet.
+        inner: where it is in that package.
+    """
+
+    path: Path
+    text: bytes
+    where: Span
+    package: str = ""
+    inner: str = ""
+
+
+class LoadedParameters(NamedTuple):
+    """What a reader made of the path of a parameter file; None with the reason."""
+
+    path: Path | None
+    text: bytes = b""
+    diagnostics: tuple[Diagnostic, ...] = ()
+
+
+ParameterReader = Callable[[str, int], LoadedParameters]
+
+
+def no_parameters(source: str, ros_version: int) -> LoadedParameters:
+    """Find no parameter file: where a program has no folder, there is none."""
+    found = Diagnostic(codes.FILE_NOT_FOUND, f"no file `{source}` beside the program")
+    return LoadedParameters(None, b"", (found,))
+
+
 class Start(NamedTuple):
     """A `starts` of a program.
 
@@ -84,6 +121,7 @@ class Start(NamedTuple):
         parameters: a file with values of its parameters, None for none.
         span: the statement.
         where: what is started, in the statement.
+        container_where: its container, there; None for none.
     """
 
     node: Node | None
@@ -94,14 +132,21 @@ class Start(NamedTuple):
     container: str | None
     remaps: tuple[tuple[str, str], ...]
     settings: tuple[tuple[str, Setting], ...]
-    parameters: str | None
+    parameters: ParameterFile | None
     span: Span
     where: Span
+    container_where: Span | None = None
 
     @property
     def run_name(self) -> str:
-        """What a program calls it by: its name at run time."""
-        return self.name or (self.executable if self.node is None else self.node.name)
+        """Its name at run time; a component without one is called as its class is."""
+        own = self.executable.rpartition("::")[2] if self.node is None else self.node.name
+        return self.name or own
+
+    @property
+    def full_name(self) -> str:
+        """What a program calls it by: its namespace and its name, without the first `/`."""
+        return f"{joined('', self.namespace or '')}/{self.run_name}".lstrip("/")
 
 
 class LaunchArgument(NamedTuple):
@@ -130,7 +175,7 @@ class Launch:
         span: the statement that created or loaded it.
         source: what a loaded one came from, None for one that was created.
         arguments: those that the program gave it, by name.
-        starts: what the program lets it start, by their names at run time.
+        starts: what the program lets it start, by their full names.
         includes: what the program lets it include, by `PACKAGE/FILE`.
         removed_arguments: what the program took out of its source, by the same names.
         removed_starts: likewise.
@@ -147,6 +192,22 @@ class Launch:
     removed_arguments: dict[str, Span] = field(default_factory=dict)
     removed_starts: dict[str, Span] = field(default_factory=dict)
     removed_includes: dict[str, Span] = field(default_factory=dict)
+
+    @property
+    def by_shortest_name(self) -> dict[str, Start]:
+        """What the program lets it start, by the least that tells each from the others."""
+        there = () if self.source is None else names_of(self.source.launch.items, StartedNode)
+        names = Counter(name.rpartition("/")[2] for name in (*self.starts, *there))
+        return {
+            each.run_name if names[each.run_name] == 1 else name: each
+            for name, each in self.starts.items()
+        }
+
+    @property
+    def parameter_files(self) -> tuple[ParameterFile, ...]:
+        """The parameter files that its nodes have."""
+        found = (each.parameters for each in self.starts.values())
+        return tuple(each for each in found if each is not None)
 
     def snapshot(self) -> Launch:
         """Return the launch file as it is now, untouched by what later statements do to it."""

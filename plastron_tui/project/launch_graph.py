@@ -4,10 +4,11 @@ from __future__ import annotations
 
 import os
 from collections.abc import Iterator, Mapping
+from dataclasses import replace
 from pathlib import Path
 from typing import NamedTuple
 
-from plastron_tui.boundary import Boundary
+from plastron_tui.boundary import Boundary, holds_home
 from plastron_tui.diagnostics import Diagnostic, Severity, Span, codes
 from plastron_tui.model.loading import add_found
 from plastron_tui.model.source import LARGEST_FILE, SourceUnit
@@ -16,8 +17,9 @@ from plastron_tui.regular_files import read_regular, reason
 from plastron_tui.ros.launch_resolution import Opened, Started, resolve
 from plastron_tui.ros.launch_text import Scope
 from plastron_tui.ros.run_names import Remap, RunNames
+from plastron_tui.sources.launch.around import own_package, packages_root
 from plastron_tui.sources.launch.reader import open_included, read_launch
-from plastron_tui.sources.launch.unresolved import warnings_of
+from plastron_tui.sources.launch.unresolved import warnings_of, wrong_arguments
 from plastron_tui.sources.setup_py.reader import read_setup
 
 from .loader import read_node, with_others
@@ -40,7 +42,7 @@ def launch_graph(path: Path, arguments: Mapping[str, str], boundary: Boundary) -
     Args:
         path: the launch file.
         arguments: the values that it is given.
-        boundary: the project: packages beyond it are not looked at.
+        boundary: the project: of what is beyond it, the packages around the launch file count.
     """
     try:
         text = read_regular(path, LARGEST_FILE)
@@ -50,7 +52,8 @@ def launch_graph(path: Path, arguments: Mapping[str, str], boundary: Boundary) -
     read = read_launch(text, path)
     if read.launch is None:
         return LaunchGraph(None, read.diagnostics)
-    packages = _packages(boundary.root if boundary.allows(path) else path.parent, boundary)
+    boundary, root = _around(path, boundary)
+    packages = _packages(root, boundary)
     # The folder that is installed as the share is, in the source, the package's own.
     folders = {name: str(folder) for name, folder in packages.items()}
     scope = Scope(arguments, {}, str(path.absolute().parent), folders.get)
@@ -62,7 +65,9 @@ def launch_graph(path: Path, arguments: Mapping[str, str], boundary: Boundary) -
         return open_included(Path(name), beyond)
 
     resolved = resolve(read.launch, read.format.ros_version, scope, str(path), opened)
-    found = [*read.diagnostics, *warnings_of(resolved)]
+    # A graph needs no value: what hangs on it is left out, and told.
+    doubtful = (x for x in wrong_arguments(read.launch, path, arguments) if x.file is None)
+    found = [*read.diagnostics, *doubtful, *warnings_of(resolved)]
     whole = Workspace()
     sources: dict[tuple[str, str], SourceUnit | None] = {}
     for started in resolved.started:
@@ -74,6 +79,23 @@ def launch_graph(path: Path, arguments: Mapping[str, str], boundary: Boundary) -
         node = _node(started, sources[key], whole)
         whole.nodes[node.variable] = node
     return LaunchGraph(whole, tuple(found))
+
+
+def _around(file: Path, boundary: Boundary) -> tuple[Boundary, Path]:
+    """Return how far a launch file may lead, and the folder that its packages are in.
+
+    Who names a launch file names the packages around it, too: `run` starts them. Of the home
+    folder and those above it only the file's own package counts.
+    """
+    whole = file.absolute()
+    if not boundary.allows(whole):
+        return boundary, whole.parent
+    root = Path(os.path.realpath(packages_root(whole)))
+    if boundary.root in (root, *root.parents):
+        return boundary, boundary.root
+    if holds_home(root):
+        root = Path(os.path.realpath(own_package(whole) or whole.parent))
+    return replace(boundary, named=(*boundary.named, root)), root
 
 
 def _packages(root: Path, boundary: Boundary) -> dict[str, Path]:

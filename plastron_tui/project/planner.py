@@ -287,12 +287,8 @@ class Planner:
         """
         assert self._workspace is not None
         by_name = {each.name: each.text for each in files}
-        types = self._workspace.types.values()
         launches = [each.launch.source for each in self._workspace.written_launches]
-        paths = [
-            *(each.source.path for each in types if each.source is not None),
-            *(each.path for each in launches if each is not None),
-        ]
+        paths = [each.path for each in launches if each is not None]
         found = [(path, by_name.get(path.name)) for path in paths]
         for each in made:
             source = each.generation.node.source

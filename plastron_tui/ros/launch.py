@@ -6,7 +6,7 @@ for ROS 2 Launch Files", and the design article "ROS 2 Launch System".
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Generator, Iterator
 from dataclasses import dataclass, field
 from enum import Enum
 from typing import NamedTuple, TypeVar
@@ -246,3 +246,53 @@ def items_of(items: tuple[Item, ...], kind: type[_Kind]) -> Iterator[_Kind]:
             yield from items_of(item.items, kind)
         elif isinstance(item, Container):
             yield from items_of((*filter(None, (item.node,)), *item.components), kind)
+
+
+def names_of(items: tuple[Item, ...], kind: type[Item]) -> list[str]:
+    """Return what programs call all of a kind; nodes by their full names, without the first `/`.
+
+    A node of which the namespace is computed goes by its name alone.
+    """
+    if kind is StartedNode:
+        return [name for name, _ in named_nodes(items)]
+    return [each.called for each in items_of(items, kind) if each.called]
+
+
+def named_nodes(items: tuple[Item, ...]) -> Iterator[tuple[str, StartedNode]]:
+    """Yield the nodes that have a name which is not computed, with what programs call them."""
+    for namespace, node in _in_namespaces(items, ""):
+        name = node.called
+        own = "" if node.namespace is None else node.namespace.literal
+        whole = None if own is None else joined(namespace, own)
+        if name:
+            yield (name if whole is None else f"{whole}/{name}".lstrip("/")), node
+
+
+def joined(outer: str | None, inner: str) -> str | None:
+    """Return a namespace in another one, such as `/front`; None where it is not known."""
+    parts = "".join(f"/{part}" for part in inner.split("/") if part)
+    if inner.startswith("/"):
+        return parts
+    return None if outer is None else outer + parts
+
+
+def _in_namespaces(
+    items: tuple[Item, ...], outer: str | None
+) -> Generator[tuple[str | None, StartedNode], None, str | None]:
+    """Yield the nodes, each with what is pushed before its name, and return what still is."""
+    for item in items:
+        match item:
+            case Namespace(namespace=pushed):
+                literal = pushed.literal
+                outer = None if literal is None else joined(outer, literal)
+            case Group(items=inner, is_scoped=is_scoped):
+                after = yield from _in_namespaces(inner, outer)
+                outer = outer if is_scoped else after
+            case Container(node=held, components=components):
+                for each in (*filter(None, (held,)), *components):
+                    yield outer, each
+            case StartedNode():
+                yield outer, item
+            case _:
+                pass
+    return outer

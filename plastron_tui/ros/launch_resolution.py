@@ -6,6 +6,7 @@ namespace to the one around it unless it starts with `/`.
 
 from __future__ import annotations
 
+import os
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass, field, replace
 from typing import NamedTuple
@@ -29,6 +30,7 @@ from .launch import (
     Unread,
     Variable,
 )
+from .launch_inclusion import Including
 from .launch_text import Scope, Text
 from .launch_values import typed
 from .names import spelled
@@ -83,11 +85,13 @@ class Unresolved(NamedTuple):
         message: what, and why, for a person.
         file: the launch file.
         place: where it stands there.
+        is_wrong: whether the files cannot be started at all.
     """
 
     message: str
     file: str | None
     place: Place | None
+    is_wrong: bool = False
 
 
 class Resolved(NamedTuple):
@@ -120,7 +124,7 @@ class _State:
     scope: Scope
     file: str | None
     ros_version: int
-    depth: int = 0
+    around: tuple[Including, ...] = ()
     namespace: str = ""
     remaps: tuple[tuple[str, str], ...] = ()
     parameters: tuple[tuple[str, Setting], ...] = ()
@@ -293,20 +297,20 @@ class _Resolution:
         if path is None:
             return
         self._included += 1
-        if state.depth >= DEEPEST or self._included > MOST_NODES:
+        if len(state.around) >= DEEPEST or self._included > MOST_NODES:
             self._left_out(state, item, "the files include each other too often")
+            return
+        known = self._passed(item, state)
+        around = self._around(state)
+        real = os.path.realpath(path)
+        again = next((each for each in around if each.is_again(real, known)), None)
+        if again is not None:
+            self._endless(item, state, around[around.index(again) + 1 :], again)
             return
         opened = self._open(path)
         if opened.launch is None:
             self._left_out(state, item, f"`{path}` is left out: {opened.reason}")
             return
-        is_all = dict(item.others).get("pass_all_args")
-        # In ROS 2 the arguments of a file are those of what it includes, too.
-        known = dict(state.scope.arguments) if state.ros_version == 2 or is_all else {}
-        for name, text in item.arguments:
-            value = self._value(text, state, item, f"the argument `{name}`")
-            if value is not None:
-                known[name] = value
         namespace = state.namespace
         if item.namespace is not None:
             namespace = _joined(namespace, state.scope.value(item.namespace) or "")
@@ -316,10 +320,38 @@ class _Resolution:
             scope=scope,
             file=path,
             ros_version=opened.ros_version,
-            depth=state.depth + 1,
+            around=around,
             namespace=namespace,
+            given=frozenset(known),
         )
         self.go(opened.launch.items, inner)
+
+    def _passed(self, item: Include, state: _State) -> dict[str, str]:
+        """Return the arguments that an included file is given."""
+        is_all = dict(item.others).get("pass_all_args")
+        # In ROS 2 the arguments of a file are those of what it includes, too.
+        known = dict(state.scope.arguments) if state.ros_version == 2 or is_all else {}
+        for name, text in item.arguments:
+            value = self._value(text, state, item, f"the argument `{name}`")
+            if value is not None:
+                known[name] = value
+        return known
+
+    def _around(self, state: _State) -> tuple[Including, ...]:
+        """Return the files that include each other at a place, the outermost first."""
+        if state.file is None:
+            return state.around
+        real = os.path.realpath(state.file)
+        return (*state.around, Including(real, state.given, state.scope.arguments))
+
+    def _endless(
+        self, item: Include, state: _State, between: tuple[Including, ...], again: Including
+    ) -> None:
+        names = " and ".join(f"`{os.path.basename(each.path)}`" for each in between)  # noqa: PTH119
+        message = f"`{os.path.basename(again.path)}` includes itself without end"  # noqa: PTH119
+        if names:
+            message += f", by {names}"
+        self.unresolved.append(Unresolved(message, state.file, item.place, is_wrong=True))
 
     def _value(self, text: Text, state: _State, item: Item, what: str) -> str | None:
         found = state.scope.value(text)

@@ -80,6 +80,22 @@ def argument(name: str) -> Text:
     return Text((Substitution(Kind.ARGUMENT, text(name)),))
 
 
+def with_arguments(source: str) -> Text:
+    """Read `$(var NAME)`, and `$(arg NAME)` as ROS 1 has it; all else is literal."""
+    found: list[str | Substitution] = []
+    at = 0
+    while (start := source.find("$(", at)) >= 0:
+        end = source.find(")", start)
+        word, _, name = source[start + 2 : max(end, 0)].partition(" ")
+        if end < 0 or word not in ("var", "arg"):
+            end = start + 1
+            found.append(source[at : end + 1])
+        else:
+            found += (source[at:start], Substitution(Kind.ARGUMENT, text(name.strip())))
+        at = end + 1
+    return text(*found, source[at:])
+
+
 def package_file(package: str, path: str) -> Text:
     """Return the path of a file that a package has."""
     return text(Substitution(Kind.PACKAGE, text(package)), f"/{path}")

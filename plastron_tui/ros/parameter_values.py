@@ -173,17 +173,41 @@ class NodeParameters(NamedTuple):
     values: Mapping[str, Setting]
 
 
-def read_params(text: str) -> tuple[tuple[NodeParameters, ...], tuple[Mistake, ...]]:
-    """Read a parameter file of ROS 2: what is right in it, and what is wrong."""
+def params_problem(text: str, ros_version: int) -> Mistake | None:
+    """Return the first mistake of a parameter file, None for one that the nodes can take.
+
+    ROS 1 takes any names with their values; ROS 2 wants the nodes that they are for.
+    """
+    if ros_version == 2:
+        found, mistakes = read_params(text)
+        nothing = Mistake("it gives no node a parameter", help=f"they stand below `{_SECTION}:`")
+        return next(iter(mistakes), None if any(each.values for each in found) else nothing)
+    root = _composed(text)
+    if isinstance(root, Mistake):
+        return root
+    if root is None or root.id != "mapping" or not root.value:
+        return Mistake("it has no parameters", help="write each as `NAME: VALUE`")
+    return None
+
+
+def _composed(text: str) -> _Node | Mistake:
+    """Return the tree of a text in YAML, None for an empty one."""
     import yaml
 
     try:
-        root: _Node = yaml.compose(text, Loader=yaml.BaseLoader)
+        return yaml.compose(text, Loader=yaml.BaseLoader)
     except (ValueError, OverflowError, RecursionError, yaml.YAMLError) as error:
         mark = getattr(error, "problem_mark", None)
         at = 0 if mark is None else mark.index
         problem = getattr(error, "problem", None) or "it is nested too deeply, or no text"
-        return (), (Mistake(f"this is no YAML: {problem}", at, at + 1),)
+        return Mistake(f"this is no YAML: {problem}", at, at + 1)
+
+
+def read_params(text: str) -> tuple[tuple[NodeParameters, ...], tuple[Mistake, ...]]:
+    """Read a parameter file of ROS 2: what is right in it, and what is wrong."""
+    root = _composed(text)
+    if isinstance(root, Mistake):
+        return (), (root,)
     reader = _Reader(text)
     if root is not None and (root.id != "scalar" or root.value):
         reader.nodes(root, "")

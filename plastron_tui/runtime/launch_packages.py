@@ -16,6 +16,7 @@ from typing import NamedTuple
 from plastron_tui.import_path import command
 from plastron_tui.regular_files import read_regular
 from plastron_tui.ros.installations import Origin
+from plastron_tui.sources.launch.around import own_package, packages_root
 from plastron_tui.sources.setup_py.reader import read_setup
 from plastron_tui.sources.xml.document import read_xml
 
@@ -130,14 +131,10 @@ def find_packages(
 ) -> Packages:
     """Find the packages around a launch file, and where others are installed.
 
-    Around are those in the folder that the file's own package is in, `src` as a rule; without a
-    package of its own, those beside the file.
+    Around are those in the folder that `packages_root` tells, and the file's own.
     """
     file = Path.cwd() / file
-    own = next((each for each in file.parents if (each / "package.xml").is_file()), None)
-    root = file.parent if own is None else own.parent
-    source = next((each for each in (root, *root.parents[:3]) if each.name == "src"), None)
-    root = source or root
+    own, root = own_package(file), packages_root(file)
     sources: dict[str, Path] = {}
     folders = [*([own] if own is not None else []), *_package_folders(root)]
     for folder in folders:

@@ -4,21 +4,25 @@ from __future__ import annotations
 
 import os
 import shlex
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Mapping
+from dataclasses import replace
 from pathlib import Path
 from typing import NamedTuple
 
 from plastron_tui.diagnostics import Diagnostic, Severity, Span, codes, did_you_mean
 from plastron_tui.import_path import command
-from plastron_tui.ros.launch import Argument, LaunchFile, Place, items_of
+from plastron_tui.ros.launch import LaunchFile, Place
 from plastron_tui.ros.launch_resolution import Opened, Resolved, Started, resolve
 from plastron_tui.ros.launch_text import Scope
 from plastron_tui.ros.parameter_values import yaml_text
 from plastron_tui.sources.launch.reader import open_included
+from plastron_tui.sources.launch.unresolved import wrong_arguments
 
+from .build_output import Progress
 from .environment import Environment, missing_package, missing_packages
 from .launch import NodeFile
 from .launch_packages import Packages, find_packages
+from .source_interfaces import with_interfaces
 
 # What makes no difference to what runs: how a node's lines are shown, and how long it may take.
 _SHOWN = frozenset(("output", "emulate_tty", "exec_name", "respawn_delay", "sigterm_timeout",
@@ -42,6 +46,7 @@ def prepare(
     arguments: Mapping[str, str],
     environment: Environment,
     environ: Mapping[str, str] = os.environ,
+    tell: Callable[[Progress], object] = lambda _: None,
 ) -> Prepared:
     """Return what a launch file starts, or why it is not started: with the line that says it.
 
@@ -51,13 +56,21 @@ def prepare(
         arguments: the values that its arguments get.
         environment: the ROS that it runs with.
         environ: the environment variables.
+        tell: is told how far a build of interface packages is.
     """
     file = Path.cwd() / file
     packages = find_packages(file, environment, environ)
     resolved = _resolved(launch, file, arguments, environment.ros_version, packages, environ)
     if environment.ros_version == 1:
-        return _roslaunch(file, arguments, environment, packages, resolved)
-    found = [*_arguments(launch, file, arguments)]
+        # roslaunch tells the rest itself, but follows files that include each other without end.
+        wrong = [each for each in resolved.unresolved if each.is_wrong]
+        if wrong:
+            return Prepared((), tuple(_told(each.message, each.file, each.place) for each in wrong))
+        return _built(
+            _roslaunch(file, arguments, environment, packages, resolved),
+            packages, resolved, environment, tell, environ,
+        )  # fmt: skip
+    found = [*wrong_arguments(launch, file, arguments)]
     found += (_told(each.message, each.file, each.place) for each in resolved.unresolved)
     nodes = []
     for started in resolved.started:
@@ -69,7 +82,25 @@ def prepare(
     if not nodes and not found:
         found.append(_told("the launch file starts no node", str(file), None))
     is_wrong = any(each.severity is Severity.ERROR for each in found)
-    return Prepared(() if is_wrong else tuple(nodes), tuple(found))
+    prepared = Prepared(() if is_wrong else tuple(nodes), tuple(found))
+    return _built(prepared, packages, resolved, environment, tell, environ)
+
+
+def _built(
+    prepared: Prepared,
+    packages: Packages,
+    resolved: Resolved,
+    environment: Environment,
+    tell: Callable[[Progress], object],
+    environ: Mapping[str, str],
+) -> Prepared:
+    """Return processes that have the interface packages which their nodes need."""
+    if not prepared.nodes:
+        return prepared
+    started = [each.package for each in resolved.started]
+    built, problems = with_interfaces(environment, packages.sources, started, tell, environ)
+    nodes = () if problems else tuple(replace(x, environment=built) for x in prepared.nodes)
+    return Prepared(nodes, (*prepared.diagnostics, *problems))
 
 
 def _resolved(
@@ -89,24 +120,6 @@ def _resolved(
         return open_included(Path(path), beyond)
 
     return resolve(launch, ros_version, scope, str(file), opened)
-
-
-def _arguments(launch: LaunchFile, file: Path, given: Mapping[str, str]) -> Iterator[Diagnostic]:
-    declared = list(items_of(launch.items, Argument))
-    for each in declared:
-        if each.default is None and each.condition is None and each.name not in given:
-            message = f"the argument `{each.name}` has no value"
-            told = _told(message, str(file), each.place)
-            yield told._replace(help=f"give it one: `{each.name}:=VALUE`")
-    names = {each.name for each in declared}
-    for name in given:
-        if name not in names:
-            yield Diagnostic(
-                codes.UNRESOLVED_LAUNCH,
-                f"the launch file has no argument `{name}`",
-                help=did_you_mean(name, names),
-                severity=Severity.WARNING,
-            )
 
 
 def _node(started: Started, environment: Environment, packages: Packages) -> NodeFile | Diagnostic:

@@ -35,7 +35,7 @@ ROS2 = (
     '<launch>\r\n\t<let name="a" value="1"/>\r\n'
     '\t<node pkg="rover" exec="driver"/>\r\n</launch>\r\n'
 )
-EMPTY = "<launch/>\n"
+EMPTY = "<launch>\n</launch>\n"
 
 
 def _document(source: str) -> XmlDocument:
@@ -72,3 +72,23 @@ def test_an_argument_that_is_used_stays() -> None:
     refused = remove(_document(source), Argument, "a", 2)
     assert refused.document is None
     assert refused.diagnostics[0].message == "`a` is still used here, and cannot be taken out"
+
+
+@pytest.mark.parametrize(
+    "before, after",
+    [
+        ("<launch>\n  {}\n</launch>\n", "<launch>\n</launch>\n"),
+        ("<launch>\r\n  {}\r\n</launch>\r\n", "<launch>\r\n</launch>\r\n"),
+        ("<launch>{}</launch>\n", "<launch></launch>\n"),
+        ("<launch>\n  <!-- eyes -->\n  {}\n</launch>", "<launch>\n  <!-- eyes -->\n</launch>"),
+    ],
+)
+def test_a_file_is_open_when_its_only_node_is_gone(before: str, after: str) -> None:
+    full = before.format('<node pkg="demo" exec="ear" name="ear"/>')
+    removed = remove(_document(full), StartedNode, "ear", 2)
+    assert removed.document is not None
+    assert removed.document.text.decode() == after
+    ear = StartedNode(text("demo"), text("ear"), text("ear"))
+    again = add(removed.document, ear, 2)
+    assert again.document is not None
+    assert again.document.text.decode() == full

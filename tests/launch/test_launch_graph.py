@@ -7,6 +7,7 @@ from pathlib import Path
 import pytest
 
 from plastron_tui.boundary import find_boundary
+from plastron_tui.diagnostics import Severity
 from plastron_tui.project.launch_graph import launch_graph
 
 INCLUDED = {
@@ -72,7 +73,7 @@ def test_a_file_in_yaml_is_shown(project: Path) -> None:
         ("in.launch.xml", "a whole one"),
         ("$(dirname)/none.launch.xml", "No such file"),
         ("$(dirname)/../../../out.launch.xml", "outside"),
-        ("$(dirname)/main.launch.xml", "too often"),
+        ("$(dirname)/main.launch.xml", "`main.launch.xml` includes itself without end"),
     ],
 )
 def test_what_cannot_be_followed_is_listed(project: Path, file: str, reason: str) -> None:
@@ -80,3 +81,55 @@ def test_what_cannot_be_followed_is_listed(project: Path, file: str, reason: str
     names, said = _shown(project, f'<launch><include file="{file}"/></launch>\n')
     assert names == []
     assert any(reason.lower() in each.lower() for each in said), said
+
+
+ENDLESS = "`main.launch.xml` includes itself without end"
+
+
+@pytest.mark.parametrize(
+    ("name", "main", "other", "said"),
+    [
+        ("main.launch.xml", '<include file="$(dirname)/main.launch.xml"/>', "", ENDLESS),
+        (
+            "main.launch.xml",
+            '<include file="$(dirname)/b.launch.xml"/>',
+            '<arg name="own" default="1"/><include file="$(dirname)/main.launch.xml"/>',
+            f"{ENDLESS}, by `b.launch.xml`",
+        ),
+        (
+            "main.launch",
+            '<arg name="n" default="1"/><include file="$(dirname)/b.launch.xml"/>',
+            '<include file="$(dirname)/main.launch"/>',
+            "`main.launch` includes itself without end, by `b.launch.xml`",
+        ),
+        (
+            # The argument ends it.
+            "main.launch",
+            '<arg name="more" default="true"/><include if="$(arg more)" '
+            'file="$(dirname)/main.launch"><arg name="more" value="false"/></include>',
+            "",
+            None,
+        ),
+        (
+            "main.launch.xml",
+            '<arg name="more" default="true"/><include if="$(var more)" '
+            'file="$(dirname)/main.launch.xml"><arg name="more" value="false"/></include>',
+            "",
+            None,
+        ),
+    ],
+)
+def test_files_that_include_each_other_without_end_are_wrong(
+    project: Path, name: str, main: str, other: str, said: str | None
+) -> None:
+    file = project / "demo/launch" / name
+    key = "type" if name == "main.launch" else "exec"
+    node = f'<node pkg="demo" {key}="eye" name="eye"/>'
+    file.write_text(f"<launch>{node}{main}</launch>\n")
+    (file.parent / "b.launch.xml").write_text(f"<launch>{other}</launch>\n")
+    found = launch_graph(file, {}, find_boundary(file.parent))
+    wrong = [each for each in found.diagnostics if each.severity is Severity.ERROR]
+    assert [each.message for each in wrong] == ([] if said is None else [said])
+    assert all(each.span is not None and each.file is not None for each in wrong)
+    assert found.workspace is not None
+    assert len(found.workspace.nodes) == (1 if said else 2)

@@ -8,8 +8,12 @@ import sys
 from pathlib import Path
 
 import pytest
+from loaded_packages import KINDS, lay
+from loaded_packages import TALKER as PROGRAM_TALKER
+from loaded_packages import run as write_program
 from machine import find_ros, graph_environ, skip_or_fail, wait_until
 
+from plastron_tui.diagnostics import has_errors
 from plastron_tui.runtime.environment import missing_packages
 
 pytestmark = pytest.mark.live
@@ -153,6 +157,83 @@ def test_nodes_of_a_launch_file_talk_and_are_ended(tmp_path: Path, ros_version: 
             status = run.wait(60)
     assert status == 128 + signal.SIGINT, log.read_text()
     assert _processes(str(tmp_path)) == []
+
+
+@pytest.mark.long
+@pytest.mark.parametrize("kind", ["catkin", "ament_python"])
+def test_a_launch_file_of_a_loaded_package_starts_its_new_node(tmp_path: Path, kind: str) -> None:
+    library, files = KINDS[kind]
+    ros_version = 1 if library == "rospy" else 2
+    environment = find_ros(ros_version)
+    if ros_version == 1 and missing_packages(environment, ["roslaunch"]):
+        skip_or_fail("roslaunch is not installed")
+    package = lay(tmp_path / "src", files)
+    program = (
+        f"{PROGRAM_TALKER}demo contains talker\ncreate_launch 'bringup' as bringup\n"
+        "bringup starts talker as 'speaker'\ndemo contains bringup\ngenerate_package demo\n"
+    )
+    assert write_program(program, tmp_path / "src", library, in_place=True) == ()
+    file = package / "launch" / ("bringup.launch" if ros_version == 1 else "bringup.launch.xml")
+    environ = graph_environ(tmp_path)
+    log = tmp_path / "said.log"
+    with log.open("w") as out:
+        run = subprocess.Popen(
+            [sys.executable, "-m", "plastron_tui", "run", str(file), "--for", "50"],
+            env=environ,
+            stdout=out,
+            stderr=out,
+        )
+        try:
+            wait_until(
+                lambda: (
+                    run.poll() is not None or 'name="speaker"' in _described(environ, ros_version)
+                ),
+                "the node is up",
+            )
+            assert run.poll() is None, log.read_text()
+        finally:
+            run.send_signal(signal.SIGINT)
+            status = run.wait(60)
+    assert status == 128 + signal.SIGINT, log.read_text()
+
+
+OWN_TYPE = """\
+create_message_type WheelSpeed with float64 left
+create_node 'wheels' as wheels
+create_message turning of message_type WheelSpeed and input left=0.5
+wheels publish turning to 'wheel_speed' of message_type WheelSpeed at 10 hz
+create_node 'watcher' as watcher
+subscribe watcher to 'wheel_speed' of message_type WheelSpeed
+create_launch 'bringup' as bringup
+bringup starts wheels
+bringup starts watcher
+create_package 'rover' as rover maintained_by "Ada <ada@example.com>" licensed_under "MIT"
+rover contains wheels
+rover contains watcher
+rover contains bringup
+generate_package rover
+"""
+
+
+@pytest.mark.long
+@pytest.mark.parametrize("library", ["rospy", "rclpy"])
+def test_types_beside_a_launch_file_are_built_before_it_runs(tmp_path: Path, library: str) -> None:
+    ros_version = 1 if library == "rospy" else 2
+    environment = find_ros(ros_version)
+    if ros_version == 1 and missing_packages(environment, ["roslaunch"]):
+        skip_or_fail("roslaunch is not installed")
+    assert not has_errors(write_program(OWN_TYPE, tmp_path, library))
+    (file,) = (tmp_path / "output/rover/launch").iterdir()
+    done = subprocess.run(
+        [sys.executable, "-m", "plastron_tui", "run", str(file), "--for", "8"],
+        env=graph_environ(tmp_path),
+        capture_output=True,
+        text=True,
+        timeout=120,
+    )
+    assert "left" in done.stdout, done.stdout + done.stderr
+    assert "0.5" in done.stdout
+    assert "launch-differs" not in done.stderr
 
 
 def _described(environ: dict[str, str], ros_version: int) -> str:

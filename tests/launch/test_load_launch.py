@@ -7,6 +7,7 @@ from pathlib import Path
 import pytest
 
 from plastron_tui.output.plan import FilePlan
+from plastron_tui.output.writer import write
 from plastron_tui.session import Options, Session
 
 ROS1 = (
@@ -101,3 +102,53 @@ def test_what_cannot_be_loaded_is_told(
     assert code in (None, found[0].code)
     if found[0].code == "file-not-found":
         assert found[0].help == "did you mean `c.launch.xml`?"
+
+
+IN_NAMESPACES = b"""\
+<launch>
+  <node pkg="demo" exec="ear" name="ear"/>
+  <group>
+    <push_ros_namespace namespace="front"/>
+    <node pkg="demo" exec="ear" name="ear" namespace="left"/>
+  </group>
+</launch>
+"""
+
+
+@pytest.mark.parametrize(
+    "statement, told",
+    [
+        ("b starts 'demo/ear' in 'front'", None),
+        ("b starts 'demo/ear'", "already-started"),
+        ("b starts 'demo/other' as 'ear' in '/front/left'", "already-started"),
+        ("b no_longer_starts 'ear'", None),
+        ("b no_longer_starts 'front/left/ear'", None),
+        ("b no_longer_starts 'left/ear'", "not-started"),
+    ],
+)
+def test_nodes_of_a_file_are_told_apart_by_their_full_names(
+    tmp_path: Path, statement: str, told: str | None
+) -> None:
+    (tmp_path / "b.launch.xml").write_bytes(IN_NAMESPACES)
+    head, end = "load_launch 'b.launch.xml' as b\n", "\ngenerate_launch b\n"
+    session = run(tmp_path, head + statement + end, "rclpy")
+    if told is not None:
+        assert [each.code for each in session.diagnostics] == [told]
+        return
+    (made,) = plan_of(session).files
+    before, after = IN_NAMESPACES.splitlines(), made.text.splitlines()
+    gone = [line for line in before if line not in after]
+    assert len(gone) == ("no_longer" in statement)
+    assert (b"left" in b"".join(gone)) is ("left" in statement)
+    assert len(after) == len(before) + (-1 if gone else 1)
+
+
+def test_a_node_of_the_same_name_elsewhere_is_undone_in_place(tmp_path: Path) -> None:
+    file = tmp_path / "b.launch.xml"
+    file.write_bytes(IN_NAMESPACES)
+    for statement in ("b starts 'demo/ear' in 'rear'\n", ""):
+        program = f"load_launch 'b.launch.xml' as b\n{statement}generate_launch b\n"
+        session = run(tmp_path, program, "rclpy", in_place=True)
+        write(plan_of(session))
+        assert (b"rear" in file.read_bytes()) is bool(statement)
+    assert file.read_bytes() == IN_NAMESPACES

@@ -7,6 +7,7 @@ from plastron_tui.diagnostics.code import Code
 from .programs import TALKING
 
 _BRINGUP = f"{TALKING}create_launch 'bringup' as bringup\n"
+_ARGUMENT = f"{_BRINGUP}bringup has_argument 'robot' with default \"rover\"\n"
 _PACKAGE = """\
 create_package 'demo' as demo described_as "Says hello." maintained_by "Ada <ada@example.com>" \
 licensed_under "MIT"
@@ -59,6 +60,21 @@ BAD_LAUNCH_NAME = Code(
     good=f"{_BRINGUP}bringup starts 'demo/talker'\n",
 )
 
+UNKNOWN_ARGUMENT = Code(
+    "unknown-argument",
+    "A launch file has no argument of this name, or is to lose one that it uses.",
+    bad=f"{_ARGUMENT}bringup starts talker in '$(var robt)'\n",
+    good=f"{_ARGUMENT}bringup starts talker in '$(var robot)'\n",
+)
+
+NOT_A_COMPONENT = Code(
+    "not-a-component",
+    "A container is to have a node that it cannot load: it loads components, classes of C++ that "
+    "packages of ROS 2 install. A node in Python runs in a process of its own.",
+    bad=f"{_BRINGUP}bringup starts talker inside 'eyes'\n",
+    good=f"{_BRINGUP}bringup starts 'image_proc/image_proc::RectifyNode' inside 'eyes'\n",
+)
+
 BROKEN_LAUNCH = Code(
     "broken-launch",
     "A file is no launch file, or says what `roslaunch` and `ros2 launch` do not take.",
@@ -69,5 +85,11 @@ UNRESOLVED_LAUNCH = Code(
     "Something in a launch file is only known when it is started, or by code: an argument without "
     "a value, a condition that is computed, a package that is not here. What hangs on it is left "
     "out.",
+)
+
+LAUNCH_DIFFERS = Code(
+    "launch-differs",
+    "A launch file starts something else than the program wrote that made it: it was changed by "
+    "hand since. What the file says is started; to have it in the program too, say it there.",
 )
 """No program shows the last ones: what a launch file says is not said in a program."""

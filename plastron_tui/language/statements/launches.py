@@ -50,7 +50,9 @@ class LoadLaunch(Statement):
     example="bringup has_argument 'robot' with default \"rover\"",
     purpose="take a value when it is started",
     ros_term="launch argument",
-    about="An argument is set when the launch file is started; without a default it has to be.",
+    about="An argument is set when the launch file is started; without a default it has to be. "
+    "What it brings is `$(var NAME)` in the names, the namespace, the new topics and the texts of "
+    "`starts`, for both ROS: `in '$(var robot)'`, `setting 'speed' = \"$(var speed)\"`.",
 )
 class HasArgument(Statement):
     """Let who starts a launch file give it a value."""
@@ -85,7 +87,11 @@ class NoLongerHasArgument(Statement):
     example="bringup starts driver in 'front' remapping 'scan' to 'laser' setting 'speed' = 0.5",
     purpose="start a node",
     ros_term="node action",
-    about="The node may get another name, a namespace, other topics, and parameters.",
+    about="The node may get another name, a namespace, other topics, and parameters. Nodes of one "
+    "name in two namespaces are two. A parameter file is looked for from the program's folder; "
+    "the package that contains the launch file gets a copy in `config`, and installs it. A "
+    "container (ROS 2) holds components: `starts 'PACKAGE/NAMESPACE::CLASS' inside 'CONTAINER'`; "
+    "a node in Python runs in a process of its own.",
 )
 class Starts(Statement):
     """Let a launch file start a node."""
@@ -107,7 +113,8 @@ class Starts(Statement):
     example="bringup no_longer_starts 'driver'",
     purpose="no longer start a node",
     ros_term="node action",
-    about="Takes a node out of a launch file again.",
+    about="Takes a node out of a launch file again. One whose name another one has as well goes by "
+    "its namespace too: `'front/driver'`.",
     undoes=Starts,
 )
 class NoLongerStarts(Statement):

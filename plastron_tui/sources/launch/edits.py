@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from plastron_tui.diagnostics import Diagnostic, Span, codes
-from plastron_tui.ros.launch import Argument, Item, items_of
+from plastron_tui.ros.launch import Argument, Item, StartedNode, items_of, named_nodes
 from plastron_tui.sources.xml.document import Element, XmlDocument
 from plastron_tui.sources.xml.edits import (
     XmlEdit,
@@ -50,9 +50,12 @@ def add(document: XmlDocument, item: Item, ros_version: int) -> XmlEdit:
 def remove(document: XmlDocument, kind: type[Item], name: str, ros_version: int) -> XmlEdit:
     """Take an argument, a node or an included file out of a launch file, by its name."""
     read = _read(document, ros_version)
-    found = [] if read.launch is None else [
-        item for item in items_of(read.launch.items, kind) if item.called == name
-    ]  # fmt: skip
+    items = () if read.launch is None else read.launch.items
+    found: list[Item] = []
+    if kind is StartedNode:
+        found += (node for full_name, node in named_nodes(items) if full_name == name)
+    else:
+        found += (item for item in items_of(items, kind) if item.called == name)
     if len(found) != 1:
         how_many = "no" if not found else str(len(found))
         places = tuple(_spans(found))
@@ -68,7 +71,10 @@ def remove(document: XmlDocument, kind: type[Item], name: str, ros_version: int)
     if used is not None:
         message = f"`{name}` is still used here, and cannot be taken out"
         return XmlEdit(None, (Diagnostic(codes.EDIT_REFUSED, message, used, document.file),))
-    return _checked(document, remove_element(document, element), ros_version, found[0], -1)
+    # A file without anything in it is one that people write something into.
+    is_outermost = document.parents.get(element) is document.root
+    edit = remove_element(document, element, closes=not is_outermost)
+    return _checked(document, edit, ros_version, found[0], -1)
 
 
 def _head(root: Element, name: str) -> Element | None:

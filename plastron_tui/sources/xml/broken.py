@@ -83,14 +83,19 @@ def _token(text: bytes, offset: int) -> tuple[str, Span, str | None]:
     before = text[:offset].rstrip(_BLANK)
     if text[offset - 1 : offset] == b"&":
         return "`&` stands alone", Span(offset - 1, offset), "write `&amp;`"
+    tag = before.rfind(b"<")
+    is_open = tag > before.rfind(b">") and not text.startswith((b"<!", b"<?"), tag)
+    is_cut = text[offset : offset + 1] == b"<" and _has_whole_values(before[max(tag, 0) :])
+    if is_open and not before.endswith(b"=") and (is_cut or before.endswith(b"/")):
+        name = _name_at(text, tag + 1)
+        return f"`<{_shown(text, name)}` has no `>` at its end", name, "write `>` or `/>`"
     if text[offset : offset + 1] == b"<" and before[-1:] in (b'"', b"'", b"="):
         return "`<` cannot stand in a value", here, "write `&lt;`"
     comment = text.rfind(b"<!--", 0, offset)
     if comment >= 0 and text.rfind(b"-->", comment, offset) < 0:
         hyphens = text.rfind(b"--", comment + 4, offset + 2)
         return "`--` cannot stand in a comment", Span(max(hyphens, 0), max(hyphens, 0) + 2), None
-    tag = before.rfind(b"<")
-    if tag > before.rfind(b">") and not text.startswith((b"<!", b"<?"), tag):
+    if is_open:
         if before.endswith(b"="):
             return "a value has no quotes", _name_at(text, offset), None
         if text[offset : offset + 1] == b"<":
@@ -105,6 +110,18 @@ def _token(text: bytes, offset: int) -> tuple[str, Span, str | None]:
     shown = _shown(text, here)
     what = f"`{shown}`" if shown.isprintable() and shown.strip() else "what stands here"
     return f"{what} cannot stand here", here, None
+
+
+def _has_whole_values(tag: bytes) -> bool:
+    """Tell whether each value in a tag has its closing quote."""
+    quote = b""
+    for at in range(len(tag)):
+        mark = tag[at : at + 1]
+        if quote:
+            quote = b"" if mark == quote else quote
+        elif mark in (b'"', b"'"):
+            quote = mark
+    return not quote
 
 
 def _name_at(text: bytes, offset: int) -> Span:

@@ -55,14 +55,17 @@ def insert_last(document: XmlDocument, parent: Element, new: NewElement) -> XmlE
     return _apply(document, span, text, {parent: change})
 
 
-def remove_element(document: XmlDocument, element: Element) -> XmlEdit:
+def remove_element(document: XmlDocument, element: Element, *, closes: bool = True) -> XmlEdit:
     """Take an element away, with its line where it stands alone, and the comment that ends it.
 
-    A parent in which nothing but two line breaks are left closes itself then.
+    Args:
+        document: the file.
+        element: what goes.
+        closes: whether a parent in which nothing but two line breaks are left closes itself then.
     """
     if element is document.root:
         return _refused(document, "the outermost element cannot be taken away", element.span)
-    span, text = removal(document, element, style_of(document))
+    span, text = removal(document, element, style_of(document), closes=closes)
     return _apply(document, span, text, {element: lambda _: None}, span)
 
 

@@ -89,8 +89,10 @@ def last(document: XmlDocument, parent: Element, new: NewElement, style: Style) 
     return _inserted(start + found + 1, indent + render(new, style, indent) + style.newline)
 
 
-def removal(document: XmlDocument, element: Element, style: Style) -> Splice:
-    """Take an element away."""
+def removal(
+    document: XmlDocument, element: Element, style: Style, *, closes: bool = True
+) -> Splice:
+    """Take an element away; `closes` lets the parent of an only child close itself."""
     text = document.text
     start, end = element.span
     if not starts_line(text, start):
@@ -100,7 +102,8 @@ def removal(document: XmlDocument, element: Element, style: Style) -> Splice:
     first = line_start(text, start)
     rest = skip_blanks(text, behind_comments(document, end))
     if (found := line_break(text, rest)) is not None:
-        return _closed(document, element, style) or Splice(Span(first, found.end), b"")
+        closed = _closed(document, element, style) if closes else None
+        return closed or Splice(Span(first, found.end), b"")
     if text.startswith(b"</", rest):
         broken = first - 2 if text[:first].endswith(b"\r\n") else first - 1
         return Splice(Span(broken, end), b"")

@@ -123,7 +123,7 @@ class Vocabulary:
     def started(self, launch: str) -> Iterable[str]:
         """Return the names of what a launch file starts."""
         found = self._workspace.launches.get(launch)
-        return () if found is None else found.starts.keys()
+        return () if found is None else found.by_shortest_name.keys()
 
     @cached_property
     def _meetings(self) -> Mapping[InterfaceKind, dict[str, str]]:

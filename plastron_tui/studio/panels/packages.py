@@ -109,7 +109,7 @@ def _launch(
         name=variable,
         is_branch=bool(launch.starts),
     )
-    for name, started in launch.starts.items():
+    for name, started in launch.by_shortest_name.items():
         span = getattr(started, "span", None)
         namespace = getattr(started, "namespace", None)
         yield Entry(

@@ -103,7 +103,7 @@ class StartedKind(Kind):
 def _unstarted(ask: Ask) -> list[str]:
     """Return the nodes, those that the launch file starts already last."""
     launch = _launch(ask)
-    held = set() if launch is None else set(launch.starts)
+    held = set() if launch is None else {each.run_name for each in launch.starts.values()}
     nodes = ask.scene.workspace.nodes
     return sorted(nodes, key=lambda name: name in held or nodes[name].name in held)
 
@@ -122,7 +122,7 @@ class RunNameKind(Kind):
         launch = _launch(ask)
         if launch is None or ask.form.declaration.type is not st.NoLongerStarts:
             return []
-        return [Choice(name) for name in launch.starts]
+        return [Choice(name) for name in launch.by_shortest_name]
 
     def problem(self, ask: Ask, text: str) -> str | None:
         """Tell why a text cannot stand there."""

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import NamedTuple
 
+from plastron_tui.model.kinds import Parameter as NodeParameter
 from plastron_tui.model.launches import Launch, Start
 from plastron_tui.model.workspace import Node
 from plastron_tui.ros.launch import (
@@ -19,10 +20,10 @@ from plastron_tui.ros.launch import (
     Remapping,
     StartedNode,
 )
-from plastron_tui.ros.launch_text import Text, package_file, text
-from plastron_tui.ros.names import name_as_written
+from plastron_tui.ros.launch_text import Substitution, package_file, text, with_arguments
+from plastron_tui.ros.names import name_as_written, parameter_name
 from plastron_tui.ros.parameter_values import yaml_text
-from plastron_tui.ros.parameters import Setting
+from plastron_tui.ros.parameters import ParameterType, Setting, as_setting
 
 
 class Executable(NamedTuple):
@@ -113,16 +114,18 @@ def _node(start: Start, ros_version: int, find: FindExecutable) -> StartedNode:
         name = start.run_name
     parameters: list[Parameter] = []
     if start.parameters is not None:
-        parameters.append(ParameterFile(_file(start.parameters, own.package)))
-    parameters += [ParameterValue(text(key), value) for key, value in start.settings]
+        file = start.parameters
+        parameters.append(ParameterFile(package_file(file.package, file.inner)))
+    parameters += [_parameter(start, key, value, ros_version) for key, value in start.settings]
     return StartedNode(
         text(own.package),
         text(own.name),
-        text(name) if name is not None else None,
-        text(start.namespace) if start.namespace is not None else None,
+        with_arguments(name) if name is not None else None,
+        with_arguments(start.namespace) if start.namespace is not None else None,
         tuple(
             Remapping(
-                text(name_as_written(old, ros_version)), text(name_as_written(new, ros_version))
+                text(name_as_written(old, ros_version)),
+                with_arguments(name_as_written(new, ros_version)),
             )
             for old, new in start.remaps
         ),
@@ -131,8 +134,17 @@ def _node(start: Start, ros_version: int, find: FindExecutable) -> StartedNode:
     )
 
 
-def _file(path: str, package: str) -> Text:
-    return text(path) if path.startswith("/") else package_file(package, path)
+def _parameter(start: Start, name: str, value: Setting, ros_version: int) -> ParameterValue:
+    """Return a parameter, of the type that the node declares for it."""
+    holds = None
+    if start.node is not None:
+        known = start.node.of(NodeParameter).get(parameter_name(name, ros_version))
+        holds = None if known is None else known.holds
+    found = with_arguments(value) if isinstance(value, str) else text()
+    if any(isinstance(part, Substitution) for part in found.parts):
+        return ParameterValue(text(name), found, holds is ParameterType.STRING)
+    fitting = None if holds is None else as_setting(holds, value)
+    return ParameterValue(text(name), value if fitting is None else fitting)
 
 
 def _plain(value: Setting) -> str:

@@ -39,7 +39,8 @@ def test_catkin_package_is_built_and_launched(tmp_path: Path) -> None:
     call(["sh", "-c", f"{use} python3 -c 'from demo.srv import SetLevel'"], tmp_path, system)
     call(["catkin_make", "-j1", "run_tests"], tmp_path, system)
     told = call(["catkin_test_results", "build"], tmp_path, system)
-    assert "2 tests, 0 errors, 0 failures" in told
+    # Those of the two nodes, and that of the launch file.
+    assert "3 tests, 0 errors, 0 failures" in told
     told = call(
         ["sh", "-c", ". devel/setup.sh && roslaunch --nodes demo demo.launch"], tmp_path, system
     )
