@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from plastron_tui.ros.launch_resolution import Opened, Resolved, resolve
+from plastron_tui.ros.launch_resolution import resolve
+from plastron_tui.ros.launch_started import Opened, Resolved
 from plastron_tui.ros.launch_text import Scope
 from plastron_tui.sources.launch.unresolved import warnings_of
 from plastron_tui.sources.launch.xml_reader import read_launch_xml
