@@ -1,7 +1,8 @@
 """What a launch file starts: nodes with their full names, as far as they can be known.
 
 Sources: the ROS wiki page "roslaunch/XML"; for ROS 2 `launch_ros`: `prefix_namespace` joins a
-namespace to the one around it unless it starts with `/`.
+namespace to the one around it unless it starts with `/`; `launch_ros.actions.Node` puts what
+`SetRemap` says before its own remaps. For ROS 1 `roslaunch.loader.LoaderContext.remap_args`.
 """
 
 from __future__ import annotations
@@ -167,7 +168,7 @@ class _Resolution:
             value(item.executable) or "",
             None if item.name is None else value(item.name) or None,
             namespace,
-            (*self._remaps(item, state), *state.remaps),
+            self._remaps(item, state),
             (*state.settings, *self._settings(item.parameters, state, item)),
             tuple((key, value(each) or "") for key, each in item.others),
             container,
@@ -177,13 +178,20 @@ class _Resolution:
         self.started.append(found)
         return found
 
-    def _remaps(self, item: StartedNode, state: _State) -> Iterable[tuple[str, str]]:
+    def _remaps(self, item: StartedNode, state: _State) -> tuple[tuple[str, str], ...]:
+        """Return the remaps of a node, the one that holds first.
+
+        In ROS 1 one that stands nearer to the node holds. ROS 2 has those around it before its
+        own on the command line, and takes the first that fits.
+        """
+        found = list(state.remaps)
         for old, new in item.remaps:
             pair = state.scope.value(old), state.scope.value(new)
             if pair[0] is None or pair[1] is None:
                 self._tell(state, item, "a remap", old if pair[0] is None else new)
             else:
-                yield spelled(pair[0]), spelled(pair[1])
+                found.append((spelled(pair[0]), spelled(pair[1])))
+        return tuple(found if state.ros_version == 2 else reversed(found))
 
     def _settings(
         self, parameters: Iterable[Parameter], state: _State, item: Item
