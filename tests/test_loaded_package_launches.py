@@ -5,7 +5,9 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
-from loaded_packages import KINDS, TALKER, lay, run, texts
+from loaded_packages import AMENT_CMAKE, KINDS, TALKER, lay, run, texts
+
+from plastron_tui.ros.launch_names import LAUNCH_ENDINGS
 
 BRINGUP = "create_launch 'bringup' as bringup\nbringup starts 'other/eye'\n"
 WRITE = "demo contains bringup\ngenerate_package demo\n"
@@ -124,3 +126,37 @@ def test_a_parameter_file_has_to_be_in_the_loaded_package(place: str, tmp_path: 
         assert found == ()
         launch = texts(package)["launch/bringup.launch.xml"]
         assert b"$(find-pkg-share demo)/config/own.yaml" in launch
+
+
+INSTALLED = AMENT_CMAKE["CMakeLists.txt"].replace(
+    "ament_package()",
+    "install(DIRECTORY launch DESTINATION share/${PROJECT_NAME})\n\nament_package()",
+)
+OTHERS = ["y.launch.xml", "bringup_launch.py", "params.yaml", "robots/z.rviz"]
+
+
+@pytest.mark.parametrize("other", OTHERS)
+def test_the_folder_stays_installed_while_other_files_are_in_it(other: str, tmp_path: Path) -> None:
+    package = lay(
+        tmp_path,
+        {
+            **AMENT_CMAKE,
+            "CMakeLists.txt": INSTALLED,
+            "launch/x.launch.xml": "<launch/>\n",
+            f"launch/{other}": "",
+        },
+    )
+    before = texts(package)
+    told = run(OUT.replace("bringup", "x"), tmp_path, "rclpy", in_place=True)
+    assert [each.code for each in told] == ["file-stays"]
+    assert texts(package) == before
+
+
+@pytest.mark.parametrize("ending", LAUNCH_ENDINGS)
+def test_a_launch_file_is_taken_out_by_its_name(ending: str, tmp_path: Path) -> None:
+    package = lay(
+        tmp_path, {**AMENT_CMAKE, "CMakeLists.txt": INSTALLED, f"launch/bringup{ending}": ""}
+    )
+    told = run(OUT, tmp_path, "rclpy", in_place=True)
+    assert [each.code for each in told] == ["file-stays"]
+    assert texts(package)["CMakeLists.txt"].decode() == AMENT_CMAKE["CMakeLists.txt"]

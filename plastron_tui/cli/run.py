@@ -27,7 +27,7 @@ from .run_options import namespace_option, refuse, remap_option, set_option, unk
 if TYPE_CHECKING:
     from plastron_tui.generating.generation import Generated
     from plastron_tui.model.workspace import Node
-    from plastron_tui.project.run_setup import RunNode, RunSetup
+    from plastron_tui.project.run_setup import RunSetup
     from plastron_tui.ros.parameter_values import Assignment
     from plastron_tui.ros.run_names import Remap
     from plastron_tui.runtime.build_progress import ProgressLine
@@ -167,29 +167,14 @@ def _checked(
     session: Session, setup: RunSetup, chosen: Sequence[Generated], report: Report
 ) -> RunSetup:
     """Return the setup with what the program's parameter file says; what is wrong is reported."""
+    from plastron_tui.project.run_setup import generated_node
+
     params, diagnostics = session.params()
     setup = setup._replace(params=params)
-    nodes = [_run_node(generated, session.output) for generated in chosen]
+    nodes = [generated_node(generated, session.output) for generated in chosen]
     refuse(setup.wrong_option(nodes))
     report.add((*diagnostics, *setup.problems(nodes, session.params_path)), session.lines)
     return setup
-
-
-def _run_node(generated: Generated, output: Path) -> RunNode:
-    """Return what is known of a node from the files that it becomes."""
-    from plastron_tui.project.run_setup import run_node
-    from plastron_tui.targets import find_target, ros_version
-
-    node, library = generated.generation.node, generated.generation.library
-    target, path = find_target(library), generated.path(output)
-    if target is None or path is None or generated.files is None:
-        return run_node(node, ros_version(library), node.source)
-    files = generated.files.files
-    unit = target.language.read(path, files, library).source
-    if unit is not None and node.source is not None:
-        unit = unit.only(node.source.label)
-    text = files.main.decode("utf-8", "replace")
-    return run_node(node, ros_version(library), unit, text)
 
 
 def _environments(

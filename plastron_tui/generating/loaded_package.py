@@ -18,6 +18,7 @@ from plastron_tui.model.launches import Launch
 from plastron_tui.model.workspace import Node
 from plastron_tui.output.plan import OutputFile
 from plastron_tui.ros.interfaces import InterfaceKind
+from plastron_tui.ros.launch_names import launch_stem
 from plastron_tui.ros.package_keys import key_of_module
 from plastron_tui.sources import find_language
 from plastron_tui.sources.packages import (
@@ -160,11 +161,10 @@ class _Change:
         """Take out the launch files that the program takes out of the package."""
         back = [each.item.name for each in self.package.contents.values()]
         for file, span in self.package.removed_launches.items():
-            others = [each for each in self.source.launches if each != file]
             folder = file.partition("/")[0]
             # In CMake the folder is installed: with other files in it, it stays.
             is_shared = self.source.build_type != "ament_python" and any(
-                each.startswith(f"{folder}/") for each in others
+                each.startswith(f"{folder}/") for each in self.source.names - {file}
             )
             stays = self._remembered(file, _INSTALLED) is False or is_shared
             keys = self._added(file) or {}
@@ -172,7 +172,7 @@ class _Change:
                 self.source, self.texts, file, keys, is_installed_elsewhere=stays
             )
             name = file.rpartition("/")[2]
-            if self._take(changed, span) and name.partition(".launch")[0] not in back:
+            if self._take(changed, span) and launch_stem(name) not in back:
                 self.found.append(file_stays(self.source, file, span))
 
     def _remembered(self, file: str, what: str) -> object:

@@ -315,7 +315,7 @@ class ProgramPackages:
         self, launch: Launch, version: int, home: Package | None = None
     ) -> PackagedLaunch | Diagnostic:
         """Write a launch file into a package, None for none, or say what it cannot say."""
-        for problem in unwritable(launch, version, home):
+        for problem in unwritable(launch, version, home, self._workspace.packages):
             return problem
         launch = with_parameter_files(launch, home)
         name_and_text = self._name_and_text(launch, version)

@@ -68,16 +68,19 @@ def text_files(
     return made, notes
 
 
-def left_files(written: Iterable[str], folder: Folder) -> list[Diagnostic]:
+def left_files(written: Iterable[OutputFile], folder: Folder) -> list[Diagnostic]:
     """Tell the files of packages that an earlier run of the program wrote, and this one does not.
 
-    Such are those of a node or a launch file that has another name now.
+    Such are those of a node or a launch file that has another name now, and those of a node that
+    was in no package then.
 
     Args:
-        written: the files of this run, by the path in the output folder.
+        written: the files of this run that are in the output folder.
         folder: where they go.
     """
-    names = set(written)
+    files = list(written)
+    names = {each.name for each in files}
+    packaged = {_node_of(each.base or {}) for each in files if "/" in each.name} - {None}
     packages = {name.partition("/")[0] for name in names if "/" in name}
     return [
         Diagnostic(
@@ -89,11 +92,16 @@ def left_files(written: Iterable[str], folder: Folder) -> list[Diagnostic]:
         )
         for name, base in folder.manifest.bases.items()
         if name not in names
-        and "/" in name
-        and name.partition("/")[0] in packages
+        and (name.partition("/")[0] in packages if "/" in name else _node_of(base) in packaged)
         and base.get("program") == folder.program
         and on_disk(folder.output / name) is not None
     ]
+
+
+def _node_of(base: Mapping[str, object]) -> str | None:
+    """Return the name of the node that a file was made for, None for a file of another kind."""
+    node = base.get("node")
+    return node if isinstance(node, str) else None
 
 
 def _text_file(name: str, file: PackageFile, folder: Folder) -> tuple[OutputFile, list[Diagnostic]]:

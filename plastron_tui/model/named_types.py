@@ -94,7 +94,9 @@ class NamedTypes:
             raise Mistake(_not_in(own, version, where))
         later = self.explain(statement, text, kind, found)
         if later is not found:
-            raise Mistake(Diagnostic(later.code, later.message, where, help=later.help))
+            raise Mistake(
+                Diagnostic(later.code, later.message, where, help=later.help, labels=later.labels)
+            )
         remedy: str | None = self._elsewhere(text, kind, version)
         fix: Fix | None = None
         if remedy is None:

@@ -196,8 +196,8 @@ class Planner:
 
     def _left(self, files: Sequence[OutputFile], manifest: Manifest) -> list[Diagnostic]:
         """Tell the files of packages that the program has written, and writes no longer."""
-        written = [each.name for each in files if each.path is None]
-        if not any("/" in each for each in written):
+        written = [each for each in files if each.path is None]
+        if not any("/" in each.name for each in written):
             return []
         from plastron_tui.generating.text_files import Folder, left_files
 

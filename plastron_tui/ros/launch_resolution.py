@@ -1,7 +1,8 @@
 """What a launch file starts: nodes with their full names, as far as they can be known.
 
 Sources: the ROS wiki page "roslaunch/XML"; for ROS 2 `launch_ros`: `prefix_namespace` joins a
-namespace to the one around it unless it starts with `/`.
+namespace to the one around it unless it starts with `/`; `launch_ros.actions.Node` puts what
+`SetRemap` says before its own remaps. For ROS 1 `roslaunch.loader.LoaderContext.remap_args`.
 """
 
 from __future__ import annotations
@@ -9,7 +10,6 @@ from __future__ import annotations
 import os
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass, field, replace
-from typing import NamedTuple
 
 from .launch import (
     Argument,
@@ -23,7 +23,6 @@ from .launch import (
     Parameter,
     ParameterFile,
     ParameterValue,
-    Place,
     Remap,
     SetParameter,
     StartedNode,
@@ -31,6 +30,7 @@ from .launch import (
     Variable,
 )
 from .launch_inclusion import Including
+from .launch_started import Opened, Resolved, Settings, Started, Unresolved
 from .launch_text import Scope, Text
 from .launch_values import typed
 from .names import spelled
@@ -41,74 +41,6 @@ DEEPEST = 20
 
 MOST_NODES = 2000
 """How many nodes are resolved at most."""
-
-
-class Started(NamedTuple):
-    """A node that is started.
-
-    Attributes:
-        package: the package that has it.
-        executable: what starts it, or the class of a component.
-        name: its name, None where it has its own.
-        namespace: its namespace, such as `/front`; "" for the root.
-        remaps: names of its topics and services, and those that they get.
-        parameters: values of its parameters.
-        files: files with values of its parameters.
-        others: what else is said of it, by name.
-        container: the full name of the container that it runs in, None for a process of its own.
-        file: the launch file that starts it.
-        place: where that file does.
-    """
-
-    package: str
-    executable: str
-    name: str | None
-    namespace: str
-    remaps: tuple[tuple[str, str], ...] = ()
-    parameters: tuple[tuple[str, Setting], ...] = ()
-    files: tuple[str, ...] = ()
-    others: tuple[tuple[str, str], ...] = ()
-    container: str | None = None
-    file: str | None = None
-    place: Place | None = None
-
-    @property
-    def full_name(self) -> str | None:
-        """Its full name, None where it has its own."""
-        return None if self.name is None else f"{self.namespace}/{self.name}"
-
-
-class Unresolved(NamedTuple):
-    """Something that is left out, since it is not known before the file is started.
-
-    Attributes:
-        message: what, and why, for a person.
-        file: the launch file.
-        place: where it stands there.
-        is_wrong: whether the files cannot be started at all.
-    """
-
-    message: str
-    file: str | None
-    place: Place | None
-    is_wrong: bool = False
-
-
-class Resolved(NamedTuple):
-    """What a launch file starts, and what of it is not known."""
-
-    started: tuple[Started, ...]
-    unresolved: tuple[Unresolved, ...]
-
-
-class Opened(NamedTuple):
-    """A launch file that another one includes, and what it says; None where it is not read."""
-
-    launch: LaunchFile | None
-    ros_version: int
-    folder: str
-    reason: str = ""
-
 
 OpenInclude = Callable[[str], Opened]
 
@@ -127,7 +59,7 @@ class _State:
     around: tuple[Including, ...] = ()
     namespace: str = ""
     remaps: tuple[tuple[str, str], ...] = ()
-    parameters: tuple[tuple[str, Setting], ...] = ()
+    settings: Settings = ()
     given: frozenset[str] = field(default_factory=frozenset)
 
 
@@ -187,9 +119,9 @@ class _Resolution:
                     names = (spelled(pair[0]), spelled(pair[1]))
                     return replace(state, remaps=(*state.remaps, names))
                 self._tell(state, item, "a remap", old if pair[0] is None else new)
-            case SetParameter(parameter=ParameterValue() as parameter) if state.ros_version == 2:
-                found = self._parameters((parameter,), state, item)
-                return replace(state, parameters=(*state.parameters, *found))
+            case SetParameter(parameter=parameter) if state.ros_version == 2:
+                found = self._settings((parameter,), state, item)
+                return replace(state, settings=(*state.settings, *found))
             case StartedNode():
                 self._start(item, state, None)
             case Container():
@@ -236,9 +168,8 @@ class _Resolution:
             value(item.executable) or "",
             None if item.name is None else value(item.name) or None,
             namespace,
-            (*self._remaps(item, state), *state.remaps),
-            (*state.parameters, *self._parameters(item.parameters, state, item)),
-            tuple(self._files(item.parameters, state, item)),
+            self._remaps(item, state),
+            (*state.settings, *self._settings(item.parameters, state, item)),
             tuple((key, value(each) or "") for key, each in item.others),
             container,
             state.file,
@@ -247,41 +178,42 @@ class _Resolution:
         self.started.append(found)
         return found
 
-    def _remaps(self, item: StartedNode, state: _State) -> Iterable[tuple[str, str]]:
+    def _remaps(self, item: StartedNode, state: _State) -> tuple[tuple[str, str], ...]:
+        """Return the remaps of a node, the one that holds first.
+
+        In ROS 1 one that stands nearer to the node holds. ROS 2 has those around it before its
+        own on the command line, and takes the first that fits.
+        """
+        found = list(state.remaps)
         for old, new in item.remaps:
             pair = state.scope.value(old), state.scope.value(new)
             if pair[0] is None or pair[1] is None:
                 self._tell(state, item, "a remap", old if pair[0] is None else new)
             else:
-                yield spelled(pair[0]), spelled(pair[1])
+                found.append((spelled(pair[0]), spelled(pair[1])))
+        return tuple(found if state.ros_version == 2 else reversed(found))
 
-    def _parameters(
+    def _settings(
         self, parameters: Iterable[Parameter], state: _State, item: Item
-    ) -> Iterable[tuple[str, Setting]]:
-        found: list[tuple[str, Setting]] = []
+    ) -> Iterable[tuple[str, Setting] | str]:
         for each in parameters:
             if isinstance(each, ParameterFile):
+                file = self._value(each.file, state, item, "a parameter file")
+                if file is not None:
+                    yield file
                 continue
             name, value = state.scope.value(each.name), self._setting(each, state)
             if name is not None and value is not None:
-                found.append((name, value))
+                yield name, value
             else:
                 unknown = each.value if isinstance(each.value, Text) else each.name
                 self._tell(state, item, f"the parameter `{each.name}`", unknown)
-        return found
 
     def _setting(self, parameter: ParameterValue, state: _State) -> Setting | None:
         if not isinstance(parameter.value, Text):
             return parameter.value
         found = state.scope.value(parameter.value)
         return found if found is None or parameter.is_text else typed(found, state.ros_version)
-
-    def _files(self, parameters: Iterable[Parameter], state: _State, item: Item) -> Iterable[str]:
-        for each in parameters:
-            if isinstance(each, ParameterFile):
-                found = self._value(each.file, state, item, "a parameter file")
-                if found is not None:
-                    yield found
 
     def _container(self, item: Container, state: _State) -> None:
         name = None if item.target is None else state.scope.value(item.target)

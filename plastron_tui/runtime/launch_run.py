@@ -12,7 +12,8 @@ from typing import NamedTuple
 from plastron_tui.diagnostics import Diagnostic, Severity, Span, codes, did_you_mean
 from plastron_tui.import_path import command
 from plastron_tui.ros.launch import LaunchFile, Place
-from plastron_tui.ros.launch_resolution import Opened, Resolved, Started, resolve
+from plastron_tui.ros.launch_resolution import resolve
+from plastron_tui.ros.launch_started import Opened, Resolved, Started
 from plastron_tui.ros.launch_text import Scope
 from plastron_tui.ros.parameter_values import yaml_text
 from plastron_tui.sources.launch.reader import open_included
@@ -169,8 +170,8 @@ def _node(started: Started, environment: Environment, packages: Packages) -> Nod
 def ros_arguments_of(started: Started) -> tuple[str, ...]:
     """Return the arguments that give a node of ROS 2 its names and parameters.
 
-    Of two values for a parameter the later one holds, and those of the launch file itself come
-    behind those of files.
+    Of two values for a parameter the later one holds: `launch_ros` passes values and files in the
+    order in which they are written, too.
     """
     found: list[str] = []
     if started.name is not None:
@@ -179,10 +180,11 @@ def ros_arguments_of(started: Started) -> tuple[str, ...]:
         found += ("-r", f"__ns:={started.namespace}")
     for old, new in started.remaps:
         found += ("-r", f"{old}:={new}")
-    for file in started.files:
-        found += ("--params-file", file)
-    for name, value in started.parameters:
-        found += ("-p", f"{name}:={yaml_text(value)}")
+    for each in started.settings:
+        if isinstance(each, str):
+            found += ("--params-file", each)
+        else:
+            found += ("-p", f"{each[0]}:={yaml_text(each[1])}")
     return ("--ros-args", *found) if found else ()
 
 

@@ -2,8 +2,12 @@
 
 from __future__ import annotations
 
-from plastron_tui.ros.launch_resolution import Opened, Resolved, resolve
+import pytest
+
+from plastron_tui.ros.launch_resolution import resolve
+from plastron_tui.ros.launch_started import Opened, Resolved
 from plastron_tui.ros.launch_text import Scope
+from plastron_tui.ros.run_names import Remap, RunNames
 from plastron_tui.sources.launch.unresolved import warnings_of
 from plastron_tui.sources.launch.xml_reader import read_launch_xml
 
@@ -67,3 +71,36 @@ def test_files_that_include_each_other_come_to_an_end() -> None:
     found = resolve(launch, 2, Scope(), "a", open_include=lambda path: Opened(launch, 2, "", ""))
     assert len(found.started) == 2
     assert found.unresolved[-1].message == "`more.launch.xml` includes itself without end"
+
+
+OUTER, INNER, OWN = '{0}="s" to="outer"/>', '{0}="s" to="inner"/>', '{1}="s" to="own"/>'
+SAME = '{1}="/s" to="same"/>'
+
+
+@pytest.mark.parametrize(
+    ("outer", "inner", "own", "ros1", "ros2"),
+    [
+        (OUTER, "", "", "/outer", "/outer"),
+        (OUTER, INNER, "", "/inner", "/outer"),
+        (OUTER, INNER, OWN, "/own", "/outer"),
+        (OUTER, "", OWN, "/own", "/outer"),
+        ("", INNER, OWN, "/own", "/inner"),
+        ("", "", OWN, "/own", "/own"),
+        ("", "", OWN + SAME, "/same", "/own"),
+        (OUTER + INNER, "", "", "/inner", "/outer"),
+    ],
+)
+@pytest.mark.parametrize("ros_version", [1, 2])
+def test_one_of_several_remaps_holds(
+    outer: str, inner: str, own: str, ros1: str, ros2: str, ros_version: int
+) -> None:
+    around = "remap from" if ros_version == 1 else "set_remap from"
+    words = [each.format(f"<{around}", "<remap from") for each in (outer, inner, own)]
+    kind = "type" if ros_version == 1 else "exec"
+    node = f'<node pkg="demo" {kind}="a" name="a">{words[2]}</node>'
+    source = f"<launch>{words[0]}<group>{words[1]}{node}</group></launch>"
+    launch = read_launch_xml(source.encode(), ros_version=ros_version).launch
+    assert launch is not None
+    (started,) = resolve(launch, ros_version, Scope()).started
+    names = RunNames(started.namespace, tuple(Remap(*each) for each in started.remaps))
+    assert names.resolved("a", "s") == (ros1 if ros_version == 1 else ros2)
