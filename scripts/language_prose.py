@@ -205,7 +205,9 @@ else is installed, until a program makes a type of such a name, which a warning 
 
 Where no type has the fields that a message needs, a program makes one, and uses it from the next line
 on. Fields are written as in a definition file, with commas between them; behind `default` stands the
-value that a field has where none is given, behind `=` that of a constant:
+value that a field has where none is given, behind `=` that of a constant. The type of a field comes
+before its name, and says how large it is: `int32` and `float64`, where a parameter is an `int` or a
+`float`:
 
 ```plastron
 create_message_type WheelSpeed with float64 left, float64 right, string<=10 label default "none"
