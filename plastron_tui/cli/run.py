@@ -94,7 +94,7 @@ def command(
     from .run_launch import find_launch, run_launch, run_launch_of
 
     options = RunOptions(seconds, network, watch)
-    given = {"--namespace": namespace, "--remap": remaps, "--set": settings}
+    given: dict[str, object] = {"--namespace": namespace, "--remap": remaps, "--set": settings}
     if is_launch_file(file):
         given |= {"--output": output, "--target": target}
         run_launch(file, nodes, options, [name for name, value in given.items() if value])
