@@ -75,11 +75,14 @@ def command(
 ) -> None:
     """Write the nodes of a program and start them, all or those that are named.
 
+    Where a launch file of the program is named, the program is written, and what that says is
+    started.
+
     The nodes run with a ROS of their client library's: a sourced one, else the Python packages of
     the extra `ros2`, or Debian's rospy, for which a master is started where none answers. Ctrl-C
     stops everything. Exits with 1 when a node fails.
 
-    A launch file is started as it is; behind it stand its arguments, as NAME:=VALUE.
+    A launch file is started as it is. Behind one stand its arguments, as NAME:=VALUE.
     """
     from plastron_tui.project.run_setup import RunSetup
     from plastron_tui.ros.run_names import RunNames
@@ -88,18 +91,23 @@ def command(
     from plastron_tui.runtime.launch import run_nodes
     from plastron_tui.sources.launch.reader import is_launch_file
 
-    from .run_launch import run_launch
+    from .run_launch import find_launch, run_launch, run_launch_of
 
     options = RunOptions(seconds, network, watch)
+    given: dict[str, object] = {"--namespace": namespace, "--remap": remaps, "--set": settings}
     if is_launch_file(file):
-        given = {"--output": output, "--target": target, "--namespace": namespace,
-                 "--remap": remaps, "--set": settings}  # fmt: skip
+        given |= {"--output": output, "--target": target}
         run_launch(file, nodes, options, [name for name, value in given.items() if value])
         return
     report = Report()
     session = open_session(file, report, Options(target, output, is_writing=True))
     if session is None:
         finish(report)
+        return
+    launch = find_launch(session, nodes)
+    if launch is not None:
+        refused = [name for name, value in given.items() if value]
+        run_launch_of(session, launch, nodes, options, refused, report)
         return
     found = find_environments()
     setup = RunSetup(RunNames(namespace, remaps), settings)
@@ -123,7 +131,8 @@ def _prepare(
         return []
     made = session.generated()
     chosen = [generated for generated in made if _is_chosen(generated, names)]
-    unknown = _unknown_names(made, (*names, *setup.nodes))
+    launches = [each.name for each in session.workspace.launches.values()]
+    unknown = _unknown_names(made, (*names, *setup.nodes), launches)
     if not unknown:
         setup = _checked(session, setup, chosen, report)
     plan, diagnostics = session.plan_of(chosen)
@@ -137,6 +146,8 @@ def _prepare(
     for library, environment in environments.items():
         _tell(f"running {library} nodes on {environment.words}")
     show_plan(plan, only_changes=True)
+    if not names:
+        _hint(session)
 
     def again() -> Planned:
         return session.plan_of([each for each in session.generated() if _is_chosen(each, names)])
@@ -146,12 +157,22 @@ def _prepare(
     return nodes
 
 
+def _hint(session: Session) -> None:
+    """Say how a launch file of the program is started: nodes alone do not need it."""
+    for launch in session.workspace.launches.values():
+        if session.path is not None:
+            _tell(f"`plastron run {session.path.name} {launch.name}` starts the launch file")
+        return
+
+
 def _is_chosen(generated: Generated, names: Sequence[str]) -> bool:
     node = generated.generation.node
     return not names or node.name in names or node.variable in names
 
 
-def _unknown_names(made: Sequence[Generated], names: Sequence[str]) -> list[Diagnostic]:
+def _unknown_names(
+    made: Sequence[Generated], names: Sequence[str], launches: Sequence[str]
+) -> list[Diagnostic]:
     known = {
         name
         for generated in made
@@ -160,7 +181,7 @@ def _unknown_names(made: Sequence[Generated], names: Sequence[str]) -> list[Diag
     if not made:
         message = "the program generates no node, so there is nothing to run"
         return [Diagnostic(codes.NOTHING_TO_GENERATE, message)]
-    return unknown_nodes(dict.fromkeys(names), known, "generates")
+    return unknown_nodes(dict.fromkeys(names), known, "generates", launches)
 
 
 def _checked(

@@ -161,12 +161,7 @@ class _Change:
         """Take out the launch files that the program takes out of the package."""
         back = [each.item.name for each in self.package.contents.values()]
         for file, span in self.package.removed_launches.items():
-            folder = file.partition("/")[0]
-            # In CMake the folder is installed: with other files in it, it stays.
-            is_shared = self.source.build_type != "ament_python" and any(
-                each.startswith(f"{folder}/") for each in self.source.names - {file}
-            )
-            stays = self._remembered(file, _INSTALLED) is False or is_shared
+            stays = self._remembered(file, _INSTALLED) is False
             keys = self._added(file) or {}
             changed = remove_launch(
                 self.source, self.texts, file, keys, is_installed_elsewhere=stays

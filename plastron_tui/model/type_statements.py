@@ -60,10 +60,9 @@ def _check_hidden(run: Run, statement: Any, own: OwnType) -> None:
     version = run.checks.version(None)
     owner = own.package or run.types.own_package(version)
     candidates = run.setting.catalog(version).candidates(own.name, own.kind)
-    others = [each for each in candidates if each.package != owner]
-    if len(others) == 1:
-        message = f"`{own.name}` means this type from here on, and no longer `{others[0]}`"
-        help_ = f"choose another name, or write the other one as `{others[0]}`"
+    if len(candidates) == 1 and candidates[0].package != owner:
+        message = f"`{own.name}` means this type from here on, and no longer `{candidates[0]}`"
+        help_ = f"choose another name, or write the other one as `{candidates[0]}`"
         where = statement.span_of("type")
         run.report(statement, Diagnostic(codes.TYPE_HIDDEN, message, where, help=help_))
 

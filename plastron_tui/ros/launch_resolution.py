@@ -28,9 +28,10 @@ from .launch import (
     StartedNode,
     Unread,
     Variable,
+    joined,
 )
 from .launch_inclusion import Including
-from .launch_started import Opened, Resolved, Settings, Started, Unresolved
+from .launch_started import SHOWN, Opened, Resolved, Settings, Started, Unresolved
 from .launch_text import Scope, Text
 from .launch_values import typed
 from .names import spelled
@@ -112,7 +113,7 @@ class _Resolution:
             case Namespace(namespace=namespace):
                 pushed = self._value(namespace, state, item, "a namespace")
                 if pushed is not None:
-                    return replace(state, namespace=_joined(state.namespace, pushed))
+                    return replace(state, namespace=joined(state.namespace, pushed) or "")
             case Remap(old=old, new=new):
                 pair = state.scope.value(old), state.scope.value(new)
                 if pair[0] is not None and pair[1] is not None:
@@ -130,7 +131,7 @@ class _Resolution:
                 inner = self.go(item.items, state)
                 return state if item.is_scoped else inner
             case Include():
-                self._include(item, state)
+                return self._include(item, state)
             case Unread(what=what):
                 self._left_out(state, item, f"{what} is not understood, and left out")
             case _:
@@ -160,23 +161,33 @@ class _Resolution:
         if any(self._value(each, state, item, "a node") is None for each in names):
             return None
         value = state.scope.value
-        namespace = state.namespace
-        if item.namespace is not None:
-            namespace = _joined(namespace, value(item.namespace) or "")
         found = Started(
             value(item.package) or "",
             value(item.executable) or "",
             None if item.name is None else value(item.name) or None,
-            namespace,
+            self._within(item, state) or "",
             self._remaps(item, state),
             (*state.settings, *self._settings(item.parameters, state, item)),
-            tuple((key, value(each) or "") for key, each in item.others),
+            tuple(self._others(item, state)),
             container,
             state.file,
             item.place,
         )
         self.started.append(found)
         return found
+
+    def _within(self, item: StartedNode | Include, state: _State) -> str | None:
+        """Return the namespace of a node or an included file, None where it is not known."""
+        own = "" if item.namespace is None else state.scope.value(item.namespace)
+        return None if own is None else joined(state.namespace, own)
+
+    def _others(self, item: StartedNode, state: _State) -> Iterable[tuple[str, str]]:
+        for key, text in item.others:
+            found = state.scope.value(text)
+            if found is not None:
+                yield key, found
+            elif key not in SHOWN:
+                self._tell(state, item, f"`{key}`", text)
 
     def _remaps(self, item: StartedNode, state: _State) -> tuple[tuple[str, str], ...]:
         """Return the remaps of a node, the one that holds first.
@@ -216,7 +227,9 @@ class _Resolution:
         return found if found is None or parameter.is_text else typed(found, state.ros_version)
 
     def _container(self, item: Container, state: _State) -> None:
-        name = None if item.target is None else state.scope.value(item.target)
+        name = None if item.target is None else self._value(item.target, state, item, "a container")
+        if item.target is not None and name is None:
+            return
         if item.node is not None:
             started = self._start(replace(item.node, place=item.place), state, None)
             name = None if started is None else started.full_name
@@ -224,45 +237,63 @@ class _Resolution:
             if self._applies(component, state):
                 self._start(component, state, name or "")
 
-    def _include(self, item: Include, state: _State) -> None:
+    def _include(self, item: Include, state: _State) -> _State:
+        """Resolve an included file, and return what holds behind it.
+
+        In ROS 2 what the file sets holds there, too, as if it was written in the place of the
+        include: only groups end that.
+        """
         path = self._value(item.file, state, item, "an included file")
-        if path is None:
-            return
+        namespace, known = self._within(item, state), self._passed(item, state)
+        if namespace is None and item.namespace is not None:
+            self._tell(state, item, "an included file", item.namespace)
+        if path is None or namespace is None or known is None:
+            return state
         self._included += 1
         if len(state.around) >= DEEPEST or self._included > MOST_NODES:
             self._left_out(state, item, "the files include each other too often")
-            return
-        known = self._passed(item, state)
+            return state
         around = self._around(state)
         real = os.path.realpath(path)
         again = next((each for each in around if each.is_again(real, known)), None)
         if again is not None:
             self._endless(item, state, around[around.index(again) + 1 :], again)
-            return
+            return state
         opened = self._open(path)
         if opened.launch is None:
             self._left_out(state, item, f"`{path}` is left out: {opened.reason}")
-            return
-        namespace = state.namespace
-        if item.namespace is not None:
-            namespace = _joined(namespace, state.scope.value(item.namespace) or "")
-        scope = replace(state.scope, arguments=known, folder=opened.folder)
+            return state
         inner = replace(
             state,
-            scope=scope,
+            scope=replace(state.scope, arguments=known, folder=opened.folder),
             file=path,
             ros_version=opened.ros_version,
             around=around,
             namespace=namespace,
             given=frozenset(known),
         )
-        self.go(opened.launch.items, inner)
+        after = self.go(opened.launch.items, inner)
+        if state.ros_version == 1:
+            return state
+        return replace(
+            state,
+            scope=replace(state.scope, arguments=after.scope.arguments),
+            namespace=after.namespace,
+            remaps=after.remaps,
+            settings=after.settings,
+        )
 
-    def _passed(self, item: Include, state: _State) -> dict[str, str]:
-        """Return the arguments that an included file is given."""
-        is_all = dict(item.others).get("pass_all_args")
+    def _passed(self, item: Include, state: _State) -> dict[str, str] | None:
+        """Return the arguments that an included file is given, None where they are not known."""
         # In ROS 2 the arguments of a file are those of what it includes, too.
-        known = dict(state.scope.arguments) if state.ros_version == 2 or is_all else {}
+        is_all: bool | None = state.ros_version == 2
+        flag = dict(item.others).get("pass_all_args")
+        if flag is not None and state.ros_version == 1:
+            is_all = holds(Condition(flag), state.scope)
+            if is_all is None:
+                self._tell(state, item, "an included file", flag)
+                return None
+        known = dict(state.scope.arguments) if is_all else {}
         for name, text in item.arguments:
             value = self._value(text, state, item, f"the argument `{name}`")
             if value is not None:
@@ -305,9 +336,3 @@ def holds(condition: Condition, scope: Scope) -> bool | None:
     value = scope.value(condition.value)
     found = {"true": True, "1": True, "false": False, "0": False}.get((value or "").strip().lower())
     return None if value is None or found is None else found is not condition.is_negated
-
-
-def _joined(outer: str, inner: str) -> str:
-    parts = [part for part in inner.split("/") if part]
-    start = "" if inner.startswith("/") else outer
-    return start + "".join(f"/{part}" for part in parts)

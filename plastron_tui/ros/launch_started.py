@@ -7,6 +7,11 @@ from typing import NamedTuple
 from .launch import LaunchFile, Place
 from .parameters import Setting
 
+SHOWN = frozenset(("output", "emulate_tty", "exec_name", "respawn_delay", "sigterm_timeout",
+                   "sigkill_timeout"))  # fmt: skip
+"""What is said of a node and makes no difference to what runs: how its lines are shown, and how
+long it may take."""
+
 Settings = tuple[tuple[str, Setting] | str, ...]
 """Values of parameters by their names, and files with such, in the order that nodes get them."""
 

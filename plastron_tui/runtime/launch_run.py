@@ -13,7 +13,7 @@ from plastron_tui.diagnostics import Diagnostic, Severity, Span, codes, did_you_
 from plastron_tui.import_path import command
 from plastron_tui.ros.launch import LaunchFile, Place
 from plastron_tui.ros.launch_resolution import resolve
-from plastron_tui.ros.launch_started import Opened, Resolved, Started
+from plastron_tui.ros.launch_started import SHOWN, Opened, Resolved, Started
 from plastron_tui.ros.launch_text import Scope
 from plastron_tui.ros.parameter_values import yaml_text
 from plastron_tui.sources.launch.reader import open_included
@@ -25,9 +25,6 @@ from .launch import NodeFile
 from .launch_packages import Packages, find_packages
 from .source_interfaces import with_interfaces
 
-# What makes no difference to what runs: how a node's lines are shown, and how long it may take.
-_SHOWN = frozenset(("output", "emulate_tty", "exec_name", "respawn_delay", "sigterm_timeout",
-                    "sigkill_timeout"))  # fmt: skip
 _ARGUMENTS = ("args", "ros_args")
 
 _TIMES = ("--sigint-timeout=1.0", "--sigterm-timeout=0.5")
@@ -151,7 +148,7 @@ def _node(started: Started, environment: Environment, packages: Packages) -> Nod
                 words += shlex.split(value)
             except ValueError:
                 return wrong(f"`{key}` has a quote that is not closed")
-        elif key not in _SHOWN and not (key == "respawn" and value.lower() in ("false", "0")):
+        elif key not in SHOWN and not (key == "respawn" and value.lower() in ("false", "0")):
             return wrong(f"`run` does not do what `{key}` asks for")
     missing = next((each for each in started.files if not Path(each).is_file()), None)
     if missing is not None:
