@@ -292,16 +292,16 @@ class Session:
             nodes: the nodes.
             ros_version: the generation of ROS that they are for.
         """
-        types = self.workspace.types.values()
-        if not types:
+        if not self.workspace.types:
             return {}
+        from plastron_tui.generating.loaded_types import types_of_run
         from plastron_tui.generating.own_definitions import (
             own_definitions,
             rendered_definitions,
             used_packages,
         )
 
-        own = own_definitions(types, ros_version)
+        own = own_definitions(types_of_run(self.workspace, ros_version), ros_version)
         distribution = self.catalog(ros_version).distribution
         return {
             package: rendered_definitions(package, own, ros_version, distribution)

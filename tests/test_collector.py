@@ -5,6 +5,7 @@ from __future__ import annotations
 import ast
 import gc
 from collections.abc import Iterator
+from functools import cache
 from pathlib import Path
 
 import pytest
@@ -13,10 +14,15 @@ import plastron_tui
 from plastron_tui.session import Options, Session
 
 PACKAGE = Path(plastron_tui.__file__).parent
-FILES = {
-    path.relative_to(PACKAGE).as_posix(): ast.parse(path.read_bytes())
-    for path in PACKAGE.rglob("*.py")
-}
+
+
+# Not at the module's own start: each process that collects tests would do it.
+@cache
+def _files() -> dict[str, ast.Module]:
+    return {
+        path.relative_to(PACKAGE).as_posix(): ast.parse(path.read_bytes())
+        for path in PACKAGE.rglob("*.py")
+    }
 
 
 def _imported(tree: ast.AST) -> Iterator[str]:
@@ -29,12 +35,12 @@ def _imported(tree: ast.AST) -> Iterator[str]:
 
 
 def test_one_module_knows_the_collector() -> None:
-    assert [name for name, tree in FILES.items() if "gc" in _imported(tree)] == ["collector.py"]
+    assert [name for name, tree in _files().items() if "gc" in _imported(tree)] == ["collector.py"]
 
 
 def test_only_the_command_line_and_the_studio_tune_it() -> None:
     module = "plastron_tui.collector"
-    users = {name for name, tree in FILES.items() if module in _imported(tree)}
+    users = {name for name, tree in _files().items() if module in _imported(tree)}
     assert users
     assert {name.split("/")[0] for name in users} == {"cli", "studio"}
 

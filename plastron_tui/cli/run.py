@@ -221,6 +221,7 @@ def _complete(
     session: Session, nodes: Sequence[Node], environment: Environment, line: ProgressLine
 ) -> tuple[Environment, list[Diagnostic]]:
     """Return an environment with what the nodes' types are of, and why something is not there."""
+    from plastron_tui.generating.loaded_types import types_of_run
     from plastron_tui.ros.interfaces import InterfaceName
     from plastron_tui.runtime.builds import overlay
     from plastron_tui.runtime.interface_packages import complete
@@ -232,7 +233,7 @@ def _complete(
     named = {package.name for package in own}
     needed = {
         InterfaceName(field.type.package, field.type.name)
-        for type_ in session.workspace.types.values()
+        for type_ in types_of_run(session.workspace, version)
         if (definition := type_.definitions.get(version)) is not None
         and definition.interface.name.package in named
         for section in definition.interface.sections

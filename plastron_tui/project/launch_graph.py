@@ -15,7 +15,8 @@ from plastron_tui.model.loading import add_found
 from plastron_tui.model.source import LARGEST_FILE, SourceUnit
 from plastron_tui.model.workspace import Node, Workspace
 from plastron_tui.regular_files import read_regular, reason
-from plastron_tui.ros.launch_resolution import Opened, Started, resolve
+from plastron_tui.ros.launch_resolution import resolve
+from plastron_tui.ros.launch_started import Opened, Started
 from plastron_tui.ros.launch_text import Scope
 from plastron_tui.ros.run_names import Remap, RunNames
 from plastron_tui.sources.launch.around import own_package, packages_root

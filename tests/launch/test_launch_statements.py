@@ -122,6 +122,22 @@ def test_what_is_taken_back_leaves_nothing(statements: str) -> None:
 
 
 @pytest.mark.parametrize(
+    "packages, remedy",
+    [
+        ("", "make one, such as `create_package 'talker_demo' as demo`, and put it in: "
+         "`demo contains talker`"),
+        ("create_package 'rover' as rover\n", "put it into one: `rover contains talker`"),
+        ("create_package 'aa' as a\ncreate_package 'bb' as b\n",
+         "put it into one: `PACKAGE contains talker`"),
+    ],
+)  # fmt: skip
+def test_how_a_node_gets_into_a_package(packages: str, remedy: str) -> None:
+    text = f"{HEAD}{packages}bringup starts talker\ngenerate_launch bringup\n"
+    [found] = [each for each in Session(text.encode()).diagnostics if each.code == "in-no-package"]
+    assert found.help == remedy
+
+
+@pytest.mark.parametrize(
     "statements, wrong",
     [
         ("bringup starts talker as 'x'\ngenerate_launch bringup\n", "talker"),

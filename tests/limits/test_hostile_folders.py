@@ -5,6 +5,7 @@ from __future__ import annotations
 import base64
 import json
 import zlib
+from collections.abc import Callable
 from pathlib import Path
 
 import pytest
@@ -20,17 +21,22 @@ def _layers(count: int) -> bytes:
 
 
 _MANIFEST = '{{"generator": "plastron", "version": 3, "files": {}}}'
-MANIFESTS: dict[str, str | bytes] = {
-    "packed": _layers(16),
-    "lists": _MANIFEST.format("[" + "[]," * 10_000_000 + "[]]"),
-    "objects": _MANIFEST.format("[" + '{"a":0},' * 4_000_000 + "{}]"),
-    "texts": _MANIFEST.format('["' + '","'.join(f"{n:05d}" for n in range(100_000)) * 30 + '"]'),
-    "depth": "[" * 1_000_000,
-    "digits": _MANIFEST.format("9" * 1_000_000),
-    "files": _MANIFEST.format(
+# Made by the test that writes one: each process that collects tests would make all.
+MANIFESTS: dict[str, Callable[[], str | bytes]] = {
+    "packed": lambda: _layers(16),
+    "lists": lambda: _MANIFEST.format("[" + "[]," * 10_000_000 + "[]]"),
+    "objects": lambda: _MANIFEST.format("[" + '{"a":0},' * 4_000_000 + "{}]"),
+    "texts": lambda: _MANIFEST.format(
+        '["' + '","'.join(f"{n:05d}" for n in range(100_000)) * 30 + '"]'
+    ),
+    "depth": lambda: "[" * 1_000_000,
+    "digits": lambda: _MANIFEST.format("9" * 1_000_000),
+    "files": lambda: _MANIFEST.format(
         "{" + ",".join(f'"f{n}":{{"base":{{}}}}' for n in range(900_000)) + "}"
     ),
-    "base": _MANIFEST.format('{"talker_pub.py":{"base":' + '{"a":' * 900 + "1" + "}" * 901 + "}"),
+    "base": lambda: _MANIFEST.format(
+        '{"talker_pub.py":{"base":' + '{"a":' * 900 + "1" + "}" * 901 + "}"
+    ),
 }
 
 _QUICK = {"packed", "depth"}
@@ -41,7 +47,7 @@ def test_a_manifest_ends_with_a_diagnostic(attacker: Attacker, tmp_path: Path, n
     folder = tmp_path / "project"
     make_project(folder)
     attacker.run(folder, "generate", "p.plastron").check(0)
-    text = MANIFESTS[name]
+    text = MANIFESTS[name]()
     data = text.encode() if isinstance(text, str) else text
     (folder / "output/.plastron.json").write_bytes(data)
     for command in ("check p.plastron", "generate p.plastron"):

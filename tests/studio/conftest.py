@@ -6,6 +6,7 @@ from pathlib import Path
 
 import pytest
 from idle_loop import IdleLoop, wait_for_idle, wait_for_screen
+from shared_styles import parse_rules_once
 from studio_driver import PROGRAM
 
 
@@ -21,6 +22,12 @@ def waiting_for_events(monkeypatch: pytest.MonkeyPatch) -> None:
     for module in ("textual.app", "textual.pilot"):
         monkeypatch.setattr(f"{module}.wait_for_idle", wait_for_idle)
     monkeypatch.setattr("textual.pilot.Pilot._wait_for_screen", wait_for_screen)
+
+
+@pytest.fixture(autouse=True)
+def styles_parsed_once(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Let what one studio has read of its style sheets serve those that the next tests start."""
+    monkeypatch.setattr("textual.css.stylesheet.Stylesheet._parse_rules", parse_rules_once)
 
 
 @pytest.fixture(autouse=True)
