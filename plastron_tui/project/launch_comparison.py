@@ -14,7 +14,8 @@ from typing import NamedTuple
 from plastron_tui.diagnostics import Diagnostic, Severity, Span, codes
 from plastron_tui.output.manifest import NAME, load_manifest
 from plastron_tui.ros.launch import LaunchFile
-from plastron_tui.ros.launch_resolution import Opened, Started, resolve
+from plastron_tui.ros.launch_resolution import resolve
+from plastron_tui.ros.launch_started import Opened, Started
 from plastron_tui.ros.launch_text import Scope
 from plastron_tui.ros.parameter_values import yaml_text
 from plastron_tui.sources.launch.reader import read_launch

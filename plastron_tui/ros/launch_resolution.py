@@ -1,7 +1,8 @@
 """What a launch file starts: nodes with their full names, as far as they can be known.
 
 Sources: the ROS wiki page "roslaunch/XML"; for ROS 2 `launch_ros`: `prefix_namespace` joins a
-namespace to the one around it unless it starts with `/`.
+namespace to the one around it unless it starts with `/`; `launch_ros.actions.Node` puts what
+`SetRemap` says before its own remaps. For ROS 1 `roslaunch.loader.LoaderContext.remap_args`.
 """
 
 from __future__ import annotations
@@ -9,7 +10,6 @@ from __future__ import annotations
 import os
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass, field, replace
-from typing import NamedTuple
 
 from .launch import (
     Argument,
@@ -23,14 +23,15 @@ from .launch import (
     Parameter,
     ParameterFile,
     ParameterValue,
-    Place,
     Remap,
     SetParameter,
     StartedNode,
     Unread,
     Variable,
+    joined,
 )
 from .launch_inclusion import Including
+from .launch_started import SHOWN, Opened, Resolved, Settings, Started, Unresolved
 from .launch_text import Scope, Text
 from .launch_values import typed
 from .names import spelled
@@ -41,74 +42,6 @@ DEEPEST = 20
 
 MOST_NODES = 2000
 """How many nodes are resolved at most."""
-
-
-class Started(NamedTuple):
-    """A node that is started.
-
-    Attributes:
-        package: the package that has it.
-        executable: what starts it, or the class of a component.
-        name: its name, None where it has its own.
-        namespace: its namespace, such as `/front`; "" for the root.
-        remaps: names of its topics and services, and those that they get.
-        parameters: values of its parameters.
-        files: files with values of its parameters.
-        others: what else is said of it, by name.
-        container: the full name of the container that it runs in, None for a process of its own.
-        file: the launch file that starts it.
-        place: where that file does.
-    """
-
-    package: str
-    executable: str
-    name: str | None
-    namespace: str
-    remaps: tuple[tuple[str, str], ...] = ()
-    parameters: tuple[tuple[str, Setting], ...] = ()
-    files: tuple[str, ...] = ()
-    others: tuple[tuple[str, str], ...] = ()
-    container: str | None = None
-    file: str | None = None
-    place: Place | None = None
-
-    @property
-    def full_name(self) -> str | None:
-        """Its full name, None where it has its own."""
-        return None if self.name is None else f"{self.namespace}/{self.name}"
-
-
-class Unresolved(NamedTuple):
-    """Something that is left out, since it is not known before the file is started.
-
-    Attributes:
-        message: what, and why, for a person.
-        file: the launch file.
-        place: where it stands there.
-        is_wrong: whether the files cannot be started at all.
-    """
-
-    message: str
-    file: str | None
-    place: Place | None
-    is_wrong: bool = False
-
-
-class Resolved(NamedTuple):
-    """What a launch file starts, and what of it is not known."""
-
-    started: tuple[Started, ...]
-    unresolved: tuple[Unresolved, ...]
-
-
-class Opened(NamedTuple):
-    """A launch file that another one includes, and what it says; None where it is not read."""
-
-    launch: LaunchFile | None
-    ros_version: int
-    folder: str
-    reason: str = ""
-
 
 OpenInclude = Callable[[str], Opened]
 
@@ -127,7 +60,7 @@ class _State:
     around: tuple[Including, ...] = ()
     namespace: str = ""
     remaps: tuple[tuple[str, str], ...] = ()
-    parameters: tuple[tuple[str, Setting], ...] = ()
+    settings: Settings = ()
     given: frozenset[str] = field(default_factory=frozenset)
 
 
@@ -180,16 +113,16 @@ class _Resolution:
             case Namespace(namespace=namespace):
                 pushed = self._value(namespace, state, item, "a namespace")
                 if pushed is not None:
-                    return replace(state, namespace=_joined(state.namespace, pushed))
+                    return replace(state, namespace=joined(state.namespace, pushed) or "")
             case Remap(old=old, new=new):
                 pair = state.scope.value(old), state.scope.value(new)
                 if pair[0] is not None and pair[1] is not None:
                     names = (spelled(pair[0]), spelled(pair[1]))
                     return replace(state, remaps=(*state.remaps, names))
                 self._tell(state, item, "a remap", old if pair[0] is None else new)
-            case SetParameter(parameter=ParameterValue() as parameter) if state.ros_version == 2:
-                found = self._parameters((parameter,), state, item)
-                return replace(state, parameters=(*state.parameters, *found))
+            case SetParameter(parameter=parameter) if state.ros_version == 2:
+                found = self._settings((parameter,), state, item)
+                return replace(state, settings=(*state.settings, *found))
             case StartedNode():
                 self._start(item, state, None)
             case Container():
@@ -198,7 +131,7 @@ class _Resolution:
                 inner = self.go(item.items, state)
                 return state if item.is_scoped else inner
             case Include():
-                self._include(item, state)
+                return self._include(item, state)
             case Unread(what=what):
                 self._left_out(state, item, f"{what} is not understood, and left out")
             case _:
@@ -228,18 +161,14 @@ class _Resolution:
         if any(self._value(each, state, item, "a node") is None for each in names):
             return None
         value = state.scope.value
-        namespace = state.namespace
-        if item.namespace is not None:
-            namespace = _joined(namespace, value(item.namespace) or "")
         found = Started(
             value(item.package) or "",
             value(item.executable) or "",
             None if item.name is None else value(item.name) or None,
-            namespace,
-            (*self._remaps(item, state), *state.remaps),
-            (*state.parameters, *self._parameters(item.parameters, state, item)),
-            tuple(self._files(item.parameters, state, item)),
-            tuple((key, value(each) or "") for key, each in item.others),
+            self._within(item, state) or "",
+            self._remaps(item, state),
+            (*state.settings, *self._settings(item.parameters, state, item)),
+            tuple(self._others(item, state)),
             container,
             state.file,
             item.place,
@@ -247,28 +176,49 @@ class _Resolution:
         self.started.append(found)
         return found
 
-    def _remaps(self, item: StartedNode, state: _State) -> Iterable[tuple[str, str]]:
+    def _within(self, item: StartedNode | Include, state: _State) -> str | None:
+        """Return the namespace of a node or an included file, None where it is not known."""
+        own = "" if item.namespace is None else state.scope.value(item.namespace)
+        return None if own is None else joined(state.namespace, own)
+
+    def _others(self, item: StartedNode, state: _State) -> Iterable[tuple[str, str]]:
+        for key, text in item.others:
+            found = state.scope.value(text)
+            if found is not None:
+                yield key, found
+            elif key not in SHOWN:
+                self._tell(state, item, f"`{key}`", text)
+
+    def _remaps(self, item: StartedNode, state: _State) -> tuple[tuple[str, str], ...]:
+        """Return the remaps of a node, the one that holds first.
+
+        In ROS 1 one that stands nearer to the node holds. ROS 2 has those around it before its
+        own on the command line, and takes the first that fits.
+        """
+        found = list(state.remaps)
         for old, new in item.remaps:
             pair = state.scope.value(old), state.scope.value(new)
             if pair[0] is None or pair[1] is None:
                 self._tell(state, item, "a remap", old if pair[0] is None else new)
             else:
-                yield spelled(pair[0]), spelled(pair[1])
+                found.append((spelled(pair[0]), spelled(pair[1])))
+        return tuple(found if state.ros_version == 2 else reversed(found))
 
-    def _parameters(
+    def _settings(
         self, parameters: Iterable[Parameter], state: _State, item: Item
-    ) -> Iterable[tuple[str, Setting]]:
-        found: list[tuple[str, Setting]] = []
+    ) -> Iterable[tuple[str, Setting] | str]:
         for each in parameters:
             if isinstance(each, ParameterFile):
+                file = self._value(each.file, state, item, "a parameter file")
+                if file is not None:
+                    yield file
                 continue
             name, value = state.scope.value(each.name), self._setting(each, state)
             if name is not None and value is not None:
-                found.append((name, value))
+                yield name, value
             else:
                 unknown = each.value if isinstance(each.value, Text) else each.name
                 self._tell(state, item, f"the parameter `{each.name}`", unknown)
-        return found
 
     def _setting(self, parameter: ParameterValue, state: _State) -> Setting | None:
         if not isinstance(parameter.value, Text):
@@ -276,15 +226,10 @@ class _Resolution:
         found = state.scope.value(parameter.value)
         return found if found is None or parameter.is_text else typed(found, state.ros_version)
 
-    def _files(self, parameters: Iterable[Parameter], state: _State, item: Item) -> Iterable[str]:
-        for each in parameters:
-            if isinstance(each, ParameterFile):
-                found = self._value(each.file, state, item, "a parameter file")
-                if found is not None:
-                    yield found
-
     def _container(self, item: Container, state: _State) -> None:
-        name = None if item.target is None else state.scope.value(item.target)
+        name = None if item.target is None else self._value(item.target, state, item, "a container")
+        if item.target is not None and name is None:
+            return
         if item.node is not None:
             started = self._start(replace(item.node, place=item.place), state, None)
             name = None if started is None else started.full_name
@@ -292,45 +237,63 @@ class _Resolution:
             if self._applies(component, state):
                 self._start(component, state, name or "")
 
-    def _include(self, item: Include, state: _State) -> None:
+    def _include(self, item: Include, state: _State) -> _State:
+        """Resolve an included file, and return what holds behind it.
+
+        In ROS 2 what the file sets holds there, too, as if it was written in the place of the
+        include: only groups end that.
+        """
         path = self._value(item.file, state, item, "an included file")
-        if path is None:
-            return
+        namespace, known = self._within(item, state), self._passed(item, state)
+        if namespace is None and item.namespace is not None:
+            self._tell(state, item, "an included file", item.namespace)
+        if path is None or namespace is None or known is None:
+            return state
         self._included += 1
         if len(state.around) >= DEEPEST or self._included > MOST_NODES:
             self._left_out(state, item, "the files include each other too often")
-            return
-        known = self._passed(item, state)
+            return state
         around = self._around(state)
         real = os.path.realpath(path)
         again = next((each for each in around if each.is_again(real, known)), None)
         if again is not None:
             self._endless(item, state, around[around.index(again) + 1 :], again)
-            return
+            return state
         opened = self._open(path)
         if opened.launch is None:
             self._left_out(state, item, f"`{path}` is left out: {opened.reason}")
-            return
-        namespace = state.namespace
-        if item.namespace is not None:
-            namespace = _joined(namespace, state.scope.value(item.namespace) or "")
-        scope = replace(state.scope, arguments=known, folder=opened.folder)
+            return state
         inner = replace(
             state,
-            scope=scope,
+            scope=replace(state.scope, arguments=known, folder=opened.folder),
             file=path,
             ros_version=opened.ros_version,
             around=around,
             namespace=namespace,
             given=frozenset(known),
         )
-        self.go(opened.launch.items, inner)
+        after = self.go(opened.launch.items, inner)
+        if state.ros_version == 1:
+            return state
+        return replace(
+            state,
+            scope=replace(state.scope, arguments=after.scope.arguments),
+            namespace=after.namespace,
+            remaps=after.remaps,
+            settings=after.settings,
+        )
 
-    def _passed(self, item: Include, state: _State) -> dict[str, str]:
-        """Return the arguments that an included file is given."""
-        is_all = dict(item.others).get("pass_all_args")
+    def _passed(self, item: Include, state: _State) -> dict[str, str] | None:
+        """Return the arguments that an included file is given, None where they are not known."""
         # In ROS 2 the arguments of a file are those of what it includes, too.
-        known = dict(state.scope.arguments) if state.ros_version == 2 or is_all else {}
+        is_all: bool | None = state.ros_version == 2
+        flag = dict(item.others).get("pass_all_args")
+        if flag is not None and state.ros_version == 1:
+            is_all = holds(Condition(flag), state.scope)
+            if is_all is None:
+                self._tell(state, item, "an included file", flag)
+                return None
+        known = dict(state.scope.arguments) if is_all else {}
         for name, text in item.arguments:
             value = self._value(text, state, item, f"the argument `{name}`")
             if value is not None:
@@ -373,9 +336,3 @@ def holds(condition: Condition, scope: Scope) -> bool | None:
     value = scope.value(condition.value)
     found = {"true": True, "1": True, "false": False, "0": False}.get((value or "").strip().lower())
     return None if value is None or found is None else found is not condition.is_negated
-
-
-def _joined(outer: str, inner: str) -> str:
-    parts = [part for part in inner.split("/") if part]
-    start = "" if inner.startswith("/") else outer
-    return start + "".join(f"/{part}" for part in parts)

@@ -12,7 +12,8 @@ from typing import NamedTuple
 from plastron_tui.diagnostics import Diagnostic, Severity, Span, codes, did_you_mean
 from plastron_tui.import_path import command
 from plastron_tui.ros.launch import LaunchFile, Place
-from plastron_tui.ros.launch_resolution import Opened, Resolved, Started, resolve
+from plastron_tui.ros.launch_resolution import resolve
+from plastron_tui.ros.launch_started import SHOWN, Opened, Resolved, Started
 from plastron_tui.ros.launch_text import Scope
 from plastron_tui.ros.parameter_values import yaml_text
 from plastron_tui.sources.launch.reader import open_included
@@ -24,9 +25,6 @@ from .launch import NodeFile
 from .launch_packages import Packages, find_packages
 from .source_interfaces import with_interfaces
 
-# What makes no difference to what runs: how a node's lines are shown, and how long it may take.
-_SHOWN = frozenset(("output", "emulate_tty", "exec_name", "respawn_delay", "sigterm_timeout",
-                    "sigkill_timeout"))  # fmt: skip
 _ARGUMENTS = ("args", "ros_args")
 
 _TIMES = ("--sigint-timeout=1.0", "--sigterm-timeout=0.5")
@@ -150,7 +148,7 @@ def _node(started: Started, environment: Environment, packages: Packages) -> Nod
                 words += shlex.split(value)
             except ValueError:
                 return wrong(f"`{key}` has a quote that is not closed")
-        elif key not in _SHOWN and not (key == "respawn" and value.lower() in ("false", "0")):
+        elif key not in SHOWN and not (key == "respawn" and value.lower() in ("false", "0")):
             return wrong(f"`run` does not do what `{key}` asks for")
     missing = next((each for each in started.files if not Path(each).is_file()), None)
     if missing is not None:
@@ -169,8 +167,8 @@ def _node(started: Started, environment: Environment, packages: Packages) -> Nod
 def ros_arguments_of(started: Started) -> tuple[str, ...]:
     """Return the arguments that give a node of ROS 2 its names and parameters.
 
-    Of two values for a parameter the later one holds, and those of the launch file itself come
-    behind those of files.
+    Of two values for a parameter the later one holds: `launch_ros` passes values and files in the
+    order in which they are written, too.
     """
     found: list[str] = []
     if started.name is not None:
@@ -179,10 +177,11 @@ def ros_arguments_of(started: Started) -> tuple[str, ...]:
         found += ("-r", f"__ns:={started.namespace}")
     for old, new in started.remaps:
         found += ("-r", f"{old}:={new}")
-    for file in started.files:
-        found += ("--params-file", file)
-    for name, value in started.parameters:
-        found += ("-p", f"{name}:={yaml_text(value)}")
+    for each in started.settings:
+        if isinstance(each, str):
+            found += ("--params-file", each)
+        else:
+            found += ("-p", f"{each[0]}:={yaml_text(each[1])}")
     return ("--ros-args", *found) if found else ()
 
 

@@ -14,7 +14,12 @@ from loaded_packages import run as write_program
 from machine import find_ros, graph_environ, skip_or_fail, wait_until
 
 from plastron_tui.diagnostics import has_errors
+from plastron_tui.ros.launch_resolution import resolve
+from plastron_tui.ros.launch_text import Scope
+from plastron_tui.ros.run_names import Remap, RunNames
 from plastron_tui.runtime.environment import missing_packages
+from plastron_tui.runtime.launch_run import ros_arguments_of
+from plastron_tui.sources.launch.xml_reader import read_launch_xml
 
 pytestmark = pytest.mark.live
 
@@ -260,3 +265,58 @@ def _processes(folder: str) -> list[str]:
         if folder.encode() in words:
             found.append(str((each / "cmdline").read_bytes()))
     return found
+
+
+REMAPS = {
+    1: """<launch><remap from="s" to="outer"/><remap from="t" to="outer"/><group>
+<remap from="s" to="inner"/><remap from="u" to="inner"/>
+<node pkg="demo" type="a" name="a"><remap from="s" to="own"/><remap from="/u" to="own"/></node>
+</group></launch>""",
+    2: """<launch><set_remap from="s" to="outer"/><set_remap from="t" to="outer"/><group>
+<set_remap from="s" to="inner"/><set_remap from="u" to="inner"/>
+<node pkg="demo" exec="a" name="a"><remap from="s" to="own"/><remap from="/u" to="own"/></node>
+</group></launch>""",
+}
+ASK = {
+    1: """import sys
+from roslaunch.config import ROSLaunchConfig
+from roslaunch.xmlloader import XmlLoader
+from rospy.names import initialize_mappings, resolve_name
+from rosgraph.names import load_mappings
+import rospy.names
+config = ROSLaunchConfig()
+XmlLoader().load(sys.argv[1], config, verbose=False)
+words = [f"{old}:={new}" for old, new in config.nodes[0].remap_args]
+rospy.names._mappings = load_mappings(words)
+initialize_mappings("/a")
+print(*(resolve_name(name) and rospy.names.get_resolved_mappings().get(f"/{name}", f"/{name}")
+        for name in "stuv"))
+""",
+    2: """import sys
+import rclpy
+rclpy.init(args=sys.argv[2:])
+print(*map(rclpy.create_node("b").resolve_topic_name, "stuv"))
+""",
+}
+
+
+@pytest.mark.long
+@pytest.mark.parametrize("ros_version", [1, 2])
+def test_the_remap_that_holds_is_the_one_that_ros_takes(tmp_path: Path, ros_version: int) -> None:
+    environment = find_ros(ros_version)
+    if ros_version == 1 and missing_packages(environment, ["roslaunch"]):
+        skip_or_fail("roslaunch is not installed")
+    file, script = tmp_path / "a.launch", tmp_path / "ask.py"
+    file.write_text(REMAPS[ros_version])
+    script.write_text(ASK[ros_version])
+    launch = read_launch_xml(file.read_bytes(), file, ros_version).launch
+    assert launch is not None
+    (started,) = resolve(launch, ros_version, Scope()).started
+    names = RunNames(started.namespace, tuple(Remap(*each) for each in started.remaps))
+    asked = subprocess.run(
+        [str(environment.python), str(script), str(file), *ros_arguments_of(started)],
+        env=graph_environ(tmp_path),
+        capture_output=True,
+        text=True,
+    )
+    assert asked.stdout.split() == [names.resolved("a", name) for name in "stuv"], asked.stderr

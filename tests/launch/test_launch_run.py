@@ -85,6 +85,30 @@ def test_nodes_get_their_names_and_parameters(project: Path) -> None:
     )
 
 
+VALUE, FILE = '<param name="speed" value="1"/>', '<param from="{}/config/values.yaml"/>'
+
+
+@pytest.mark.parametrize(
+    ("around", "within", "expected"),
+    [
+        ("", FILE + VALUE, ["--params-file", "{}/config/values.yaml", "-p", "speed:=1"]),
+        ("", VALUE + FILE, ["-p", "speed:=1", "--params-file", "{}/config/values.yaml"]),
+        (
+            '<set_parameter name="speed" value="2"/>',
+            FILE + VALUE,
+            ["-p", "speed:=2", "--params-file", "{}/config/values.yaml", "-p", "speed:=1"],
+        ),
+    ],
+)
+def test_parameters_are_given_in_the_order_in_which_they_are_written(
+    project: Path, around: str, within: str, expected: list[str]
+) -> None:
+    demo = project / "src/demo"
+    words = f'{around}<node pkg="demo" exec="talker">{within.format(demo)}</node>'
+    arguments = _one(_prepared(project, words)).arguments
+    assert arguments == ("--ros-args", *(each.format(demo) for each in expected))
+
+
 @pytest.mark.parametrize(
     ("package", "executable", "command"),
     [

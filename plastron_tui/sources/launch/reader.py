@@ -7,7 +7,7 @@ from pathlib import Path
 
 from plastron_tui.regular_files import read_regular, reason
 from plastron_tui.ros.launch_names import launch_language
-from plastron_tui.ros.launch_resolution import Opened
+from plastron_tui.ros.launch_started import Opened
 
 from .python_reader import read_launch_python
 from .xml_reader import LaunchRead, read_launch_xml

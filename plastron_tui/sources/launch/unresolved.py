@@ -7,7 +7,7 @@ from pathlib import Path
 
 from plastron_tui.diagnostics import Diagnostic, Severity, Span, codes, did_you_mean
 from plastron_tui.ros.launch import Argument, LaunchFile, items_of
-from plastron_tui.ros.launch_resolution import Resolved
+from plastron_tui.ros.launch_started import Resolved
 
 
 def warnings_of(resolved: Resolved) -> tuple[Diagnostic, ...]:

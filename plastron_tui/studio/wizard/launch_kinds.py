@@ -162,8 +162,9 @@ class IncludedKind(Kind):
         """Return the one that is included, for one that is to be no longer."""
         if ask.form.declaration.undoes is not None:
             return next((each.text for each in reversed(self.choices(ask, ""))), "")
-        names = (each.name for each in ask.scene.session.workspace.packages.values())
-        return f"{next(names, 'my_robot')}/bringup.launch.xml"
+        # What the program's own packages have is known, and another file of them refused.
+        names = {each.name for each in ask.scene.workspace.packages.values()}
+        return f"{free_name('my_robot', names)}/bringup.launch.xml"
 
     def choices(self, ask: Ask, query: str) -> list[Choice]:
         """Return those that are included, for one that is to be no longer."""

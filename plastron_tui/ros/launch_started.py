@@ -1,0 +1,92 @@
+"""What comes of a launch file: the nodes that it starts, and what of it is not known."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+from .launch import LaunchFile, Place
+from .parameters import Setting
+
+SHOWN = frozenset(("output", "emulate_tty", "exec_name", "respawn_delay", "sigterm_timeout",
+                   "sigkill_timeout"))  # fmt: skip
+"""What is said of a node and makes no difference to what runs: how its lines are shown, and how
+long it may take."""
+
+Settings = tuple[tuple[str, Setting] | str, ...]
+"""Values of parameters by their names, and files with such, in the order that nodes get them."""
+
+
+class Started(NamedTuple):
+    """A node that is started.
+
+    Attributes:
+        package: the package that has it.
+        executable: what starts it, or the class of a component.
+        name: its name, None where it has its own.
+        namespace: its namespace, such as `/front`; "" for the root.
+        remaps: names of its topics and services, and those that they get; the first for a name
+            holds.
+        settings: values of its parameters, and files with such; of two for one, the later holds.
+        others: what else is said of it, by name.
+        container: the full name of the container that it runs in, None for a process of its own.
+        file: the launch file that starts it.
+        place: where that file does.
+    """
+
+    package: str
+    executable: str
+    name: str | None
+    namespace: str
+    remaps: tuple[tuple[str, str], ...] = ()
+    settings: Settings = ()
+    others: tuple[tuple[str, str], ...] = ()
+    container: str | None = None
+    file: str | None = None
+    place: Place | None = None
+
+    @property
+    def full_name(self) -> str | None:
+        """Its full name, None where it has its own."""
+        return None if self.name is None else f"{self.namespace}/{self.name}"
+
+    @property
+    def parameters(self) -> tuple[tuple[str, Setting], ...]:
+        """The values that the launch files themselves have for its parameters."""
+        return tuple(each for each in self.settings if not isinstance(each, str))
+
+    @property
+    def files(self) -> tuple[str, ...]:
+        """The files with values of its parameters."""
+        return tuple(each for each in self.settings if isinstance(each, str))
+
+
+class Unresolved(NamedTuple):
+    """Something that is left out, since it is not known before the file is started.
+
+    Attributes:
+        message: what, and why, for a person.
+        file: the launch file.
+        place: where it stands there.
+        is_wrong: whether the files cannot be started at all.
+    """
+
+    message: str
+    file: str | None
+    place: Place | None
+    is_wrong: bool = False
+
+
+class Resolved(NamedTuple):
+    """What a launch file starts, and what of it is not known."""
+
+    started: tuple[Started, ...]
+    unresolved: tuple[Unresolved, ...]
+
+
+class Opened(NamedTuple):
+    """A launch file that another one includes, and what it says; None where it is not read."""
+
+    launch: LaunchFile | None
+    ros_version: int
+    folder: str
+    reason: str = ""
