@@ -10,7 +10,7 @@ from ament_linters import findings
 from hypothesis import HealthCheck, Phase, given, settings
 from launch_files import launch_files
 
-from plastron_tui.ros.launch import Include, LaunchFile, StartedNode, Unread
+from plastron_tui.ros.launch import Include, LaunchFile, ParameterValue, StartedNode, Unread
 from plastron_tui.sources.launch.python_reader import read_launch_python
 from plastron_tui.targets.launch.python import write_python
 
@@ -56,8 +56,8 @@ def _read(body: str) -> list[str]:
     found = []
     for item in launch.items:
         if isinstance(item, StartedNode):
-            values = (f"{x.name}={getattr(x, 'value', '')}" for x in item.parameters
-                      if hasattr(x, "name"))  # fmt: skip
+            values = (f"{x.name}={x.value}" for x in item.parameters
+                      if isinstance(x, ParameterValue))  # fmt: skip
             found.append(" ".join((str(item.executable), *values)))
         elif isinstance(item, Include):
             arguments = (f"{name}={value}" for name, value in item.arguments)
