@@ -14,7 +14,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from plastron_tui.boundary import Boundary
-from plastron_tui.diagnostics import Diagnostic, LineIndex
+from plastron_tui.diagnostics import Diagnostic, LineIndex, has_errors
 from plastron_tui.language import Document, Program
 from plastron_tui.language.incremental_lowering import Lowered, lower_edited
 from plastron_tui.output.own_files import has_leftovers
@@ -23,6 +23,7 @@ from plastron_tui.project.planner import Planner, unwritten
 from plastron_tui.project.program_file import lines_of
 from plastron_tui.project.ros_choice import RosChoice
 from plastron_tui.project.settings import Project
+from plastron_tui.project.start_checks import start_problems
 from plastron_tui.targets import LIBRARIES
 
 if TYPE_CHECKING:
@@ -252,8 +253,11 @@ class Session:
         # The types are read when the program is interpreted.
         meaning = self.interpret().diagnostics
         missing = unwritten(self.workspace.generations)
+        starts = () if has_errors(meaning) else start_problems(
+            self.workspace, self.generate, self.output, self.library
+        )  # fmt: skip
         left = (each for problems in self._files.problems.values() for each in problems)
-        return (*self.project_problems, *meaning, *missing, *left, *self.type_problems)
+        return (*self.project_problems, *meaning, *starts, *missing, *left, *self.type_problems)
 
     def lines(self, file: Path | None) -> LineIndex | None:
         """Return the lines of a file that a diagnostic is about; None is the program."""
@@ -288,16 +292,16 @@ class Session:
             nodes: the nodes.
             ros_version: the generation of ROS that they are for.
         """
-        types = self.workspace.types.values()
-        if not types:
+        if not self.workspace.types:
             return {}
+        from plastron_tui.generating.loaded_types import types_of_run
         from plastron_tui.generating.own_definitions import (
             own_definitions,
             rendered_definitions,
             used_packages,
         )
 
-        own = own_definitions(types, ros_version)
+        own = own_definitions(types_of_run(self.workspace, ros_version), ros_version)
         distribution = self.catalog(ros_version).distribution
         return {
             package: rendered_definitions(package, own, ros_version, distribution)

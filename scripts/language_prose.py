@@ -188,7 +188,8 @@ rover/                      the program's folder
 
 `types` in `plastron.yaml` names other folders to look in instead. To run a node, ROS needs the package
 built and sourced; what the program itself makes `plastron run` builds. These bare names always mean the same, whatever
-else is installed, and all of them run ([how](commands.md#plastron-run)):
+else is installed, until a program makes a type of such a name, which a warning says; and all of them run
+([how](commands.md#plastron-run)):
 
 | name | ROS 1 | ROS 2 |
 |---|---|---|
@@ -204,7 +205,9 @@ else is installed, and all of them run ([how](commands.md#plastron-run)):
 
 Where no type has the fields that a message needs, a program makes one, and uses it from the next line
 on. Fields are written as in a definition file, with commas between them; behind `default` stands the
-value that a field has where none is given, behind `=` that of a constant:
+value that a field has where none is given, behind `=` that of a constant. The type of a field comes
+before its name, and says how large it is: `int32` and `float64`, where a parameter is an `int` or a
+`float`:
 
 ```plastron
 create_message_type WheelSpeed with float64 left, float64 right, string<=10 label default "none"
@@ -226,6 +229,10 @@ the program's file. `create_message_type rover_msgs/WheelSpeed with …` names a
 Where it names a package that the program creates, as in `create_message_type rover/WheelSpeed with …`,
 that package builds the type beside its nodes, in ROS 2 too: with `ament_cmake` and
 `ament_cmake_python`, and with its modules in the folder `rover_nodes`, since the types have `rover`.
+Where it names one that the program loads, or is of a loaded package of catkin, `generate_package` puts
+the definition there, and what builds it into `CMakeLists.txt` and `package.xml`. The interface package
+of a loaded package of ROS 2 is made in the output folder, with `--in-place` beside that package; where
+one is there already, load it too and write it with `generate_package`.
 
 `load_type 'msg/WheelSpeed.msg' as WheelSpeed` reads a definition that exists. `has_field` gives a type a
 field more, or one of its fields another type, and `no_longer_has_field` takes one away: every other byte
@@ -262,7 +269,9 @@ into its `package.xml`, `setup.py` or `CMakeLists.txt`, where each has its like;
 Plastron is not sure of, is refused with the line. The output folder gets the whole package, changed, so
 that it is built from there ([more](commands.md#packages-that-exist)); with `--in-place` it is changed
 where it is. `no_longer_contains` takes out what `contains` put in, to the byte; the file of the node stays,
-and a warning says so.
+and a warning says so, as one does where a launch file of the package starts the node still. To take out
+again what is gone already does nothing. A `CMakeLists.txt` is read with the extra `cmake`
+(`pip install 'plastron-tui[cmake]'`), which `./dev` brings.
 
 A launch file starts nodes, each with its name, namespace, other names for its topics, and parameters, and
 includes other launch files. It is XML in both generations of ROS; with `launch: python` in

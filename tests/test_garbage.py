@@ -87,6 +87,7 @@ def draw(_: Path) -> None:
         assert render(graph, format_)
 
 
+@pytest.mark.long
 @pytest.mark.parametrize(
     "work",
     [interpret, create, change, change_in_place, inspect, draw],

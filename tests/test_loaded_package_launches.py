@@ -5,7 +5,12 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
-from loaded_packages import KINDS, TALKER, lay, run, texts
+from loaded_packages import AMENT_CMAKE, KINDS, TALKER, lay, run, texts
+
+from plastron_tui.ros.launch_names import LAUNCH_ENDINGS
+from plastron_tui.sources.cmake.facts import covers, shared
+from plastron_tui.sources.cmake.reader import read_cmake
+from plastron_tui.sources.setup_py.reader import read_setup
 
 BRINGUP = "create_launch 'bringup' as bringup\nbringup starts 'other/eye'\n"
 WRITE = "demo contains bringup\ngenerate_package demo\n"
@@ -124,3 +129,70 @@ def test_a_parameter_file_has_to_be_in_the_loaded_package(place: str, tmp_path: 
         assert found == ()
         launch = texts(package)["launch/bringup.launch.xml"]
         assert b"$(find-pkg-share demo)/config/own.yaml" in launch
+
+
+INSTALLED = AMENT_CMAKE["CMakeLists.txt"].replace(
+    "ament_package()",
+    "install(DIRECTORY launch DESTINATION share/${PROJECT_NAME})\n\nament_package()",
+)
+OTHERS = ["y.launch.xml", "bringup_launch.py", "params.yaml", "robots/z.rviz"]
+
+
+@pytest.mark.parametrize("other", OTHERS)
+def test_the_folder_stays_installed_while_other_files_are_in_it(other: str, tmp_path: Path) -> None:
+    package = lay(
+        tmp_path,
+        {
+            **AMENT_CMAKE,
+            "CMakeLists.txt": INSTALLED,
+            "launch/x.launch.xml": "<launch/>\n",
+            f"launch/{other}": "",
+        },
+    )
+    before = texts(package)
+    told = run(OUT.replace("bringup", "x"), tmp_path, "rclpy", in_place=True)
+    assert [each.code for each in told] == ["file-stays"]
+    assert texts(package) == before
+
+
+@pytest.mark.parametrize("ending", LAUNCH_ENDINGS)
+def test_a_launch_file_is_taken_out_by_its_name(ending: str, tmp_path: Path) -> None:
+    package = lay(
+        tmp_path, {**AMENT_CMAKE, "CMakeLists.txt": INSTALLED, f"launch/bringup{ending}": ""}
+    )
+    told = run(OUT, tmp_path, "rclpy", in_place=True)
+    assert [each.code for each in told] == ["file-stays"]
+    assert texts(package)["CMakeLists.txt"].decode() == AMENT_CMAKE["CMakeLists.txt"]
+
+
+PLACES = {"x": "share/demo", "launch/x": "share/demo/launch", "launch/a/x": "share/demo/launch/a"}
+
+
+@pytest.mark.parametrize("kind", KINDS)
+@pytest.mark.parametrize("place", PLACES)
+def test_a_launch_file_is_installed_where_it_is_in_the_package(
+    place: str, kind: str, tmp_path: Path
+) -> None:
+    library, files = KINDS[kind]
+    file = f"{place}{'.launch' if library == 'rospy' else '.launch.xml'}"
+    package = lay(tmp_path, {**files, file: "<launch/>\n"})
+    before = texts(package)
+    program = f"load_package 'demo' as demo\nload_launch 'demo/{file}' as x\n"
+    assert (
+        run(f"{program}demo contains x\ngenerate_package demo\n", tmp_path, library, in_place=True)
+        == ()
+    )
+    after = texts(package)
+    if kind == "ament_python":
+        described = read_setup(after["setup.py"], package / "setup.py").setup
+        assert described is not None
+        assert [x.destination for x in described.data_files if x.covers(file)] == [PLACES[place]]
+    else:
+        lists = read_cmake(after["CMakeLists.txt"], package / "CMakeLists.txt").lists
+        assert lists is not None
+        assert [covers(x, file, PLACES[place]) for x in shared(lists)] == [True]
+        what, kinds = ("launch", "DIRECTORY") if "/" in place else (file, "FILES")
+        assert [(x.what, x.call.items[0].value) for x in shared(lists)] == [(what, kinds)]
+    told = run(OUT.replace("bringup", "x"), tmp_path, library, in_place=True)
+    assert [each.code for each in told] == ["file-stays"]
+    assert {**texts(package), "package.xml": b""} == {**before, "package.xml": b""}

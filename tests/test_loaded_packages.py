@@ -197,7 +197,6 @@ REFUSED = [
         IN.replace("contains talker", "contains talker as 'listener'"),
         *("already-contained", "line 12 of `setup.py`"),
     ),
-    (AMENT_PYTHON, OUT, "not-contained", "`talker`"),
     ({**CATKIN, "scripts/talker.py": "import os\n"}, IN, "other-ros", "is for ROS 1"),
 ]
 

@@ -5,7 +5,9 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
-from loaded_packages import AMENT_CMAKE, AMENT_PYTHON, CATKIN, IN, OUT, lay, run, texts
+from loaded_packages import AMENT_CMAKE, AMENT_PYTHON, CATKIN, IN, KINDS, OUT, lay, run, texts
+
+from plastron_tui.diagnostics import Severity
 
 _CMAKE_CALL = "install(PROGRAMS\n  nodes/listener.py\n  DESTINATION lib/${PROJECT_NAME}\n)\n"
 _CATKIN_CALL = """\
@@ -174,3 +176,48 @@ def test_what_an_earlier_run_put_in_place_is_written_in_place(program: str, tmp_
     help_ = "write over it with `--in-place`, as the run did that made it"
     assert (told.code, told.help) == ("already-contained", help_)
     assert run(changed, tmp_path, "rclpy", in_place=True) == ()
+
+
+LAUNCH = """\
+<launch>
+  <group>
+    <node pkg="demo" {0}="listener" name="ears"/>
+  </group>
+  <node pkg="other" {0}="listener" name="others"/>
+</launch>
+"""
+TAKEN = "load_launch 'demo/launch/a.launch.xml' as a\na no_longer_starts 'ears'\n"
+
+
+@pytest.mark.parametrize("kind", KINDS)
+def test_what_is_taken_out_is_not_taken_out_twice(kind: str, tmp_path: Path) -> None:
+    library, files = KINDS[kind]
+    package = lay(tmp_path, files)
+    program = OUT.replace("talker", "listener")
+    assert [each.code for each in run(program, tmp_path, library, in_place=True)] == ["file-stays"]
+    after = texts(package)
+    assert run(program, tmp_path, library, in_place=True) == ()
+    assert texts(package) == after
+    [stays] = package.rglob("listener.py")
+    stays.unlink()
+    told = run(program, tmp_path, library, in_place=True)
+    assert [(each.code, each.severity) for each in told] == [("not-contained", Severity.WARNING)]
+
+
+@pytest.mark.parametrize("in_place", [False, True])
+@pytest.mark.parametrize(
+    ("change", "told"),
+    [
+        ("", ["line 3 of `launch/a.launch.xml` starts `listener` still"]),
+        (f"{TAKEN}generate_launch a\n", []),
+        (f"{TAKEN}demo contains a\n", []),
+    ],
+)
+def test_a_launch_file_that_starts_what_is_taken_out_is_told(
+    change: str, told: list[str], in_place: bool, tmp_path: Path
+) -> None:
+    lay(tmp_path, {**AMENT_PYTHON, "launch/a.launch.xml": LAUNCH.format("exec")})
+    start, out, end = OUT.replace("talker", "listener").splitlines(keepends=True)
+    found = run(f"{start}{out}{change}{end}", tmp_path, "rclpy", in_place=in_place)
+    assert [each.message for each in found if each.code == "still-started"] == told
+    assert all(each.severity is Severity.WARNING and each.span is not None for each in found)

@@ -73,6 +73,7 @@ def replace_much(_: Path) -> Round:
     return replace
 
 
+@pytest.mark.long
 @pytest.mark.parametrize(
     "begin",
     [

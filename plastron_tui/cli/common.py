@@ -22,6 +22,8 @@ from plastron_tui.session import Options, Session
 from plastron_tui.sources import own_languages
 from plastron_tui.targets import LIBRARIES, PLANNED
 
+from .other_files import other_file
+
 if TYPE_CHECKING:
     from click.shell_completion import CompletionItem
 
@@ -187,7 +189,7 @@ def open_session(file: Path, report: Report, options: Options | None = None) -> 
         read = check_text(None, sys.stdin.buffer.read(LARGEST_PROGRAM + 1))
         path = None
     else:
-        refusal = _node_file(file)
+        refusal = other_file(file) or _node_file(file)
         read = read_program(file) if refusal is None else ProgramText(None, (refusal,))
         path = file
     if read.text is None:

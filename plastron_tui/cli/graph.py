@@ -14,6 +14,7 @@ from plastron_tui.model.graph import graph_of
 from plastron_tui.model.workspace import Workspace
 from plastron_tui.output.graphs import FORMATS, render
 from plastron_tui.project.run_setup import RunSetup, run_node
+from plastron_tui.ros.launch_names import launch_language
 from plastron_tui.ros.run_names import Remap, RunNames
 from plastron_tui.session import Options, Session
 from plastron_tui.targets import ros_version
@@ -72,7 +73,7 @@ def _launch_files(
     files: tuple[Path, ...],
 ) -> tuple[list[Path], dict[str, str], tuple[Path, ...]]:
     """Tell launch files, and `name:=value` for their arguments, from programs."""
-    launches = [each for each in files if each.name.endswith(LAUNCH_ENDINGS)]
+    launches = [each for each in files if launch_language(each.name)]
     if not launches:
         return [], {}, files
     given = [str(each).partition(":=") for each in files if ":=" in str(each)]
@@ -102,13 +103,6 @@ def _show_launch_files(
         if found.workspace is not None:
             print_text(render(graph_of(found.workspace), format_))
         report.add(found.diagnostics, lambda path: None if path is None else lines_of(path))
-
-
-LAUNCH_ENDINGS = (
-    *(".launch", ".launch.xml", ".launch.py", ".launch.yaml", ".launch.yml"),
-    *("_launch.xml", "_launch.py", "_launch.yaml", "_launch.yml"),
-)
-"""How the names of launch files end."""
 
 
 def _check(sessions: Iterable[Session], names: RunNames) -> list[Diagnostic]:

@@ -17,6 +17,7 @@ from plastron_tui.regular_files import read_named, reason
 from plastron_tui.targets import ros_version
 
 from .common import Report, finish, format_option, print_text
+from .other_files import other_file
 
 
 @click.command(epilog="Example: plastron inspect --format plastron scripts/driver.py")
@@ -56,6 +57,10 @@ def _read(file: Path, report: Report) -> SourceUnit | None:
         report.add([_program(file)], lambda _: None)
         return None
     loaded = read_node(file, with_others(file, text))
+    other = other_file(file, "a node file", codes.NO_NODE) if loaded.source is None else None
+    if other is not None:
+        report.add([other], lambda _: None)
+        return None
     report.add(loaded.diagnostics, lambda _: LineIndex(text), file)
     return loaded.source
 

@@ -27,7 +27,7 @@ from .run_options import namespace_option, refuse, remap_option, set_option, unk
 if TYPE_CHECKING:
     from plastron_tui.generating.generation import Generated
     from plastron_tui.model.workspace import Node
-    from plastron_tui.project.run_setup import RunNode, RunSetup
+    from plastron_tui.project.run_setup import RunSetup
     from plastron_tui.ros.parameter_values import Assignment
     from plastron_tui.ros.run_names import Remap
     from plastron_tui.runtime.build_progress import ProgressLine
@@ -75,11 +75,14 @@ def command(
 ) -> None:
     """Write the nodes of a program and start them, all or those that are named.
 
+    Where a launch file of the program is named, the program is written, and what that says is
+    started.
+
     The nodes run with a ROS of their client library's: a sourced one, else the Python packages of
     the extra `ros2`, or Debian's rospy, for which a master is started where none answers. Ctrl-C
     stops everything. Exits with 1 when a node fails.
 
-    A launch file is started as it is; behind it stand its arguments, as NAME:=VALUE.
+    A launch file is started as it is. Behind one stand its arguments, as NAME:=VALUE.
     """
     from plastron_tui.project.run_setup import RunSetup
     from plastron_tui.ros.run_names import RunNames
@@ -88,18 +91,23 @@ def command(
     from plastron_tui.runtime.launch import run_nodes
     from plastron_tui.sources.launch.reader import is_launch_file
 
-    from .run_launch import run_launch
+    from .run_launch import find_launch, run_launch, run_launch_of
 
     options = RunOptions(seconds, network, watch)
+    given: dict[str, object] = {"--namespace": namespace, "--remap": remaps, "--set": settings}
     if is_launch_file(file):
-        given = {"--output": output, "--target": target, "--namespace": namespace,
-                 "--remap": remaps, "--set": settings}  # fmt: skip
+        given |= {"--output": output, "--target": target}
         run_launch(file, nodes, options, [name for name, value in given.items() if value])
         return
     report = Report()
     session = open_session(file, report, Options(target, output, is_writing=True))
     if session is None:
         finish(report)
+        return
+    launch = find_launch(session, nodes)
+    if launch is not None:
+        refused = [name for name, value in given.items() if value]
+        run_launch_of(session, launch, nodes, options, refused, report)
         return
     found = find_environments()
     setup = RunSetup(RunNames(namespace, remaps), settings)
@@ -123,7 +131,8 @@ def _prepare(
         return []
     made = session.generated()
     chosen = [generated for generated in made if _is_chosen(generated, names)]
-    unknown = _unknown_names(made, (*names, *setup.nodes))
+    launches = [each.name for each in session.workspace.launches.values()]
+    unknown = _unknown_names(made, (*names, *setup.nodes), launches)
     if not unknown:
         setup = _checked(session, setup, chosen, report)
     plan, diagnostics = session.plan_of(chosen)
@@ -137,6 +146,8 @@ def _prepare(
     for library, environment in environments.items():
         _tell(f"running {library} nodes on {environment.words}")
     show_plan(plan, only_changes=True)
+    if not names:
+        _hint(session)
 
     def again() -> Planned:
         return session.plan_of([each for each in session.generated() if _is_chosen(each, names)])
@@ -146,12 +157,22 @@ def _prepare(
     return nodes
 
 
+def _hint(session: Session) -> None:
+    """Say how a launch file of the program is started: nodes alone do not need it."""
+    for launch in session.workspace.launches.values():
+        if session.path is not None:
+            _tell(f"`plastron run {session.path.name} {launch.name}` starts the launch file")
+        return
+
+
 def _is_chosen(generated: Generated, names: Sequence[str]) -> bool:
     node = generated.generation.node
     return not names or node.name in names or node.variable in names
 
 
-def _unknown_names(made: Sequence[Generated], names: Sequence[str]) -> list[Diagnostic]:
+def _unknown_names(
+    made: Sequence[Generated], names: Sequence[str], launches: Sequence[str]
+) -> list[Diagnostic]:
     known = {
         name
         for generated in made
@@ -160,36 +181,21 @@ def _unknown_names(made: Sequence[Generated], names: Sequence[str]) -> list[Diag
     if not made:
         message = "the program generates no node, so there is nothing to run"
         return [Diagnostic(codes.NOTHING_TO_GENERATE, message)]
-    return unknown_nodes(dict.fromkeys(names), known, "generates")
+    return unknown_nodes(dict.fromkeys(names), known, "generates", launches)
 
 
 def _checked(
     session: Session, setup: RunSetup, chosen: Sequence[Generated], report: Report
 ) -> RunSetup:
     """Return the setup with what the program's parameter file says; what is wrong is reported."""
+    from plastron_tui.project.run_setup import generated_node
+
     params, diagnostics = session.params()
     setup = setup._replace(params=params)
-    nodes = [_run_node(generated, session.output) for generated in chosen]
+    nodes = [generated_node(generated, session.output) for generated in chosen]
     refuse(setup.wrong_option(nodes))
     report.add((*diagnostics, *setup.problems(nodes, session.params_path)), session.lines)
     return setup
-
-
-def _run_node(generated: Generated, output: Path) -> RunNode:
-    """Return what is known of a node from the files that it becomes."""
-    from plastron_tui.project.run_setup import run_node
-    from plastron_tui.targets import find_target, ros_version
-
-    node, library = generated.generation.node, generated.generation.library
-    target, path = find_target(library), generated.path(output)
-    if target is None or path is None or generated.files is None:
-        return run_node(node, ros_version(library), node.source)
-    files = generated.files.files
-    unit = target.language.read(path, files, library).source
-    if unit is not None and node.source is not None:
-        unit = unit.only(node.source.label)
-    text = files.main.decode("utf-8", "replace")
-    return run_node(node, ros_version(library), unit, text)
 
 
 def _environments(
@@ -215,6 +221,7 @@ def _complete(
     session: Session, nodes: Sequence[Node], environment: Environment, line: ProgressLine
 ) -> tuple[Environment, list[Diagnostic]]:
     """Return an environment with what the nodes' types are of, and why something is not there."""
+    from plastron_tui.generating.loaded_types import types_of_run
     from plastron_tui.ros.interfaces import InterfaceName
     from plastron_tui.runtime.builds import overlay
     from plastron_tui.runtime.interface_packages import complete
@@ -226,7 +233,7 @@ def _complete(
     named = {package.name for package in own}
     needed = {
         InterfaceName(field.type.package, field.type.name)
-        for type_ in session.workspace.types.values()
+        for type_ in types_of_run(session.workspace, version)
         if (definition := type_.definitions.get(version)) is not None
         and definition.interface.name.package in named
         for section in definition.interface.sections

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import sys
 from collections.abc import Mapping, Sequence
-from pathlib import Path
+from pathlib import Path, PurePath
 from typing import TYPE_CHECKING
 
 import click
@@ -17,11 +17,92 @@ from .run_options import refuse
 
 if TYPE_CHECKING:
     from plastron_tui.diagnostics import LineIndex
+    from plastron_tui.model.launches import Launch
+    from plastron_tui.output.plan import FilePlan
     from plastron_tui.runtime.launch import Options
+    from plastron_tui.session import Session
     from plastron_tui.sources.launch.xml_reader import LaunchRead
 
 
-def run_launch(file: Path, words: Sequence[str], options: Options, others: Sequence[str]) -> None:
+def find_launch(session: Session, names: Sequence[str]) -> Launch | None:
+    """Return the launch file of a program that is named, None where the names are of nodes.
+
+    A node goes before a launch file of its name.
+    """
+    workspace = session.workspace
+    nodes = {word for each in workspace.nodes.values() for word in (each.name, each.variable)}
+    for launch in workspace.launches.values():
+        if any(name in (launch.name, launch.variable) and name not in nodes for name in names):
+            return launch
+    return None
+
+
+def run_launch_of(
+    session: Session,
+    launch: Launch,
+    names: Sequence[str],
+    options: Options,
+    others: Sequence[str],
+    report: Report,
+) -> None:
+    """Write a program, and start what one of its launch files says.
+
+    Args:
+        session: the program.
+        launch: the launch file.
+        names: the launch file's name, and arguments as `NAME:=VALUE`.
+        options: how to run.
+        others: options that were given, and that say nothing to a launch file.
+        report: where to say what is wrong.
+    """
+    from .generate import show_plan, write_plan
+
+    rest = [each for each in names if each not in (launch.name, launch.variable)]
+    words = [each for each in rest if ":=" in each[1:]]
+    if len(words) < len(rest):
+        other = next(each for each in rest if each not in words)
+        refuse(f"`{launch.name}` is a launch file, and is started without `{other}`")
+    refuse(_wrong_usage(words, others))
+    report.add(session.diagnostics, session.lines, session.path)
+    if not report.status:
+        plan, diagnostics = session.plan()
+        report.add(diagnostics, session.lines, session.path)
+        file = _written(session, launch, plan)
+        if not report.status and file is None:
+            message = f"the program does not write `{launch.name}`"
+            remedy = f"add `generate_launch {launch.variable}`, or generate the package that has it"
+            found = Diagnostic(codes.NOTHING_TO_GENERATE, message, launch.span, help=remedy)
+            report.add([found], session.lines, session.path)
+        if not report.status and file is not None:
+            show_plan(plan, only_changes=True)
+            if write_plan(plan, session, report):
+                run_launch(file, words, options, (), report)
+                return
+    finish(report)
+
+
+def _written(session: Session, launch: Launch, plan: FilePlan) -> Path | None:
+    """Return where a program writes a launch file, None where it does not."""
+    if launch.source is not None:
+        files = {launch.source.path.name}
+    else:
+        files = {f"{launch.name}{ending}" for ending in (".launch.xml", ".launch.py", ".launch")}
+    packages = session.workspace.packages.values()
+    homes = {each.name for each in packages if launch.variable in each.contents}
+    found = [each for each in plan.files if PurePath(each.name).name in files]
+    for each in found:
+        if PurePath(each.name).parts[0] in homes:
+            return each.path
+    return found[0].path if found and not homes else None
+
+
+def run_launch(
+    file: Path,
+    words: Sequence[str],
+    options: Options,
+    others: Sequence[str],
+    report: Report | None = None,
+) -> None:
     """Start what a launch file says, until it has ended or is stopped.
 
     Args:
@@ -29,6 +110,7 @@ def run_launch(file: Path, words: Sequence[str], options: Options, others: Seque
         words: the arguments, as `NAME:=VALUE`.
         options: how to run.
         others: options of programs that were given, and that say nothing to a launch file.
+        report: where to say what is wrong, None for one of its own.
     """
     from plastron_tui.regular_files import read_regular, reason
     from plastron_tui.runtime.build_progress import ProgressLine
@@ -37,7 +119,7 @@ def run_launch(file: Path, words: Sequence[str], options: Options, others: Seque
     from plastron_tui.runtime.launch_run import prepare
     from plastron_tui.sources.launch.reader import LARGEST, read_launch
 
-    report = Report()
+    report = report or Report()
     refuse(_wrong_usage(words, others))
     try:
         source = read_regular(file, LARGEST)

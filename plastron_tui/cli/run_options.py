@@ -70,14 +70,23 @@ set_option = click.option(
 )
 
 
-def unknown_nodes(names: Iterable[str], known: Iterable[str], verb: str) -> list[Diagnostic]:
-    """Return a diagnostic for each name that is no node's; `verb` is what a program does."""
+def unknown_nodes(
+    names: Iterable[str], known: Iterable[str], verb: str, others: Iterable[str] = ()
+) -> list[Diagnostic]:
+    """Return a diagnostic for each name that is no node's.
+
+    Args:
+        names: the names.
+        known: those of nodes.
+        verb: what a program does with a node.
+        others: what may be meant besides.
+    """
     there = set(known)
     return [
         Diagnostic(
             codes.UNKNOWN_NODE,
             f"the program {verb} no node `{name}`",
-            help=did_you_mean(name, there),
+            help=did_you_mean(name, (*there, *others)),
         )
         for name in names
         if name not in there

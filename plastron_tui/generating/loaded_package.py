@@ -7,7 +7,7 @@ already is not added again, and what is not there is not taken out. So no layers
 from __future__ import annotations
 
 import os
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, NamedTuple
@@ -18,11 +18,13 @@ from plastron_tui.model.launches import Launch
 from plastron_tui.model.workspace import Node
 from plastron_tui.output.plan import OutputFile
 from plastron_tui.ros.interfaces import InterfaceKind
+from plastron_tui.ros.launch_names import launch_stem
 from plastron_tui.ros.package_keys import key_of_module
 from plastron_tui.sources import find_language
 from plastron_tui.sources.packages import (
     PACKAGE_XML,
     Changed,
+    add_definition,
     add_launch,
     add_node,
     finds_scripts,
@@ -30,12 +32,16 @@ from plastron_tui.sources.packages import (
     remove_executable,
     remove_launch,
 )
-from plastron_tui.targets.packages.dependencies import dependencies_of
+from plastron_tui.targets.packages.dependencies import dependencies_of, needs_of_definitions
 from plastron_tui.targets.packages.spec import BuildType, PackagedLaunch, PackagedNode, PackageSpec
 
 from .launch_files import is_within, name_within
+from .loaded_notes import file_stays, script_elsewhere
+from .own_definitions import own_definitions
+from .text_files import entry_of
 
 if TYPE_CHECKING:
+    from plastron_tui.model.own_types import OwnType
     from plastron_tui.model.package_source import PackageSource
     from plastron_tui.model.packages import Contained, Package
     from plastron_tui.output.manifest import Manifest
@@ -52,6 +58,7 @@ _INSTALLED = "installed"
 """Whether it was with a node's or a launch file that the package began to install it."""
 
 _LAUNCH = "launch"
+_DEFINITIONS = tuple(f".{each.value}" for each in InterfaceKind)
 _NO_LAUNCHES: Mapping[str, PackagedLaunch] = {}
 
 
@@ -76,6 +83,7 @@ def loaded_package_files(
     output: Path,
     manifest: Manifest,
     launches: Mapping[str, PackagedLaunch] = _NO_LAUNCHES,
+    types: Iterable[OwnType] = (),
     *,
     in_place: bool,
 ) -> LoadedFiles:
@@ -88,6 +96,7 @@ def loaded_package_files(
         output: the output folder, which gets the changed and the new files.
         manifest: what is remembered of its files.
         launches: the launch files that it contains, by variable.
+        types: the types that the program makes for it.
         in_place: whether they are written where the package is instead.
     """
     source = package.source
@@ -95,6 +104,8 @@ def loaded_package_files(
     work = _Change(package, source, libraries, output, manifest, in_place, dict(source.texts))
     work.take_out()
     work.take_out_launches()
+    for own in types:
+        work.put_type(own)
     by_variable = {each.generation.node.variable: each for each in made}
     for variable, contained in package.contents.items():
         generated = by_variable.get(variable)
@@ -143,38 +154,21 @@ class _Change:
                 continue
             is_back = any(each.name == name for each in self.package.contents.values())
             if file in self.source.texts and not is_back:
-                self.found.append(self._stays(name, file, span, was_there))
-
-    def _stays(self, name: str, file: str, span: Span, was_there: bool) -> Diagnostic:
-        """Tell that the file of an executable stays, and what installs it still."""
-        message = f"`{file}` of `{self.source.name}` stays where it is"
-        if was_there:
-            known = self.source.executables[name]
-            message += f", and line {known.line} of `{known.where}`, which was there before the "
-            message += "node, installs it"
-        help_ = "remove it by hand if nothing else needs it"
-        return Diagnostic(codes.FILE_STAYS, message, span, help=help_)
+                installed = self.source.executables[name] if was_there else None
+                self.found.append(file_stays(self.source, file, span, installed))
 
     def take_out_launches(self) -> None:
         """Take out the launch files that the program takes out of the package."""
         back = [each.item.name for each in self.package.contents.values()]
         for file, span in self.package.removed_launches.items():
-            others = [each for each in self.source.launches if each != file]
-            folder = file.partition("/")[0]
-            # In CMake the folder is installed: with other files in it, it stays.
-            is_shared = self.source.build_type != "ament_python" and any(
-                each.startswith(f"{folder}/") for each in others
-            )
-            stays = self._remembered(file, _INSTALLED) is False or is_shared
+            stays = self._remembered(file, _INSTALLED) is False
             keys = self._added(file) or {}
             changed = remove_launch(
                 self.source, self.texts, file, keys, is_installed_elsewhere=stays
             )
             name = file.rpartition("/")[2]
-            if self._take(changed, span) and name.partition(".launch")[0] not in back:
-                message = f"`{file}` of `{self.source.name}` stays where it is"
-                help_ = "remove it by hand if nothing else needs it"
-                self.found.append(Diagnostic(codes.FILE_STAYS, message, span, help=help_))
+            if self._take(changed, span) and launch_stem(name) not in back:
+                self.found.append(file_stays(self.source, file, span))
 
     def _remembered(self, file: str, what: str) -> object:
         """Return what the manifest has of a file, None where nothing tells."""
@@ -224,7 +218,7 @@ class _Change:
         before = self.texts
         changed = add_node(self.source, before, contained.name, file, keys)
         if self._take(changed, contained.span) and not finds_scripts(self.source):
-            self.found.append(self._elsewhere(contained))
+            self.found.append(script_elsewhere(self.source, contained))
         is_new = self._begins_to_install(before, file)
         for each in generated.files.output_files():
             base = None if each.base is None else {**each.base, _INSTALLED: is_new}
@@ -235,12 +229,25 @@ class _Change:
         is_new = any(before[name] != self.texts[name] for name in before if name != PACKAGE_XML)
         return is_new or (self._remembered(file, _INSTALLED) is True and self._is_own(file))
 
-    def _elsewhere(self, contained: Contained) -> Diagnostic:
-        message = (
-            f"`ros2 run {self.source.name} {contained.name}` does not find it: it goes to `bin`"
-        )
-        help_ = f"`install_scripts=$base/lib/{self.source.name}` below `[install]` of `setup.cfg`"
-        return Diagnostic(codes.SCRIPT_ELSEWHERE, message, contained.span, help=help_)
+    def put_type(self, own: OwnType) -> None:
+        """Put a type into the package, which builds it."""
+        [definition] = own_definitions([own], self.source.ros_version)[self.source.name]
+        file = definition.path
+        known = self.source.texts.get(file)
+        if known not in (None, definition.text) and not self._is_own(file):
+            help_ = f"change it where it is: `load_type '…/{file}' as {own.name}`"
+            taken = self._taken(file, own.span, help_)
+            self.found.append(taken._replace(code=codes.TYPE_EXISTS))
+            return
+        spec = PackageSpec(self.source.name, self.source.ros_version, definitions=(definition,))
+        needs = needs_of_definitions(spec)
+        if self._take(add_definition(self.source, self.texts, file, sorted(needs)), own.span):
+            self.texts.pop(file, None)
+            made = OutputFile(f"{self.source.name}/{file}", definition.text, is_executable=False)
+            if self._is_in_place(file):
+                path, entry = self.source.folder / file, self._entry(file)
+                made = replace(made, path=path, entry=entry)
+            self.written.append(made)
 
     def put_launch(self, contained: Contained, item: Launch, launch: PackagedLaunch) -> None:
         """Put a launch file into the package's folder `launch`, or leave it where it is in it."""
@@ -325,7 +332,7 @@ class _Change:
 
     def _entry(self, file: str) -> str:
         """Return what the manifest calls a file that is written where the package is."""
-        return os.path.relpath(self.source.folder / file, self.output).replace(os.sep, "/")
+        return entry_of(self.source.folder / file, self.output)
 
     def _added(self, file: str) -> Mapping[str, bool] | None:
         """Return the dependencies that came with a file, None where nothing tells.
@@ -366,6 +373,8 @@ class _Change:
             # copied has a base.
             there, manifest = f"{self.source.name}/{name}", self.manifest
             is_left = not is_over and there in manifest and there not in manifest.bases
+            # What becomes of a definition that is there is said by who loads it.
+            is_left = is_left and not name.endswith(_DEFINITIONS)
             if text == before and not is_left:
                 continue
             found.append(

@@ -32,10 +32,13 @@ from plastron_tui.targets.packages.spec import (
 )
 
 from .launch_files import edited_launch, is_within, launch_output, name_within, packages_of
+from .loaded_types import refused_types
 from .own_definitions import Packaged, own_definitions, rendered_definitions, used_packages
 from .package_spec import package_spec
 
 if TYPE_CHECKING:
+    from pathlib import Path
+
     from plastron_tui.diagnostics import Span
     from plastron_tui.model.packages import Package
     from plastron_tui.output.plan import OutputFile
@@ -75,6 +78,7 @@ class ProgramPackages:
         made: Sequence[Generated],
         library_of: Callable[[str], Library | None],
         default: str,
+        is_own: Callable[[Path], bool] = lambda _: False,
         *,
         python_launch: bool = False,
     ) -> None:
@@ -85,10 +89,12 @@ class ProgramPackages:
             made: the files of its nodes.
             library_of: gives a client library by its name, None for one that nothing writes.
             default: the client library of what no node tells the ROS of.
+            is_own: tells whether an earlier run wrote a file.
             python_launch: whether launch files of ROS 2 are written in Python.
         """
         self._workspace = workspace
         self._made = made
+        self._is_own = is_own
         self._python_launch = python_launch
         names = dict.fromkeys((*(each.generation.library for each in made), default))
         found = {name: library_of(name) for name in names}
@@ -179,7 +185,8 @@ class ProgramPackages:
     def _definitions_alone(self) -> Iterator[Made]:
         """Yield the packages of types that nodes use, or that are asked for, and no package has."""
         assert self._default is not None
-        have = {each.package.name for each in self._workspace.written_packages}
+        written = {each.package.name: each.package for each in self._workspace.written_packages}
+        have = {name for name, each in written.items() if each.source is None}
         have |= {interfaces_name(name) for name in have}
         versions = {each.target.ros_version: each for each in self._libraries.values()}
         for version, library in versions.items():
@@ -197,6 +204,11 @@ class ProgramPackages:
                     if asked is not None and asked.interface.name.package in own:
                         wanted[asked.interface.name.package] = None
             for package in (each for each in wanted if each not in have):
+                if (
+                    refused := refused_types(self._workspace, package, version, self._is_own)
+                ) is not None:
+                    yield Made({}, refused)
+                    continue
                 rendered = rendered_definitions(package, own, version, library.catalog.distribution)
                 files = rendered.files or {}
                 yield Made({f"{package}/{path}": file for path, file in files.items()})
@@ -303,7 +315,7 @@ class ProgramPackages:
         self, launch: Launch, version: int, home: Package | None = None
     ) -> PackagedLaunch | Diagnostic:
         """Write a launch file into a package, None for none, or say what it cannot say."""
-        for problem in unwritable(launch, version, home):
+        for problem in unwritable(launch, version, home, self._workspace.packages):
             return problem
         launch = with_parameter_files(launch, home)
         name_and_text = self._name_and_text(launch, version)

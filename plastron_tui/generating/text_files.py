@@ -6,6 +6,7 @@ merged three ways, and what both sides changed is a conflict.
 
 from __future__ import annotations
 
+import os
 from collections.abc import Iterable, Mapping
 from dataclasses import replace
 from pathlib import Path
@@ -20,6 +21,12 @@ from plastron_tui.targets.packages.spec import PackageFile
 from .user_edits import kept_handwork, of_other_program, on_disk, unmergeable
 
 _TEXT = "text"
+_NOWHERE_ELSE: Mapping[str, Path] = {}
+
+
+def entry_of(path: Path, output: Path) -> str:
+    """Return what the manifest of an output folder calls a file that is elsewhere."""
+    return os.path.relpath(path, output).replace(os.sep, "/")
 
 
 class Folder(NamedTuple):
@@ -39,33 +46,41 @@ class Folder(NamedTuple):
 
 
 def text_files(
-    files: Mapping[str, PackageFile], folder: Folder
+    files: Mapping[str, PackageFile], folder: Folder, places: Mapping[str, Path] = _NOWHERE_ELSE
 ) -> tuple[list[OutputFile], list[Diagnostic]]:
     """Return files as they are to be written, and what is to be said of handwork in them.
 
     Args:
         files: what the program makes, by the path in the output folder.
         folder: where they go.
+        places: the folders that packages are written into instead, by their names.
     """
     made: list[OutputFile] = []
     notes: list[Diagnostic] = []
     for name, file in files.items():
-        output, found = _text_file(name, file, folder)
+        place = places.get(name.partition("/")[0])
+        entry = name if place is None else entry_of(place / name, folder.output)
+        output, found = _text_file(entry, file, folder)
+        if place is not None:
+            output = replace(output, name=name, path=place / name, entry=entry, seen=())
         made.append(output)
         notes += found
     return made, notes
 
 
-def left_files(written: Iterable[str], folder: Folder) -> list[Diagnostic]:
+def left_files(written: Iterable[OutputFile], folder: Folder) -> list[Diagnostic]:
     """Tell the files of packages that an earlier run of the program wrote, and this one does not.
 
-    Such are those of a node or a launch file that has another name now.
+    Such are those of a node or a launch file that has another name now, and those of a node that
+    was in no package then.
 
     Args:
-        written: the files of this run, by the path in the output folder.
+        written: the files of this run that are in the output folder.
         folder: where they go.
     """
-    names = set(written)
+    files = list(written)
+    names = {each.name for each in files}
+    packaged = {_node_of(each.base or {}) for each in files if "/" in each.name} - {None}
     packages = {name.partition("/")[0] for name in names if "/" in name}
     return [
         Diagnostic(
@@ -77,11 +92,16 @@ def left_files(written: Iterable[str], folder: Folder) -> list[Diagnostic]:
         )
         for name, base in folder.manifest.bases.items()
         if name not in names
-        and "/" in name
-        and name.partition("/")[0] in packages
+        and (name.partition("/")[0] in packages if "/" in name else _node_of(base) in packaged)
         and base.get("program") == folder.program
         and on_disk(folder.output / name) is not None
     ]
+
+
+def _node_of(base: Mapping[str, object]) -> str | None:
+    """Return the name of the node that a file was made for, None for a file of another kind."""
+    node = base.get("node")
+    return node if isinstance(node, str) else None
 
 
 def _text_file(name: str, file: PackageFile, folder: Folder) -> tuple[OutputFile, list[Diagnostic]]:

@@ -12,6 +12,7 @@ from collections.abc import Callable
 from plastron_tui.diagnostics import Diagnostic, Edit, Fix, Span, codes
 
 from .declaration import Form, SlotKind
+from .field_mistakes import FIELD_SLIPS
 from .keywords import BY_KEYWORD, FIRST_WORDS, KEYWORDS, VERBS
 from .mistake_place import Place, mended
 from .tokens import QUOTED_KINDS, UNKNOWN, is_glued, text_at
@@ -257,5 +258,6 @@ _SLIPS: tuple[Callable[[Place, Diagnostic], Diagnostic | None], ...] = (
     _swapped,
     _two_words,
     *VALUE_SLIPS,
+    *FIELD_SLIPS,
     _clause,
 )

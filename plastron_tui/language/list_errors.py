@@ -73,15 +73,7 @@ def _field(part: Sequence[Token]) -> Unfit | None:
     """Look at `TYPE NAME`, `TYPE NAME = VALUE` and `TYPE NAME default VALUE`."""
     if not part or part[0].kind not in WORD_KINDS:
         return Unfit("a field, such as `float64 x`", token_at(part, 0))
-    at = 1
-    while text_at(part, at) == "/":
-        at += 2
-    if text_at(part, at) == "<=":
-        at += 2
-    if text_at(part, at) == "[":
-        while at < len(part) and part[at].text != "]":
-            at += 1
-        at += 1
+    at = end_of_type(part, 0)
     name = token_at(part, at)
     if name is None or name.kind not in WORD_KINDS:
         return Unfit("the name of the field", name)
@@ -91,6 +83,20 @@ def _field(part: Sequence[Token]) -> Unfit | None:
     if follows.text not in ("=", "default"):
         return Unfit("a comma, `default`, or `=` for a constant", follows)
     return _value(part, at + 2)
+
+
+def end_of_type(tokens: Sequence[Token], first: int) -> int:
+    """Return where the type of a field ends that begins with a word: `string<=10[]`, say."""
+    at = first + 1
+    while text_at(tokens, at) == "/":
+        at += 2
+    if text_at(tokens, at) == "<=":
+        at += 2
+    if text_at(tokens, at) == "[":
+        while at < len(tokens) and tokens[at].text != "]":
+            at += 1
+        at += 1
+    return at
 
 
 def _remap(part: Sequence[Token]) -> Unfit | None:

@@ -9,6 +9,7 @@ from plastron_tui.diagnostics import Diagnostic, Edit, Fix, Span, codes, escapes
 from plastron_tui.diagnostics.suggest import nearest
 
 from .declaration import Declaration, Form, Slot, SlotKind
+from .field_mistakes import without_fields
 from .keywords import KEYWORDS
 from .list_errors import first_unfit
 from .mistake_place import shown, unquoted
@@ -80,7 +81,7 @@ class SentenceErrors:
                 if mistake is not None:
                     return self._in_clause(match, mistake) or mistake
                 if match.ending:
-                    return self._expected(f"`{match.ending}`")
+                    return self._not_the_word(match.ending, None)
                 token = None
             case str() as word:
                 return self._not_the_word(word, token)
@@ -119,7 +120,10 @@ class SentenceErrors:
             return self._expected(f"`{word}`", token)._replace(
                 help=f"did you mean `{word}`?", fix=write(word, token.span)
             )
-        return self._expected(f"`{word}`", token)
+        found = self._expected(f"`{word}`", token)
+        if token is None:
+            return without_fields(self._declaration, word, found) or found
+        return found
 
     def _in_slot(self, filled: SlotMatch) -> Diagnostic | None:
         kind = filled.slot.kind
@@ -346,8 +350,10 @@ class SentenceErrors:
         return self._error(f"expected {what}, not `{shown(token.text)}`", token.span)
 
     def _error(self, message: str, span: Span) -> Diagnostic:
-        usage = self._declaration.usage
-        return Diagnostic(codes.SYNTAX_ERROR, message, span, help=f"the sentence is: {usage}")
+        help_ = f"the sentence is: {self._declaration.usage}"
+        if any(slot.kind is SlotKind.FIELDS for slot in self._declaration.slots):
+            help_ += f"; for example: {self._declaration.example}"
+        return Diagnostic(codes.SYNTAX_ERROR, message, span, help=help_)
 
 
 def _outermost(tokens: Sequence[Token]) -> Iterator[Token]:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from functools import partial
 from typing import NamedTuple
 
-from plastron_tui.diagnostics import Diagnostic, Span, codes
+from plastron_tui.diagnostics import Diagnostic, Span, codes, write
 from plastron_tui.language import statements as st
 from plastron_tui.language.text_places import span_in_text
 from plastron_tui.ros.definition import parse_definition
@@ -14,7 +14,17 @@ from plastron_tui.ros.definition_members import Value
 from plastron_tui.ros.interfaces import Constant, InterfaceKind, InterfaceName
 
 from .run import Run
-from .type_members import Naming, changed_by_builders, members_of
+from .type_members import (
+    TYPE_FIRST,
+    Naming,
+    base_of,
+    changed_by_builders,
+    is_field_name,
+    members_of,
+    type_before,
+    with_default,
+)
+from .types import TypeProblem
 
 
 class _Written(NamedTuple):
@@ -33,6 +43,13 @@ class _Written(NamedTuple):
     rest: str
     start: int
     next: int
+
+    @property
+    def default(self) -> str | None:
+        """A field with a default value, where a constant is written whose name is a field's."""
+        name, equals, value = (part.strip() for part in self.rest.partition("="))
+        is_constant = equals and "#" not in value
+        return f"{self.type} {name} {value}" if is_constant and is_field_name(name) else None
 
     def span(self, start: int, end: int) -> Span:
         """Return where characters of the text stand in the program."""
@@ -95,18 +112,40 @@ def field_line(
     )
     full = naming.full(type_)
     if not isinstance(full, str):
-        return [Diagnostic(full.code, full.message, written_type(statement), help=full.help)]
+        return [_unknown(written, naming, full)]
     line = f"{full} {rest}"
     read = parse_definition(line, name, InterfaceKind.MESSAGE, version, is_new=True)
     if read.interface is None:
         return [
-            Diagnostic(codes.BAD_FIELD, each.message, written.span_of(each, full), help=each.help)
+            Diagnostic(
+                codes.BAD_FIELD,
+                each.message,
+                written.span_of(each, full),
+                help=with_default(each.help, written.default),
+            )
             for each in read.diagnostics
         ]
     [member] = members_of(read.interface.sections[0]).values()
     value = member.value if isinstance(member, Constant) else member.default
     unsure = None if version == 1 else _unsure(written, member.name, value)
     return line if unsure is None else [unsure]
+
+
+def _unknown(written: _Written, naming: Naming, problem: TypeProblem) -> Diagnostic:
+    """Tell of a type that is not known."""
+    first, name = written.type.removesuffix(":"), written.rest.split(maxsplit=1)[0]
+    where = written_type(written.statement)
+    is_unknown = problem.code == codes.UNKNOWN_TYPE
+    type_ = type_before(first, name, naming) if is_unknown else None
+    if type_ is not None:
+        span = written.span(written.start, written.next + len(name))
+        right = write(f"{type_} {first}", span)
+        return Diagnostic(codes.BAD_FIELD, TYPE_FIRST, span, help=right.title, fix=right)
+    base = written.span(written.start, written.start + len(base_of(written.type)))
+    fix = None if problem.right is None else write(problem.right, base)
+    return Diagnostic(
+        problem.code, problem.message, where, help=problem.help, fix=fix, labels=problem.labels
+    )
 
 
 def _unsure(written: _Written, name: str, value: Value | None) -> Diagnostic | None:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
-from plastron_tui.diagnostics import codes
+from plastron_tui.diagnostics import Label, codes
 from plastron_tui.language import statements as st
 from plastron_tui.language.declaration import Statement
 from plastron_tui.ros.interfaces import InterfaceKind
@@ -64,9 +64,9 @@ class LaterTypes:
             shown = " in ".join(f"`{each}`" for each in (own, *circle))
             return TypeProblem(codes.CIRCULAR_TYPE, f"`{own}` contains itself: {shown}", None)
         message = f"`{name}` is made further down, and used here already"
-        return TypeProblem(
-            codes.UNKNOWN_TYPE, message, "a type is made before it is used: move one of the lines"
-        )
+        remedy = "a type is made before it is used: move the line that makes it further up"
+        label = Label(later.span, "made here")
+        return TypeProblem(codes.UNKNOWN_TYPE, message, remedy, labels=(label,))
 
     def _circle(self, start: str, own: str) -> list[str] | None:
         """Return how a message contains another one, None where it does not."""

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Collection, Iterator
 from dataclasses import replace
 from pathlib import Path
 
@@ -18,13 +18,16 @@ VersionOf = Callable[[str | None], int]
 """Gives the generation of ROS of a client library, None for that of the program."""
 
 
-def unwritable(launch: Launch, ros_version: int, home: Package | None) -> Iterator[Diagnostic]:
+def unwritable(
+    launch: Launch, ros_version: int, home: Package | None, packages: Collection[str]
+) -> Iterator[Diagnostic]:
     """Yield what keeps a launch file from being written.
 
     Args:
         launch: the launch file.
         ros_version: the generation of ROS that it is for.
         home: the package that it is written into, None for none.
+        packages: the variables of the program's packages.
     """
     for start in launch.starts.values():
         if start.node is not None and start.node.home is None:
@@ -33,7 +36,7 @@ def unwritable(launch: Launch, ros_version: int, home: Package | None) -> Iterat
                 codes.IN_NO_PACKAGE,
                 f"`{variable}` is in no package, and a launch file starts what packages have",
                 start.where,
-                help=f"put it into one: `PACKAGE contains {variable}`",
+                help=_remedy(variable, packages),
             )
         if ros_version == 1 and start.container is not None:
             message = "a launch file of ROS 1 has no containers of components"
@@ -42,6 +45,15 @@ def unwritable(launch: Launch, ros_version: int, home: Package | None) -> Iterat
             yield Diagnostic(codes.NOT_A_COMPONENT, message, where, help=help_)
     for file in launch.parameter_files:
         yield from _not_installed(launch, file, home)
+
+
+def _remedy(variable: str, packages: Collection[str]) -> str:
+    """Return how a node gets into a package."""
+    if not packages:
+        made = f"`create_package '{variable}_demo' as demo`"
+        return f"make one, such as {made}, and put it in: `demo contains {variable}`"
+    package = next(iter(packages)) if len(packages) == 1 else "PACKAGE"
+    return f"put it into one: `{package} contains {variable}`"
 
 
 def _not_installed(
@@ -100,7 +112,7 @@ def check_launches(workspace: Workspace, version_of: VersionOf) -> Iterator[Diag
                 written[variable] = contained.item, package
         yield from _same_names(package)
     for launch, home in written.values():
-        yield from unwritable(launch, _version(launch, version_of), home)
+        yield from unwritable(launch, _version(launch, version_of), home, workspace.packages)
 
 
 def _version(launch: Launch, version_of: VersionOf) -> int:

@@ -97,6 +97,10 @@ def _start(run: Run, launch: Launch, statement: st.Starts) -> Start:
         statement.span,
         where,
         container,
+        tuple(_child_span(statement, each.syntax, "old") for each in statement.remaps or ()),
+        tuple(
+            _child_span(statement, each.syntax, "parameter") for each in statement.settings or ()
+        ),
     )
 
 

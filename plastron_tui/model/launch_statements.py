@@ -122,7 +122,7 @@ def includes(run: Run, statement: st.Includes) -> None:
         earlier = launch.includes.get(statement.file)
         message = f"`{launch.variable}` includes `{statement.file}` already"
         raise twice(codes.ALREADY_STARTED, message, where, earlier and earlier.span)
-    launch.includes[statement.file] = Included(package, file, statement.span)
+    launch.includes[statement.file] = Included(package, file, statement.span, where)
 
 
 def no_longer_includes(run: Run, statement: st.NoLongerIncludes) -> None:

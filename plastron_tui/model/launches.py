@@ -122,6 +122,8 @@ class Start(NamedTuple):
         span: the statement.
         where: what is started, in the statement.
         container_where: its container, there; None for none.
+        remaps_where: the names that it remaps, there.
+        settings_where: the parameters that it sets, there.
     """
 
     node: Node | None
@@ -136,6 +138,8 @@ class Start(NamedTuple):
     span: Span
     where: Span
     container_where: Span | None = None
+    remaps_where: tuple[Span, ...] = ()
+    settings_where: tuple[Span, ...] = ()
 
     @property
     def run_name(self) -> str:
@@ -158,11 +162,24 @@ class LaunchArgument(NamedTuple):
 
 
 class Included(NamedTuple):
-    """An `includes` of a program: a package, and the file in it."""
+    """An `includes` of a program: a package, and the file in it.
+
+    Attributes:
+        package: the package.
+        file: the file, as the program writes it.
+        span: the statement.
+        where: both, in the statement.
+    """
 
     package: str
     file: str
     span: Span
+    where: Span
+
+    @property
+    def path(self) -> str:
+        """Where the file is in its package: with launch files, unless a folder is named."""
+        return self.file if "/" in self.file else f"launch/{self.file}"
 
 
 @dataclass(slots=True)

@@ -8,7 +8,7 @@ from typing import Any, NamedTuple
 from plastron_tui.diagnostics import Diagnostic, Fix, Label, Span, codes, write
 from plastron_tui.language.declaration import Statement
 from plastron_tui.language.lowering import Program
-from plastron_tui.language.statements import CreatePackage
+from plastron_tui.language.statements import CreatePackage, LoadPackage
 from plastron_tui.ros.catalog import Catalog
 from plastron_tui.ros.interfaces import Interface, InterfaceKind
 from plastron_tui.ros.packages import check_package_name, mended_package_name
@@ -94,7 +94,9 @@ class NamedTypes:
             raise Mistake(_not_in(own, version, where))
         later = self.explain(statement, text, kind, found)
         if later is not found:
-            raise Mistake(Diagnostic(later.code, later.message, where, help=later.help))
+            raise Mistake(
+                Diagnostic(later.code, later.message, where, help=later.help, labels=later.labels)
+            )
         remedy: str | None = self._elsewhere(text, kind, version)
         fix: Fix | None = None
         if remedy is None:
@@ -155,11 +157,20 @@ class NamedTypes:
 
     def begin(self, program: Program) -> None:
         """Go on with another program, whose first package its types belong to."""
-        created = (each for each in program.statements if isinstance(each, CreatePackage))
-        first = next(created, None)
-        self._package = self._package if first is None else first.name
+        packages = (
+            each for each in program.statements if isinstance(each, CreatePackage | LoadPackage)
+        )
+        first = next(packages, None)
+        self._package = self._package if first is None else self._name_of(first)
         self._uses = []
         self._later = LaterTypes(program.statements)
+
+    def _name_of(self, statement: CreatePackage | LoadPackage) -> str | None:
+        """Return the name of a package, None for a folder that is none."""
+        if isinstance(statement, CreatePackage):
+            return statement.name
+        source = self._setting.read_package(statement.source, self._version).source
+        return None if source is None else source.name
 
     def own_package(self, version: int) -> str:
         """Return the package of the program's types that name none.

@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import NamedTuple
 
 from plastron_tui.diagnostics import Diagnostic, codes
+from plastron_tui.ros.launch_names import launch_stem
 
 
 class Executable(NamedTuple):
@@ -43,6 +44,7 @@ class PackageSource:
         launches: its launch files.
         is_whole: whether all files of the package are among `texts` that may name another.
         script_file: the file that has the console scripts of an ament_python package.
+        names: all its files, those too that are not read.
     """
 
     folder: Path
@@ -56,6 +58,7 @@ class PackageSource:
     launches: tuple[str, ...] = ()
     is_whole: bool = True
     script_file: str = "setup.py"
+    names: frozenset[str] = frozenset()
 
     def module_of(self, file: str) -> str:
         """Return what Python calls a file of the package."""
@@ -70,7 +73,7 @@ class PackageSource:
         """Return the launch file that a program may name without its ending."""
         for file in self.launches:
             base = file.rpartition("/")[2]
-            if name in (base, base.partition(".launch")[0]):
+            if name in (base, launch_stem(base)):
                 return file
         return None
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from plastron_tui.diagnostics import Diagnostic, Label, Span, codes, guess, write
+from plastron_tui.diagnostics import Diagnostic, Label, Severity, Span, codes, guess, write
 from plastron_tui.language import statements as st
 from plastron_tui.language.declaration import Statement
 from plastron_tui.language.text_places import span_in_text
@@ -255,10 +255,25 @@ def no_longer_contains(run: Run, statement: st.NoLongerContains) -> None:
     elif launch is not None:
         package.removed_launches[launch] = statement.span
     elif not held:
-        names = [each.name for each in package.contents.values()]
-        if package.source is not None:
-            names += package.source.executables
+        _tell_not_contained(run, statement, package, name)
+
+
+def _tell_not_contained(
+    run: Run, statement: st.NoLongerContains, package: Package, name: str
+) -> None:
+    """Say that a package does not contain something; an earlier run may have taken it out.
+
+    That has left its file there.
+    """
+    names = [each.name for each in package.contents.values()]
+    source = package.source
+    if source is None:
         raise _not_contained(run, statement, package, names)
+    stems = {file.rpartition("/")[2].removesuffix(".py") for file in source.texts}
+    if name.removesuffix(".py") not in stems:
+        names += source.executables
+        for each in _not_contained(run, statement, package, names).diagnostics:
+            run.report(statement, each._replace(severity=Severity.WARNING))
 
 
 def _take_out(package: Package, variable: str) -> None:

@@ -5,8 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, NamedTuple
 
-from plastron_tui.diagnostics import Diagnostic, Span, codes
-from plastron_tui.diagnostics.suggest import nearest
+from plastron_tui.diagnostics import Diagnostic, Span, codes, write
 from plastron_tui.language.definitions import FieldText
 from plastron_tui.language.inputs import InputValue, ListValue, Literal
 from plastron_tui.ros.definition_members import (
@@ -19,12 +18,13 @@ from plastron_tui.ros.definition_members import (
 from plastron_tui.ros.interfaces import (
     Constant,
     Field,
+    Interface,
     InterfaceKind,
     InterfaceName,
     Scalar,
     Section,
 )
-from plastron_tui.ros.primitives import PRIMITIVES, primitive
+from plastron_tui.ros.primitives import meant_primitive, other_word, primitive
 
 from .mistake import Mistake
 from .types import TypeProblem
@@ -76,9 +76,10 @@ class Naming(NamedTuple):
             explained = self.explain(name, InterfaceKind.MESSAGE, found)
             if explained is not found:
                 return explained
-            right = nearest(name, PRIMITIVES[self.version]) if name.islower() else None
+            right = meant_primitive(name, self.version)
             is_slip = right is not None and found.code == codes.UNKNOWN_TYPE
-            return found._replace(help=f"did you mean `{right}`?") if is_slip else found
+            remedy = f"did you mean `{right}`?"
+            return found._replace(help=remedy, right=right) if is_slip else found
         own = found.name.package == self.package
         shown = found.name.name if own else str(found.name)
         return f"{shown}{bound}{length}{bracket}{array}"
@@ -133,16 +134,90 @@ def _member(
         return [Diagnostic(codes.BAD_FIELD, unsure, _span(statement, each, "value"))]
     type_text = naming.full(each.type)
     if isinstance(type_text, TypeProblem):
+        swapped = _swapped(statement, each, naming, type_text)
+        if swapped is not None:
+            return [swapped]
         where = _span(statement, each, "type")
-        wrong = Diagnostic(type_text.code, type_text.message, where, help=type_text.help)
+        base = where._replace(end=where.start + len(base_of(each.type)))
+        fix = None if type_text.right is None else write(type_text.right, base)
+        wrong = Diagnostic(
+            type_text.code,
+            type_text.message,
+            where,
+            help=type_text.help,
+            fix=fix,
+            labels=type_text.labels,
+        )
         name = check_member_name(each.name, each.operator == "=", naming.version)
         return [wrong] if name is None else [wrong, _told(statement, each, name)]
+    right = _default(each) if naming.version == 2 else None
     made = make_member(
         type_text, each.name, value, each.operator == "=", naming.version, naming.package
     )
     if not isinstance(made, list):
         return made
-    return [_told(statement, each, found) for found in made]
+    told = [_told(statement, each, found) for found in made]
+    if right is None or made[0].part is not MemberPart.NAME:
+        return told
+    return [told[0]._replace(help=with_default(told[0].help, right)), *told[1:]]
+
+
+def _default(each: FieldText) -> str | None:
+    """Return a field with a default value, where a constant is written whose name is a field's."""
+    value = each.syntax.child_by_field_name("value")
+    if each.operator != "=" or value is None or value.text is None or not is_field_name(each.name):
+        return None
+    return f"{each.type} {each.name} default {value.text.decode()}"
+
+
+def is_field_name(name: str) -> bool:
+    """Tell whether ROS 2 takes a name for that of a field."""
+    return check_member_name(name, is_constant=False, ros_version=2) is None
+
+
+def with_default(remedy: str | None, field: str | None) -> str | None:
+    """Return what to write for a constant, or for the field that was meant."""
+    if remedy is None or field is None:
+        return remedy
+    return f"{remedy}; or, for a field that starts from this value: `{field}`"
+
+
+def _swapped(
+    statement: Statement, each: FieldText, naming: Naming, problem: TypeProblem
+) -> Diagnostic | None:
+    """Tell where a field has its name before its type: `left float64`."""
+    if problem.code != codes.UNKNOWN_TYPE:
+        return None
+    type_text = type_before(each.type, each.name, naming)
+    if type_text is None:
+        return None
+    where = Span(_span(statement, each, "type").start, _span(statement, each, "name").end)
+    fix = write(f"{type_text} {each.type}", where)
+    return Diagnostic(codes.BAD_FIELD, TYPE_FIRST, where, help=fix.title, fix=fix)
+
+
+TYPE_FIRST = "the type of a field comes before its name"
+
+
+def type_before(first: str, second: str, naming: Naming) -> str | None:
+    """Return the type that stands where a name does, None where none stands there.
+
+    Args:
+        first: what is written for the type, and is none.
+        second: what is written for the name.
+        naming: what types mean.
+    """
+    if check_member_name(first, is_constant=False, ros_version=naming.version) is not None:
+        return None
+    is_type = primitive(second, naming.version) is not None or isinstance(
+        naming.resolver.resolve(second, InterfaceKind.MESSAGE), Interface
+    )
+    return second if is_type else other_word(second)
+
+
+def base_of(type_text: str) -> str:
+    """Return what a type names, without bound and brackets."""
+    return type_text.partition("[")[0].partition("<=")[0]
 
 
 def _told(statement: Statement, each: FieldText, found: MemberMistake) -> Diagnostic:

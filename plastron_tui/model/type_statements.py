@@ -51,7 +51,20 @@ def create_type(run: Run, statement: Any) -> None:
     """Make a type of messages, services or actions."""
     package, name = check_type_named(run, statement)
     own = OwnType(name, package, _PARTS[type(statement)][0], statement.span)
+    _check_hidden(run, statement, own)
     settle(run, statement, own, _maker(run, statement))
+
+
+def _check_hidden(run: Run, statement: Any, own: OwnType) -> None:
+    """Warn where a bare name means another type from here on than it did."""
+    version = run.checks.version(None)
+    owner = own.package or run.types.own_package(version)
+    candidates = run.setting.catalog(version).candidates(own.name, own.kind)
+    if len(candidates) == 1 and candidates[0].package != owner:
+        message = f"`{own.name}` means this type from here on, and no longer `{candidates[0]}`"
+        help_ = f"choose another name, or write the other one as `{candidates[0]}`"
+        where = statement.span_of("type")
+        run.report(statement, Diagnostic(codes.TYPE_HIDDEN, message, where, help=help_))
 
 
 def _maker(run: Run, statement: Any) -> Make:
@@ -138,7 +151,8 @@ def check_type_named(run: Run, statement: Any) -> tuple[str, str]:
     too_long = check_type_length(owner, name, _PARTS[type(statement)][0], version)
     if too_long is not None:
         raise Mistake(Diagnostic(codes.BAD_TYPE_NAME, too_long, where))
-    if run.types.is_of_ros(owner, version):
+    is_there = any(each.name == owner for each in run.workspace.packages.values())
+    if not is_there and run.types.is_of_ros(owner, version):
         message = f"`{owner}` is a package of ROS, which gets no types of yours"
         raise Mistake(Diagnostic(codes.TYPE_EXISTS, message, where, help="leave the package out"))
     return package, name

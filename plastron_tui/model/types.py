@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-from plastron_tui.diagnostics import Code, codes
+from plastron_tui.diagnostics import Code, Label, codes
 from plastron_tui.diagnostics.suggest import nearest
 from plastron_tui.ros.catalog import Catalog
 from plastron_tui.ros.interfaces import Interface, InterfaceKind, InterfaceName
@@ -25,12 +25,21 @@ _MOST_LISTED = 8
 
 
 class TypeProblem(NamedTuple):
-    """Why a type name means nothing, or too much, and the one to write where that is known."""
+    """Why a type name means nothing, or too much.
+
+    Attributes:
+        code: the kind of mistake.
+        message: what is wrong.
+        help: the remedy, in words.
+        right: the name to write, where that is known.
+        labels: other places that matter.
+    """
 
     code: Code
     message: str
     help: str | None
     right: str | None = None
+    labels: tuple[Label, ...] = ()
 
 
 class TypeResolver:

@@ -30,8 +30,8 @@ if TYPE_CHECKING:
 _BUILD_FILES = (PACKAGE_XML, SETUP_PY, SETUP_CFG, PYPROJECT, CMAKE_LISTS)
 _TEXTS = frozenset(
     {
-        "", ".c", ".cc", ".cfg", ".cmake", ".cpp", ".cxx", ".h", ".hh", ".hpp", ".in", ".launch",
-        ".py", ".toml", ".txt", ".xml", ".xacro", ".yaml", ".yml",
+        "", ".action", ".c", ".cc", ".cfg", ".cmake", ".cpp", ".cxx", ".h", ".hh", ".hpp", ".in",
+        ".launch", ".msg", ".py", ".srv", ".toml", ".txt", ".xml", ".xacro", ".yaml", ".yml",
     }
 )  # fmt: skip
 """What may name a package, or a file of this one; without an ending there are scripts."""

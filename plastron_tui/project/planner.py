@@ -8,7 +8,7 @@ from dataclasses import replace
 from pathlib import Path, PurePath
 from typing import TYPE_CHECKING
 
-from plastron_tui.diagnostics import Diagnostic, codes, has_errors
+from plastron_tui.diagnostics import Diagnostic, Span, codes, has_errors
 from plastron_tui.model.libraries import written_libraries
 from plastron_tui.project.configuration import Configuration
 from plastron_tui.targets import LIBRARIES, has_target
@@ -196,8 +196,8 @@ class Planner:
 
     def _left(self, files: Sequence[OutputFile], manifest: Manifest) -> list[Diagnostic]:
         """Tell the files of packages that the program has written, and writes no longer."""
-        written = [each.name for each in files if each.path is None]
-        if not any("/" in each for each in written):
+        written = [each for each in files if each.path is None]
+        if not any("/" in each.name for each in written):
             return []
         from plastron_tui.generating.text_files import Folder, left_files
 
@@ -211,24 +211,30 @@ class Planner:
         workspace = self._workspace
         if workspace is None or not workspace.has_more_than_nodes:
             return [], []
+        from plastron_tui.generating.loaded_types import places_beside
         from plastron_tui.generating.own_definitions import loaded_definitions
         from plastron_tui.generating.text_files import Folder, text_files
 
         configuration = self._configuration
-        packages = self._packages(workspace, made)
+        packages = self._packages(workspace, made, manifest)
         made_of = packages.made()
         in_place = configuration.options.in_place
         force = configuration.options.force
         folder = Folder(configuration.output, manifest, self._author.name, force)
         writing = self._writing(lambda folder: self._manifest(folder)[0])
         launches, refused = packages.loaded_launches(folder, writing)
-        files, notes = text_files(made_of.files, folder)
+        places = places_beside(workspace, configuration.boundary) if in_place else {}
+        files, notes = text_files(made_of.files, folder, places)
+        notes += self._leading_out(files)
         types = workspace.types.values() if workspace.is_written else ()
         files += loaded_definitions(types, in_place=in_place)
         return [*files, *launches], [*made_of.diagnostics, *notes, *refused]
 
-    def _packages(self, workspace: Workspace, made: Sequence[Generated]) -> ProgramPackages:
+    def _packages(
+        self, workspace: Workspace, made: Sequence[Generated], manifest: Manifest
+    ) -> ProgramPackages:
         from plastron_tui.generating.program_packages import ProgramPackages
+        from plastron_tui.generating.text_files import entry_of
 
         configuration = self._configuration
         return ProgramPackages(
@@ -236,6 +242,7 @@ class Planner:
             made,
             self._library,
             configuration.ros.library,
+            lambda path: entry_of(path, configuration.output) in manifest,
             python_launch=configuration.project.launch == "python",
         )
 
@@ -256,27 +263,43 @@ class Planner:
         }
         if workspace is None or not loaded:
             return files, ()
+        from plastron_tui.generating.loaded_notes import still_started
         from plastron_tui.generating.loaded_package import loaded_package_files
+        from plastron_tui.generating.loaded_types import types_of
 
         libraries = {name: found for name in LIBRARIES if (found := self._library(name))}
         told: tuple[Diagnostic, ...] = ()
         for package in loaded.values():
             output, in_place = self._configuration.output, self._configuration.options.in_place
-            launches, problems = self._packages(workspace, made).of_loaded(package)
+            launches, problems = self._packages(workspace, made, manifest).of_loaded(package)
             told += problems
             if problems:
                 continue
+            assert package.source is not None
+            types = types_of(workspace, package.name, package.source.ros_version)
             changed = loaded_package_files(
-                package, made, libraries, output, manifest, launches, in_place=in_place
+                package, made, libraries, output, manifest, launches, types, in_place=in_place
             )
             files = [each for each in files if each.name not in changed.nodes]
             files += changed.files
             told += changed.diagnostics
+            told += tuple(self._leading_out(changed.files, package.span))
+            known = self._changed_alone(files, made)
+            told += tuple(still_started(package, files, known))
             if has_copies and not in_place and not has_errors(changed.diagnostics):
-                known = self._changed_alone(files, made)
                 files, notes = self._with_copies(package, files, known, manifest)
                 told += notes
         return files, told
+
+    def _leading_out(
+        self, files: Sequence[OutputFile], span: Span | None = None
+    ) -> Iterator[Diagnostic]:
+        """Refuse to write into folders of a package that are links out of the project."""
+        boundary = self._configuration.boundary
+        for each in files:
+            if each.path is not None and not boundary.allows(each.path):
+                message = f"`{each.name}` would be {boundary.place_of(each.path)}"
+                yield Diagnostic(codes.OUTSIDE_PROJECT, message, span, help=boundary.remedy)
 
     def _changed_alone(
         self, files: Sequence[OutputFile], made: Sequence[Generated]

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from pathlib import Path
-from typing import NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 from plastron_tui.boundary import Boundary
 from plastron_tui.diagnostics import Diagnostic, Severity, Span, codes, did_you_mean
@@ -29,6 +29,9 @@ from plastron_tui.ros.parameter_values import (
 from plastron_tui.ros.parameters import OF_EVERY_NODE, ParameterType, Setting, as_setting
 from plastron_tui.ros.run_names import AS_WRITTEN, RunNames
 from plastron_tui.runtime.arguments import ros_arguments
+
+if TYPE_CHECKING:
+    from plastron_tui.generating.generation import Generated
 
 MOST_MISTAKES = 20
 """The most mistakes of a parameter file that are told."""
@@ -98,6 +101,27 @@ def run_node(
     is_checked = ros_version == 2 and text is not None and _TAKES_ANY not in text
     details = {name: each for name, each in _details(declared) if is_checked}
     return RunNode(node.name, node.variable, ros_version, names, parameters, details)
+
+
+def generated_node(generated: Generated, output: Path) -> RunNode:
+    """Return what is known of a node from the files that it becomes.
+
+    Args:
+        generated: the files.
+        output: the output folder.
+    """
+    from plastron_tui.targets import find_target, ros_version
+
+    node, library = generated.generation.node, generated.generation.library
+    target, path = find_target(library), generated.path(output)
+    if target is None or path is None or generated.files is None:
+        return run_node(node, ros_version(library), node.source)
+    files = generated.files.files
+    unit = target.language.read(path, files, library).source
+    if unit is not None and node.source is not None:
+        unit = unit.only(node.source.label)
+    text = files.main.decode("utf-8", "replace")
+    return run_node(node, ros_version(library), unit, text)
 
 
 def _details(parameters: Iterable[SourceEndpoint]) -> Iterator[tuple[str, ParameterDetails]]:

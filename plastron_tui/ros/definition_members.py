@@ -12,10 +12,8 @@ import re
 from enum import Enum
 from typing import NamedTuple
 
-from plastron_tui.diagnostics import did_you_mean
-
 from .interfaces import Constant, Field, FieldType, InterfaceKind, Scalar
-from .primitives import PRIMITIVES, check_scalar, primitive
+from .primitives import check_scalar, meant_primitive, primitive
 from .reserved_words import is_python_word, reserved_by, taken_by
 
 Value = Scalar | tuple[Scalar, ...]
@@ -313,7 +311,8 @@ def _type_help(written: str, ros_version: int) -> str | None:
     package, _, name = written.partition("/msg/")
     if name:
         return f"write `{package}/{name}`"
-    return did_you_mean(written, PRIMITIVES[ros_version])
+    meant = meant_primitive(written, ros_version)
+    return None if meant is None else f"did you mean `{meant}`?"
 
 
 def check_value(

@@ -9,6 +9,8 @@ import sys
 from collections.abc import Mapping
 from dataclasses import dataclass
 
+from plastron_tui.diagnostics.suggest import nearest
+
 from .interfaces import Scalar
 
 FLOAT32_LIMIT = 3.4028235677973366e38
@@ -81,6 +83,35 @@ PRIMITIVES: Mapping[int, Mapping[str, Primitive]] = {
 
 # Seconds that fit the 32 bits of a ROS 1 time (unsigned) and duration (signed).
 _SECONDS = {"time": (0, (1 << 32) - 1), "duration": (-(1 << 31), (1 << 31) - 1)}
+
+
+_ELSEWHERE = {
+    **dict.fromkeys(("int", "integer"), "int32"),
+    **dict.fromkeys(("uint", "unsigned"), "uint32"),
+    "short": "int16",
+    "long": "int64",
+    **dict.fromkeys(("float", "double", "real"), "float64"),
+    **dict.fromkeys(("str", "text"), "string"),
+    "boolean": "bool",
+    "octet": "uint8",
+    **{f"{sign}int{bits}_t": f"{sign}int{bits}" for sign in ("", "u") for bits in (8, 16, 32, 64)},
+}
+"""What other languages call primitive types, and which one takes what those mostly hold."""
+
+
+def meant_primitive(word: str, ros_version: int) -> str | None:
+    """Return the primitive that a word, which names none, was to be; None where none is near.
+
+    A word of another language comes before a name that only looks alike: an `int` holds more than
+    an `int8` does.
+    """
+    near = nearest(word, PRIMITIVES[ros_version]) if word.islower() else None
+    return other_word(word) or near
+
+
+def other_word(word: str) -> str | None:
+    """Return the primitive that another language calls so, None where none does."""
+    return _ELSEWHERE.get(word)
 
 
 def primitive(name: str, ros_version: int) -> Primitive | None:

@@ -19,6 +19,7 @@ from plastron_tui.ros.installations import Origin
 
 from . import installing
 from .action_messages import action_messages, needed_messages
+from .build_inputs import DEBIAN_SHARE, PREFIX_PATHS, definitions_in, named_packages
 from .environment import Environment, missing_packages, node_environ
 
 # The tools of a build, by the Debian package that has each; what is asked for of the extra.
@@ -30,7 +31,6 @@ _SYSTEM_PATH = "/usr/local/sbin:/usr/sbin:/usr/bin:/sbin:/bin"
 
 # Debian's generator of Python modules, of the package python3-genpy, which rospy depends on.
 _GENPY = Path("/usr/lib/genpy")
-_DEBIAN_SHARE = Path("/usr/share")
 
 _MENDS = "plastron_mends.cmake"
 
@@ -148,7 +148,7 @@ def find_builder(
     own["PATH"] = _SYSTEM_PATH
     needed = _needed_packages(environment, packages)
     is_for_catkin = all("CMakeLists.txt" in files for files in packages.values())
-    is_known = all((_DEBIAN_SHARE / each / "cmake").is_dir() for each in needed)
+    is_known = all((DEBIAN_SHARE / each / "cmake").is_dir() for each in needed)
     if is_for_catkin and is_known and not environment.overlays and _has_catkin():
         return _catkin(environment, own)
     return _genpy(environment, packages, own)
@@ -170,21 +170,9 @@ def _needed_packages(
         for each in environment.overlays
         for folder in (each / "share").glob("*/msg")
     }
-    words = {
-        line.split(maxsplit=1)[0].partition(b"/")
-        for files in packages.values()
-        for path, text in files.items()
-        if path.startswith(("msg/", "srv/", "action/"))
-        for line in text.splitlines()
-        if line.strip()
-    }
-    named = {
-        package.decode("utf-8", "replace")
-        for package, slash, _ in words
-        if slash and not package.startswith(b"#")
-    }
+    named = named_packages(text for files in packages.values() for text in definitions_in(files))
     needed = sorted(named - packages.keys() - there)
-    missing = [each for each in needed if not (_DEBIAN_SHARE / each / "msg").is_dir()]
+    missing = [each for each in needed if not (DEBIAN_SHARE / each / "msg").is_dir()]
     commands = [installing.debian_definitions(each) for each in missing]
     known = [each for each in commands if each is not None]
     if known and len(known) == len(missing):
@@ -203,7 +191,7 @@ def _with_overlays(environment: Environment, own: dict[str, str]) -> dict[str, s
     # What the user has set for builds of his own: where it ends up, and what says how far it is.
     own.pop("DESTDIR", None)
     own["CMAKE_GENERATOR"] = "Unix Makefiles"
-    for name in ("AMENT_PREFIX_PATH", "CMAKE_PREFIX_PATH"):
+    for name in PREFIX_PATHS:
         own[name] = os.pathsep.join(filter(None, (*overlays, own.get(name, ""))))
         if not own[name]:
             del own[name]
@@ -222,7 +210,7 @@ def _colcon(environment: Environment, own: dict[str, str]) -> Builder:
             "PLASTRON_INCLUDES": f"{headers};{numpy}",
         }
         own["PATH"] = os.pathsep.join(filter(None, (f"{prefix}/bin", own.get("PATH", os.defpath))))
-        for name in ("AMENT_PREFIX_PATH", "CMAKE_PREFIX_PATH"):
+        for name in PREFIX_PATHS:
             own[name] = os.pathsep.join(filter(None, (own.get(name, ""), prefix)))
     _check_tools(environment, own, headers)
 
@@ -285,7 +273,7 @@ def _check_tools(environment: Environment, own: Mapping[str, str], headers: str 
 
 def _has_catkin() -> bool:
     tools = all(shutil.which(tool, path=_SYSTEM_PATH) for tool in ("catkin_make", *_TOOLS))
-    return tools and (_DEBIAN_SHARE / "message_generation" / "cmake").is_dir()
+    return tools and (DEBIAN_SHARE / "message_generation" / "cmake").is_dir()
 
 
 def _catkin(environment: Environment, own: Mapping[str, str]) -> Builder:
@@ -366,7 +354,7 @@ def _write_definitions(
     shares = [share, *(each / "share" for each in environment.overlays), share.parent / "needed"]
     return [
         word
-        for each in (*shares, _DEBIAN_SHARE)
+        for each in (*shares, DEBIAN_SHARE)
         for folder in sorted(each.glob("*/msg"))
         for word in ("-I", f"{folder.parent.name}:{folder}")
     ]

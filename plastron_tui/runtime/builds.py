@@ -24,6 +24,7 @@ from plastron_tui.diagnostics import Diagnostic, codes
 from plastron_tui.regular_files import read_regular, reason
 from plastron_tui.user_folders import cache_folder
 
+from .build_inputs import built_upon, tools
 from .build_output import Progress, Spans, errors_of, progress_of
 from .build_tools import BuildError, Step, Workspace, find_builder
 from .child import Process
@@ -103,9 +104,9 @@ def _built(
 ) -> Path:
     """Return the folder of packages among `Environment.overlays`; they are built where need be."""
     folder = cache_folder(environ) / "builds"
-    tools = _tools_key(environment, environ)
+    tools_key = _tools_key(environment, packages, environ)
     name = _short("-".join(each.name for each in packages))
-    kept = folder / "overlays" / f"{name}-{_content_key(tools, packages)}"
+    kept = folder / "overlays" / f"{name}-{_content_key(tools_key, packages)}"
     if _use(kept):
         return kept
     builder = find_builder(environment, {each.name: each.files for each in packages}, environ)
@@ -113,7 +114,7 @@ def _built(
         each.mkdir(mode=0o700, parents=True, exist_ok=True)
     # The definitions here are nobody's own, wherever the cache is.
     (folder / "CATKIN_IGNORE").touch()
-    workspace = Workspace(folder / "workspaces" / f"{name}-{_digest(tools)}")
+    workspace = Workspace(folder / "workspaces" / f"{name}-{_digest(tools_key)}")
     with _locked(workspace.root, lambda: tell(Progress(name, "waiting for another run"))):
         # The one that was waited for may have built the same.
         if _use(kept):
@@ -136,21 +137,21 @@ def _use(kept: Path) -> bool:
     return kept.is_dir()
 
 
-def _tools_key(environment: Environment, environ: Mapping[str, str]) -> str:
-    """Return what changes with the ROS that packages are built with."""
-    python = environment.python.resolve()
-    facts = [environment.words, str(environment.python), str(python), python.stat().st_mtime_ns]
-    prefixes = [environ.get(name, "") for name in ("AMENT_PREFIX_PATH", "CMAKE_PREFIX_PATH")]
-    return json.dumps([facts, prefixes, [str(each) for each in environment.overlays]])
+def _tools_key(
+    environment: Environment, packages: Sequence[BuiltPackage], environ: Mapping[str, str]
+) -> str:
+    """Return what changes with what packages are built with, and with what they are built upon."""
+    found = built_upon(environment, [each.files for each in packages], environ)
+    return json.dumps([tools(environment, environ), found])
 
 
-def _content_key(tools: str, packages: Sequence[BuiltPackage]) -> str:
+def _content_key(tools_key: str, packages: Sequence[BuiltPackage]) -> str:
     contents = [
         [each.name, sorted(each.executables), *((path, _digest(text)) for path, text in files)]
         for each in packages
         for files in [sorted(each.files.items())]
     ]
-    return _digest(json.dumps([tools, contents]))
+    return _digest(json.dumps([tools_key, contents]))
 
 
 def _digest(text: str | bytes) -> str:

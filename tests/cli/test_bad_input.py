@@ -305,6 +305,30 @@ def test_files_of_the_other_kind(run: Run, here: Path) -> None:
     assert b"`plastron check` and `plastron graph` read programs" in result.stderr
 
 
+LAUNCH = b"`plastron graph` shows what it starts"
+OTHERS = {
+    "a.launch": (b"is a launch file, not ", LAUNCH),
+    "a.launch.xml": (b"is a launch file, not ", LAUNCH),
+    "a.launch.yaml": (b"is a launch file, not ", LAUNCH),
+    "a_launch.py": (b"is a launch file, not ", LAUNCH),
+    "package.xml": (b"is the manifest of a package, not ", b"`load_package`"),
+    "A.msg": (b"is the definition of a type, not ", b"`load_type`"),
+    "A.srv": (b"is the definition of a type, not ", b"`load_type`"),
+    "A.action": (b"is the definition of a type, not ", b"`load_type`"),
+}
+
+
+@pytest.mark.parametrize("name", OTHERS)
+def test_files_that_are_neither_a_program_nor_a_node(run: Run, here: Path, name: str) -> None:
+    here.joinpath(name).write_text("<launch>\n  <node/>\n</launch>\n")
+    said, remedy = OTHERS[name]
+    for command, wanted in ("check", b"a program"), ("fmt", b"a program"), ("inspect", b"a node"):
+        result = run(command, name)
+        assert result.returncode == (1 if command == "inspect" else 2)
+        assert said + wanted in result.stderr and remedy in result.stderr
+        assert b"found 1 error" in result.stderr
+
+
 @pytest.mark.parametrize(
     ("name", "said"),
     [

@@ -313,6 +313,7 @@ def test_the_watch_hears_who_comes_later_and_offers_less(ros2: Ros) -> None:
     ros2.run_until(is_told, "p.plastron", "--watch")
 
 
+@pytest.mark.long
 @pytest.mark.live
 def test_a_full_disk_under_the_output_ends_the_run_with_2(ros2: Ros) -> None:
     ros2.write("p.plastron", TALKING)

@@ -20,7 +20,7 @@ WITHOUT = {
     "unsupported-target", "service-type-conflict", "action-type-conflict", "qos-incompatible",
     "endless-messages", "package-exists", "unknown-item", "already-contained", "not-contained",
     "mixed-package", "bad-maintainer", "taken-package-name", "bad-package-text",
-    "type-exists", "circular-type", "type-in-use", "bad-field", "in-no-package",
+    "type-exists", "type-hidden", "circular-type", "type-in-use", "bad-field", "in-no-package",
     "launch-exists", "already-started", "not-started", "bad-launch-name",
     "invalid-qos", "not-in-ros-1", "still-needed", "unknown-parameter", "parameter-type-mismatch",
     "invalid-range", "nothing-received", "computed-type-mismatch",

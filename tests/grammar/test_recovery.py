@@ -95,6 +95,7 @@ def test_cut_after_every_word(kind: str, text: str) -> None:
             assert root.has_error == ((text, cut) not in ENDINGS)
 
 
+@pytest.mark.long
 @pytest.mark.parametrize(("kind", "text"), WHOLE)
 @pytest.mark.parametrize("newline", ["\n", "\r\n"])
 def test_cut_within_every_word(kind: str, text: str, newline: str) -> None:
@@ -125,6 +126,7 @@ def test_a_stray_word_between_any_two(kind: str, text: str) -> None:
             assert_recovers(middle, WHOLE[0], WHOLE[-1])
 
 
+@pytest.mark.long
 @pytest.mark.parametrize(("kind", "text"), WHOLE)
 def test_a_word_left_out_or_doubled(kind: str, text: str) -> None:
     words = text.split(" ")

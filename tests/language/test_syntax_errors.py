@@ -6,6 +6,7 @@ from hypothesis import strategies as st
 from machine import examples, mostly_long
 from plastron_programs import EXAMPLES, broken_lines, read
 from wrong_clauses import CLAUSES, SENTENCE
+from wrong_fields import FIELDS, MENDED
 
 from plastron_tui.diagnostics import Diagnostic
 from plastron_tui.language import DECLARATIONS, Document, lower
@@ -163,7 +164,7 @@ TABLE: list[tuple[str, str, str, str, str | None]] = [
     ("create_node 'a' as n create_node 'b' as m", "syntax-error", "create_node", "unexp", SENTENCE),
 ]
 
-LINES = [*TABLE, *CLAUSES]
+LINES = [*TABLE, *CLAUSES, *FIELDS]
 
 
 def spanned(text: str, found: Diagnostic) -> str:
@@ -249,6 +250,17 @@ def test_a_fix_brings_the_line_further(case: tuple[str, str, str, str, str | Non
     mended = line[: edit.span.start] + edit.text.encode() + line[edit.span.end :]
     left = lower(Document(mended)).diagnostics
     assert all(again.span > found.span for again in left if again.span and found.span)
+
+
+@pytest.mark.parametrize(("line", "right"), MENDED.items(), ids=list(MENDED))
+def test_a_type_is_mended(line: str, right: str | None) -> None:
+    (found,) = read(line).diagnostics
+    edits = () if found.fix is None else found.fix.edits
+    mended = line
+    for edit in edits:
+        mended = f"{mended[: edit.span.start]}{edit.text}{mended[edit.span.end :]}"
+    assert (mended if edits else None) == right
+    assert right is None or not read(right).diagnostics
 
 
 @pytest.mark.parametrize("word", sorted(KEYWORDS))

@@ -133,3 +133,33 @@ def test_files_that_include_each_other_without_end_are_wrong(
     assert all(each.span is not None and each.file is not None for each in wrong)
     assert found.workspace is not None
     assert len(found.workspace.nodes) == (1 if said else 2)
+
+
+@pytest.mark.parametrize("output", ["output", "build", "install"])
+@pytest.mark.parametrize(
+    ("name", "find", "package"),
+    [
+        ("main.launch.xml", "find-pkg-share", "demo"),
+        ("main.launch.xml", "find-pkg-share", "beside"),
+        ("main.launch", "find", "demo"),
+        ("main.launch", "find", "beside"),
+    ],
+)
+def test_packages_of_an_output_folder_are_known(
+    tmp_path: Path, output: str, name: str, find: str, package: str
+) -> None:
+    (tmp_path / ".git").mkdir()
+    word = "exec" if find == "find-pkg-share" else "type"
+    for place, node in (("a_copy", "other"), (output, "eye")):
+        for each in ("demo", "beside"):
+            folder = tmp_path / place / each / "launch"
+            folder.mkdir(parents=True)
+            (folder.parent / "package.xml").write_text(f"<package><name>{each}</name></package>")
+            text = f'<launch><node pkg="demo" {word}="{node}" name="{node}"/></launch>\n'
+            (folder / "in.launch").write_text(text)
+            (folder / "in.launch.xml").write_text(text)
+    inner = name.replace("main", "in")
+    text = f'<launch><include file="$({find} {package})/launch/{inner}"/></launch>\n'
+    names, said = _shown(tmp_path / output, text, name)
+    assert names == ["eye"]
+    assert not [each for each in said if "left out" in each]

@@ -32,7 +32,7 @@ FULL = (
     + """\
 bringup has_argument 'robot' with default "rover"
 bringup starts talker in 'front' remapping 'chatter' to 'hello' setting 'speed' = 0.5, 'id' = "1"
-bringup starts 'demo/listener' as 'ear' with parameters 'config/ear.yaml'
+bringup starts 'ears/listener' as 'ear' with parameters 'config/ear.yaml'
 bringup starts 'demo/Camera' as 'camera' inside 'eyes'
 bringup includes 'rover/sensors.launch.xml'
 demo contains bringup
@@ -51,7 +51,7 @@ WRITTEN = """\
     <remap from="chatter" to="hello"/>
   </node>
 
-  <node pkg="demo" exec="listener" name="ear" output="screen">
+  <node pkg="ears" exec="listener" name="ear" output="screen">
     <param from="$(find-pkg-share demo)/config/ear.yaml"/>
   </node>
 
@@ -66,11 +66,17 @@ def _own(node: Node) -> Executable:
     return Executable("own", node.name)
 
 
+def _wrong(session: Session) -> list[str]:
+    """Return what is wrong with a program, whose nodes need not have the parameters it sets."""
+    found = (str(each.code) for each in session.diagnostics)
+    return [code for code in found if code != "undeclared-parameter"]
+
+
 def test_a_program_makes_a_launch_file(tmp_path: Path) -> None:
     (tmp_path / "config").mkdir()
     (tmp_path / "config" / "ear.yaml").write_text("ear:\n  ros__parameters:\n    loud: true\n")
     session = Session(FULL.encode(), tmp_path / "p.plastron", Options("rclpy"), environ={})
-    assert session.diagnostics == ()
+    assert _wrong(session) == []
     workspace = session.workspace
     made = with_parameter_files(workspace.launches["bringup"], workspace.packages["demo"])
     assert write_xml(request_of(made, 2, _own).added, 2) == WRITTEN
@@ -111,6 +117,22 @@ def test_what_is_taken_back_leaves_nothing(statements: str) -> None:
     session = Session((HEAD + statements).encode())
     assert session.diagnostics == ()
     assert request_of(session.workspace.launches["bringup"], 2, _own).added.items == ()
+
+
+@pytest.mark.parametrize(
+    "packages, remedy",
+    [
+        ("", "make one, such as `create_package 'talker_demo' as demo`, and put it in: "
+         "`demo contains talker`"),
+        ("create_package 'rover' as rover\n", "put it into one: `rover contains talker`"),
+        ("create_package 'aa' as a\ncreate_package 'bb' as b\n",
+         "put it into one: `PACKAGE contains talker`"),
+    ],
+)  # fmt: skip
+def test_how_a_node_gets_into_a_package(packages: str, remedy: str) -> None:
+    text = f"{HEAD}{packages}bringup starts talker\ngenerate_launch bringup\n"
+    [found] = [each for each in Session(text.encode()).diagnostics if each.code == "in-no-package"]
+    assert found.help == remedy
 
 
 @pytest.mark.parametrize(
@@ -195,7 +217,7 @@ def test_what_is_given_as_an_argument_is_used(ros_version: int) -> None:
     )
     spoken = SPOKEN.replace(", 'home' = \"$(env HOME)\"", "") if ros_version == 1 else SPOKEN
     session = Session((head + spoken).encode(), options=Options(library))
-    assert session.diagnostics == ()
+    assert _wrong(session) == []
     request = request_of(session.workspace.launches["bringup"], ros_version, _own).added
     written = write_xml(request, ros_version)
     home = '    <param name="home" value="\\$(env HOME)"/>\n'
@@ -218,7 +240,7 @@ def test_a_value_has_the_type_that_the_node_declares(setting: str, written: str)
     session = Session(
         f"{head}bringup starts talker setting {setting}\n".encode(), options=Options("rclpy")
     )
-    assert session.diagnostics == ()
+    assert _wrong(session) == []
     request = request_of(session.workspace.launches["bringup"], 2, _own).added
     assert written in write_xml(request, 2)
 

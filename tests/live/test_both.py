@@ -65,6 +65,7 @@ def twist(*values: float) -> dict[str, dict[str, float]]:
     }
 
 
+@pytest.mark.long
 def test_the_server_answers_every_call_of_the_client(graph: Graph, tmp_path: Path) -> None:
     nodes = generate("services", tmp_path / "output", graph.target)
     answerer = graph.run(nodes["answerer_server.py"])

@@ -155,6 +155,7 @@ def interrupt_after(graph: Graph, folder: Path, delays: list[float]) -> None:
         assert_ended(graph, node, node.interrupt(60), f"after {delay:.3f} s")
 
 
+@pytest.mark.long
 def test_ctrl_c_at_a_call(graph: Graph, tmp_path: Path) -> None:
     interrupt_at_calls(graph, tmp_path, CALLS[graph.target])
 

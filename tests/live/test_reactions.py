@@ -49,6 +49,7 @@ STEPS = [
 ]
 
 
+@pytest.mark.long
 def test_what_follows_from_a_message_is_sent_and_nothing_else(graph: Graph, tmp_path: Path) -> None:
     """A field that is not there, and a value that the message cannot hold, end no node."""
     traffic = record(graph, generate_one("reflex", tmp_path, graph.target), STEPS, {})

@@ -67,6 +67,7 @@ def test_the_server_answers_the_three_calls_of_the_client(
     assert not own_tracebacks(server.output + client.output)
 
 
+@pytest.mark.long
 def test_a_loaded_node_listens_to_the_new_topic_only(graph: Graph, tmp_path: Path) -> None:
     output = tmp_path / "output"
     generate("subscriber", output, graph.target)

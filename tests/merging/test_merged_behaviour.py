@@ -117,6 +117,7 @@ def told(outcome: Outcome) -> list[str]:
     return [each for each in outcome.warnings if "was changed by hand and is kept" not in each]
 
 
+@pytest.mark.long
 @each_change
 def test_handwork_in_the_same_lines(folder: Folder, change: str) -> None:
     before, after = CHANGES[change]

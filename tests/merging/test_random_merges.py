@@ -77,6 +77,7 @@ def add_by_hand(text: str, library: str, topic: str) -> tuple[str, str]:
     return f"{head}{found}{line}\n{tail}", line
 
 
+@pytest.mark.long
 @settings(max_examples=examples(25), deadline=None)
 @given(data=st.data(), library=st.sampled_from(LIBRARIES))
 def test_random_programs_and_handwork(

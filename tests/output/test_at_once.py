@@ -148,6 +148,7 @@ def interleaved(tmp_path: Path, monkeypatch, *calls: str) -> None:
     assert {node.name, ".plastron.json"} <= names
 
 
+@pytest.mark.long
 def test_one_program_that_comes_in_between(tmp_path: Path, monkeypatch) -> None:
     interleaved(tmp_path, monkeypatch, "open")
 

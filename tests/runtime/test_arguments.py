@@ -110,6 +110,7 @@ def rules() -> Iterator[RunNames]:
             yield RunNames(namespace, tuple(each for each in found if isinstance(each, Remap)))
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("version", [1, 2])
 def test_names_are_resolved_as_ros_does(version: int) -> None:
     names = ["a", "b", "/a", "/b", "~/x", "~/y", "z", "/r/z", "k/l", "/k/l", "/r/n/x"]

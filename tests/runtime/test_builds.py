@@ -8,6 +8,7 @@ import signal
 import subprocess
 import sys
 import threading
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
@@ -59,7 +60,13 @@ def calls(environ: dict[str, str]) -> int:
 
 
 def write_colcon(environ: dict[str, str], text: str) -> None:
-    (Path(environ["PATH"].partition(":")[0]) / "colcon").write_text(text)
+    write_tool(environ, "colcon", text)
+
+
+def write_tool(environ: dict[str, str], name: str, text: str) -> None:
+    file = Path(environ["PATH"].partition(":")[0]) / name
+    file.write_text(text)
+    file.chmod(0o755)
 
 
 def build(environ: dict[str, str], **files: bytes) -> Path:
@@ -159,6 +166,100 @@ def test_each_ros_has_its_own(environ: dict[str, str]) -> None:
     assert calls(environ) == 2
 
 
+@pytest.mark.parametrize(
+    "changed",
+    [
+        "share/base_msgs/msg/Base.msg",
+        "share/std_msgs/msg/Header.msg",
+        "share/rosidl_generator_c/package.xml",
+        "lib/libbase_msgs__rosidl_generator_c.so",
+        "bin/python3",
+    ],
+)
+@pytest.mark.parametrize("variable", ["AMENT_PREFIX_PATH", "CMAKE_PREFIX_PATH", ""])
+def test_what_packages_are_built_upon_counts(
+    variable: str, changed: str, environ: dict[str, str], tmp_path: Path
+) -> None:
+    prefix = tmp_path / "prefix"
+    for name, text in {
+        "share/base_msgs/msg/Base.msg": "std_msgs/Header header\n",
+        "share/std_msgs/msg/Header.msg": "string frame_id\n",
+        "share/other_msgs/msg/Other.msg": "string other\n",
+        "share/rosidl_generator_c/package.xml": "<version>1.0.0</version>\n",
+        "lib/libbase_msgs__rosidl_generator_c.so": "string changes\n",
+        "bin/python3": "string changes\n",
+    }.items():
+        (prefix / name).parent.mkdir(parents=True, exist_ok=True)
+        (prefix / name).write_text(text)
+    package = BuiltPackage("demo", {"msg/Level.msg": b"base_msgs/Base base\n"})
+    environment = replace(
+        SOURCED,
+        python=prefix / "bin" / "python3",
+        overlays=() if variable else (prefix,),
+    )
+    environ |= {variable: str(prefix)} if variable else {}
+
+    def made() -> Path:
+        return overlay(environment, [package], lambda _: None, environ)[0].overlays[-1]
+
+    first = made()
+    (prefix / "share/other_msgs/msg/Other.msg").write_text("string others\n")
+    assert made() == first
+    (prefix / changed).write_text("string changed\n")
+    assert made() != first
+    assert calls(environ) == 2
+
+
+def test_definitions_among_the_sources_of_catkin_count(
+    environ: dict[str, str], tmp_path: Path
+) -> None:
+    source = tmp_path / "src" / "group" / "base_msgs"
+    (source / "msg").mkdir(parents=True)
+    (source / "package.xml").write_text("<package><name>base_msgs</name></package>")
+    environ["ROS_PACKAGE_PATH"] = str(tmp_path / "src")
+    package = BuiltPackage("demo", {"msg/Level.msg": b"base_msgs/Base base\n"})
+    ros = Environment(Origin.SOURCED, 1, "noetic", Path(sys.executable))
+    made = []
+    write_tool(environ, "catkin_make", COLCON)
+    for text in ("float64 a\n", "float64 b\n"):
+        (source / "msg" / "Base.msg").write_text(text)
+        made.append(overlay(ros, [package], lambda _: None, environ)[0].overlays)
+    assert made[0] != made[1]
+
+
+@pytest.mark.parametrize("name", ["CC", "CXX", "CFLAGS", "CXXFLAGS", "LDFLAGS"])
+def test_what_is_set_for_compilers_counts(name: str, environ: dict[str, str]) -> None:
+    assert build({**environ, name: "-O2"}) != build(environ)
+
+
+@pytest.mark.parametrize("name", ["c++", "cmake", "colcon"])
+def test_tools_count_and_no_other_part_of_the_path_does(
+    name: str, environ: dict[str, str], tmp_path: Path
+) -> None:
+    first = build(environ)
+    assert build({**environ, "PATH": f"{tmp_path}:{environ['PATH']}"}) == first
+    other = tmp_path / "other"
+    other.mkdir()
+    shutil.copy2(Path(environ["PATH"].partition(":")[0], name), other)
+    assert build({**environ, "PATH": f"{other}:{environ['PATH']}"}) != first
+
+
+def test_what_can_be_started_counts(environ: dict[str, str]) -> None:
+    both = [
+        overlay(SOURCED, [BuiltPackage("demo", FILES, each)], lambda _: None, environ)[0].overlays
+        for each in (frozenset(), frozenset({"package.xml"}))
+    ]
+    assert both[0] != both[1]
+
+
+def test_overlays_count_by_their_place(environ: dict[str, str], tmp_path: Path) -> None:
+    both = [
+        overlay(each, [BuiltPackage("demo", FILES)], lambda _: None, environ)[0].overlays[-1]
+        for each in (SOURCED, replace(SOURCED, overlays=(tmp_path,)))
+    ]
+    assert both[0] != both[1]
+
+
 def test_a_failure_is_told_at_the_statement_and_built_again(environ: dict[str, str]) -> None:
     said = "$PWD/src/demo/a.cpp:2:1: error: no such thing"
     write_colcon(environ, f'#!/bin/sh\necho "{said}"\nexit 1\n')
@@ -254,7 +355,7 @@ def test_a_build_that_is_ended_leaves_no_process(
 def test_definitions_that_debian_has_in_another_package(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(build_tools, "_DEBIAN_SHARE", tmp_path)
+    monkeypatch.setattr(build_tools, "DEBIAN_SHARE", tmp_path)
     environment = Environment(Origin.DEBIAN, 1, "noetic", Path(sys.executable))
     package = BuiltPackage("rover", {"msg/A.msg": b"# a/b\nstereo_msgs/DisparityImage x\n"})
     environ = {"XDG_CACHE_HOME": str(tmp_path / "cache"), "PATH": "/usr/bin:/bin"}

@@ -73,6 +73,7 @@ def surveyed(capsys: pytest.CaptureFixture[str], *folders: str) -> Counter[str]:
     return Counter({name.strip(): int(count) for name, _, count in lines})
 
 
+@pytest.mark.long
 def test_nodes_keep_all_that_no_edit_asked_for(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:

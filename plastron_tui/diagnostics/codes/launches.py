@@ -67,6 +67,15 @@ UNKNOWN_ARGUMENT = Code(
     good=f"{_ARGUMENT}bringup starts talker in '$(var robot)'\n",
 )
 
+NOT_IN_PACKAGE = Code(
+    "not-in-package",
+    "A launch file starts an executable, or includes a launch file, that a package of the program "
+    "does not have. Of a package that is loaded it is only likely: it may install the file from "
+    "another folder.",
+    bad=f"{_BRINGUP}{_PACKAGE}bringup starts 'demo/takler'\n",
+    good=f"{_BRINGUP}{_PACKAGE}bringup starts 'demo/talker'\n",
+)
+
 NOT_A_COMPONENT = Code(
     "not-a-component",
     "A container is to have a node that it cannot load: it loads components, classes of C++ that "

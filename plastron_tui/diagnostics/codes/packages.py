@@ -41,7 +41,8 @@ ALREADY_CONTAINED = Code(
 
 NOT_CONTAINED = Code(
     "not-contained",
-    "A package does not contain what is to be taken out of it.",
+    "A package does not contain what is to be taken out of it. Of a package that is loaded this is "
+    "a warning: an earlier run may have taken it out.",
     bad=f"{_ROVER}rover no_longer_contains talker\n",
     good=f"{_FULL}rover no_longer_contains talker\n",
 )
@@ -117,6 +118,13 @@ FILE_STAYS = Code(
     "file-stays",
     "An executable was taken out of a package, or has another name, and its file is left there: "
     "something else may need it. Remove it by hand where nothing does.",
+    severity=Severity.WARNING,
+)
+
+STILL_STARTED = Code(
+    "still-started",
+    "An executable was taken out of a package, and a launch file of the package starts it still. "
+    "Take it out there too, with `load_launch` and `no_longer_starts`, or by hand.",
     severity=Severity.WARNING,
 )
 

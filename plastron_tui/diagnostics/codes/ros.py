@@ -63,8 +63,8 @@ NO_GRAPH = Code(
 
 UNMET_REMAP = Code(
     "unmet-remap",
-    "A `--remap` is for a name that no node of the program has, so that it changes nothing: the "
-    "name is misspelt, or is another node's.",
+    "A `--remap`, or the `remapping` of a launch file, is for a name that no node of the program "
+    "has, so that it changes nothing: the name is misspelt, or is another node's.",
     severity=Severity.WARNING,
 )
 

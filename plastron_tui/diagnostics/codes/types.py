@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from plastron_tui.diagnostics.code import Code
+from plastron_tui.diagnostics.severity import Severity
 
 _SPEED = "create_message_type WheelSpeed with float64 left, float64 right\n"
 _USED = (
@@ -15,7 +16,7 @@ BAD_TYPE_NAME = Code(
     "bad-type-name",
     "A type has a name that ROS does not take for one: it has letters and digits, in ROS 2 a "
     "capital letter first, and is no type that definitions know.",
-    bad="create_message_type string with float64 left\n",
+    bad="create_message_type uint8 with float64 left\n",
     good="create_message_type WheelSpeed with float64 left\n",
 )
 
@@ -24,6 +25,21 @@ TYPE_EXISTS = Code(
     "A type is made that there is already, in the program or in a package of ROS.",
     bad=f"{_SPEED}create_message_type WheelSpeed with float64 both\n",
     good=_SPEED,
+)
+
+TYPE_NOT_WRITTEN = Code(
+    "type-not-written",
+    "A type belongs to a package that exists, and its definition cannot be put there: nothing "
+    "writes the package, or it builds no types. A second package of its name would hide it.",
+)
+
+TYPE_HIDDEN = Code(
+    "type-hidden",
+    "A type of the program has the bare name of one of ROS, which that name means no longer from "
+    "here on. Choose another name, or write the other one with its package: `std_msgs/String`.",
+    severity=Severity.WARNING,
+    bad="create_message_type String with string data\n",
+    good="create_message_type Label with string data\n",
 )
 
 BAD_FIELD = Code(

@@ -15,7 +15,7 @@ SECTION_HELP = "which part of a service or an action; without it the request, or
     "create_message_type {type} with {fields}",
     summary="Make a type of messages.",
     example="create_message_type WheelSpeed with float64 left, float64 right",
-    purpose="make a message of your own",
+    purpose="make a type of message",
     ros_term="message definition",
     about="Where no type that exists has the fields that you need, you make one that has.",
 )
@@ -23,7 +23,10 @@ class CreateMessageType(Statement):
     """Make a type of messages."""
 
     type: str = slot(SlotKind.TYPE_NAME, TYPE_HELP)
-    fields: FieldTexts = slot(SlotKind.FIELDS, "its fields and constants, in their order")
+    fields: FieldTexts = slot(
+        SlotKind.FIELDS,
+        "its fields and constants, in their order: `float64 x`, `int32[] ids`, `uint8 OK = 1`",
+    )
 
 
 @statement(
@@ -31,7 +34,7 @@ class CreateMessageType(Statement):
     "create_service_type {type} with {request} returning {response}",
     summary="Make a type of services.",
     example="create_service_type Reset with bool hard returning bool done",
-    purpose="make a service of your own",
+    purpose="make a type of service",
     ros_term="service definition",
     about="A service has two parts: what is asked, and what is answered.",
 )
@@ -48,7 +51,7 @@ class CreateServiceType(Statement):
     "create_action_type {type} with {goal} returning {result} reporting {feedback}",
     summary="Make a type of actions.",
     example="create_action_type Dock with int32 bay returning bool docked reporting float32 left",
-    purpose="make an action of your own",
+    purpose="make a type of action",
     ros_term="action definition",
     about="An action has three parts: the goal, its result, and what is told on the way.",
 )

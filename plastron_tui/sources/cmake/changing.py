@@ -146,17 +146,21 @@ def into_list(
 
 
 def _is_alone(lists: CMakeLists, call: Call, setting: Command) -> bool:
-    """Whether a list is set in no branch, and nothing but one call is given it."""
+    """Whether a list is set in no branch, and nothing but one call names it."""
     is_top = any(each is setting for each in lists.listing.statements)
     if not is_top or setting.name not in ("set", "list"):
         return False
     name = setting.arguments[1 if setting.name == "list" else 0].value
-    users = [
-        each
-        for each in lists.listing.commands()
-        if any(f"${{{name}}}" in argument.value for argument in each.arguments)
-    ]
+    users = [each for each in lists.listing.commands() if _uses(each, name)]
     return [each.start for each in users] == [call.command.start]
+
+
+def _uses(command: Command, name: str) -> bool:
+    """Whether a command may read a list: by reference, or by its bare name as `foreach` does."""
+    values = [each.value for each in command.arguments]
+    is_made = command.name == "set" or [each.upper() for each in values[:1]] == ["APPEND"]
+    bare = values[1 if command.name == "set" else 2 :] if is_made else values
+    return name in bare or any(f"${{{name}}}" in each for each in values)
 
 
 def word_of(command: Command, word: str) -> Argument | None:

@@ -53,6 +53,8 @@ INSTALL_WORDS = frozenset(
         "PATTERN",
         "REGEX",
         "EXCLUDE",
+        "EXCLUDE_FROM_ALL",
+        "MESSAGE_NEVER",
         "TYPE",
     }
 )
@@ -139,6 +141,17 @@ def destination_of(lists: CMakeLists, call: Call) -> str:
         if (path + "/").startswith(variable + "/"):
             path = folder.format(lists.name) + path[len(variable) :]
     return path
+
+
+def words_of(call: Call) -> frozenset[str]:
+    """Return the keywords that a call of `install` has."""
+    said = {each.value for each in call.items if not each.argument.is_quoted}
+    return INSTALL_WORDS & said
+
+
+def installs_always(call: Call) -> bool:
+    """Whether a call installs what it names however a package is built (`install` of CMake)."""
+    return not call.conditions and not words_of(call) & {"CONFIGURATIONS", "EXCLUDE_FROM_ALL"}
 
 
 def programs(lists: CMakeLists) -> Iterator[Entry]:

@@ -20,7 +20,7 @@ from .facts import (
     interfaces,
 )
 from .places import insert_after, insert_before_end, written_call
-from .reader import CMakeLists
+from .reader import CMakeLists, read_cmake
 from .syntax import Command
 
 _GENERATING = {False: "rosidl_generate_interfaces", True: "generate_messages"}
@@ -55,6 +55,69 @@ def remove_interface_dependency(text: bytes, path: Path, name: str) -> Edited:
     return change(text, path, lambda lists: _remove_dependency(lists, name))
 
 
+def builds_types(text: bytes, path: Path) -> bool:
+    """Tell whether a file makes types already; one that cannot be read makes none."""
+    lists, _ = read_cmake(text, path)
+    return lists is not None and any(each.is_plain for each in interfaces(lists))
+
+
+def add_generating(text: bytes, path: Path) -> Edited:
+    """Call `generate_messages`, without which catkin makes no types; nothing changes with one."""
+    return change(text, path, _add_generating)
+
+
+def export_runtime(text: bytes, path: Path) -> Edited:
+    """Let what uses the types of an ament package have what they need to run."""
+    return change(text, path, _export_runtime)
+
+
+def check_module(text: bytes, path: Path) -> Edited:
+    """Refuse types beside a Python module of the package's name: theirs has the same name.
+
+    Both make the module of that name (rosidl_generator_py, ament_cmake_python); a file that makes
+    types already is let be.
+    """
+    return change(text, path, _check_module)
+
+
+def _add_generating(lists: CMakeLists) -> bytes:
+    calls = lists.named(_GENERATING[True])
+    listing = lists.listing
+    if any(each.is_plain for each in calls):
+        return listing.text
+    _check_unconditional(lists, _GENERATING[True])
+    call = written_call(listing, _GENERATING[True], "", [])
+    return applied(lists, _before_generating(lists, call), Counter(), "generating messages")
+
+
+def _check_unconditional(lists: CMakeLists, name: str) -> None:
+    """Refuse to write a call anew that stands under a condition."""
+    listing = lists.listing
+    for each in lists.named(name):
+        why = f"calls `{name}` under a condition"
+        raise refusal(listing.text, listing.path, each.command.span, why)
+
+
+def _export_runtime(lists: CMakeLists) -> bytes:
+    name, runtime = "ament_export_dependencies", "rosidl_default_runtime"
+    if any(item.value == runtime for call in lists.named(name) for item in call.items):
+        return lists.listing.text
+    call = written_call(lists.listing, name, runtime, [])
+    return applied(lists, insert_before_end(lists, call), Counter(), f"exporting `{runtime}`")
+
+
+def _check_module(lists: CMakeLists) -> bytes:
+    listing = lists.listing
+    if not any(each.is_plain for each in interfaces(lists)):
+        for call in lists.named("ament_python_install_package"):
+            if call.items and call.items[0].value in (lists.name, "${PROJECT_NAME}"):
+                why = f"installs a Python module `{lists.name}`, as the types would be"
+                remedy = "leave the package out where the type is made: it gets one of its own then"
+                span = call.command.span
+                raise refusal(listing.text, listing.path, span, why, codes.EDIT_REFUSED, remedy)
+    return listing.text
+
+
 def _add(lists: CMakeLists, file: str) -> bytes:
     is_catkin = build_type_of(lists) == CATKIN
     if any(each.has(file) for each in interfaces(lists) if each.is_plain):
@@ -68,6 +131,7 @@ def _add_ament(lists: CMakeLists, file: str) -> list[Splice]:
     listing = lists.listing
     calls = [each for each in lists.named(_GENERATING[False]) if each.is_plain and each.items]
     if not calls:
+        _check_unconditional(lists, _GENERATING[False])
         first = "${PROJECT_NAME}"
         call = written_call(listing, _GENERATING[False], first, [f'"{file}"'])
         return insert_before_end(lists, call)
@@ -144,6 +208,8 @@ def _add_dependency(lists: CMakeLists, name: str) -> bytes:
         return listing.text
     calls = [each for each in lists.named(_GENERATING[is_catkin]) if each.is_plain]
     splices: list[Splice] | None
+    if not calls:
+        _check_unconditional(lists, _GENERATING[is_catkin])
     if not calls and is_catkin:
         call = written_call(listing, "generate_messages", "DEPENDENCIES", [name])
         splices = _before_generating(lists, call)

@@ -9,9 +9,20 @@ from plastron_tui.sources.build_files import Edited
 from plastron_tui.sources.splices import Splice
 
 from .changing import Facts, applied, build_type_of, change, into_list, removed
-from .facts import CATKIN, INSTALL_WORDS, Entry, destination_of, programs
+from .facts import (
+    CATKIN,
+    INSTALL_WORDS,
+    Entry,
+    destination_of,
+    installs_always,
+    programs,
+    words_of,
+)
 from .places import insert_installation, written_call
-from .reader import CMakeLists
+from .reader import Call, CMakeLists
+
+# With these a call installs every script that it names under its own name, executable.
+_PLAIN_WORDS = frozenset({"PROGRAMS", "DESTINATION", "COMPONENT"})
 
 
 def add_program(text: bytes, path: Path, script: str) -> Edited:
@@ -30,10 +41,31 @@ def remove_program(text: bytes, path: Path, script: str) -> Edited:
     return change(text, path, lambda lists: _remove(lists, script))
 
 
-def _installed(lists: CMakeLists, script: str) -> list[Entry]:
+def _named(lists: CMakeLists, script: str) -> list[Entry]:
+    """Return what installs a script there, under whatever name, in whatever configuration."""
     where = f"lib/{lists.name}"
     found = [each for each in programs(lists) if each.destination == where]
     return [each for each in found if each.is_plain and each.has(script)]
+
+
+def _is_installed(lists: CMakeLists, script: str) -> bool:
+    """Whether a script is surely installed under its own name, to be run."""
+    name = script.rpartition("/")[2]
+    return any(
+        installs_always(each.call) and _may_run(each.call) and _renamed(each.call) in ("", name)
+        for each in _named(lists, script)
+    )
+
+
+def _may_run(call: Call) -> bool:
+    """Whether the permissions that a call gives let its owner run what it installs."""
+    given = {each.value for each in call.section("PERMISSIONS", INSTALL_WORDS)}
+    return not given or given >= {"OWNER_READ", "OWNER_EXECUTE"}
+
+
+def _renamed(call: Call) -> str:
+    """Return the name that a call gives what it installs, "" for its own."""
+    return next((each.value for each in call.section("RENAME", INSTALL_WORDS)), "")
 
 
 def _fact(lists: CMakeLists, script: str) -> Facts:
@@ -42,7 +74,7 @@ def _fact(lists: CMakeLists, script: str) -> Facts:
 
 def _add(lists: CMakeLists, script: str) -> bytes:
     is_catkin = build_type_of(lists) == CATKIN
-    if _installed(lists, script):
+    if _is_installed(lists, script):
         return lists.listing.text
     more = _fact(lists, script)
     splices = _into_call(lists, script)
@@ -57,7 +89,7 @@ def _into_call(lists: CMakeLists, script: str) -> list[Splice] | None:
     for call in reversed(calls):
         items = call.section("PROGRAMS", INSTALL_WORDS)
         is_there = call.is_plain and destination_of(lists, call) == f"lib/{lists.name}"
-        if not items or not is_there or any(each.value == "RENAME" for each in call.items):
+        if not items or not is_there or not words_of(call) <= _PLAIN_WORDS:
             continue
         last = items[-1].value
         folder = last[: len(last) - len(last.split("}/")[-1])] if last.startswith("${") else ""
@@ -75,10 +107,11 @@ def _new_call(lists: CMakeLists, script: str, is_catkin: bool) -> list[Splice]:
 
 
 def _remove(lists: CMakeLists, script: str) -> bytes:
-    found = [each for each in _installed(lists, script) if each.what == script]
+    found = [each for each in _named(lists, script) if each.what == script]
     if not found:
         return lists.listing.text
-    entry = found[-1]
+    plain = [each for each in found if words_of(each.call) <= _PLAIN_WORDS]
+    entry = (plain or found)[-1]
     path = lists.listing.path
     alone = len(entry.call.section("PROGRAMS", INSTALL_WORDS)) == 1
     alone = alone and entry.item.command is entry.call.command

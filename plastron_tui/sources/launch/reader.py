@@ -6,6 +6,7 @@ from collections.abc import Callable
 from pathlib import Path
 
 from plastron_tui.regular_files import read_regular, reason
+from plastron_tui.ros.launch_names import launch_language
 from plastron_tui.ros.launch_started import Opened
 
 from .python_reader import read_launch_python
@@ -14,27 +15,15 @@ from .xml_reader import LaunchRead, read_launch_xml
 LARGEST = 2_000_000
 """In bytes: far more than any launch file that people write."""
 
-_ENDINGS = {
-    ".launch": "xml",
-    ".launch.xml": "xml",
-    "_launch.xml": "xml",
-    ".launch.py": "py",
-    "_launch.py": "py",
-    ".launch.yaml": "yaml",
-    ".launch.yml": "yaml",
-    "_launch.yaml": "yaml",
-    "_launch.yml": "yaml",
-}
-
 
 def is_launch_file(file: Path) -> bool:
     """Tell whether a file is a launch file, as its name tells."""
-    return _language(file) is not None
+    return launch_language(file.name) is not None
 
 
 def read_launch(source: bytes, file: Path) -> LaunchRead:
     """Read a launch file; one whose name tells nothing is XML."""
-    language = _language(file)
+    language = launch_language(file.name)
     if language == "py":
         return read_launch_python(source, file)
     if language == "yaml":
@@ -66,7 +55,3 @@ def open_included(path: Path, beyond: Callable[[Path], str]) -> Opened:
         why = read.diagnostics[0].message if read.diagnostics else "it is no launch file"
         return Opened(None, 2, "", why)
     return Opened(read.launch, read.format.ros_version, str(path.parent))
-
-
-def _language(file: Path) -> str | None:
-    return next((found for end, found in _ENDINGS.items() if file.name.endswith(end)), None)

@@ -73,12 +73,11 @@ def add_launch(
         file: the launch file, by its path in the package.
         keys: the packages of what it starts.
     """
-    folder = file.partition("/")[0]
     if source.build_type == "ament_python":
         from plastron_tui.sources.setup_py.data_files import add_data_file
 
         path = source.folder / SETUP_PY
-        after = _with(texts, SETUP_PY, add_data_file(texts[SETUP_PY], path, folder, file))
+        after = _with(texts, SETUP_PY, add_data_file(texts[SETUP_PY], path, _folder(file), file))
     else:
         from plastron_tui.sources.cmake.shares import add_shared
 
@@ -106,25 +105,32 @@ def remove_launch(
         keys: the dependencies that came with it; one that another file names stays.
         is_installed_elsewhere: whether what installs it was there before, and stays.
     """
-    folder = file.partition("/")[0]
     after = Changed(dict(texts))
     if source.build_type == "ament_python":
         from plastron_tui.sources.setup_py.data_files import remove_data_file
 
         path = source.folder / SETUP_PY
         if not is_installed_elsewhere:
-            edited = remove_data_file(texts[SETUP_PY], path, folder, file)
+            edited = remove_data_file(texts[SETUP_PY], path, _folder(file), file)
             after = _with(texts, SETUP_PY, edited)
     elif not is_installed_elsewhere:
         from plastron_tui.sources.cmake.shares import remove_shared
 
         path = source.folder / CMAKE_LISTS
-        after = _with(texts, CMAKE_LISTS, remove_shared(texts[CMAKE_LISTS], path, file))
+        top = file.partition("/")[0]
+        is_shared = any(each.startswith(f"{top}/") for each in source.names - {file})
+        edited = remove_shared(texts[CMAKE_LISTS], path, file, keep_folder=is_shared)
+        after = _with(texts, CMAKE_LISTS, edited)
     if after.texts is None or not source.is_whole:
         return after
     others = {name: each for name, each in after.texts.items() if name not in (file, PACKAGE_XML)}
     gone = [key for key in keys if not any(named_elsewhere(others, (key,)))]
     return _remove_dependencies(source, after.texts, gone)
+
+
+def _folder(file: str) -> str:
+    """Return the folder below `share/PACKAGE` that a file goes to: the one that it is in."""
+    return file.rpartition("/")[0]
 
 
 def remove_executable(

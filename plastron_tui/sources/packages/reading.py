@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, NamedTuple
 from plastron_tui.diagnostics import Diagnostic, codes
 from plastron_tui.diagnostics.severity import Severity
 from plastron_tui.model.package_source import Executable, LoadedPackage, PackageSource
+from plastron_tui.ros.launch_names import launch_language
 from plastron_tui.sources.build_files import RefusedError
 from plastron_tui.sources.splices import line_number
 from plastron_tui.sources.xml.package_xml import read_package
@@ -24,7 +25,6 @@ PACKAGE_XML, SETUP_PY, SETUP_CFG, PYPROJECT, CMAKE_LISTS = (
     "pyproject.toml",
     "CMakeLists.txt",
 )
-LAUNCH_ENDINGS = (".launch", ".launch.xml", ".launch.py", ".launch.yaml", ".launch.yml")
 
 _SCRIPT_FOLDERS = ("scripts", "nodes", "script", "bin", "src")
 _PYTHON_ROOTS = ("", "src")
@@ -83,9 +83,10 @@ def read_package_files(files: PackageFiles, ros_version: int) -> LoadedPackage:
             parts.executables,
             parts.node_folder,
             parts.python_root,
-            tuple(sorted(name for name in files.names if name.endswith(LAUNCH_ENDINGS))),
+            tuple(sorted(name for name in files.names if launch_language(name))),
             files.is_whole,
             parts.script_file,
+            files.names,
         )
     )
 

@@ -24,7 +24,7 @@ def add_data_file(text: bytes, path: Path, folder: str, file: str) -> Edited:
     Args:
         text: what is in the setup.py.
         path: the setup.py.
-        folder: the folder below `share/PACKAGE`, such as `launch`.
+        folder: the folder below `share/PACKAGE`, such as `launch`; "" for that one itself.
         file: the file, by its path from the package's folder.
     """
     return edited(_add, text, path, folder, file)
@@ -39,7 +39,7 @@ def _destination(setup: Setup, described: SetupFile, folder: str) -> str:
     if described.name is None:
         span = (setup.call.start_byte, setup.call.end_byte)
         raise refusal(setup.text, setup.path, span, "computes the name of the package")
-    return f"share/{described.name}/{folder}"
+    return f"share/{described.name}/{folder}".rstrip("/")
 
 
 def _add(text: bytes, path: Path, folder: str, file: str) -> bytes:
@@ -86,7 +86,7 @@ def _addition(setup: Setup, before: SetupFile, destination: str, file: str) -> l
     if target is None:
         span = (node.start_byte, node.end_byte)
         raise refusal(setup.text, setup.path, span, "computes `data_files`")
-    folder = destination.split("/", 2)[2]
+    folder = destination.removeprefix(f"share/{before.name}").lstrip("/")
     place = _written_destination(setup, node, before.name or "", folder, quote)
     item = f"({place}, [{written}])".encode()
     return insert(setup.text, target, lambda _: item, len(items_of(target)))
@@ -131,6 +131,8 @@ def _last_list(setup: Setup, node: Node) -> Node | None:
 def _written_destination(setup: Setup, node: Node, name: str, folder: str, quote: str) -> str:
     """Write a folder of the package as other entries write theirs."""
     share = f"share/{name}"
+    if not folder:
+        return f"{quote}{share}{quote}"
     for place, _ in _entries(setup, node):
         value, source = evaluate(setup, place), setup.source(place)
         if not isinstance(value, str) or not (value + "/").startswith(share + "/"):

@@ -85,12 +85,15 @@ class RunActions:
         session.files_changed()
         return True
 
-    async def run(self) -> None:
-        """Save, then start the nodes; stop them where they run."""
+    async def run(self, *, anew: bool = False) -> None:
+        """Save, then start the nodes; those that run are stopped, and started `anew` if asked."""
         if self._running is not None:
             self._layout.bring("output", focus=True)
             self._running.stop()
-            return
+            if not anew:
+                return
+            while self._running is not None:
+                await asyncio.sleep(_LOOK)
         if not await self._has_place() or await self._has_errors():
             return
         if self._program.open.is_changed and not await self._files.save():

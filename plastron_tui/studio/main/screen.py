@@ -309,9 +309,9 @@ class MainScreen(Screen[None]):
             self.feed.ask_anew()
 
     @work(exclusive=True, group="run")
-    async def action_run(self) -> None:
-        """Save, then start the nodes; stop them where they run."""
-        await self.runner.run()
+    async def action_run(self, anew: bool = False) -> None:
+        """Save, then start the nodes; those that run are stopped, and started `anew` if asked."""
+        await self.runner.run(anew=anew)
 
     def action_stop(self) -> None:
         """Stop what runs."""

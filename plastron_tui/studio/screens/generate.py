@@ -232,7 +232,7 @@ class GenerateDialog(Dialog[bool]):
     def action_run(self) -> None:
         """Start the nodes."""
         self.dismiss(self.is_written)
-        self.app.call_later(self.app.run_action, "screen.run")
+        self.app.call_later(self.app.run_action, "screen.run(True)")
 
     @on(Button.Pressed, "#close")
     def action_close(self) -> None:

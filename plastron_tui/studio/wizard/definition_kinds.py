@@ -9,6 +9,7 @@ from plastron_tui.language import statements as st
 from plastron_tui.language.sentence import quoted
 from plastron_tui.model.own_types import OwnType
 from plastron_tui.ros.interfaces import Constant, Field, Interface, InterfaceKind, InterfaceName
+from plastron_tui.ros.primitives import PRIMITIVES, other_word, primitive
 
 from .ask import Ask, Choice
 from .context import free_name
@@ -99,10 +100,21 @@ def field_problem(text: str) -> str | None:
     """Tell why a text is no field, as far as its shape tells."""
     words = text.replace("=", " = ").split()
     if len(words) == 1:
-        return f"the field needs a name: `{words[0]} speed`, say"
+        if _may_be_type(words[0]):
+            return f"the field needs a name: `{words[0]} speed`, say"
+        return f"the field needs a type before its name: `float64 {words[0]}`, say"
     if '"' not in text and "'" not in text and "[" not in text and "," in text:
         return "each field has a line of its own"
     return None
+
+
+def _may_be_type(word: str) -> bool:
+    """Tell whether a word is a type as far as its shape tells, and no name of a field."""
+    return (
+        not (word.isascii() and word.isidentifier() and word.islower())
+        or any(primitive(word, version) is not None for version in PRIMITIVES)
+        or other_word(word) is not None
+    )
 
 
 class DefinitionKind(Kind):

@@ -175,13 +175,17 @@ class FormPage(Vertical):
         if here in there:
             return
         free = [row for row in self._rows.values() if not row.is_fixed]
-        found = self._rows.get(here) if here is not None else None
+        found = None if here is None else self._rows.get(here) or self._last_of(here[0])
         if found is None or found.is_fixed:
             found = free[0] if free else None
         if found is not None:
             found.box.focus()
         else:
             self.screen.set_focus(None)
+
+    def _last_of(self, slot: str) -> Row | None:
+        """Return the last row of a slot, for who was in one that is gone."""
+        return next((row for row in reversed(self._rows.values()) if row.slot.name == slot), None)
 
     @property
     def row_here(self) -> Row | None:
@@ -219,6 +223,21 @@ class FormPage(Vertical):
         if row is not None and not row.is_fixed:
             row.box.focus()
         self.show_help()
+
+    def goes_on(self) -> bool:
+        """Go from the name of a type to its first field, where that is but an example.
+
+        Return whether it did so: what nobody has looked at is not taken along with the name.
+        """
+        row = self.row_here
+        if row is None or row.slot.kind is not SlotKind.TYPE_NAME:
+            return False
+        slot = field_slots(self.form)[0]
+        first = self._rows.get((slot.name, row_path(slot, 0)))
+        if first is None or any(path[0] == slot.name for path in self.form.values):
+            return False
+        first.box.focus()
+        return True
 
     # Choices.
 

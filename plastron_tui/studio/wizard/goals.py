@@ -46,10 +46,10 @@ GROUPS = {
         "What shall it do?",
     ),
     Aim.TYPE: Group(
-        "make a message of your own",
+        "make a type of message, service or action",
         "interface definition",
-        "Where no type has the fields that you need; a service or an action of your own, too.",
-        "What of your own?",
+        "Where no type that exists has the fields that you need, you make one that has.",
+        "What about types?",
     ),
     Aim.PACKAGE: Group(
         "make it a package",

@@ -5,6 +5,7 @@ from __future__ import annotations
 from plastron_tui.language import SlotKind
 from plastron_tui.language import statements as st
 from plastron_tui.model.launches import Launch
+from plastron_tui.ros.launch_names import launch_language
 
 from .ask import Ask, Choice
 from .context import free_name
@@ -12,11 +13,11 @@ from .kind import OF_THE_LIST, Kind
 from .node_files import found_files, path_text
 from .trials import first_that_works
 
-_SUFFIXES = frozenset({".launch", ".xml", ".py", ".yaml"})
+_SUFFIXES = frozenset({".launch", ".xml", ".py", ".yaml", ".yml"})
 
 
 def _is_launch(name: str) -> bool:
-    return name.endswith((".launch", "_launch.py")) or ".launch." in name
+    return launch_language(name) is not None
 
 
 class LaunchNameKind(Kind):
@@ -161,8 +162,9 @@ class IncludedKind(Kind):
         """Return the one that is included, for one that is to be no longer."""
         if ask.form.declaration.undoes is not None:
             return next((each.text for each in reversed(self.choices(ask, ""))), "")
-        names = (each.name for each in ask.scene.session.workspace.packages.values())
-        return f"{next(names, 'my_robot')}/bringup.launch.xml"
+        # What the program's own packages have is known, and another file of them refused.
+        names = {each.name for each in ask.scene.workspace.packages.values()}
+        return f"{free_name('my_robot', names)}/bringup.launch.xml"
 
     def choices(self, ask: Ask, query: str) -> list[Choice]:
         """Return those that are included, for one that is to be no longer."""

@@ -45,7 +45,7 @@ class Offering:
         return [*offers, RECIPES]
 
     def purposes(self, group: Aim, head: Form | None, *, is_new: bool) -> list[Offer]:
-        """Return the entries of a menu of its own, what most would do next first in mind.
+        """Return the entries of a menu of its own: those that can be had now come first.
 
         Args:
             group: whose menu it is.
@@ -57,11 +57,12 @@ class Offering:
         if head is not None:
             filled.append(self.filler.fill(head, scene))
             scene = self.filler.extended(scene, filled[0])
-        return [
+        offers = [
             self._offer(each, scene, filled)
             for each in declarations_of(group)
             if not (each.undoes is not None and is_new)
         ]
+        return sorted(offers, key=lambda each: bool(each.closed))
 
     def _offer(
         self, declaration: Declaration, scene: Scene | None, filled: list[Filled] | None = None

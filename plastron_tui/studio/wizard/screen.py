@@ -281,6 +281,8 @@ class Wizard(Frame):
         blocking = self.course.blocking(look)
         if blocking:
             self._insist_on(blocking[0], look)
+        elif self._form_page is not None and self._form_page.goes_on():
+            await self.settled()
         elif page.kind is PageKind.REVIEW:
             await self._finish(look)
         else:

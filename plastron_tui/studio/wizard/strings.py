@@ -31,7 +31,7 @@ def done_items(session: Session, heard: str) -> dict[str, Item]:
                      is_advised=not is_whole),
         "screen.generate": Item("write the files", "", "Shows each file before it is written.",
                                 closed, is_whole),
-        "screen.run": Item("run the nodes", "",
+        "screen.run(True)": Item("run the nodes", "",
                            "Writes the files, starts the nodes and shows what they say.", closed),
     }  # fmt: skip
     if heard:

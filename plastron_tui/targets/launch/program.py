@@ -61,7 +61,7 @@ def request_of(launch: Launch, ros_version: int, find: FindExecutable) -> Reques
         for each in launch.arguments.values()
     ]
     includes: list[Item] = [
-        Include(package_file(each.package, _path(each.file))) for each in launch.includes.values()
+        Include(package_file(each.package, each.path)) for each in launch.includes.values()
     ]
     items = (*arguments, *includes, *_started(launch, ros_version, find))
     removed = (
@@ -70,11 +70,6 @@ def request_of(launch: Launch, ros_version: int, find: FindExecutable) -> Reques
         *((Include, name) for name in launch.removed_includes),
     )
     return Request(LaunchFile(items), removed)
-
-
-def _path(file: str) -> str:
-    """Return where a package has its launch files, unless the program says a folder."""
-    return file if "/" in file else f"launch/{file}"
 
 
 def _started(launch: Launch, ros_version: int, find: FindExecutable) -> list[Item]:

@@ -73,6 +73,19 @@ COMPUTED = [
         "line 4 of `CMakeLists.txt` computes its types",
     ),
     (
+        interfaces.add_interface,
+        HEAD
+        + "block()\n  set(m msg/Speed.msg)\n  rosidl_generate_interfaces(rover ${m})\nendblock()\n",
+        "srv/Go.srv",
+        "line 5 of `CMakeLists.txt` computes its types",
+    ),
+    (
+        shares.add_shared,
+        HEAD + "install(FILES x.launch DESTINATION share/rover RENAME y.launch)\n",
+        "x.launch",
+        "line 3 of `CMakeLists.txt` installs `x.launch` in a way of its own",
+    ),
+    (
         interfaces.add_interface_dependency,
         HEAD,
         "std_msgs",

@@ -59,6 +59,7 @@ def _check(path: Path, text: bytes, name: str, monkeypatch: pytest.MonkeyPatch) 
     assert together == edit_python(source, MANY[name], *target)
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("name", MANY)
 def test_in_one_go_is_as_one_after_the_other(name, monkeypatch):
     _check(Path("node.py"), NODE.encode(), name, monkeypatch)

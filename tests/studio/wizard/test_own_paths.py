@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from pathlib import Path
 
+import pytest
+from wizard_courses import OWN
 from wizard_driver import WizardDriver, wizard_from_welcome
 
 from plastron_tui.model.kinds import Publisher, Subscription
@@ -22,11 +24,12 @@ async def begin(it: WizardDriver) -> None:
         )
 
 
+@pytest.mark.long
 async def test_two_nodes_exchange_a_message_of_ones_own(here: Path) -> None:
     async with wizard_from_welcome() as it:
         await begin(it)
-        await it.pick("make a message of your own")
-        await it.pick("make a message of your own")
+        await it.pick(OWN)
+        await it.pick("make a type of message")
         await it.type("WheelSpeed")
         await it.finish()
         await it.go("something more", "make a node")

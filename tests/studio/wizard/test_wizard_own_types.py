@@ -9,6 +9,7 @@ from wizard_courses import ANSWER, MAKE, OWN, PACKAGE, REACT, SEND, TOGETHER
 from wizard_driver import WizardDriver, wizard, wizard_from_welcome
 
 from plastron_tui.session import Options, Session
+from plastron_tui.studio.wizard.flow import PageKind
 
 MOST_KEYS = 40
 """The most keys of the whole way; letters of names are not counted."""
@@ -40,7 +41,7 @@ generate_package my_robot
 async def make_type(it: WizardDriver) -> None:
     """Make a message with two fields: names are written, all else is chosen."""
     await it.pick(OWN)
-    await it.pick("make a message of your own")
+    await it.pick("make a type of message")
     await it.type("WheelSpeed")
     await it.press("tab", "down")
     assert it.row("field 1").text == "float64 "
@@ -89,7 +90,7 @@ async def test_two_nodes_exchange_a_type_of_ones_own_in_few_keys() -> None:
 
 async def test_rows_grow_with_the_fields_and_wrong_ones_are_said(two: Path) -> None:
     async with wizard(two) as it:
-        await it.go(OWN, "make a message of your own")
+        await it.go(OWN, "make a type of message")
         assert list(it.rows) == ["type", "field 1", "field 2"]
         await it.write("field 2", "string[] names")
         assert list(it.rows) == ["type", "field 1", "field 2", "field 3"]
@@ -105,9 +106,44 @@ async def test_rows_grow_with_the_fields_and_wrong_ones_are_said(two: Path) -> N
         assert it.statements == ("create_message_type MyMessage with none",)
 
 
+async def test_the_name_of_a_type_leads_to_its_fields(two: Path) -> None:
+    async with wizard(two) as it:
+        await it.go(OWN, "make a type of message")
+        await it.type("WheelSpeed")
+        await it.press("enter")
+        assert it.kind is PageKind.FORM and it.form.row_here is it.row("field 1")
+        await it.type("float64 left")
+        await it.press("enter")
+        assert it.kind is PageKind.REVIEW
+        assert it.statements == ("create_message_type WheelSpeed with float64 left",)
+
+
+async def test_who_is_in_a_row_that_goes_stays_among_the_fields(two: Path) -> None:
+    async with wizard(two) as it:
+        await it.go(OWN, "make a type of message")
+        await it.type("WheelSpeed")
+        await it.write("field 1", "left")
+        assert "a type before its name: `float64 left`" in it.help
+        it.row("field 1").take("")
+        it.row("field 2").box.focus()
+        await it.settle()
+        assert list(it.rows) == ["type", "field 1"]
+        assert it.form.row_here is it.row("field 1")
+
+
+async def test_what_can_be_had_comes_first(two: Path) -> None:
+    async with wizard(two) as it:
+        await it.go(OWN)
+        closed = [bool(each.closed) for each in it.screen._items]
+        assert it.menu[:3] == [
+            f"make a type of {each}" for each in ("message", "service", "action")
+        ]
+        assert any(closed) and closed == sorted(closed)
+
+
 async def test_a_service_of_ones_own_is_what_is_answered_next(two: Path) -> None:
     async with wizard(two) as it:
-        await it.go(OWN, "make a service of your own")
+        await it.go(OWN, "make a type of service")
         await it.finish()
         await it.pick("something more")
         await it.pick(MAKE)

@@ -1,0 +1,51 @@
+"""Nodes that are to run while those of before still do."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+from studio_driver import studio
+
+from plastron_tui.studio import running
+
+PROGRAM = "create_node 'a' as a\nsubscribe a to 'b' of message_type String\ngenerate_node a\n"
+
+
+class Nodes:
+    """Nodes that end when they are asked to, and not before."""
+
+    made: list[Nodes]
+
+    def __init__(self, path: Path, options: object, news: object) -> None:
+        self.status: int | None = None
+        self.was_stopped = False
+        self._news = news
+        self.made.append(self)
+
+    def take(self) -> list[str]:
+        return []
+
+    def stop(self) -> None:
+        self.status, self.was_stopped = 130, True
+        self._news()  # type: ignore[operator]
+
+    close = stop
+
+
+@pytest.mark.parametrize(("action", "count"), [("screen.run(True)", 2), ("screen.run", 1)])
+async def test_running_nodes_are_started_anew(
+    action: str, count: int, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(Nodes, "made", [], raising=False)
+    monkeypatch.setattr(running, "Running", Nodes)
+    path = tmp_path / "a.plastron"
+    path.write_text(PROGRAM)
+    async with studio(path) as driver:
+        runner = driver.main.runner
+        await driver.press("f5")
+        await driver.until(lambda: runner.is_running)
+        await driver.main.run_action(action)
+        await driver.until(lambda: Nodes.made[0].status is not None)
+        await driver.until(lambda: runner.is_running == (count == 2))
+        assert [each.status for each in Nodes.made] == [130, None][:count]
