@@ -276,6 +276,8 @@ def test_nodes_are_told_apart_by_their_full_names() -> None:
     )
     for statement, code in (
         ("bringup starts 'demo/ear' in '/front'", "already-started"),
+        ("bringup starts 'demo/other' as 'ear' in 'rear'", "already-started"),
+        ("bringup starts 'demo/ear' as 'ear' in '/rear'", "already-started"),
         ("bringup starts 'demo/other' as 'ear'", "already-started"),
         ("bringup no_longer_starts 'eye'", "not-started"),
     ):

@@ -66,7 +66,7 @@ def as_text(value: Any) -> Text | None:
         return text(str(value))
     if isinstance(value, (str, int, float)):
         return text(str(value))
-    if isinstance(value, (list, tuple)):
+    if type(value) in (list, tuple):
         found = [as_text(each) for each in value]
         known = [each for each in found if each is not None]
         return text(*known) if len(known) == len(found) else None
@@ -217,7 +217,7 @@ def _values(found: dict[Any, Any], before: Text) -> Iterable[ParameterValue]:
 
 
 def _value(name: Text, value: Any) -> ParameterValue:
-    setting = as_value(value)
+    setting = None if isinstance(value, Computed) else as_value(value)
     if isinstance(setting, str):
         setting = typed(setting, 2)
     if setting is not None:
