@@ -266,7 +266,9 @@ def test_a_type_that_one_ros_cannot_have_stays_so_when_it_changes() -> None:
     assert told.message == "`A` is no type of ROS 1: ROS 1 has no bounded types"
     # Nor where what one could not have is taken away.
     less = f"{text}A no_longer_has_field 'x'\n"
-    assert [each.definitions.keys() for each in run(less, "rclpy").workspace.types.values()] == [{2}]
+    assert [each.definitions.keys() for each in run(less, "rclpy").workspace.types.values()] == [
+        {2}
+    ]
 
 
 def test_what_else_is_wrong_in_a_type_is_told() -> None:
