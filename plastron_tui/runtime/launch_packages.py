@@ -28,7 +28,7 @@ Variables = tuple[tuple[str, Path], ...]
 """Folders that are put before what a variable of the environment has."""
 
 
-class Executable(NamedTuple):
+class Command(NamedTuple):
     """What starts an executable of a package.
 
     Attributes:
@@ -70,7 +70,7 @@ class Packages:
         roots = (self.root, *self.prefixes)
         return any(path.is_relative_to(os.path.realpath(each)) for each in roots)
 
-    def executable(self, package: str, name: str, python: Path) -> Executable | None:
+    def executable(self, package: str, name: str, python: Path) -> Command | None:
         """Return what starts an executable, None where it is not found."""
         if not is_plain(package) or not is_plain(name):
             return None
@@ -81,7 +81,7 @@ class Packages:
         for prefix in self._prefixes_of(package):
             path = prefix / "lib" / package / name
             if path.is_file() and os.access(path, os.X_OK):
-                return Executable((str(path),), tuple(_variables(prefix)))
+                return Command((str(path),), tuple(_variables(prefix)))
         return None
 
     def names(self, package: str, python: Path) -> list[str]:
@@ -95,18 +95,18 @@ class Packages:
             found += (each.name for each in _files(prefix / "lib" / package))
         return list(dict.fromkeys(found))
 
-    def _of_sources(self, folder: Path, name: str, python: Path) -> Executable | None:
+    def _of_sources(self, folder: Path, name: str, python: Path) -> Command | None:
         paths = tuple(("PYTHONPATH", each) for each in self._python_folders(folder))
         known = read_executables(folder).get(name)
         if known is not None and ":" in known.target:
-            return Executable(tuple(command(known.target, str(python))), paths)
+            return Command(tuple(command(known.target, str(python))), paths)
         files = [folder / known.file] if known is not None and known.file is not None else []
         if not (folder / "setup.py").exists():
             files += (x for x in _files(folder / "scripts") if x.name in (name, f"{name}.py"))
         for each in filter(Path.is_file, files):
             start = (str(python), str(each)) if _is_python(each) else (str(each),)
             if len(start) == 2 or os.access(each, os.X_OK):
-                return Executable(start, paths)
+                return Command(start, paths)
         return None
 
     def _python_folders(self, first: Path) -> Iterator[Path]:

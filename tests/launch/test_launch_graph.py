@@ -183,3 +183,8 @@ def test_the_graph_and_a_run_take_the_same_package(project: Path, marker: str) -
     assert run == str(project / ("z_new/eyes" if marker else "a_old/eyes"))
     _, (said,) = _shown(project, file.read_text())
     assert said.startswith(f"`{run}/a.launch.xml`")
+
+
+def test_all_nodes_of_a_name_are_shown(project: Path) -> None:
+    node = '<node pkg="demo" exec="eye" name="eye"/>'
+    assert _shown(project, f"<launch>{3 * node}</launch>")[0] == ["eye", "eye", "eye"]

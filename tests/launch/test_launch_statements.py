@@ -13,7 +13,7 @@ from plastron_tui.ros.launch_text import Scope
 from plastron_tui.session import Options, Session
 from plastron_tui.sources.launch.python_reader import read_launch_python
 from plastron_tui.sources.launch.xml_reader import read_launch_xml
-from plastron_tui.targets.launch.program import Executable, request_of
+from plastron_tui.targets.launch.program import ExecutableName, request_of
 from plastron_tui.targets.launch.python import write_python
 from plastron_tui.targets.launch.xml import write_xml
 
@@ -64,8 +64,8 @@ WRITTEN = """\
 """
 
 
-def _own(node: Node) -> Executable:
-    return Executable("own", node.name)
+def _own(node: Node) -> ExecutableName:
+    return ExecutableName("own", node.name)
 
 
 def _wrong(session: Session) -> list[str]:

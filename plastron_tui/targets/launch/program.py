@@ -26,14 +26,14 @@ from plastron_tui.ros.parameter_values import yaml_text
 from plastron_tui.ros.parameters import ParameterType, Setting, as_setting
 
 
-class Executable(NamedTuple):
+class ExecutableName(NamedTuple):
     """What a node of the program is started by: its package, and its name there."""
 
     package: str
     name: str
 
 
-FindExecutable = Callable[[Node], Executable]
+FindExecutable = Callable[[Node], ExecutableName]
 
 
 class Request(NamedTuple):
@@ -102,7 +102,9 @@ def _container(name: str) -> StartedNode:
 
 
 def _node(start: Start, ros_version: int, find: FindExecutable) -> StartedNode:
-    own = Executable(start.package, start.executable) if start.node is None else find(start.node)
+    own = (
+        ExecutableName(start.package, start.executable) if start.node is None else find(start.node)
+    )
     # roslaunch wants a name, and a component has one of its own only in code.
     name = start.name
     if name is None and (ros_version == 1 or start.node is not None or start.container):
