@@ -18,11 +18,13 @@ class InstalledExecutable(NamedTuple):
         file: what is started, by its path in the package with slashes; None where it is computed.
         where: the file of the package that says so.
         line: the line there, from 1.
+        target: the function that is called, `MODULE:FUNCTION`; "" where a file is started.
     """
 
     file: str | None
     where: str
     line: int
+    target: str = ""
 
 
 @dataclass(frozen=True, slots=True)

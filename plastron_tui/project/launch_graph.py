@@ -21,7 +21,7 @@ from plastron_tui.ros.run_names import Remap, RunNames
 from plastron_tui.sources.launch.around import own_package, packages_around, packages_root
 from plastron_tui.sources.launch.reader import open_included, read_launch
 from plastron_tui.sources.launch.unresolved import warnings_of, wrong_arguments
-from plastron_tui.sources.setup_py.reader import read_setup
+from plastron_tui.sources.packages.folder import read_executables
 
 from .loader import read_node, with_others
 
@@ -101,7 +101,7 @@ def _source(package: Path | None, started: Started, boundary: Boundary) -> Sourc
     """Return what is read of the file that an executable is made of, None where none is found."""
     if package is None:
         return None
-    for path in _candidates(package, started.executable):
+    for path in _candidates(package, started.executable, boundary):
         if path.is_file() and boundary.allows(path):
             try:
                 files = with_others(path, read_regular(path, LARGEST_FILE))
@@ -111,18 +111,10 @@ def _source(package: Path | None, started: Started, boundary: Boundary) -> Sourc
     return None
 
 
-def _candidates(package: Path, executable: str) -> Iterator[Path]:
-    setup = package / "setup.py"
-    if setup.is_file():
-        try:
-            described = read_setup(read_regular(setup, LARGEST_FILE), setup).setup
-        except OSError:
-            described = None
-        for script in () if described is None else described.console_scripts:
-            if script.name == executable:
-                yield package.joinpath(*script.target.partition(":")[0].split(".")).with_suffix(
-                    ".py"
-                )
+def _candidates(package: Path, executable: str, boundary: Boundary) -> Iterator[Path]:
+    known = read_executables(package, boundary.allows).get(executable)
+    if known is not None and known.file is not None:
+        yield package / known.file
     if "/" in executable:
         return
     for folder in (*_SCRIPTS, package.name, ""):

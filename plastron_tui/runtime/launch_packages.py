@@ -17,6 +17,7 @@ from plastron_tui.import_path import command
 from plastron_tui.regular_files import read_regular
 from plastron_tui.ros.installations import Origin
 from plastron_tui.sources.launch.around import is_plain, packages_around, packages_root
+from plastron_tui.sources.packages.folder import read_executables
 from plastron_tui.sources.setup_py.reader import read_setup
 
 from .environment import Environment
@@ -88,7 +89,7 @@ class Packages:
         found: list[str] = []
         folder = self.sources.get(package)
         if folder is not None:
-            found += (name for name, _ in _scripts(folder))
+            found += read_executables(folder)
             found += (each.name for each in _files(folder / "scripts"))
         for prefix in self._prefixes_of(package):
             found += (each.name for each in _files(prefix / "lib" / package))
@@ -96,21 +97,23 @@ class Packages:
 
     def _of_sources(self, folder: Path, name: str, python: Path) -> Command | None:
         paths = tuple(("PYTHONPATH", each) for each in self._python_folders(folder))
-        for script, target in _scripts(folder):
-            if script == name and ":" in target:
-                return Command(tuple(command(target, str(python))), paths)
-        for each in _files(folder / "scripts"):
-            if each.name in (name, f"{name}.py") and not (folder / "setup.py").exists():
-                start = (str(python), str(each)) if _is_python(each) else (str(each),)
-                if len(start) == 2 or os.access(each, os.X_OK):
-                    return Command(start, paths)
+        known = read_executables(folder).get(name)
+        if known is not None and ":" in known.target:
+            return Command(tuple(command(known.target, str(python))), paths)
+        files = [folder / known.file] if known is not None and known.file is not None else []
+        if not (folder / "setup.py").exists():
+            files += (x for x in _files(folder / "scripts") if x.name in (name, f"{name}.py"))
+        for each in filter(Path.is_file, files):
+            start = (str(python), str(each)) if _is_python(each) else (str(each),)
+            if len(start) == 2 or os.access(each, os.X_OK):
+                return Command(start, paths)
         return None
 
     def _python_folders(self, first: Path) -> Iterator[Path]:
-        yield first
+        yield first / _python_root(first)
         for each in self.sources.values():
             if each != first and (each / "setup.py").is_file():
-                yield each
+                yield each / _python_root(each)
 
     def _prefixes_of(self, package: str) -> Iterator[Path]:
         if not is_plain(package):
@@ -145,14 +148,15 @@ def _prefixes(environment: Environment, environ: Mapping[str, str]) -> Iterator[
         yield Path("/usr")
 
 
-def _scripts(folder: Path) -> Iterator[tuple[str, str]]:
+def _python_root(folder: Path) -> str:
+    """Return the folder in a package that its Python packages are in, "" for its own."""
     try:
         source = read_regular(folder / "setup.py", _LARGEST)
     except (OSError, ValueError):
-        return
+        return ""
     setup = read_setup(source, folder / "setup.py").setup
-    for each in () if setup is None else setup.console_scripts:
-        yield each.name, each.target
+    root = None if setup is None else setup.root
+    return "" if root is None or ".." in root.split("/") else root
 
 
 def _files(folder: Path) -> list[Path]:

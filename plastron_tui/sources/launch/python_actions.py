@@ -44,6 +44,7 @@ class _TypedText(NamedTuple):
 
     value: Any
     is_text: bool
+    is_float: bool
 
 
 class _File(NamedTuple):
@@ -210,7 +211,7 @@ def _values(found: dict[Any, Any], before: Text) -> Iterable[ParameterValue]:
             inner = as_text(value.value) or _unknown(value.value)
             literal = inner.literal if value.is_text else None
             yield ParameterValue(name, inner if literal is None else literal,
-                                 value.is_text and literal is None)  # fmt: skip
+                                 value.is_text and literal is None, value.is_float)  # fmt: skip
         else:
             yield _value(name, value)
 
@@ -312,7 +313,8 @@ def _variable(positional: list[Any], named: _Named, place: Place) -> Variable | 
 def _typed(positional: list[Any], named: _Named, place: Place) -> _TypedText:
     value = positional[0] if positional else named.get("value")
     kind = named.get("value_type")
-    return _TypedText(value, isinstance(kind, Computed) and kind.what == "str")
+    word = kind.what if isinstance(kind, Computed) else ""
+    return _TypedText(value, word == "str", word == "float")
 
 
 def _file(positional: list[Any], named: _Named, place: Place) -> _File:

@@ -123,7 +123,10 @@ def _python_parts(files: PackageFiles) -> _Parts:
     root = next((root for root in roots for name in names if _file(files, root, name)), roots[0])
     executables = {
         each.name: InstalledExecutable(
-            _file(files, root, module), where, line_number(files.texts[where], each.span.start)
+            _file(files, root, module),
+            where,
+            line_number(files.texts[where], each.span.start),
+            each.target,
         )
         for each, module in zip(scripts, modules, strict=True)
     }

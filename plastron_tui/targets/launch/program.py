@@ -139,7 +139,9 @@ def _parameter(start: Start, name: str, value: Setting, ros_version: int) -> Par
         holds = None if known is None else known.holds
     found = with_arguments(value) if isinstance(value, str) else text()
     if any(isinstance(part, Substitution) for part in found.parts):
-        return ParameterValue(text(name), found, holds is ParameterType.STRING)
+        # rclpy refuses an integer for a float, and YAML reads 1 as one.
+        is_float = holds is ParameterType.FLOAT
+        return ParameterValue(text(name), found, holds is ParameterType.STRING, is_float)
     fitting = None if holds is None else as_setting(holds, value)
     return ParameterValue(text(name), value if fitting is None else fitting)
 
