@@ -191,3 +191,40 @@ def test_a_script_that_is_installed_where_it_is_not_found_is_told(
     [told] = run(IN, tmp_path, "rclpy", in_place=True)
     assert (told.code, told.span is not None) == ("script-elsewhere", True)
     assert b"talker" in texts(package)["setup.py"]
+
+
+OPEN = [
+    '[project]\nname = "demo"\ndynamic = ["scripts"]\n',
+    "[project]\ndynamic = ['version', 'scripts']\n",
+    '[ project ]\ndynamic = [\n  "scripts",  # ours\n]\n',
+    'project.dynamic = ["scripts"]\n',
+    '[tool.x]\nproject = "demo"\n[x.project]\n',
+    'x = """\n[project]\n"""\n',
+]
+CLOSED = {
+    '[project]\nkeywords = ["scripts"]\n': 1,
+    '[project]\n# dynamic = ["scripts"]\n': 1,
+    "[project]\ndescription = 'dynamic = [\"scripts\"]'\n": 1,
+    "[tool.x]\n[ project ]\n": 2,
+    "[tool.x]\nproject = 1\n[project]\n": 3,
+    '# it\nproject.name = "demo"\n': 2,
+    'project = {name = "demo"}\n': 1,
+    '["project"]\n': 1,
+    "[project.scripts]\n": 1,
+    '[project]\ndynamic = "scripts"\n': 1,
+}
+BROKEN = ["[project\n", "[project]\n[project]\n", "x = " + "[" * 50_000, "\ufeff[tool]\n"]
+
+
+@pytest.mark.parametrize("text", [*OPEN, *CLOSED, *BROKEN])
+def test_a_pyproject_is_read_as_toml(text: str, tmp_path: Path) -> None:
+    package = lay(tmp_path, {**AMENT_PYTHON, "pyproject.toml": text})
+    before = texts(package)
+    told = run(IN, tmp_path, "rclpy", in_place=True)
+    if text in OPEN:
+        assert told == ()
+        return
+    wanted = f"line {CLOSED[text]} of" if text in CLOSED else "has a syntax error"
+    assert len(told) == 1
+    assert wanted in told[0].message
+    assert texts(package) == before

@@ -11,18 +11,20 @@ from plastron_tui.diagnostics import Diagnostic, codes
 from plastron_tui.ros.launch_names import launch_stem
 
 
-class Executable(NamedTuple):
+class InstalledExecutable(NamedTuple):
     """Something that a package installs for people to start.
 
     Attributes:
         file: what is started, by its path in the package with slashes; None where it is computed.
         where: the file of the package that says so.
         line: the line there, from 1.
+        target: the function that is called, `MODULE:FUNCTION`; "" where a file is started.
     """
 
     file: str | None
     where: str
     line: int
+    target: str = ""
 
 
 @dataclass(frozen=True, slots=True)
@@ -52,7 +54,7 @@ class PackageSource:
     ros_version: int
     build_type: str
     texts: Mapping[str, bytes] = field(default_factory=dict)
-    executables: Mapping[str, Executable] = field(default_factory=dict)
+    executables: Mapping[str, InstalledExecutable] = field(default_factory=dict)
     node_folder: str | None = None
     python_root: str = ""
     launches: tuple[str, ...] = ()

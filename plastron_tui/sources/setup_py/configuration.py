@@ -9,6 +9,7 @@ them.
 from __future__ import annotations
 
 import configparser
+import sys
 from collections.abc import Iterator, Sequence
 from pathlib import Path
 from typing import NamedTuple
@@ -26,6 +27,11 @@ from plastron_tui.sources.splices import Splice, apply, indent_of, newline_of
 
 from .items import sorted_index
 from .reader import CONSOLE_SCRIPTS, ConsoleScript
+
+if sys.version_info >= (3, 11):
+    import tomllib
+else:
+    import tomli as tomllib
 
 _SECTION = "options.entry_points"
 _INDENT = b"    "
@@ -81,23 +87,32 @@ def check_project(text: bytes, path: Path) -> None:
         RefusedError: it does.
     """
     check_text(text, path)
-    section, dynamic, project = "", "", None
-    for line in _lines(text):
-        if line.said.startswith("["):
-            section = line.said.split("#")[0].strip()
-            if section.startswith("[project") and project is None:
-                project = line
-        elif section == "[project]":
-            dynamic += line.said
-    is_open = '"scripts"' in dynamic or '"entry-points"' in dynamic
+    try:
+        project = tomllib.loads(text.decode()).get("project")
+    except (tomllib.TOMLDecodeError, RecursionError):
+        message = f"`{path.name}` has a syntax error"
+        raise RefusedError(Diagnostic(codes.BROKEN_BUILD_FILE, message, file=path)) from None
+    dynamic = project.get("dynamic") if isinstance(project, dict) else None
+    is_open = isinstance(dynamic, list) and ("scripts" in dynamic or "entry-points" in dynamic)
     if project is not None and not is_open:
         why = (
             "says which scripts there are, from version 61 of setuptools on, and `setup.py` before"
         )
         remedy = 'let `setup.py` say it in all of them: `dynamic = ["scripts"]` below `[project]`'
-        raise refusal(
-            text, path, (project.start, project.end), why, codes.COMPUTED_BUILD_FILE, remedy
-        )
+        raise refusal(text, path, _project_line(text), why, codes.COMPUTED_BUILD_FILE, remedy)
+
+
+def _project_line(text: bytes) -> tuple[int, int]:
+    """Return the line that begins `[project]`, in whichever way of TOML it is written."""
+    is_top = True
+    for line in _lines(text):
+        is_header = line.said.startswith("[")
+        is_top = is_top and not is_header
+        said = line.said.lstrip("[ \t\"'")
+        sign = said[7:].lstrip(" \t\"'")[:1]
+        if said.startswith("project") and (is_header or is_top) and sign in ("]", ".", "="):
+            return line.start, line.end
+    return 0, 0
 
 
 def _lines(text: bytes) -> Iterator[_Line]:

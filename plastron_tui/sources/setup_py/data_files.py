@@ -13,7 +13,7 @@ from plastron_tui.sources.build_files import Edited, RefusedError, edited, refus
 from plastron_tui.sources.splices import Splice, apply, newline_of
 
 from .items import insert, removals
-from .reader import DataFiles, SetupFile, describe, dictionary, keyword
+from .reader import DataFiles, SetupFile, changed_data_files, computed_arguments, describe, keyword
 from .syntax import Setup, parse_setup
 from .values import evaluate, items_of, summands
 
@@ -95,10 +95,9 @@ def _addition(setup: Setup, before: SetupFile, destination: str, file: str) -> l
 def _new_argument(setup: Setup, entry: str) -> list[Splice]:
     arguments = setup.call.child_by_field_name("arguments")
     assert arguments is not None
-    for each in items_of(arguments):
-        if each.type == "dictionary_splat" and dictionary(setup, each.named_children[0]) is None:
-            span = (each.start_byte, each.end_byte)
-            raise refusal(setup.text, setup.path, span, "computes what `setup` is called with")
+    if (each := computed_arguments(setup)) is not None:
+        span = (each.start_byte, each.end_byte)
+        raise refusal(setup.text, setup.path, span, "computes what `setup` is called with")
     end = newline_of(setup.text).decode()
     is_long = b"\n" in setup.text[arguments.start_byte : arguments.end_byte]
 
@@ -200,7 +199,13 @@ def _remove(text: bytes, path: Path, folder: str, file: str) -> bytes:
     before = describe(setup)
     destination = _destination(setup, before, folder)
     found = [each for each in before.data_files if each.destination == destination]
+    if (changed := changed_data_files(setup)) is not None:
+        span = (changed.start_byte, changed.end_byte)
+        raise refusal(text, path, span, f"computes `data_files`, `{file}` perhaps")
     if not any(file in each.files for each in found):
+        unknown = [each.span for each in found if not each.is_whole]
+        if unknown and not any(each.covers(file) for each in found):
+            raise refusal(text, path, unknown[0], f"computes what it installs, `{file}` perhaps")
         return text
     expected = _files(before) - Counter({(destination, file): 1})
 

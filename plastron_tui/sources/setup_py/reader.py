@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import configparser
+from collections.abc import Iterator
 from pathlib import Path
 from typing import NamedTuple
 
@@ -153,8 +154,68 @@ def dictionary(setup: Setup, node: Node) -> Node | None:
         return node
     function = node.child_by_field_name("function") if node.type == "call" else None
     if function is not None and setup.source(function) == "dict":
-        return node.child_by_field_name("arguments")
+        arguments = node.child_by_field_name("arguments")
+        kinds = {each.type for each in items_of(arguments)} if arguments is not None else set()
+        # What `dict` is given besides keywords is not followed.
+        return arguments if kinds <= {"keyword_argument", "dictionary_splat"} else None
     return None
+
+
+def computed_arguments(setup: Setup, *, is_given: bool = False) -> Node | None:
+    """Return a dictionary given as `**` that is computed or changed, None where there is none.
+
+    Args:
+        setup: the file.
+        is_given: whether only one that is changed matters, as what is asked for was found.
+    """
+    arguments = setup.call.child_by_field_name("arguments")
+    for each in items_of(arguments) if arguments is not None else ():
+        if each.type != "dictionary_splat" or not each.named_child_count:
+            continue
+        given = each.named_children[0]
+        if (changed := setup.changed(given)) is not None:
+            return changed
+        if dictionary(setup, given) is None and not is_given:
+            return each
+    return None
+
+
+def changed_summand(setup: Setup, node: Node) -> Node | None:
+    """Return what changes a list that is added up to a value, None where nothing does."""
+    for each in (node, *_names_added(setup, node)):
+        if (changed := setup.changed(each)) is not None:
+            return changed
+    return None
+
+
+def changed_scripts(setup: Setup) -> Node | None:
+    """Return what changes the console scripts after they are written, None where nothing does."""
+    given, node = keyword(setup, "entry_points"), entry_points(setup)
+    changed = computed_arguments(setup, is_given=True)
+    if changed is None and given is not None:
+        changed = setup.changed(given)
+    return changed_summand(setup, node) if changed is None and node is not None else changed
+
+
+def changed_data_files(setup: Setup) -> Node | None:
+    """Return what changes the data files after they are written, None where nothing does."""
+    node = keyword(setup, "data_files")
+    changed = computed_arguments(setup, is_given=True)
+    return changed_summand(setup, node) if changed is None and node is not None else changed
+
+
+def _names_added(setup: Setup, node: Node) -> Iterator[Node]:
+    """Yield the expressions that are added up with `+`, names as they are written."""
+    waiting, found = [setup.resolve(node)], set[int]()
+    while waiting:
+        each = waiting.pop()
+        if each.type != "binary_operator" or each.id in found:
+            continue
+        found.add(each.id)
+        for part in (each.child_by_field_name(side) for side in ("left", "right")):
+            if part is not None:
+                yield part
+                waiting.append(setup.resolve(part))
 
 
 def has_entry_points(text: bytes, path: Path) -> bool:
@@ -164,12 +225,7 @@ def has_entry_points(text: bytes, path: Path) -> bool:
         RefusedError: the file cannot be read.
     """
     setup = parse_setup(text, path)
-    arguments = setup.call.child_by_field_name("arguments")
-    given = items_of(arguments) if arguments is not None else []
-    unknown = any(
-        each.type == "dictionary_splat" and dictionary(setup, each.named_children[0]) is None
-        for each in given
-    )
+    unknown = computed_arguments(setup) is not None
     return unknown or keyword(setup, "entry_points") is not None
 
 
@@ -186,8 +242,10 @@ def _span(node: Node) -> Span:
 
 def _console_scripts(setup: Setup) -> tuple[list[ConsoleScript], list[Span]]:
     given = keyword(setup, "entry_points")
+    changed = changed_scripts(setup)
+    changes = [] if changed is None else [_span(changed)]
     if given is None:
-        return [], []
+        return [], changes
     if dictionary(setup, given) is None:
         value = evaluate(setup, given)
         if isinstance(value, str):
@@ -195,8 +253,7 @@ def _console_scripts(setup: Setup) -> tuple[list[ConsoleScript], list[Span]]:
         return [], [_span(given)]
     value_node = entry_points(setup)
     if value_node is None:
-        changed = setup.changed(given)
-        return [], [] if changed is None else [_span(changed)]
+        return [], changes
     scripts: list[ConsoleScript] = []
     unknown: list[Span] = []
     for place, value in placed(setup, value_node):
@@ -205,9 +262,7 @@ def _console_scripts(setup: Setup) -> tuple[list[ConsoleScript], list[Span]]:
             scripts.append(ConsoleScript(name.strip(), target.strip(), _span(place)))
         else:
             unknown.append(_span(place))
-    changes = map(setup.changed, (given, value_node))
-    unknown.extend(_span(each) for each in changes if each is not None)
-    return scripts, unknown
+    return scripts, unknown + changes
 
 
 def placed(setup: Setup, node: Node) -> list[tuple[Node, Value]]:
@@ -249,17 +304,16 @@ def _texts(setup: Setup, node: Node | None) -> tuple[str, ...] | None:
 
 def _data_files(setup: Setup) -> tuple[list[DataFiles], list[Span]]:
     node = keyword(setup, "data_files")
+    changed = changed_data_files(setup)
+    unknown = [] if changed is None else [_span(changed)]
     if node is None:
-        return [], []
+        return [], unknown
     found: list[DataFiles] = []
-    unknown: list[Span] = []
     for place, value in placed(setup, node):
         if isinstance(value, tuple) and len(value) == 2:
             found.append(_entry_of(value, _span(place)))
         else:
             unknown.append(_span(place))
-    if (changed := setup.changed(node)) is not None:
-        unknown.append(_span(changed))
     return found, unknown
 
 

@@ -17,6 +17,9 @@ from .reader import (
     CONSOLE_SCRIPTS,
     ConsoleScript,
     SetupFile,
+    changed_scripts,
+    changed_summand,
+    computed_arguments,
     describe,
     dictionary,
     entry_points,
@@ -95,13 +98,9 @@ def _addition(setup: Setup, name: str, written: str) -> list[Splice]:
     given = keyword(setup, "entry_points")
     arguments = setup.call.child_by_field_name("arguments")
     assert arguments is not None
+    if (computed := computed_arguments(setup, is_given=given is not None)) is not None:
+        raise _computed(setup, computed, "what `setup` is called with")
     if given is None:
-        for each in items_of(arguments):
-            if (
-                each.type == "dictionary_splat"
-                and dictionary(setup, each.named_children[0]) is None
-            ):
-                raise _computed(setup, each, "what `setup` is called with")
         return _new_argument(setup, arguments, written)
     found = dictionary(setup, given)
     changed = setup.changed(given)
@@ -114,7 +113,7 @@ def _addition(setup: Setup, name: str, written: str) -> list[Splice]:
         key = key if found.type == "dictionary" else f"{CONSOLE_SCRIPTS}="
         item = f"{key}[{quote}{written}{quote}]".encode()
         return insert(setup.text, found, lambda _: item, len(items_of(found)))
-    if (changed := setup.changed(node)) is not None:
+    if (changed := changed_summand(setup, node)) is not None:
         raise _computed(setup, changed, "the console scripts")
     return _into_list(setup, node, name, written)
 
@@ -192,7 +191,7 @@ def _source_list(setup: Setup, node: Node) -> tuple[Node, Node, str] | None:
     if source.type != "list" or setup.changed(iterable) is not None:
         return None
     # Once where it is made, and once here.
-    if is_named and setup.uses[setup.source(iterable)] > 2:
+    if is_named and setup.names.uses[setup.source(iterable)] > 2:
         return None
     return source, body, variable
 
@@ -244,6 +243,8 @@ def _remove(text: bytes, path: Path, name: str) -> bytes:
             span = next(span for kind, span in before.computed if kind == "entry_points")
             raise refusal(text, path, span, f"computes the console scripts, `{name}` perhaps")
         return text
+    if (changed := changed_scripts(setup)) is not None:
+        raise _computed(setup, changed, f"the console scripts, `{name}` perhaps")
     script = found[0]
     expected = _scripts(before) - Counter({(name, script.target): 1})
 

@@ -56,8 +56,9 @@ def evaluate(setup: Setup, node: Node, names: Names | None = None, depth: int = 
             name = setup.source(node)
             if name in names:
                 return names[name]
-            value = setup.constants.get(name)
-            return unknown if value is None else evaluate(setup, value, None, depth + 1)
+            value = setup.names.constants.get(name)
+            found = unknown if value is None else evaluate(setup, value, None, depth + 1)
+            return unknown if isinstance(found, tuple) and setup.changed(node) else found
         case "parenthesized_expression" if node.named_child_count == 1:
             return evaluate(setup, node.named_children[0], names, depth + 1)
         case "list" | "tuple":

@@ -141,6 +141,10 @@ HOSTILE: dict[str, bytes] = {
     "circle": b"a = b\nb = a\nsetup(name=a, entry_points=b)\n",
     "itself": b"a = [a]\nsetup(name=a, entry_points={'console_scripts': a})\n",
     "splat": b"k = {**k}\nsetup(**k)\n",
+    "sum with itself": b"a = a + ['x = y:z']\nsetup(entry_points={'console_scripts': a})\n",
+    "sums in a circle": b"a = b + ['x = y:z']\nb = a + []\nsetup(entry_points={'console_scripts': a}, data_files=b)\n",
+    "given in a circle": b"a = b\nb = a\nfor a in b: b = a\nsetup(entry_points={'console_scripts': a})\n",
+    "calls in calls": b"x = " + b"f(a, " * 190 + b"1" + b")" * 190 + b"\nsetup(data_files=x)\n",
 }
 
 
@@ -167,3 +171,93 @@ def test_python_and_the_reader_agree(name: str) -> None:
         for each in given["entry_points"]["console_scripts"]
     ]
     assert read.name == given["name"]
+
+
+LIST = "S = ['listener = rover.listener:main']\nE = {'console_scripts': S}\n"
+CHANGES = [
+    "S.append('x = y:z')",
+    "S += ['x = y:z']",
+    "S[0] = 'x = y:z'",
+    "S[:] = []",
+    "del S[0]",
+    "S.__iadd__(['x = y:z'])",
+    "fill(S)",
+    "fill(scripts=S)",
+    "fill([S])",
+    "E['console_scripts'].append('x = y:z')",
+    "E['console_scripts'] += ['x = y:z']",
+    "E.update(console_scripts=[])",
+    "E.setdefault('console_scripts', []).append('x = y:z')",
+    "E.get('console_scripts').append('x = y:z')",
+    "fill(E)",
+    "T = S; T += ['x = y:z']",
+    "T = E['console_scripts']; T.append('x = y:z')",
+    "T = {'a': S}; T['a'].append('x = y:z')",
+    "T = {}; T['a'] = S; T['a'].clear()",
+    "add = S.append; add('x = y:z')",
+    "[each.append('x = y:z') for each in E.values()]",
+    "K['entry_points']['console_scripts'] += ['x = y:z']",
+    "K['entry_points'] = {}",
+    "K.update(entry_points={})",
+    "def get(): return S",
+    "(T := S).append('x = y:z')",
+]
+
+
+@pytest.mark.parametrize("change", CHANGES)
+@pytest.mark.parametrize("is_splat", [True, False])
+def test_what_may_be_changed_is_refused_with_its_line(change: str, is_splat: bool) -> None:
+    call = "**K" if is_splat else "entry_points=E"
+    if change.startswith("K") and not is_splat:
+        return
+    text = f"{LIST}K = dict(name='rover', entry_points=E)\n{change}\nsetup({call})\n".encode()
+    for edited in (
+        add_console_script(text, PATH, "new", "rover.new:main"),
+        remove_console_script(text, PATH, "listener"),
+    ):
+        assert edited.text is None
+        assert edited.diagnostics[0].message.startswith("line 4 of `setup.py` computes ")
+
+
+READINGS = [
+    "print(S, len(S), sorted(S))",
+    "for each in S: print(each.split('='))",
+    "for each in S: fill(each)",
+    "if S: pass",
+    "T = ', '.join(S)",
+    "other.append(1)",
+    "os.environ['X'] = 'y'",
+]
+
+
+@pytest.mark.parametrize("reading", READINGS)
+def test_what_only_reads_a_list_is_in_nobodys_way(reading: str) -> None:
+    text = f"{LIST}{reading}\nsetup(name='rover', entry_points=E)\n".encode()
+    edited = add_console_script(text, PATH, "new", "rover.new:main")
+    assert edited.text == text.replace(b"main']", b"main', 'new = rover.new:main']")
+    assert remove_console_script(edited.text or b"", PATH, "new") == (text, ())
+
+
+DATA_CHANGES = ["D.append(x)", "D[0][1].append('b')", "F.append('b')", "fill(F)", "D += more"]
+
+
+@pytest.mark.parametrize("change", DATA_CHANGES)
+def test_data_files_that_may_be_changed_are_refused(change: str) -> None:
+    text = "F = ['launch/a']\nD = [('share/rover/launch', F)]\n"
+    text += f"{change}\nsetup(name='rover', data_files=D)\n"
+    for edited in (
+        add_data_file(text.encode(), PATH, "launch", "launch/b"),
+        remove_data_file(text.encode(), PATH, "launch", "launch/a"),
+    ):
+        assert edited.text is None
+        assert "computes" in edited.diagnostics[0].message
+
+
+def test_a_list_that_is_used_twice_is_not_changed_for_one() -> None:
+    text = "N = ['a']\nsetup(entry_points={'console_scripts': [f'{n} = r.{n}:main' for n in N]}, "
+    edited = add_console_script(f"{text}scripts=N)\n".encode(), PATH, "b", "r.b:main")
+    assert [each.message for each in edited.diagnostics] == [
+        "line 2 of `setup.py` computes the console scripts"
+    ]
+    edited = add_console_script(f"{text})\n".encode(), PATH, "b", "r.b:main")
+    assert edited.text == f"{text})\n".replace("['a']", "['a', 'b']").encode()
