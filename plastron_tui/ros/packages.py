@@ -34,6 +34,7 @@ MAINTAINER_MISSING = ("Maintainer", "maintainer@example.com")
 DEFAULT_VERSION = "0.0.0"
 """The version of a new package, as `ros2 pkg create` writes it."""
 
+_LONGEST_MAIL = 254
 _LOCAL = frozenset(f"{ascii_letters}{digits}-_%+")
 _DOMAIN = frozenset(f"{ascii_letters}{digits}-%")
 _NAME = frozenset(f"{ascii_lowercase}{digits}_")
@@ -125,13 +126,19 @@ def mended_package_name(name: str) -> str | None:
     return mended if len(mended) > 1 and mended != name else None
 
 
+def is_version(version: str) -> bool:
+    """Tell whether a text is a version (REP 149): three numbers with dots between."""
+    parts = version.split(".")
+    return len(parts) == 3 and all(part and not set(part) - set(digits) for part in parts)
+
+
 def check_version(version: str) -> NameProblem | None:
     """Return what is wrong with the version of a package, None when nothing is.
 
     REP 149: three numbers with dots between; catkin_pkg warns of leading zeros.
     """
     parts = version.split(".")
-    if len(parts) != 3 or not all(part and not set(part) - set(digits) for part in parts):
+    if not is_version(version):
         return NameProblem("a version is three numbers, such as `0.1.0`", 0, len(version))
     start = 0
     for part in parts:
@@ -147,6 +154,9 @@ def check_mail(mail: str) -> NameProblem | None:
     local, at, domain = mail.rpartition("@")
     if not at:
         return NameProblem("an address has an `@`", 0, len(mail))
+    if len(mail) > _LONGEST_MAIL:
+        message = f"an address has at most {_LONGEST_MAIL} characters"
+        return NameProblem(message, _LONGEST_MAIL, len(mail) - _LONGEST_MAIL)
     for start, text, allowed in (0, local, _LOCAL), (len(local) + 1, domain, _DOMAIN):
         place = start
         for part in text.split("."):
