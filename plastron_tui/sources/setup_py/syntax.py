@@ -13,7 +13,7 @@ from tree_sitter import Language, Node, Parser
 from plastron_tui.diagnostics import codes
 from plastron_tui.sources.build_files import check_text, refusal
 
-from .names import Names, read_names
+from .names import Names, descendants, read_names
 
 _SETUP_CALLS = frozenset({"setup", "setuptools.setup", "distutils.core.setup"})
 # Names that stand for each other in a circle stand for nothing.
@@ -49,6 +49,13 @@ class Setup:
     def source(self, node: Node) -> str:
         """Return the text of a node."""
         return self.text[node.start_byte : node.end_byte].decode()
+
+    def quote(self, *nodes: Node) -> str:
+        """Return the quotes that strings have in the first of some nodes that has any."""
+        for each in (part for node in nodes for part in descendants(node)):
+            if each.type == "string":
+                return self.source(each).lstrip("rRfFbBuU")[:1] or "'"
+        return "'"
 
     def resolve(self, node: Node) -> Node:
         """Return the expression that a name stands for, the node itself where it is no name."""
