@@ -34,7 +34,6 @@ MAINTAINER_MISSING = ("Maintainer", "maintainer@example.com")
 DEFAULT_VERSION = "0.0.0"
 """The version of a new package, as `ros2 pkg create` writes it."""
 
-_LONGEST_MAIL = 254
 _LOCAL = frozenset(f"{ascii_letters}{digits}-_%+")
 _DOMAIN = frozenset(f"{ascii_letters}{digits}-%")
 _NAME = frozenset(f"{ascii_lowercase}{digits}_")
@@ -154,9 +153,6 @@ def check_mail(mail: str) -> NameProblem | None:
     local, at, domain = mail.rpartition("@")
     if not at:
         return NameProblem("an address has an `@`", 0, len(mail))
-    if len(mail) > _LONGEST_MAIL:
-        message = f"an address has at most {_LONGEST_MAIL} characters"
-        return NameProblem(message, _LONGEST_MAIL, len(mail) - _LONGEST_MAIL)
     for start, text, allowed in (0, local, _LOCAL), (len(local) + 1, domain, _DOMAIN):
         place = start
         for part in text.split("."):
