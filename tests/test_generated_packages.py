@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import shutil
 from pathlib import Path
 
 import pytest
@@ -68,7 +69,7 @@ MADE = {
         "demo/demo/__init__.py": "",
         "demo/resource/demo": "",
         "demo/LICENSE": "MIT License",
-        "demo/test/test_talker.py": "chatter",
+        "demo/test/test_talker_node.py": "chatter",
     },
     ("rospy", PACKAGE + WRITE): {
         "demo/package.xml": "<exec_depend>rospy</exec_depend>",
@@ -197,7 +198,7 @@ def test_a_node_keeps_the_style_that_its_file_has(
 
 def test_a_node_that_moves_into_a_package_is_written_there(tmp_path: Path) -> None:
     generate(tmp_path, f"{TALKER}generate_node talker\n")
-    assert generate(tmp_path, PACKAGE + WRITE) == []
+    assert generate(tmp_path, PACKAGE + WRITE) == ["file-stays"]
     made = files(tmp_path)
     assert b'super().__init__("talker")' in made["talker_pub.py"]
     assert b"super().__init__('talker')" in made["demo/demo/talker.py"]
@@ -332,9 +333,54 @@ def test_a_file_that_is_written_no_longer_is_told(tmp_path: Path) -> None:
     generate(tmp_path, PACKAGE + WRITE)
     renamed = (PACKAGE + WRITE).replace("create_node 'talker'", "create_node 'speaker'")
     assert generate(tmp_path, renamed) == ["file-stays", "file-stays"]
-    for name in ("demo/talker.py", "test/test_talker.py"):
+    for name in ("demo/talker.py", "test/test_talker_node.py"):
         (tmp_path / "output" / "demo" / name).unlink()
     assert generate(tmp_path, renamed) == []
+
+
+STAYS = "is of an earlier run of the program, and stays where it is"
+ALONE = f"{TALKER}generate_node talker\n"
+
+
+def stays(folder: Path, text: str) -> list[str]:
+    """Return what is told of files that stay."""
+    found = [each.message for each in session(folder, text).plan()[1] if each.code == "file-stays"]
+    return sorted(found)
+
+
+@pytest.mark.parametrize("name", ["rover", None])
+def test_a_package_that_has_another_name_or_is_gone_is_told(
+    name: str | None, tmp_path: Path
+) -> None:
+    made = f"{SPEED}{PACKAGE}demo contains driver\n{WRITE}"
+    generate(tmp_path, made)
+    assert stays(tmp_path, made) == []
+    changed = ALONE if name is None else made.replace("_package 'demo'", f"_package '{name}'")
+    assert stays(tmp_path, changed) == [
+        f"the package `demo_interfaces` {STAYS}",
+        f"the package `demo` {STAYS}",
+    ]
+    shutil.rmtree(tmp_path / "output" / "demo")
+    assert stays(tmp_path, changed) == [f"the package `demo_interfaces` {STAYS}"]
+
+
+def test_what_a_mistake_keeps_from_being_written_is_not_told(tmp_path: Path) -> None:
+    generate(tmp_path, PACKAGE + WRITE)
+    wrong = PACKAGE.replace("contains talker", "contains talker as 'class'") + WRITE
+    assert has_errors(session(tmp_path, wrong).plan()[1])
+    assert stays(tmp_path, wrong) == []
+
+
+@pytest.mark.parametrize("file", ["other.plastron", None])
+def test_files_of_another_program_are_not_told(file: str | None, tmp_path: Path) -> None:
+    options = Options("rclpy", tmp_path / "output")
+    path = None if file is None else tmp_path / file
+    renamed = (PACKAGE + WRITE).replace("_package 'demo'", "_package 'other'")
+    write(Session((PACKAGE + WRITE).encode(), path, options, environ={}).plan()[0])
+    own = tmp_path / "robot.plastron" if path else None
+    plan, found = Session(renamed.encode(), own, options, environ={}).plan()
+    assert "other/package.xml" in [each.name for each in plan.files]
+    assert found == ()
 
 
 def test_a_node_comes_beside_a_version_that_was_changed_by_hand(tmp_path: Path) -> None:
@@ -376,7 +422,7 @@ def test_files_of_types_and_nodes_together(tmp_path: Path) -> None:
         "demo/msg/WheelSpeed.msg": "float64 left",
         "demo/demo_nodes/driver.py": "from demo.msg import WheelSpeed",
         "demo/demo_nodes/__init__.py": "",
-        "demo/test/test_driver.py": "demo_nodes.driver",
+        "demo/test/test_driver_node.py": "demo_nodes.driver",
     }.items():
         assert part in found[name].decode(), name
 

@@ -110,7 +110,8 @@ def run_launch(
         words: the arguments, as `NAME:=VALUE`.
         options: how to run.
         others: options of programs that were given, and that say nothing to a launch file.
-        report: where to say what is wrong, None for one of its own.
+        report: where to say what is wrong where its program was just written; None for one of
+            its own.
     """
     from plastron_tui.regular_files import read_regular, reason
     from plastron_tui.runtime.build_progress import ProgressLine
@@ -119,7 +120,7 @@ def run_launch(
     from plastron_tui.runtime.launch_run import prepare
     from plastron_tui.sources.launch.reader import LARGEST, read_launch
 
-    report = report or Report()
+    is_written, report = report is not None, report or Report()
     refuse(_wrong_usage(words, others))
     try:
         source = read_regular(file, LARGEST)
@@ -138,7 +139,9 @@ def run_launch(
             with ProgressLine(drawn_on(sys.stderr)) as line:
                 prepared = prepare(read.launch, file, arguments, environment, tell=line.tell)
             told = (*prepared.diagnostics, *_differences(read, source, file, arguments))
-            report.add(told, _lines)
+            report.add(
+                (*told, *([] if is_written else _stale(file, read.format.ros_version))), _lines
+            )
             if prepared.nodes and not report.status:
                 click.echo(visible(f"running {file.name} on {environment.words}"), err=True)
                 out, err = drawn_on(sys.stdout), drawn_on(sys.stderr)
@@ -164,6 +167,43 @@ def _differences(
     if read.launch is None:
         return ()
     return differences(read.launch, source, file, read.format.ros_version, arguments)
+
+
+def _stale(file: Path, ros_version: int) -> list[Diagnostic]:
+    """Return a warning where the program that wrote a launch file would write another one by now.
+
+    A program that is older than the file, or has mistakes, says nothing.
+    """
+    from plastron_tui import targets
+    from plastron_tui.diagnostics import Severity, has_errors
+    from plastron_tui.output.plan import FileState
+    from plastron_tui.project.launch_comparison import author_of
+    from plastron_tui.project.program_file import read_program
+    from plastron_tui.session import Options, Session
+
+    author = author_of(file)
+    if author is None or author.program.stat().st_mtime_ns <= file.stat().st_mtime_ns:
+        return []
+    text = read_program(author.program).text
+    if text is None:
+        return []
+    options = Options(output=author.output)
+    session = Session(text, author.program, options)
+    if ros_version == 2 and targets.ros_version(session.library) != ros_version:
+        # The file is for the other ROS; of which client library its nodes are, it does not show.
+        session = Session(text, author.program, options._replace(target="rclpy"))
+    plan, problems = session.plan(has_copies=False)
+    if has_errors((*session.diagnostics, *problems)):
+        return []
+    real = file.resolve()
+    planned = next((each for each in plan.files if each.path.resolve() == real), None)
+    if planned is None or planned.state is FileState.IDENTICAL:
+        return []
+    name = author.program.name
+    message = f"`{name}` says otherwise by now than when it wrote `{file.name}`"
+    remedy = f"write it again: `plastron generate {name}`"
+    found = Diagnostic(codes.LAUNCH_DIFFERS, message, None, file, help=remedy)
+    return [found._replace(severity=Severity.WARNING)]
 
 
 def _wrong_usage(words: Sequence[str], others: Sequence[str]) -> str | None:

@@ -11,13 +11,13 @@ from plastron_tui.ros.launch import StartedNode, items_of
 from plastron_tui.sources.launch.reader import read_launch
 
 if TYPE_CHECKING:
-    from plastron_tui.model.package_source import Executable, PackageSource
+    from plastron_tui.model.package_source import InstalledExecutable, PackageSource
     from plastron_tui.model.packages import Contained, Package
     from plastron_tui.output.plan import OutputFile
 
 
 def file_stays(
-    source: PackageSource, file: str, span: Span, installed: Executable | None = None
+    source: PackageSource, file: str, span: Span, installed: InstalledExecutable | None = None
 ) -> Diagnostic:
     """Tell that a file that was taken out of a package stays there.
 

@@ -13,7 +13,7 @@ from plastron_tui.model.packages import nodes_folder
 from plastron_tui.model.workspace import Node, Workspace
 from plastron_tui.ros.launch import Argument, items_of
 from plastron_tui.sources.launch.new_elements import CannotWriteError
-from plastron_tui.targets.launch.program import Executable, request_of
+from plastron_tui.targets.launch.program import ExecutableName, request_of
 from plastron_tui.targets.launch.python import write_python
 from plastron_tui.targets.launch.xml import write_xml
 from plastron_tui.targets.packages.rendering import (
@@ -358,13 +358,15 @@ class ProgramPackages:
                 return start.span
         return None
 
-    def _executable(self, node: Node) -> Executable:
+    def _executable(self, node: Node) -> ExecutableName:
         """Tell what starts a node: in ROS 1 it is the file itself."""
         assert node.home is not None
         library = self._libraries.get(node.library or "") or self._default
         if library is None or library.target.ros_version == 2:
-            return Executable(node.home.package, node.home.executable)
-        return Executable(node.home.package, f"{node.home.stem}{library.target.language.suffix}")
+            return ExecutableName(node.home.package, node.home.executable)
+        return ExecutableName(
+            node.home.package, f"{node.home.stem}{library.target.language.suffix}"
+        )
 
 
 def _configs(package: Package) -> tuple[PackagedFile, ...]:

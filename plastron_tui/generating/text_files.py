@@ -7,7 +7,7 @@ merged three ways, and what both sides changed is a conflict.
 from __future__ import annotations
 
 import os
-from collections.abc import Iterable, Mapping
+from collections.abc import Collection, Iterable, Mapping
 from dataclasses import replace
 from pathlib import Path
 from typing import NamedTuple
@@ -68,34 +68,48 @@ def text_files(
     return made, notes
 
 
-def left_files(written: Iterable[OutputFile], folder: Folder) -> list[Diagnostic]:
+def left_files(
+    written: Iterable[OutputFile], folder: Folder, own: Collection[str] = ()
+) -> list[Diagnostic]:
     """Tell the files of packages that an earlier run of the program wrote, and this one does not.
 
     Such are those of a node or a launch file that has another name now, and those of a node that
-    was in no package then.
+    was in no package then. Of a package that has another name itself all are told in one.
 
     Args:
         written: the files of this run that are in the output folder.
         folder: where they go.
+        own: the packages of the program. What stays of one that is written elsewhere, where it
+            was loaded, is no rest.
     """
     files = list(written)
     names = {each.name for each in files}
     packaged = {_node_of(each.base or {}) for each in files if "/" in each.name} - {None}
     packages = {name.partition("/")[0] for name in names if "/" in name}
-    return [
-        Diagnostic(
-            codes.FILE_STAYS,
-            f"`{name}` is of an earlier run of the program, and stays where it is",
-            file=folder.output / name,
-            help="remove it by hand if nothing else needs it",
-            severity=Severity.WARNING,
-        )
-        for name, base in folder.manifest.bases.items()
-        if name not in names
-        and (name.partition("/")[0] in packages if "/" in name else _node_of(base) in packaged)
-        and base.get("program") == folder.program
-        and on_disk(folder.output / name) is not None
-    ]
+    elsewhere = {os.pardir, *own} - packages
+    told: dict[str, Diagnostic] = {}
+    for name, base in folder.manifest.bases.items():
+        package = name.partition("/")[0]
+        is_left = package not in elsewhere if "/" in name else _node_of(base) in packaged
+        if name in names or not is_left or base.get("program") != folder.program:
+            continue
+        if on_disk(folder.output / name) is not None:
+            is_package = "/" in name and package not in packages
+            left = package if is_package else name
+            told[left] = _left(left, folder.output, is_package=is_package)
+    return list(told.values())
+
+
+def _left(left: str, output: Path, *, is_package: bool) -> Diagnostic:
+    what = f"the package `{left}`" if is_package else f"`{left}`"
+    remedy = "remove it by hand if nothing else needs it"
+    return Diagnostic(
+        codes.FILE_STAYS,
+        f"{what} is of an earlier run of the program, and stays where it is",
+        file=output / left,
+        help=f"{remedy}: it is built with the others" if is_package else remedy,
+        severity=Severity.WARNING,
+    )
 
 
 def _node_of(base: Mapping[str, object]) -> str | None:

@@ -11,7 +11,7 @@ from plastron_tui.diagnostics import Diagnostic, codes
 from plastron_tui.ros.launch_names import launch_stem
 
 
-class Executable(NamedTuple):
+class InstalledExecutable(NamedTuple):
     """Something that a package installs for people to start.
 
     Attributes:
@@ -54,7 +54,7 @@ class PackageSource:
     ros_version: int
     build_type: str
     texts: Mapping[str, bytes] = field(default_factory=dict)
-    executables: Mapping[str, Executable] = field(default_factory=dict)
+    executables: Mapping[str, InstalledExecutable] = field(default_factory=dict)
     node_folder: str | None = None
     python_root: str = ""
     launches: tuple[str, ...] = ()

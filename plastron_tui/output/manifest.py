@@ -19,10 +19,11 @@ from typing import Any, TypeAlias
 from plastron_tui.diagnostics import Diagnostic, codes
 from plastron_tui.regular_files import read_regular, reason
 
+from .own_files import MANIFEST
 from .patch_stack import MOST_LAYERS, MOST_TEXTS, Layers, layer_json, read_layer
 from .patch_stack import digest as digest
 
-NAME = ".plastron.json"
+NAME = MANIFEST
 """The manifest's file name, in the output folder."""
 
 VERSION = 3

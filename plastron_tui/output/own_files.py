@@ -15,6 +15,9 @@ from typing import TYPE_CHECKING
 if TYPE_CHECKING:
     from plastron_tui.diagnostics import Diagnostic
 
+MANIFEST = ".plastron.json"
+"""The memory of an output folder, in the folder: see `manifest`."""
+
 PREFIX = ".plastron-"
 """How all of them start; no file that a program asks for is called so."""
 

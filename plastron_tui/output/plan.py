@@ -164,10 +164,32 @@ def make_plan(
             # A folder that is none is in the way of each file below it.
             diagnostics += [new] if new not in diagnostics else []
         elif planned.setdefault(new.path, new).text != new.text:
-            message = f"two texts would be written to `{file.name}`"
-            remedy = "give what one of them is of another name"
-            diagnostics.append(refusal(codes.SAME_FILE, message, folder / file.name, remedy))
+            diagnostics.append(_same_file(folder, file))
     return FilePlan(folder, tuple(planned.values()), Path(real_folder)), tuple(diagnostics)
+
+
+def _same_file(folder: Path, file: OutputFile) -> Diagnostic:
+    """Return the diagnostic for a second text that would be written to one file."""
+    endings = (ending for ending in _LOADED_BY_FILE if file.name.endswith(ending))
+    ending = next(endings, None)
+    what, remedy = "texts", "give what one of them is of another name"
+    if ending is not None:
+        what = _LOADED_BY_FILE[ending]
+        remedy = (
+            "give one of them another name; those that were loaded are changed where they are by "
+            "`generate --in-place`"
+        )
+    message = f"two {what} would be written to `{file.name}`"
+    return refusal(codes.SAME_FILE, message, folder / file.name, remedy)
+
+
+_LOADED_BY_FILE = {
+    **dict.fromkeys((".launch", ".launch.xml", ".launch.py"), "launch files"),
+    ".msg": "message types",
+    ".srv": "service types",
+    ".action": "action types",
+}
+"""What stands in files of an ending, and can be loaded from two folders."""
 
 
 def _plan_or_refuse(

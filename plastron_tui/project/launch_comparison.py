@@ -28,8 +28,9 @@ _SHOWN = frozenset(("output", "emulate_tty"))
 
 
 class _Written(NamedTuple):
-    """What a program wrote as a launch file."""
+    """What a program wrote as a launch file, and the folder of its output."""
 
+    folder: Path
     program: str
     text: bytes
 
@@ -66,6 +67,24 @@ def differences(
     return tuple(_compared(now, then, file, written.program))
 
 
+class Author(NamedTuple):
+    """The program that wrote a launch file, and the folder of its output."""
+
+    program: Path
+    output: Path
+
+
+def author_of(file: Path) -> Author | None:
+    """Return the program that wrote a launch file, None where it is not found by the output."""
+    written = _written(Path(os.path.realpath(file)))
+    if written is None or Path(written.program).name != written.program:
+        return None
+    places = (written.folder.parent, written.folder)
+    found = (each / written.program for each in places)
+    program = next((each for each in found if each.is_file()), None)
+    return None if program is None else Author(program, written.folder)
+
+
 def _written(file: Path) -> _Written | None:
     """Return what a program wrote as a file, None where none is known to have written it."""
     for folder in file.parents[:_HIGHEST]:
@@ -74,7 +93,7 @@ def _written(file: Path) -> _Written | None:
         base = load_manifest(folder)[0].bases.get(file.relative_to(folder).as_posix(), {})
         program, text = base.get("program"), base.get("text")
         if isinstance(program, str) and isinstance(text, str):
-            return _Written(program, text.encode("utf-8", "surrogatepass"))
+            return _Written(folder, program, text.encode("utf-8", "surrogatepass"))
     return None
 
 

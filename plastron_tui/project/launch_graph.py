@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import os
 from collections.abc import Iterator, Mapping
-from contextlib import suppress
 from dataclasses import replace
 from pathlib import Path
 from typing import NamedTuple
@@ -19,15 +18,13 @@ from plastron_tui.ros.launch_resolution import resolve
 from plastron_tui.ros.launch_started import Opened, Started
 from plastron_tui.ros.launch_text import Scope
 from plastron_tui.ros.run_names import Remap, RunNames
-from plastron_tui.sources.launch.around import own_package, packages_root
+from plastron_tui.sources.launch.around import own_package, packages_around, packages_root
 from plastron_tui.sources.launch.reader import open_included, read_launch
 from plastron_tui.sources.launch.unresolved import warnings_of, wrong_arguments
 from plastron_tui.sources.packages.folder import read_executables
 
 from .loader import read_node, with_others
 
-_MOST_FOLDERS = 2000
-_SKIPPED = frozenset({"build", "install", "devel", "log", "node_modules", "__pycache__"})
 _SCRIPTS = ("scripts", "nodes", "src", "bin")
 
 
@@ -55,7 +52,7 @@ def launch_graph(path: Path, arguments: Mapping[str, str], boundary: Boundary) -
     if read.launch is None:
         return LaunchGraph(None, read.diagnostics)
     boundary, root = _around(path, boundary)
-    packages = {**_packages(root, boundary), **_nearest(path.absolute(), boundary)}
+    packages = packages_around(path.absolute(), root, boundary.allows)
     # The folder that is installed as the share is, in the source, the package's own.
     folders = {name: str(folder) for name, folder in packages.items()}
     scope = Scope(arguments, {}, str(path.absolute().parent), folders.get)
@@ -94,64 +91,10 @@ def _around(file: Path, boundary: Boundary) -> tuple[Boundary, Path]:
         return boundary, whole.parent
     root = Path(os.path.realpath(packages_root(whole)))
     if boundary.root in (root, *root.parents):
-        return boundary, boundary.root
+        return boundary, root
     if holds_home(root):
         root = Path(os.path.realpath(own_package(whole) or whole.parent))
     return replace(boundary, named=(*boundary.named, root)), root
-
-
-def _nearest(file: Path, boundary: Boundary) -> dict[str, Path]:
-    """Return the package that a launch file is in, and those beside it, by their names.
-
-    They go before others of their names, and are there whatever the folder around them is called:
-    a program's output folder may be `build`.
-    """
-    own = own_package(file)
-    if own is None:
-        return {}
-    beside: list[Path] = []
-    if not holds_home(Path(os.path.realpath(own.parent))):
-        with suppress(OSError):
-            beside = sorted(each for each in own.parent.iterdir() if each.name not in _SKIPPED)
-    found: dict[str, Path] = {}
-    for folder in (own, *beside[:_MOST_FOLDERS]):
-        name = _name(folder / "package.xml", boundary)
-        if name:
-            found.setdefault(name, folder)
-    return found
-
-
-def _packages(root: Path, boundary: Boundary) -> dict[str, Path]:
-    """Return the folders of the packages below a folder, by the names in their package.xml."""
-    found: dict[str, Path] = {}
-    seen = 0
-    for place, folders, files in os.walk(root):
-        seen += 1
-        if seen > _MOST_FOLDERS:
-            break
-        folders[:] = sorted(x for x in folders if x not in _SKIPPED and not x.startswith("."))
-        path = Path(place) / "package.xml"
-        if "package.xml" not in files or not boundary.allows(path):
-            continue
-        folders.clear()
-        name = _name(path, boundary)
-        if name:
-            found.setdefault(name, Path(place))
-    return found
-
-
-def _name(path: Path, boundary: Boundary) -> str:
-    """Return the name in a package.xml, "" where there is none that may be read."""
-    from plastron_tui.sources.xml.document import read_xml
-
-    if not boundary.allows(path):
-        return ""
-    try:
-        document = read_xml(read_regular(path, LARGEST_FILE), path).document
-    except (OSError, ValueError):
-        return ""
-    names = () if document is None else document.root.children
-    return next((each.text.strip() for each in names if each.name == "name"), "")
 
 
 def _source(package: Path | None, started: Started, boundary: Boundary) -> SourceUnit | None:

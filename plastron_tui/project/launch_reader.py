@@ -10,6 +10,7 @@ from plastron_tui.diagnostics import Code, Diagnostic, codes
 from plastron_tui.diagnostics.suggest import nearest
 from plastron_tui.model.launches import LaunchSource, LoadedLaunch
 from plastron_tui.model.source import LARGEST_FILE
+from plastron_tui.output.own_files import MANIFEST
 from plastron_tui.regular_files import read_regular, reason
 
 if TYPE_CHECKING:
@@ -20,7 +21,6 @@ if TYPE_CHECKING:
     from plastron_tui.output.manifest import Reading
 
 _ENDINGS = (".launch", ".xml")
-_MANIFEST = ".plastron.json"
 _ONLY_READ = {".py": "Python", ".yaml": "YAML", ".yml": "YAML"}
 
 
@@ -86,7 +86,7 @@ class LaunchReader:
     def _started(self, path: Path, present: bytes) -> Start | None:
         """Return what the program started from when it changed a file, None where it did not."""
         folder = Path(os.path.realpath(path)).parent
-        if not self._program or not (folder / _MANIFEST).is_file():
+        if not self._program or not (folder / MANIFEST).is_file():
             return None
         from plastron_tui.generating.launch_layers import find_start
         from plastron_tui.output.manifest import digest

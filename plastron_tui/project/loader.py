@@ -15,7 +15,7 @@ from plastron_tui.diagnostics.suggest import nearest
 from plastron_tui.model.context import Loaded, LoadRequest
 from plastron_tui.model.source import LARGEST_FILE
 from plastron_tui.model.workspace import Generation
-from plastron_tui.output.own_files import is_own_name, settled
+from plastron_tui.output.own_files import MANIFEST, is_own_name, settled
 from plastron_tui.regular_files import Stamp, read_regular, reason, stamp_of
 
 if TYPE_CHECKING:
@@ -31,8 +31,6 @@ _MOST_FOLDERS = 64
 
 _MOST_TURNS = 100
 """How often a program may generate a file and load it again: each time it is read as a whole."""
-
-_MANIFEST = ".plastron.json"
 
 Rendered: TypeAlias = "tuple[Path, FileSet, str]"
 _Made: TypeAlias = tuple[tuple[str, str], Loaded]
@@ -238,7 +236,7 @@ class NodeLoader:
 
     def _started(self, path: Path) -> Loaded | None:
         """Read what the program started from when it wrote a file, None where it did not."""
-        manifest = Path(os.path.realpath(path)).parent / _MANIFEST
+        manifest = Path(os.path.realpath(path)).parent / MANIFEST
         if not self._program or not manifest.is_file():
             return None
         known = self._files.starts.get(path)
@@ -253,7 +251,7 @@ class NodeLoader:
         loaded = None
         stamps: Stamps = {}
         if start is not None:
-            files += [start.path.parent / _MANIFEST]
+            files += [start.path.parent / MANIFEST]
             for main in (start.path, path):
                 files += [place_of(main, name) for name in start.files.names]
             loaded = _with_origin(read_node(start.path, start.files, stamps), start.origin)

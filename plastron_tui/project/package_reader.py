@@ -14,6 +14,7 @@ from plastron_tui.diagnostics import Code, Diagnostic, codes
 from plastron_tui.diagnostics.suggest import nearest
 from plastron_tui.model.package_source import LoadedPackage
 from plastron_tui.regular_files import Stamp, read_regular, reason, stamp_of
+from plastron_tui.ros.packages import BUILT_FOLDERS, CACHES
 from plastron_tui.sources.packages.reading import (
     CMAKE_LISTS,
     PACKAGE_XML,
@@ -36,13 +37,9 @@ _TEXTS = frozenset(
 )  # fmt: skip
 """What may name a package, or a file of this one; without an ending there are scripts."""
 
-BUILT_FOLDERS = frozenset({"build", "install", "devel", "log"})
-"""What builds leave beside the files of a package."""
-
 DEEPEST = 64
 """How many folders of a package a file may be in."""
 
-CACHES = frozenset({"node_modules", "__pycache__"})
 _BUILT = BUILT_FOLDERS | CACHES
 _MOST_FILES = 4_000
 _MOST_BYTES = 16_000_000

@@ -197,12 +197,15 @@ class Planner:
     def _left(self, files: Sequence[OutputFile], manifest: Manifest) -> list[Diagnostic]:
         """Tell the files of packages that the program has written, and writes no longer."""
         written = [each for each in files if each.path is None]
-        if not any("/" in each.name for each in written):
+        names = (*manifest.bases, *(each.name for each in written))
+        # Without a name a program is not known again.
+        if not self._author.name or not any("/" in each for each in names):
             return []
         from plastron_tui.generating.text_files import Folder, left_files
 
         folder = Folder(self._configuration.output, manifest, self._author.name)
-        return left_files(written, folder)
+        own = (each.package for each in self._workspace.written_packages) if self._workspace else ()
+        return left_files(written, folder, {each.name for each in own})
 
     def _whole(
         self, made: Sequence[Generated], manifest: Manifest

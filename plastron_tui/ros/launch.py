@@ -99,11 +99,13 @@ class ParameterValue(NamedTuple):
         name: its name, with dots or slashes as the generation of ROS has them.
         value: its value.
         is_text: whether what a text comes to stays a text, and is no number.
+        is_float: whether what it comes to is a float: 1 is 1.0.
     """
 
     name: Text
     value: Setting | Text
     is_text: bool = False
+    is_float: bool = False
 
 
 class ParameterFile(NamedTuple):

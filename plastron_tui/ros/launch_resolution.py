@@ -33,7 +33,7 @@ from .launch import (
 from .launch_inclusion import Including
 from .launch_started import SHOWN, Opened, Resolved, Settings, Started, Unresolved
 from .launch_text import Scope, Text
-from .launch_values import typed
+from .launch_values import typed, typed_as
 from .names import spelled
 from .parameters import Setting
 
@@ -224,7 +224,10 @@ class _Resolution:
         if not isinstance(parameter.value, Text):
             return parameter.value
         found = state.scope.value(parameter.value)
-        return found if found is None or parameter.is_text else typed(found, state.ros_version)
+        if found is None or parameter.is_text:
+            return found
+        held = typed_as(found, "float", state.ros_version) if parameter.is_float else None
+        return typed(found, state.ros_version) if held is None else held
 
     def _container(self, item: Container, state: _State) -> None:
         name = None if item.target is None else self._value(item.target, state, item, "a container")

@@ -14,6 +14,15 @@ from typing import NamedTuple
 
 from .names import NameProblem
 
+BUILT_FOLDERS = frozenset({"build", "install", "devel", "log"})
+"""What builds leave beside packages, and beside the files of one."""
+
+CACHES = frozenset({"node_modules", "__pycache__"})
+"""Folders that tools fill, wherever they are."""
+
+IGNORE_MARKERS = frozenset({"CATKIN_IGNORE", "COLCON_IGNORE", "AMENT_IGNORE"})
+"""Files that tell the build tools to leave out the folder that they are in."""
+
 LONGEST_PACKAGE_NAME = 160
 """The longest name of a package, in characters.
 

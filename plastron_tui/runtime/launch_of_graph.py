@@ -9,10 +9,10 @@ from typing import NamedTuple
 
 from plastron_tui.ros.launch import LaunchFile, Parameter, ParameterValue, StartedNode
 from plastron_tui.ros.launch_text import text
+from plastron_tui.sources.launch.around import package_name
 
 from .describe import DescribedNode
 from .environment import LOOPBACK, is_local
-from .launch_packages import package_name
 from .master import DEFAULT_PORT, MasterError, call
 from .private_parameters import setting
 

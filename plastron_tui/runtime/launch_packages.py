@@ -16,24 +16,19 @@ from typing import NamedTuple
 from plastron_tui.import_path import command
 from plastron_tui.regular_files import read_regular
 from plastron_tui.ros.installations import Origin
-from plastron_tui.sources.launch.around import own_package, packages_root
+from plastron_tui.sources.launch.around import is_plain, packages_around, packages_root
 from plastron_tui.sources.packages.folder import read_executables
 from plastron_tui.sources.setup_py.reader import read_setup
-from plastron_tui.sources.xml.document import read_xml
 
 from .environment import Environment
 
 _LARGEST = 500_000
-_DEEPEST = 5
-_MOST_FOLDERS = 4000
-_NO_SOURCES = frozenset(("build", "install", "log", "devel", "node_modules", "__pycache__"))
-_IGNORED = ("COLCON_IGNORE", "CATKIN_IGNORE", "AMENT_IGNORE")
 
 Variables = tuple[tuple[str, Path], ...]
 """Folders that are put before what a variable of the environment has."""
 
 
-class Executable(NamedTuple):
+class Command(NamedTuple):
     """What starts an executable of a package.
 
     Attributes:
@@ -75,9 +70,9 @@ class Packages:
         roots = (self.root, *self.prefixes)
         return any(path.is_relative_to(os.path.realpath(each)) for each in roots)
 
-    def executable(self, package: str, name: str, python: Path) -> Executable | None:
+    def executable(self, package: str, name: str, python: Path) -> Command | None:
         """Return what starts an executable, None where it is not found."""
-        if not _is_plain(package) or not _is_plain(name):
+        if not is_plain(package) or not is_plain(name):
             return None
         if package in self.sources:
             found = self._of_sources(self.sources[package], name, python)
@@ -86,7 +81,7 @@ class Packages:
         for prefix in self._prefixes_of(package):
             path = prefix / "lib" / package / name
             if path.is_file() and os.access(path, os.X_OK):
-                return Executable((str(path),), tuple(_variables(prefix)))
+                return Command((str(path),), tuple(_variables(prefix)))
         return None
 
     def names(self, package: str, python: Path) -> list[str]:
@@ -100,18 +95,18 @@ class Packages:
             found += (each.name for each in _files(prefix / "lib" / package))
         return list(dict.fromkeys(found))
 
-    def _of_sources(self, folder: Path, name: str, python: Path) -> Executable | None:
+    def _of_sources(self, folder: Path, name: str, python: Path) -> Command | None:
         paths = tuple(("PYTHONPATH", each) for each in self._python_folders(folder))
         known = read_executables(folder).get(name)
         if known is not None and ":" in known.target:
-            return Executable(tuple(command(known.target, str(python))), paths)
+            return Command(tuple(command(known.target, str(python))), paths)
         files = [folder / known.file] if known is not None and known.file is not None else []
         if not (folder / "setup.py").exists():
             files += (x for x in _files(folder / "scripts") if x.name in (name, f"{name}.py"))
         for each in filter(Path.is_file, files):
             start = (str(python), str(each)) if _is_python(each) else (str(each),)
             if len(start) == 2 or os.access(each, os.X_OK):
-                return Executable(start, paths)
+                return Command(start, paths)
         return None
 
     def _python_folders(self, first: Path) -> Iterator[Path]:
@@ -121,7 +116,7 @@ class Packages:
                 yield each / _python_root(each)
 
     def _prefixes_of(self, package: str) -> Iterator[Path]:
-        if not _is_plain(package):
+        if not is_plain(package):
             return
         for prefix in self.prefixes:
             # `colcon build` gives each package a prefix of its own, unless told to merge them.
@@ -137,15 +132,9 @@ def find_packages(
     Around are those in the folder that `packages_root` tells, and the file's own.
     """
     file = Path.cwd() / file
-    own, root = own_package(file), packages_root(file)
-    sources: dict[str, Path] = {}
-    folders = [*([own] if own is not None else []), *_package_folders(root)]
-    for folder in folders:
-        name = package_name(folder)
-        if name is not None:
-            sources.setdefault(name, folder)
+    root = packages_root(file)
     beside = [each / "install" for each in (root, root.parent) if (each / "install").is_dir()]
-    return Packages(sources, (*beside, *_prefixes(environment, environ)), root)
+    return Packages(packages_around(file, root), (*beside, *_prefixes(environment, environ)), root)
 
 
 def _prefixes(environment: Environment, environ: Mapping[str, str]) -> Iterator[Path]:
@@ -157,36 +146,6 @@ def _prefixes(environment: Environment, environ: Mapping[str, str]) -> Iterator[
         yield environment.python.parent.parent
     else:
         yield Path("/usr")
-
-
-def _package_folders(root: Path) -> Iterator[Path]:
-    """Yield the folders with a package.xml, in the order of their names; no link is followed."""
-    for seen, (place, folders, files) in enumerate(os.walk(root)):
-        path = Path(place)
-        if seen >= _MOST_FOLDERS:
-            return
-        if any(each in files for each in _IGNORED):
-            folders.clear()
-        elif "package.xml" in files:
-            # A package has no packages in it (REP 149 and the build tools).
-            folders.clear()
-            yield path
-        elif len(path.relative_to(root).parts) >= _DEEPEST:
-            folders.clear()
-        folders[:] = sorted(x for x in folders if x not in _NO_SOURCES and x[:1] != ".")
-
-
-def package_name(folder: Path) -> str | None:
-    """Return the name of the package in a folder, None where there is none that can be read."""
-    try:
-        source = read_regular(folder / "package.xml", _LARGEST)
-    except (OSError, ValueError):
-        return None
-    document = read_xml(source).document
-    if document is None or document.root.name != "package":
-        return None
-    found = document.root.named("name")
-    return found[0].value.strip() if found and _is_plain(found[0].value.strip()) else None
 
 
 def _python_root(folder: Path) -> str:
@@ -224,8 +183,3 @@ def _variables(prefix: Path) -> Iterator[tuple[str, Path]]:
     if (prefix / "lib").is_dir():
         yield "LD_LIBRARY_PATH", prefix / "lib"
     yield "AMENT_PREFIX_PATH", prefix
-
-
-def _is_plain(name: str) -> bool:
-    """Tell whether a name is one of a folder or a file, and no path."""
-    return bool(name) and name not in (".", "..") and not any(x in name for x in "/\\\0")

@@ -61,8 +61,9 @@ def _parameters(ros_version: int) -> some.SearchStrategy[object]:
     literal = (SCALARS | LISTS).filter(lambda x: ros_version == 2 or "$(" not in repr(x))
     computed = WORDS.map(argument)
     return some.one_of(
-        some.builds(ParameterValue, name, literal, some.just(False)),
-        some.builds(ParameterValue, name, computed, some.booleans()),
+        some.builds(ParameterValue, name, literal, some.just(False), some.just(False)),
+        some.builds(ParameterValue, name, computed, some.booleans(), some.just(False)),
+        some.builds(ParameterValue, name, computed, some.just(False), some.just(True)),
         some.builds(ParameterFile, some.builds(package_file, WORDS, WORDS)),
     )
 

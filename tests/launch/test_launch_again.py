@@ -156,3 +156,22 @@ def test_a_loaded_launch_of_a_package_is_written_once(file: Path) -> None:
     assert run(file.parent, program, in_place=False) == ()
     made = [each.relative_to(file.parent) for each in file.parent.rglob(file.name)]
     assert sorted(map(str, made)) == ["b.launch.xml", "output/rover/launch/b.launch.xml"]
+
+
+@pytest.mark.parametrize(
+    ("first", "second", "before", "after"),
+    [
+        (RENAMED, ADDS, b"exec='b'", b"exec='c'"),
+        (RENAMED, TAKES, b"exec='b'", b"exec='c'"),
+        (RENAMED, EMPTY, b"exec='b'", b"exec='c'"),
+        (ADDS, TAKES, b"</launch>", b"<group>\n</launch>"),
+    ],
+)
+def test_handwork_is_kept_where_the_program_would_undo_it(
+    file: Path, first: str, second: str, before: bytes, after: bytes
+) -> None:
+    run(file.parent, first)
+    by_hand = file.read_bytes().replace(before, after)
+    file.write_bytes(by_hand)
+    assert codes(run(file.parent, second)) == ["file-conflict"]
+    assert file.read_bytes() == by_hand

@@ -67,11 +67,40 @@ def test_a_node_is_written_as_the_file_writes_them() -> None:
     assert added.document.text.decode() == expected
 
 
-def test_an_argument_that_is_used_stays() -> None:
-    source = '<launch><arg name="a"/><node pkg="p" exec="$(var a)"/></launch>'
-    refused = remove(_document(source), Argument, "a", 2)
-    assert refused.document is None
-    assert refused.diagnostics[0].message == "`a` is still used here, and cannot be taken out"
+ROSPARAM = '<rosparam subst_value="true">rate: $(arg rate)</rosparam>'
+
+
+@pytest.mark.parametrize(
+    ("ros_version", "words", "used"),
+    [
+        (2, '<node pkg="p" exec="$(var rate)"/>', "$(var rate)"),
+        (2, '<node pkg="p" exec="a" args="$(var  rate)"/>', "$(var  rate)"),
+        (2, """<node pkg="p" exec="$(var 'rate')"/>""", "$(var 'rate')"),
+        (2, """<node pkg="p" exec="$(env E $(var rate))"/>""", "$(env E $(var rate))"),
+        (2, """<node pkg="p" exec="$(eval '$(var rate) + 1')"/>""", "$(eval '$(var rate) + 1')"),
+        (2, '<let name="b" value="$(var $(var rate))"/>', "$(var $(var rate))"),
+        (2, '<node pkg="p" exec="$(var rates)"/>', None),
+        (2, '<node pkg="p" exec="a" args="rate $(eval 1)"/>', None),
+        (2, """<node pkg="p" exec="$(eval 'rates')"/>""", None),
+        (1, '<node pkg="p" type="$(arg rate)" name="n"/>', "$(arg rate)"),
+        (1, """<param name="a" value="$(eval arg('rate'))"/>""", "$(eval arg('rate'))"),
+        (1, '<param name="a" value="$(eval rate + 1)"/>', "$(eval rate + 1)"),
+        (1, ROSPARAM, "rate: $(arg rate)"),
+        (1, '<group><node pkg="a" type="b" name="c" if="$(arg rate)"/></group>', "$(arg rate)"),
+        (1, "<rosparam>rate: 1</rosparam><!-- $(arg rate) -->", None),
+    ],
+)
+def test_an_argument_that_is_used_stays(ros_version: int, words: str, used: str | None) -> None:
+    source = f'<launch><arg name="rate" default="$(env A)"/>{words}</launch>'
+    removed = remove(_document(source), Argument, "rate", ros_version)
+    if used is None:
+        assert removed.document is not None, removed.diagnostics
+        return
+    assert removed.document is None
+    (refused,) = removed.diagnostics
+    assert refused.message == "`rate` is still used here, and cannot be taken out"
+    assert refused.span is not None
+    assert source[refused.span.start : refused.span.end] == used
 
 
 @pytest.mark.parametrize(

@@ -9,6 +9,9 @@ import pytest
 from plastron_tui.boundary import find_boundary
 from plastron_tui.diagnostics import Severity
 from plastron_tui.project.launch_graph import launch_graph
+from plastron_tui.ros.installations import Origin
+from plastron_tui.runtime.environment import Environment
+from plastron_tui.runtime.launch_packages import find_packages
 
 INCLUDED = {
     "in.launch.xml": '<launch><node pkg="demo" exec="eye" name="eye"/></launch>\n',
@@ -163,3 +166,25 @@ def test_packages_of_an_output_folder_are_known(
     names, said = _shown(tmp_path / output, text, name)
     assert names == ["eye"]
     assert not [each for each in said if "left out" in each]
+
+
+@pytest.mark.parametrize("marker", ["COLCON_IGNORE", "CATKIN_IGNORE", "AMENT_IGNORE", ""])
+def test_the_graph_and_a_run_take_the_same_package(project: Path, marker: str) -> None:
+    for place, name in (("a_old/eyes", "eyes"), ("z_new/eyes", "eyes"), ("z_new/ears", "ears")):
+        (project / place / "scripts").mkdir(parents=True)
+        (project / place / "package.xml").write_text(f"<package><name>{name}</name></package>")
+        (project / place / "scripts/eye.py").write_text("#!/usr/bin/env python3\n")
+    if marker:
+        (project / "a_old" / marker).touch()
+    file = project / "demo/launch/main.launch.xml"
+    file.write_text('<launch><include file="$(find-pkg-share eyes)/a.launch.xml"/></launch>')
+    environment = Environment(Origin.EXTRA, 2, "kilted", Path("/opt/none/bin/python3"))
+    run = find_packages(file, environment, {}).share("eyes")
+    assert run == str(project / ("z_new/eyes" if marker else "a_old/eyes"))
+    _, (said,) = _shown(project, file.read_text())
+    assert said.startswith(f"`{run}/a.launch.xml`")
+
+
+def test_all_nodes_of_a_name_are_shown(project: Path) -> None:
+    node = '<node pkg="demo" exec="eye" name="eye"/>'
+    assert _shown(project, f"<launch>{3 * node}</launch>")[0] == ["eye", "eye", "eye"]

@@ -10,7 +10,7 @@ from ament_linters import findings
 from hypothesis import HealthCheck, Phase, given, settings
 from launch_files import launch_files
 
-from plastron_tui.ros.launch import LaunchFile
+from plastron_tui.ros.launch import Include, LaunchFile, ParameterValue, StartedNode, Unread
 from plastron_tui.sources.launch.python_reader import read_launch_python
 from plastron_tui.targets.launch.python import write_python
 
@@ -44,3 +44,99 @@ def test_what_is_written_is_clean(tmp_path: Path) -> None:
 
     make()
     assert findings(tmp_path) == []
+
+
+def _read(body: str) -> list[str]:
+    """Return what a function reads as: nodes by their executables, and what is not understood."""
+    lines = "".join(f"    {line}\n" for line in body.splitlines())
+    source = f"import os\ndef generate_launch_description():\n{lines}"
+    ast.parse(source)
+    launch = read_launch_python(source.encode()).launch
+    assert launch is not None
+    found = []
+    for item in launch.items:
+        if isinstance(item, StartedNode):
+            values = (f"{x.name}={x.value}" for x in item.parameters
+                      if isinstance(x, ParameterValue))  # fmt: skip
+            found.append(" ".join((str(item.executable), *values)))
+        elif isinstance(item, Include):
+            arguments = (f"{name}={value}" for name, value in item.arguments)
+            found.append(" ".join((str(item.file), *arguments)))
+        else:
+            assert isinstance(item, Unread)
+            found.append(f"? {item.what}")
+    return found
+
+
+A, B = "Node(package='p', executable='a')", "Node(package='p', executable='b')"
+RETURN = "return LaunchDescription(nodes)"
+INCLUDE = (
+    "return LaunchDescription([IncludeLaunchDescription('x', launch_arguments=given.items())])"
+)
+
+
+@pytest.mark.parametrize(
+    ("body", "expected"),
+    [
+        (f"nodes = [{A}]\nnodes.append({B})\n{RETURN}", ["a", "b"]),
+        (f"nodes = []\nnodes.extend([{A}, {B}])\n{RETURN}", ["a", "b"]),
+        (f"nodes = [{A}]\nnodes += [{B}]\n{RETURN}", ["a", "b"]),
+        (f"nodes = [{A}]\nnodes.insert(0, {B})\n{RETURN}", ["b", "a"]),
+        (f"nodes = [{A}]\nmore = nodes\nmore.append({B})\n{RETURN}", ["a", "b"]),
+        (f"nodes = [{A}]\nkept = nodes + []\nkept.append({B})\n{RETURN}", ["a"]),
+        (f"inner = [{A}]\nnodes = [*inner, {B}]\n{RETURN}", ["a", "b"]),
+        (f"nodes = other = [{A}]\nother.append({B})\n{RETURN}", ["a", "b"]),
+        (f"nodes: list = [{A}]\n{RETURN}", ["a"]),
+        (f"nodes, word = [{A}], 1\n{RETURN}", ["? `nodes`"]),
+        (f"nodes = [{A}]\nnodes.extend(more())\n{RETURN}", ["a", "? `more`"]),
+        (f"nodes = [{A}]\nnodes += more()\n{RETURN}", ["a", "? `more`"]),
+        (f"nodes = [{A}, {B}]\nnodes.pop()\n{RETURN}", ["? `nodes`"]),
+        (f"nodes = [{A}, {B}]\ndel nodes[0]\n{RETURN}", ["? `nodes`"]),
+        (f"nodes = [{A}, {B}]\nnodes[0] = {B}\n{RETURN}", ["? `nodes`"]),
+        (f"nodes = [{A}]\nnodes[1:] = [{B}]\n{RETURN}", ["? `nodes`"]),
+        (f"nodes = [{A}]\nprint(nodes)\n{RETURN}", ["a"]),
+        (f"nodes = [{A}]\nfill(nodes)\n{RETURN}", ["a", "? what `fill` adds"]),
+        (f"nodes = [{A}]\nif os:\n    nodes.append({B})\n{RETURN}",
+         ["a", "? what an `if` adds"]),
+        (f"nodes = [{A}]\nfor x in 'ab':\n    nodes += [{B}]\n{RETURN}",
+         ["a", "? what a `for` adds"]),
+        (f"nodes = [{A}]\nif nodes.count(1):\n    print(1)\n{RETURN}", ["a"]),
+        (f"ld = LaunchDescription()\nld.add_action({A})\nld.add_action(action={B})\nreturn ld",
+         ["a", "b"]),
+        (f"ld = LaunchDescription()\nsame = ld\nsame.add_action({A})\nreturn ld", ["a"]),
+        (f"ld = LaunchDescription([{A}])\nfill(ld)\nreturn ld", ["a", "? what `fill` adds"]),
+        (f"ld = LaunchDescription([{A}])\nld.entities.append({B})\nreturn ld",
+         ["a", "? `ld.entities`", "? a description that is computed"]),
+        ("given = {'rate': '1'}\ngiven['rate'] = '5'\n" + INCLUDE, ["x rate=5"]),
+        ("given = {}\ngiven.update({'rate': '5'})\n" + INCLUDE, ["x rate=5"]),
+        ("given = {'rate': '1'}\ngiven.update(rate='5')\n" + INCLUDE,
+         ["? `IncludeLaunchDescription`"]),
+        ("given = {'rate': '1'}\ngiven[word()] = '5'\n" + INCLUDE,
+         ["? `IncludeLaunchDescription`"]),
+        ("given = {'rate': '1'}\nfor k, v in given.items():\n    print(k)\n" + INCLUDE,
+         ["x rate=1"]),
+        ("given = {'rate': '1'}\nif os:\n    given['rate'] = '2'\n" + INCLUDE,
+         ["? `IncludeLaunchDescription`"]),
+        (f"with open('f') as f:\n    return LaunchDescription([{A}])", ["a"]),
+        (f"with open('f') as f:\n    nodes = [{A}]\n{RETURN}", ["a"]),
+        (f"try:\n    nodes = [{A}]\nexcept OSError:\n    pass\n{RETURN}", ["a"]),
+        (f"try:\n    nodes = [{A}]\nexcept OSError:\n    nodes = []\n{RETURN}",
+         ["? `nodes`"]),
+        (f"try:\n    pass\nexcept OSError:\n    return 1\nelse:\n    nodes = [{A}]\n{RETURN}",
+         ["? what an `except` returns", "a"]),
+        (f"try:\n    pass\nfinally:\n    nodes = [{A}]\n{RETURN}", ["a"]),
+        (f"if os:\n    return LaunchDescription([{A}])\nreturn LaunchDescription([{B}])",
+         ["? what an `if` returns", "b"]),
+        (f"return LaunchDescription([{A}])\nreturn LaunchDescription([{B}])", ["a"]),
+        ("return LaunchDescription([Node(executable=','.join(['a', 'b']))])", ["a,b"]),
+        ("return LaunchDescription([Node(executable=os.path.join('a', 'b'))])", ["a/b"]),
+        ("s = '-'\nreturn LaunchDescription([Node(executable=s.join(('a', 'b')))])", ["a-b"]),
+        ("return LaunchDescription([Node(executable=other.join('a', 'b'))])",
+         ["$(other.join('a', 'b'))"]),
+        ("x = word()\nreturn LaunchDescription([Node(executable=x, parameters=[{'a': x}])])",
+         ["$(word) a=$(word)"]),
+        ("nodes = []\nnodes.append(nodes)\nnodes.append(nodes)\n" + RETURN, []),
+    ],
+)  # fmt: skip
+def test_statements_are_followed_or_told(body: str, expected: list[str]) -> None:
+    assert _read(body) == expected

@@ -8,10 +8,12 @@ import pytest
 
 from plastron_tui.model.launch_checks import with_parameter_files
 from plastron_tui.model.workspace import Node
+from plastron_tui.ros.launch_resolution import Opened, resolve
+from plastron_tui.ros.launch_text import Scope
 from plastron_tui.session import Options, Session
 from plastron_tui.sources.launch.python_reader import read_launch_python
 from plastron_tui.sources.launch.xml_reader import read_launch_xml
-from plastron_tui.targets.launch.program import Executable, request_of
+from plastron_tui.targets.launch.program import ExecutableName, request_of
 from plastron_tui.targets.launch.python import write_python
 from plastron_tui.targets.launch.xml import write_xml
 
@@ -62,8 +64,8 @@ WRITTEN = """\
 """
 
 
-def _own(node: Node) -> Executable:
-    return Executable("own", node.name)
+def _own(node: Node) -> ExecutableName:
+    return ExecutableName("own", node.name)
 
 
 def _wrong(session: Session) -> list[str]:
@@ -190,7 +192,7 @@ bringup starts talker as '$(var robot)_talker' in '/$(arg robot)' remapping 'cha
 HEARD = {
     1: """\
   <node pkg="own" type="talker" name="$(arg robot)_talker" ns="/$(arg robot)" output="screen">
-    <param name="speed" value="$(arg speed)"/>
+    <param name="speed" value="$(arg speed)" type="double"/>
     <param name="label" value="of $(arg robot)" type="str"/>
     <remap from="chatter" to="$(arg robot)/hello"/>
   </node>
@@ -198,7 +200,7 @@ HEARD = {
     2: """\
   <node pkg="own" exec="talker" name="$(var robot)_talker" namespace="/$(var robot)" \
 output="screen">
-    <param name="speed" value="$(var speed)"/>
+    <param name="speed" value="$(var speed)" type="float"/>
     <param name="label" value="of $(var robot)" type="str"/>
     <remap from="chatter" to="$(var robot)/hello"/>
   </node>
@@ -226,7 +228,7 @@ def test_what_is_given_as_an_argument_is_used(ros_version: int) -> None:
     assert read_launch_xml(written.encode(), ros_version=ros_version).launch == request
     if ros_version == 2:
         python = write_python(request)
-        assert "'speed': LaunchConfiguration('speed')" in python
+        assert "ParameterValue(LaunchConfiguration('speed'), value_type=float)" in python
         assert read_launch_python(python.encode()).launch == request
 
 
@@ -274,6 +276,8 @@ def test_nodes_are_told_apart_by_their_full_names() -> None:
     )
     for statement, code in (
         ("bringup starts 'demo/ear' in '/front'", "already-started"),
+        ("bringup starts 'demo/other' as 'ear' in 'rear'", "already-started"),
+        ("bringup starts 'demo/ear' as 'ear' in '/rear'", "already-started"),
         ("bringup starts 'demo/other' as 'ear'", "already-started"),
         ("bringup no_longer_starts 'eye'", "not-started"),
     ):
@@ -312,3 +316,31 @@ def test_a_component_is_a_class() -> None:
     assert (told.code, told.severity.value) == ("not-a-component", "warning")
     assert told.span is not None
     assert text.replace("image_proc::RectifyNode", "rectify")[slice(*told.span)] == "rectify"
+
+
+@pytest.mark.parametrize(
+    ("value", "number"), [("1", 1.0), ("2.5", 2.5), ("1e3", 1000.0), ("fast", "fast")]
+)
+@pytest.mark.parametrize(("ros_version", "library"), [(1, "rospy"), (2, "rclpy")])
+def test_an_argument_for_a_float_is_one(
+    ros_version: int, library: str, value: str, number: object
+) -> None:
+    declared = "talker has_parameter 'speed' of parameter_type float with default 1.0\n"
+    program = HEAD.replace("rclpy", library).replace("generate_node", f"{declared}generate_node")
+    program += (
+        "bringup has_argument 'speed'\nbringup starts talker setting 'speed' = \"$(var speed)\"\n"
+    )
+    session = Session(program.encode(), options=Options(library))
+    request = request_of(session.workspace.launches["bringup"], ros_version, _own).added
+    read = [read_launch_xml(write_xml(request, ros_version).encode(), ros_version=ros_version)]
+    if ros_version == 2:
+        read.append(read_launch_python(write_python(request).encode()))
+    for each in read:
+        assert each.launch is not None
+        scope = Scope({"speed": value}, {}, "/", lambda name: f"/{name}")
+        (started,) = resolve(each.launch, ros_version, scope, "/x", _nothing).started
+        assert repr(dict(started.parameters)["speed"]) == repr(number)
+
+
+def _nothing(path: str) -> Opened:
+    raise AssertionError(path)

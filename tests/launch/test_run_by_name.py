@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from pathlib import Path
 
 import pytest
@@ -88,6 +89,29 @@ def test_what_was_changed_by_hand_is_started_and_told(tmp_path: Path, started: S
     done = _run(tmp_path, "bringup")
     assert [each.name for each in started] == ["mine"]
     assert "warning[launch-differs]" in done.stderr
+
+
+@pytest.mark.parametrize(
+    "old, new, is_stale",
+    [
+        ("", "", False),
+        ('"hi"', '"ho"', False),
+        ("starts talker", "starts talker as 'other'", True),
+        ("starts talker", "starts tlker", False),
+    ],
+)
+def test_a_program_that_says_otherwise_by_now_is_told(
+    tmp_path: Path, started: Started, old: str, new: str, is_stale: bool
+) -> None:
+    assert _run(tmp_path, "bringup").exit_code == 0
+    program = tmp_path / "p.plastron"
+    program.write_text(PROGRAM.replace(old, new))
+    file = tmp_path / "output/demo/launch/bringup.launch.xml"
+    os.utime(program, ns=(file.stat().st_mtime_ns + 10**9,) * 2)
+    done = CliRunner().invoke(cli, ["run", str(file)])
+    assert done.exit_code == 0, done.output
+    assert ("`p.plastron` says otherwise by now" in done.stderr) is is_stale
+    assert ("plastron generate p.plastron" in done.stderr) is is_stale
 
 
 @pytest.mark.parametrize("has_launch", [True, False])

@@ -243,6 +243,34 @@ def test_a_broken_type_is_told_once(line: str, code: str) -> None:
     assert [each.code for each in found] == [code]
 
 
+@pytest.mark.parametrize("library", ["rclpy", "rospy"])
+def test_a_change_that_is_taken_back_is_as_if_it_had_never_been(library: str) -> None:
+    """What is written after it has the type as it was."""
+    used = "create_node 'n' as n\nsubscribe n to 'in' of message_type A\n"
+    needs = "create_message out of message_type Float64 and input data=received.x\n"
+    sends = "n publish out to 'out' of message_type Float64 for_each 'in'\n"
+    before = f"create_message_type A with int32 x, int32 y\n{used}{needs}{sends}"
+    text = f"{before}A no_longer_has_field 'x'\ncreate_message m of message_type A and input x=1\n"
+    [found] = run(text, library).diagnostics
+    assert found.code == "type-in-use"
+
+
+def test_a_type_that_one_ros_cannot_have_stays_so_when_it_changes() -> None:
+    text = 'create_message_type A with string<=5 x\nA has_field "int8 y"\n'
+    found = run(text, "rclpy")
+    assert list(found.diagnostics) == []
+    [own] = found.workspace.types.values()
+    assert own.definitions.keys() == {2}
+    use = f"{text}{ROSPY}subscribe n to 'a' of message_type A\n"
+    [told] = run(use, "rclpy").diagnostics
+    assert told.message == "`A` is no type of ROS 1: ROS 1 has no bounded types"
+    # Nor where what one could not have is taken away.
+    less = f"{text}A no_longer_has_field 'x'\n"
+    assert [each.definitions.keys() for each in run(less, "rclpy").workspace.types.values()] == [
+        {2}
+    ]
+
+
 def test_what_else_is_wrong_in_a_type_is_told() -> None:
     line = "create_message_type B with A a, Nowhere x, uint8 n default 300"
     found = run(f"create_message_type A with flot64 x\n{line}\n").diagnostics

@@ -152,6 +152,26 @@ def test_one_file_asked_for_twice(tmp_path: Path) -> None:
     assert [diagnostic.code for diagnostic in diagnostics] == ["same-file"]
 
 
+@pytest.mark.parametrize(
+    ("name", "what", "is_loaded"),
+    [
+        ("a.py", "texts", False),
+        ("x.launch", "launch files", True),
+        ("x.launch.xml", "launch files", True),
+        ("x.launch.py", "launch files", True),
+        ("demo/msg/A.msg", "message types", True),
+        ("A.srv", "service types", True),
+        ("A.action", "action types", True),
+    ],
+)
+def test_what_one_file_was_asked_for_by_is_named(
+    name: str, what: str, is_loaded: bool, tmp_path: Path
+) -> None:
+    _, [found] = make_plan(tmp_path, [OutputFile(name, b"x"), OutputFile(name, b"y")], NONE)
+    assert found.message == f"two {what} would be written to `{name}`"
+    assert ("--in-place" in (found.help or "")) == is_loaded
+
+
 def test_in_place(tmp_path: Path) -> None:
     source = tmp_path / "src" / "hand.py"
     source.parent.mkdir()

@@ -23,6 +23,7 @@ LAID_OUT = [
     (STATES, "uint8 WORSE=2", b"uint8 WORSE = 2"),
     (STATES, "string TEXT=a  # b", b"string TEXT = a  # b"),
     (b"uint8 A=0\n", "uint8 B = 1", b"uint8 B=1"),
+    (b"uint8 A   =   1\nfloat64 x  2\nfloat64 y  2\n", "int8 z 3", b"int8 z     3"),
     (b"float64 left  # a\n", "int8 x # b", b"int8 x # b"),
     (b"float64 a  # a\nfloat64 b  # b\n", "int8 x # b", b"int8 x     # b"),
     (b"float64\ta\t# a\nfloat64\tb\t# b\n", "int8 x # b", b"int8 x # b"),

@@ -9,13 +9,12 @@ from pathlib import Path
 
 from plastron_tui.regular_files import read_regular
 from plastron_tui.ros.interfaces import InterfaceKind, InterfaceName
+from plastron_tui.ros.packages import IGNORE_MARKERS
 
 _KINDS = {kind.value: kind for kind in InterfaceKind}
 _TYPE_NAME = re.compile(r"[A-Za-z][A-Za-z0-9_]*")
 _XML_COMMENT = re.compile(r"<!--.*?(?:-->|\Z)", re.DOTALL)
 _XML_NAME = re.compile(r"<name>\s*([A-Za-z0-9_-]+)\s*</name>")
-# What tells ROS's own tools to leave a folder out.
-_IGNORE_MARKERS = frozenset({"CATKIN_IGNORE", "COLCON_IGNORE", "AMENT_IGNORE"})
 _MANIFESTS = frozenset({"package.xml", "manifest.xml"})
 _LARGEST_MANIFEST = 1024 * 1024
 _MOST_FOLDERS = 20_000
@@ -104,7 +103,7 @@ def _interface_folders(root: Path) -> Iterator[tuple[str, InterfaceKind, Path]]:
         folder, depth = waiting.pop()
         children = _children(folder)
         names = {entry.name for entry in children}
-        if names & _IGNORE_MARKERS or not _is_first_visit(folder, seen):
+        if names & IGNORE_MARKERS or not _is_first_visit(folder, seen):
             continue
         kinds = [name for name in _KINDS if name in names]
         if kinds and (depth or names & _MANIFESTS or root.name != "share"):

@@ -6,6 +6,7 @@ from collections.abc import Iterator
 
 from plastron_tui.diagnostics import Diagnostic, Span, codes
 from plastron_tui.ros.launch import Argument, Item, StartedNode, items_of, named_nodes
+from plastron_tui.ros.launch_text import Kind, Text
 from plastron_tui.sources.xml.document import Element, XmlDocument
 from plastron_tui.sources.xml.edits import (
     XmlEdit,
@@ -16,6 +17,7 @@ from plastron_tui.sources.xml.edits import (
 )
 
 from .new_elements import CannotWriteError, new_element
+from .substitutions import parse_text
 from .xml_reader import LaunchRead, read_launch_xml
 
 
@@ -67,7 +69,7 @@ def remove(document: XmlDocument, kind: type[Item], name: str, ros_version: int)
     if element is None:
         message = f"`{name}` is a container; take it out by hand"
         return XmlEdit(None, (Diagnostic(codes.EDIT_REFUSED, message, file=document.file),))
-    used = _use(document, name, ros_version) if kind is Argument else None
+    used = _use(document, element, name, ros_version) if kind is Argument else None
     if used is not None:
         message = f"`{name}` is still used here, and cannot be taken out"
         return XmlEdit(None, (Diagnostic(codes.EDIT_REFUSED, message, used, document.file),))
@@ -88,14 +90,41 @@ def _head(root: Element, name: str) -> Element | None:
     return last
 
 
-def _use(document: XmlDocument, name: str, ros_version: int) -> Span | None:
-    """Return where an argument is asked for."""
-    word = f"$({'arg' if ros_version == 1 else 'var'} {name})"
+def _use(document: XmlDocument, removed: Element, name: str, ros_version: int) -> Span | None:
+    """Return where an argument is asked for beside its own element."""
+
+    def is_used(source: str) -> bool:
+        return "$(" in source and _asks(parse_text(source, ros_version), name)
+
     for element in document.root.walk():
+        if element is removed:
+            continue
         for each in element.attributes:
-            if word in each.value:
+            if is_used(each.value):
                 return each.value_span
+        if is_used(element.text):
+            return element.value_span(document.text)
     return None
+
+
+def _asks(of: Text, name: str) -> bool:
+    """Tell whether a text asks for an argument; what is evaluated may, where it names the word."""
+    for part in of.parts:
+        if isinstance(part, str):
+            continue
+        if part.kind is Kind.ARGUMENT and part.argument.literal == name:
+            return True
+        if part.kind is Kind.OTHER and _has_word(str(part.argument), name):
+            return True
+        if _asks(part.argument, name) or (part.default is not None and _asks(part.default, name)):
+            return True
+    return False
+
+
+def _has_word(source: str, word: str) -> bool:
+    if not word.isidentifier():
+        return word in source
+    return word in "".join(x if x.isalnum() or x == "_" else " " for x in source).split()
 
 
 def _spans(items: list[Item]) -> Iterator[Span]:

@@ -76,6 +76,6 @@ def value_of(name: Text, source: str, type_: str | None, ros_version: int) -> Pa
             found = parse_text(value, 2)
     literal = found.literal
     if literal is None:
-        return ParameterValue(name, found, is_text)
+        return ParameterValue(name, found, is_text, type_ in ("float", "double"))
     value = typed_as(literal, type_, ros_version)
     return ParameterValue(name, found if value is None else value, is_text and value is None)

@@ -149,7 +149,9 @@ class _Writer:
             return NewElement(tag, (("from", file),))
         name = ("name", self._text(parameter.name))
         if isinstance(parameter.value, Text):
-            type_ = (("type", "str"),) if parameter.is_text else ()
+            word = "double" if self._version == 1 else "float"
+            word = "str" if parameter.is_text else word if parameter.is_float else ""
+            type_ = (("type", word),) if word else ()
             return NewElement(tag, (name, ("value", self._text(parameter.value)), *type_))
         return NewElement(tag, (name, *self._value(parameter.value)))
 

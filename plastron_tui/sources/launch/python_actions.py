@@ -44,6 +44,7 @@ class _TypedText(NamedTuple):
 
     value: Any
     is_text: bool
+    is_float: bool
 
 
 class _File(NamedTuple):
@@ -65,7 +66,7 @@ def as_text(value: Any) -> Text | None:
         return text(str(value))
     if isinstance(value, (str, int, float)):
         return text(str(value))
-    if isinstance(value, (list, tuple)):
+    if type(value) in (list, tuple):
         found = [as_text(each) for each in value]
         known = [each for each in found if each is not None]
         return text(*known) if len(known) == len(found) else None
@@ -210,13 +211,13 @@ def _values(found: dict[Any, Any], before: Text) -> Iterable[ParameterValue]:
             inner = as_text(value.value) or _unknown(value.value)
             literal = inner.literal if value.is_text else None
             yield ParameterValue(name, inner if literal is None else literal,
-                                 value.is_text and literal is None)  # fmt: skip
+                                 value.is_text and literal is None, value.is_float)  # fmt: skip
         else:
             yield _value(name, value)
 
 
 def _value(name: Text, value: Any) -> ParameterValue:
-    setting = as_value(value)
+    setting = None if isinstance(value, Computed) else as_value(value)
     if isinstance(setting, str):
         setting = typed(setting, 2)
     if setting is not None:
@@ -312,7 +313,8 @@ def _variable(positional: list[Any], named: _Named, place: Place) -> Variable | 
 def _typed(positional: list[Any], named: _Named, place: Place) -> _TypedText:
     value = positional[0] if positional else named.get("value")
     kind = named.get("value_type")
-    return _TypedText(value, isinstance(kind, Computed) and kind.what == "str")
+    word = kind.what if isinstance(kind, Computed) else ""
+    return _TypedText(value, word == "str", word == "float")
 
 
 def _file(positional: list[Any], named: _Named, place: Place) -> _File:

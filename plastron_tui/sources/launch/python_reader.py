@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import ast
-from collections.abc import Callable
 from functools import cache
 from pathlib import Path
 from typing import Any
@@ -12,17 +10,22 @@ import tree_sitter_python
 from tree_sitter import Language, Node, Parser
 
 from plastron_tui.diagnostics import Diagnostic, Span, codes
-from plastron_tui.ros.launch import Format, Group, Item, LaunchFile, Unread
-from plastron_tui.ros.launch_text import Text, text
+from plastron_tui.ros.launch import Format, Item, LaunchFile, Unread
+from plastron_tui.ros.launch_text import text
 
-from .python_actions import ACTIONS, Computed, as_text, placed
+from .python_actions import Computed, placed
+from .python_values import (
+    HEAVIEST,
+    Values,
+    arguments_of,
+    callee,
+    field,
+    positional_of,
+    short,
+    source_of,
+    weight_of,
+)
 from .xml_reader import LaunchRead
-
-_DEEPEST = 60
-_LONGEST_LITERAL = 20_000
-_HEAVIEST = 50_000
-"""How many values and characters a value has at most: one that is doubled again and again is none
-that a person wrote."""
 
 
 def read_launch_python(source: bytes, file: Path | None = None) -> LaunchRead:
@@ -36,7 +39,7 @@ def read_launch_python(source: bytes, file: Path | None = None) -> LaunchRead:
             node
             for node in root.named_children
             if node.type == "function_definition"
-            and _field(node, "name") == b"generate_launch_description"
+            and field(node, "name") == "generate_launch_description"
         ),
         None,
     )
@@ -50,22 +53,22 @@ def read_launch_python(source: bytes, file: Path | None = None) -> LaunchRead:
     return LaunchRead(LaunchFile(tuple(reader.items)), Format.PYTHON)
 
 
+_MOST_WORK = 1_000_000
+"""How many values are copied at most where lists are changed again and again."""
+
+_BRANCHES = frozenset(("if_statement", "for_statement", "while_statement", "match_statement"))
+_ADDING = frozenset(("append", "extend", "insert"))
+_READING = frozenset(("get", "items", "keys", "values", "copy", "index", "count"))
+_HARMLESS = frozenset(("print", "pprint", "len"))
+
+
 @cache
 def _language() -> Language:
     return Language(tree_sitter_python.language())
 
 
-def _field(node: Node, name: str) -> bytes:
-    child = node.child_by_field_name(name)
-    return b"" if child is None or child.text is None else child.text
-
-
-def _source(node: Node) -> str:
-    return (node.text or b"").decode("utf-8", "replace")
-
-
 class _Reader:
-    """Goes over statements in their order, and knows the values of plain names.
+    """Goes over statements in their order.
 
     Attributes:
         items: what the launch description has so far.
@@ -73,62 +76,221 @@ class _Reader:
 
     def __init__(self) -> None:
         self.items: list[Item] = []
-        self._names: dict[str, Any] = {}
+        self._values = Values()
+        self._names = self._values.names
         self._descriptions: set[str] = set()
-        self._depth = 0
+        self._work = 0
 
-    def block(self, block: Node | None) -> None:
-        """Read the statements of a block."""
-        for statement in block.named_children if block is not None else ():
-            if statement.type == "expression_statement":
-                for child in statement.named_children:
-                    self._expression(child)
-            elif statement.type == "return_statement":
-                for child in statement.named_children:
-                    self._description(child)
-            elif statement.type in ("if_statement", "for_statement", "while_statement"):
-                self._forget(statement)
-                # What a branch or a loop adds is not known to be added once.
-                if any(f"{name}.add_action" in _source(statement) for name in self._descriptions):
-                    what = f"what an `{statement.type.removesuffix('_statement')}` adds"
-                    self.items.append(Unread(what, place=placed(statement)))
+    def block(self, block: Node | None) -> bool:
+        """Read the statements of a block, and tell whether it returns."""
+        statements = () if block is None else block.named_children
+        return any(self._statement(statement) for statement in statements)
+
+    def _statement(self, node: Node) -> bool:
+        if node.type == "expression_statement":
+            for child in node.named_children:
+                self._expression(child)
+        elif node.type == "return_statement":
+            for child in node.named_children:
+                self._description(child)
+            return True
+        elif node.type == "with_statement":
+            for child in node.named_children:
+                if child.type == "with_clause":
+                    self._branch(child, "a `with`")
+            return self.block(node.child_by_field_name("body"))
+        elif node.type == "try_statement":
+            return self._try(node)
+        elif node.type in _BRANCHES:
+            word = node.type.removesuffix("_statement")
+            self._branch(node, f"{'an' if word == 'if' else 'a'} `{word}`")
+        elif node.type == "delete_statement":
+            for name in _names_in(node):
+                self._forget(name)
+        return False
+
+    def _try(self, node: Node) -> bool:
+        """Read a `try` as if nothing in it is raised; what else it may do is told."""
+        is_over = self.block(node.child_by_field_name("body"))
+        for child in node.named_children:
+            if child.type.startswith("except"):
+                self._branch(child, "an `except`")
+            elif child.type == "else_clause" and not is_over:
+                is_over = self.block(child.child_by_field_name("body"))
+            elif child.type == "finally_clause":
+                blocks = (each for each in child.named_children if each.type == "block")
+                is_over = any(self.block(each) for each in blocks) or is_over
+        return is_over
 
     def _expression(self, node: Node) -> None:
-        if node.type == "assignment":
-            left, right = node.child_by_field_name("left"), node.child_by_field_name("right")
-            if left is None or right is None or left.type != "identifier":
-                return
-            name = _source(left)
-            if right.type == "call" and _callee(right) == "LaunchDescription":
+        left, right = node.child_by_field_name("left"), node.child_by_field_name("right")
+        if node.type == "assignment" and left is not None and right is not None:
+            self._assign(left, right)
+        elif node.type == "augmented_assignment" and left is not None and right is not None:
+            self._augment(node, left, right)
+        elif node.type == "call":
+            self._call(node)
+
+    def _assign(self, left: Node, right: Node) -> None:
+        if right.type == "assignment":
+            self._expression(right)
+            right = right.child_by_field_name("left") or right
+        if left.type == "identifier":
+            name = source_of(left)
+            if right.type == "call" and callee(right) == "LaunchDescription":
                 self._descriptions.add(name)
                 self._description(right)
+            elif right.type == "identifier" and source_of(right) in self._descriptions:
+                self._descriptions.add(name)
             else:
-                self._names[name] = self._value(right)
-        elif node.type == "call":
-            function = node.child_by_field_name("function")
-            if function is not None and _field(function, "object").decode() in self._descriptions:
-                for argument in _positional(node):
-                    self._add(self._value(argument), argument)
-        elif node.type == "augmented_assignment":
-            self._forget(node)
+                self._descriptions.discard(name)
+                self._names[name] = self._values.value(right)
+        elif left.type == "subscript":
+            self._set_element(left, self._values.value(right))
+        else:
+            self._forget_all(left)
 
-    def _forget(self, node: Node) -> None:
-        """Forget the names that are assigned to somewhere in a node."""
-        stack = [node]
+    def _set_element(self, left: Node, value: Any) -> None:
+        """Follow `name[key] = value` of a dictionary."""
+        of, key = left.child_by_field_name("value"), left.child_by_field_name("subscript")
+        name = "" if of is None else source_of(of)
+        found, word = self._names.get(name), None if key is None else self._values.value(key)
+        if isinstance(found, dict) and isinstance(word, str):
+            self._change(name, {**found, text(word): value})
+        else:
+            self._forget_all(left)
+
+    def _augment(self, node: Node, left: Node, right: Node) -> None:
+        name, value = source_of(left), self._values.value(right)
+        found = self._names.get(name)
+        if field(node, "operator") == "+=" and isinstance(found, list):
+            self._change(name, [*found, *self._elements(value, right)])
+        elif field(node, "operator") == "|=" and isinstance(found, dict) and type(value) is dict:
+            self._change(name, {**found, **value})
+        else:
+            self._forget_all(left)
+
+    def _call(self, node: Node) -> None:
+        """Follow a call that is a statement."""
+        function = node.child_by_field_name("function")
+        of = None if function is None else function.child_by_field_name("object")
+        name = "" if of is None else source_of(of)
+        if function is None or of is None:
+            pass
+        elif name in self._descriptions and field(function, "attribute") == "add_action":
+            for argument in arguments_of(node):
+                value = argument.child_by_field_name("value") or argument
+                self._add(self._values.value(value), value)
+            return
+        elif name in self._names:
+            self._method(name, field(function, "attribute"), node)
+            return
+        else:
+            self._forget_all(of)
+        if callee(node) not in _HARMLESS:
+            self._hand_out(node, f"`{callee(node)}`")
+
+    def _method(self, name: str, method: str, node: Node) -> None:
+        """Follow a method of a list or a dictionary that changes it."""
+        found = self._names[name]
+        values = [self._values.value(each) for each in arguments_of(node)]
+        match found, method, values:
+            case list(), "append", [one]:
+                self._change(name, [*found, one])
+            case list(), "extend", [many]:
+                self._change(name, [*found, *self._elements(many, node)])
+            case list(), "insert", [int(at), one]:
+                self._change(name, [*found[:at], one, *found[at:]])
+            case dict(), "update", [dict(more)]:
+                self._change(name, {**found, **more})
+            case (list() | dict(), _, _) if method not in _READING:
+                self._forget(name)
+
+    def _elements(self, value: Any, node: Node) -> list[Any]:
+        if type(value) in (list, tuple):
+            return list(value)
+        what = value.what if isinstance(value, Computed) else short(node)
+        return [Unread(f"`{what}`", place=placed(node))]
+
+    def _hand_out(self, node: Node, what: str) -> None:
+        """Take note of lists and descriptions that a function gets, which may add to them."""
+        for argument in positional_of(node):
+            name = source_of(argument) if argument.type == "identifier" else ""
+            if name in self._descriptions:
+                self.items.append(Unread(f"what {what} adds", place=placed(node)))
+            elif name in self._names and callee(node) not in _ADDING:
+                self._doubt(name, what, node)
+
+    def _branch(self, node: Node, what: str) -> None:
+        """Take note of what a branch or a loop may do: it is not known to be done once."""
+        found: set[str] = set()
+        stack = list(node.named_children)
         while stack:
             each = stack.pop()
-            if each.type in ("assignment", "augmented_assignment"):
-                self._names[_field(each, "left").decode("utf-8", "replace")] = Computed("a loop")
+            if each.type in ("function_definition", "class_definition", "lambda"):
+                continue
             stack.extend(each.named_children)
+            function = each.child_by_field_name("function")
+            of = None if function is None else function.child_by_field_name("object")
+            if each.type == "return_statement":
+                found.add("returns")
+            elif each.type == "identifier" and source_of(each) in self._descriptions:
+                found.add("adds")
+            elif each.type == "augmented_assignment":
+                left = each.child_by_field_name("left")
+                if left is not None and left.type == "identifier":
+                    self._doubt(source_of(left), what, each)
+                else:
+                    self._forget_all(left)
+            elif each.type in ("assignment", "for_statement", "named_expression", "as_pattern"):
+                target = next((each.child_by_field_name(name) for name in ("left", "name", "alias")
+                               if each.child_by_field_name(name) is not None), None)  # fmt: skip
+                self._forget_all(target)
+            elif of is not None and source_of(of) in self._names:
+                if field(function, "attribute") not in _READING:  # type: ignore[arg-type]
+                    self._doubt(source_of(of), what, each)
+            elif each.type == "call":
+                self._hand_out(each, what)
+        self.items += (Unread(f"what {what} {does}", place=placed(node)) for does in sorted(found))
+
+    def _doubt(self, name: str, what: str, node: Node) -> None:
+        """Take note that a list may get more elements, or that a value is not known any more."""
+        found = self._names.get(name)
+        if isinstance(found, list):
+            self._change(name, [*found, Unread(f"what {what} adds", place=placed(node))])
+        elif isinstance(found, dict) or (found is not None and node.type != "call"):
+            self._forget(name)
+
+    def _change(self, name: str, new: Any) -> None:
+        """Give a name another value, and all names that stand for the same list."""
+        old, weight = self._names[name], weight_of(new)
+        is_shared = isinstance(old, (list, dict))
+        self._work += weight
+        if weight > HEAVIEST or self._work > _MOST_WORK:
+            new = Computed(name)
+        same = [key for key, value in self._names.items() if is_shared and value is old]
+        self._names |= dict.fromkeys((name, *same), new)
+
+    def _forget(self, name: str) -> None:
+        self._descriptions.discard(name)
+        if name in self._names:
+            self._change(name, Computed(name))
+
+    def _forget_all(self, target: Node | None) -> None:
+        """Forget what is assigned to: a name, some, or a part of what a name stands for."""
+        for name in set() if target is None else _names_in(target):
+            if target is not None and name in self._descriptions:
+                self.items.append(Unread(f"`{short(target)}`", place=placed(target)))
+            self._forget(name)
 
     def _description(self, node: Node) -> None:
-        if node.type == "call" and _callee(node) == "LaunchDescription":
-            for argument in _arguments(node):
+        if node.type == "call" and callee(node) == "LaunchDescription":
+            for argument in arguments_of(node):
                 value = argument
                 if argument.type == "keyword_argument":
                     value = argument.child_by_field_name("value") or argument
-                self._add(self._value(value), value)
-        elif not (node.type == "identifier" and _source(node) in self._descriptions):
+                self._add(self._values.value(value), value)
+        elif not (node.type == "identifier" and source_of(node) in self._descriptions):
             self.items.append(Unread("a description that is computed", place=placed(node)))
 
     def _add(self, value: Any, node: Node) -> None:
@@ -141,168 +303,17 @@ class _Reader:
             what = value.what if isinstance(value, Computed) else "a value"
             self.items.append(Unread(f"`{what}`", place=placed(node)))
 
-    def _value(self, node: Node) -> Any:
-        self._depth += 1
-        try:
-            if self._depth > _DEEPEST:
-                return Computed("what is nested too deep")
-            reader = _VALUES.get(node.type)
-            found = Computed(_short(node)) if reader is None else reader(self, node)
-            return Computed("a huge value") if _is_heavy(found) else found
-        finally:
-            self._depth -= 1
 
-    def _literal(self, node: Node) -> Any:
-        source = node.text or b""
-        if len(source) > _LONGEST_LITERAL:
-            return Computed("a long literal")
-        try:
-            return ast.literal_eval(source.decode("utf-8", "replace"))
-        except (ValueError, SyntaxError, MemoryError, RecursionError):
-            return Computed(_short(node))
-
-    def _string(self, node: Node) -> Any:
-        if any(child.type == "interpolation" for child in node.named_children):
-            return Computed(_short(node))
-        if _source(node)[:1] in "fF":
-            return Computed(_short(node))
-        return self._literal(node)
-
-    def _concatenated(self, node: Node) -> Any:
-        parts = [self._value(child) for child in node.named_children if child.type == "string"]
-        if all(isinstance(part, str) for part in parts):
-            return "".join(parts)
-        return Computed(_short(node))
-
-    def _identifier(self, node: Node) -> Any:
-        return self._names.get(_source(node), Computed(_short(node)))
-
-    def _list(self, node: Node) -> Any:
-        return [self._value(child) for child in node.named_children if child.type != "comment"]
-
-    def _tuple(self, node: Node) -> Any:
-        return tuple(self._list(node))
-
-    def _dictionary(self, node: Node) -> Any:
-        found = {}
-        for pair in node.named_children:
-            if pair.type == "comment":
-                continue
-            key, value = pair.child_by_field_name("key"), pair.child_by_field_name("value")
-            if pair.type != "pair" or key is None or value is None:
-                return Computed(_short(node))
-            name = as_text(self._value(key))
-            if name is None:
-                return Computed(_short(node))
-            found[name] = self._value(value)
-        return found
-
-    def _binary(self, node: Node) -> Any:
-        left, right = node.child_by_field_name("left"), node.child_by_field_name("right")
-        if left is None or right is None or _field(node, "operator") != b"+":
-            return Computed(_short(node))
-        values = self._value(left), self._value(right)
-        if isinstance(values[0], list) and isinstance(values[1], list):
-            return values[0] + values[1]
-        parts = [each if isinstance(each, (str, Text)) else None for each in values]
-        known = [part for part in parts if part is not None]
-        return text(*known) if len(known) == len(parts) else Computed(_short(node))
-
-    def _parenthesized(self, node: Node) -> Any:
-        inner = [child for child in node.named_children if child.type != "comment"]
-        return self._value(inner[0]) if len(inner) == 1 else Computed(_short(node))
-
-    def _call(self, node: Node) -> Any:
-        name = _callee(node)
-        function = node.child_by_field_name("function")
-        if name == "items" and function is not None:
-            of = function.child_by_field_name("object")
-            found = self._value(of) if of is not None else None
-            return list(found.items()) if isinstance(found, dict) else Computed(_short(node))
-        if name == "float" and len(_positional(node)) == 1:
-            word = self._value(_positional(node)[0])
-            return float(word) if word in ("inf", "-inf", "nan") else Computed(_short(node))
-        if name in ("str", "dict", "float", "int"):
-            values = [self._value(each) for each in _positional(node)]
-            is_one = len(values) == 1 and name == "str" and isinstance(values[0], (str, Text))
-            return values[0] if is_one else Computed(_short(node))
-        action = ACTIONS.get(name)
-        if action is None:
-            return Computed(name or _short(node))
-        positional: list[Any] = []
-        named: dict[str, Any] = {}
-        for argument in _arguments(node):
-            if argument.type == "keyword_argument":
-                value = argument.child_by_field_name("value")
-                named[_field(argument, "name").decode()] = value and self._value(value)
-            elif argument.type in ("list_splat", "dictionary_splat"):
-                return Computed(name)
-            else:
-                positional.append(self._value(argument))
-        found = action(positional, named, placed(node))
-        return Computed(name) if found is None else found
-
-
-_VALUES: dict[str, Callable[[_Reader, Node], Any]] = {
-    "string": _Reader._string,
-    "concatenated_string": _Reader._concatenated,
-    "integer": _Reader._literal,
-    "float": _Reader._literal,
-    "unary_operator": _Reader._literal,
-    "true": lambda reader, node: True,
-    "false": lambda reader, node: False,
-    "none": lambda reader, node: None,
-    "identifier": _Reader._identifier,
-    "list": _Reader._list,
-    "tuple": _Reader._tuple,
-    "dictionary": _Reader._dictionary,
-    "binary_operator": _Reader._binary,
-    "parenthesized_expression": _Reader._parenthesized,
-    "call": _Reader._call,
-    "attribute": lambda reader, node: Computed(_short(node)),
-}
-
-
-def _is_heavy(value: Any) -> bool:
-    weight = 0
-    stack = [value]
-    while stack and weight <= _HEAVIEST:
+def _names_in(node: Node) -> set[str]:
+    """Return the names that something stands for, without those in what selects a part of it."""
+    found, stack = set(), [node]
+    while stack:
         each = stack.pop()
-        weight += 1
-        if isinstance(each, str):
-            weight += len(each)
-        elif isinstance(each, Text):
-            weight += sum(len(part) if isinstance(part, str) else 1 for part in each.parts)
-        elif isinstance(each, (list, tuple)) and not isinstance(each, Computed):
-            stack.extend(each[:_HEAVIEST])
-        elif isinstance(each, dict):
-            stack.extend(each.values())
-        elif isinstance(each, Group):
-            stack.extend(each.items)
-    return weight > _HEAVIEST
-
-
-def _callee(node: Node) -> str:
-    """Return the last word of what is called: `join` for `os.path.join`."""
-    function = node.child_by_field_name("function")
-    if function is None:
-        return ""
-    if function.type == "attribute":
-        return _field(function, "attribute").decode("utf-8", "replace")
-    return _source(function) if function.type == "identifier" else ""
-
-
-def _arguments(node: Node) -> list[Node]:
-    arguments = node.child_by_field_name("arguments")
-    if arguments is None or arguments.type != "argument_list":
-        return []
-    return [child for child in arguments.named_children if child.type != "comment"]
-
-
-def _positional(node: Node) -> list[Node]:
-    return [each for each in _arguments(node) if each.type != "keyword_argument"]
-
-
-def _short(node: Node) -> str:
-    first = _source(node).split("\n", 1)[0]
-    return first if len(first) <= 40 else f"{first[:40]}…"
+        if each.type == "identifier":
+            found.add(source_of(each))
+        elif each.type in ("attribute", "subscript"):
+            of = each.child_by_field_name("object") or each.child_by_field_name("value")
+            stack += [] if of is None else [of]
+        elif each.type != "call":
+            stack += each.named_children
+    return found

@@ -8,7 +8,7 @@ from contextlib import suppress
 from itertools import islice
 from pathlib import Path
 
-from plastron_tui.model.package_source import Executable
+from plastron_tui.model.package_source import InstalledExecutable
 from plastron_tui.regular_files import read_regular
 from plastron_tui.sources.setup_py.reader import read_setup
 from plastron_tui.sources.splices import line_number
@@ -30,7 +30,7 @@ _NO_SOURCES = frozenset({"build", "install", "devel", "log", "node_modules", "__
 
 def read_executables(
     folder: Path, allows: Callable[[Path], bool] = lambda _: True
-) -> Mapping[str, Executable]:
+) -> Mapping[str, InstalledExecutable]:
     """Return what a package installs for people to start, by what they start it by.
 
     Of one that is not followed these are the console scripts of its setup.py.
@@ -53,14 +53,14 @@ def read_executables(
     return dict(_scripts(folder, texts.get(SETUP_PY, b"")))
 
 
-def _scripts(folder: Path, text: bytes) -> Iterator[tuple[str, Executable]]:
+def _scripts(folder: Path, text: bytes) -> Iterator[tuple[str, InstalledExecutable]]:
     setup = read_setup(text, folder / SETUP_PY).setup
     if setup is None:
         return
     for each in setup.console_scripts:
         file = "/".join((setup.root or "", *each.target.partition(":")[0].split("."))) + ".py"
         line = line_number(text, each.span.start)
-        yield each.name, Executable(file.lstrip("/"), SETUP_PY, line, each.target)
+        yield each.name, InstalledExecutable(file.lstrip("/"), SETUP_PY, line, each.target)
 
 
 def _names(folder: Path) -> Iterator[str]:

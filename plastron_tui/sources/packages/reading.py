@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, NamedTuple
 
 from plastron_tui.diagnostics import Diagnostic, codes
 from plastron_tui.diagnostics.severity import Severity
-from plastron_tui.model.package_source import Executable, LoadedPackage, PackageSource
+from plastron_tui.model.package_source import InstalledExecutable, LoadedPackage, PackageSource
 from plastron_tui.ros.launch_names import launch_language
 from plastron_tui.sources.build_files import RefusedError
 from plastron_tui.sources.splices import line_number
@@ -92,7 +92,7 @@ def read_package_files(files: PackageFiles, ros_version: int) -> LoadedPackage:
 
 
 class _Parts(NamedTuple):
-    executables: dict[str, Executable]
+    executables: dict[str, InstalledExecutable]
     node_folder: str | None
     python_root: str = ""
     script_file: str = SETUP_PY
@@ -122,7 +122,7 @@ def _python_parts(files: PackageFiles) -> _Parts:
     roots = _PYTHON_ROOTS if setup.root is None else (setup.root,)
     root = next((root for root in roots for name in names if _file(files, root, name)), roots[0])
     executables = {
-        each.name: Executable(
+        each.name: InstalledExecutable(
             _file(files, root, module),
             where,
             line_number(files.texts[where], each.span.start),
@@ -181,11 +181,11 @@ def _cmake_parts(files: PackageFiles) -> _Parts:
     if lists is None:
         raise RefusedError(found[0])
     build_type_of(lists)
-    executables: dict[str, Executable] = {}
+    executables: dict[str, InstalledExecutable] = {}
     for target in targets(lists):
         if target.call.command.name != "add_library":
             line = line_number(text, target.call.command.start)
-            executables[target.what] = Executable(None, CMAKE_LISTS, line)
+            executables[target.what] = InstalledExecutable(None, CMAKE_LISTS, line)
     for entry in programs(lists):
         if entry.destination != f"lib/{lists.name}":
             continue
@@ -195,7 +195,7 @@ def _cmake_parts(files: PackageFiles) -> _Parts:
             name = file.rpartition("/")[2]
             if "RENAME" in names[:-1]:
                 name = names[names.index("RENAME") + 1]
-            executables[name] = Executable(file, CMAKE_LISTS, line)
+            executables[name] = InstalledExecutable(file, CMAKE_LISTS, line)
     folders = _usual_folders(each.file for each in executables.values())
     folders += [each for each in _SCRIPT_FOLDERS[:-1] if _has_folder(files, each)]
     return _Parts(executables, folders[0] if folders else _SCRIPT_FOLDERS[0])

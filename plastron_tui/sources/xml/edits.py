@@ -6,6 +6,7 @@ from collections.abc import Callable
 from typing import NamedTuple
 
 from plastron_tui.diagnostics import Diagnostic, Span, codes
+from plastron_tui.sources.splices import Splice, apply
 
 from .document import Element, XmlDocument, read_xml
 from .layout import close_of, quote_of, style_of
@@ -46,13 +47,13 @@ def insert_last(document: XmlDocument, parent: Element, new: NewElement) -> XmlE
     own = close_of(document, parent)
     if parent.children:
         own = close_of(document, parent.children[-1])
-    span, text = last(document, parent, new, style._replace(close=own or style.close))
+    splice = last(document, parent, new, style._replace(close=own or style.close))
     added = new_shape(new)
 
     def change(old: Shape) -> Shape:
         return old._replace(children=(*old.children, added))
 
-    return _apply(document, span, text, {parent: change})
+    return _apply(document, splice, {parent: change})
 
 
 def remove_element(document: XmlDocument, element: Element, *, closes: bool = True) -> XmlEdit:
@@ -65,8 +66,9 @@ def remove_element(document: XmlDocument, element: Element, *, closes: bool = Tr
     """
     if element is document.root:
         return _refused(document, "the outermost element cannot be taken away", element.span)
-    span, text = removal(document, element, style_of(document), closes=closes)
-    return _apply(document, span, text, {element: lambda _: None}, span)
+    splice = removal(document, element, style_of(document), closes=closes)
+    gone = Span(splice.start, splice.end)
+    return _apply(document, splice, {element: lambda _: None}, gone)
 
 
 def set_attribute(document: XmlDocument, element: Element, name: str, value: str) -> XmlEdit:
@@ -92,7 +94,7 @@ def set_attribute(document: XmlDocument, element: Element, name: str, value: str
         others = {pair for pair in old.attributes if pair[0] != name}
         return old._replace(attributes=frozenset(others | {(name, value)}))
 
-    return _apply(document, span, encoded(new), {element: change})
+    return _apply(document, Splice(*span, encoded(new)), {element: change})
 
 
 def remove_attribute(document: XmlDocument, element: Element, name: str) -> XmlEdit:
@@ -106,7 +108,7 @@ def remove_attribute(document: XmlDocument, element: Element, name: str) -> XmlE
         others = (pair for pair in old.attributes if pair[0] != name)
         return old._replace(attributes=frozenset(others))
 
-    return _apply(document, Span(start, found.span.end), b"", {element: change})
+    return _apply(document, Splice(start, found.span.end), {element: change})
 
 
 def set_text(document: XmlDocument, element: Element, text: str) -> XmlEdit:
@@ -122,7 +124,8 @@ def set_text(document: XmlDocument, element: Element, text: str) -> XmlEdit:
     def change(old: Shape) -> Shape:
         return old._replace(words=tuple(text.split()))
 
-    return _apply(document, Span(start, end), encoded(escaped_text(text)), {element: change})
+    splice = Splice(start, end, encoded(escaped_text(text)))
+    return _apply(document, splice, {element: change})
 
 
 def _inserted(document: XmlDocument, sibling: Element, new: NewElement, behind: int) -> XmlEdit:
@@ -135,24 +138,25 @@ def _inserted(document: XmlDocument, sibling: Element, new: NewElement, behind: 
     quote = quote_of(document, sibling) or style.quote
     style = style._replace(close=close_of(document, sibling) or style.close, quote=quote)
     place = after if behind else before
-    span, text = place(document, sibling.span, new, style)
+    splice = place(document, sibling.span, new, style)
     at = parent.children.index(sibling) + behind
     added = new_shape(new)
 
     def change(old: Shape) -> Shape:
         return old._replace(children=(*old.children[:at], added, *old.children[at:]))
 
-    return _apply(document, span, text, {parent: change})
+    return _apply(document, splice, {parent: change})
 
 
 def _apply(
-    document: XmlDocument, span: Span, new: bytes, change: _Change, gone: Span | None = None
+    document: XmlDocument, splice: Splice, change: _Change, gone: Span | None = None
 ) -> XmlEdit:
     """Replace a range, and make sure that the file says what was asked for and nothing else."""
-    text = document.text[: span.start] + new + document.text[span.end :]
-    read = read_xml(text, document.file)
+    read = read_xml(apply(document.text, (splice,)), document.file)
     if read.document is None or not is_changed_as_asked(document, read.document, change, gone):
-        return _refused(document, "the change would change more than it is to", span)
+        return _refused(
+            document, "the change would change more than it is to", Span(splice.start, splice.end)
+        )
     return XmlEdit(read.document)
 
 

@@ -6,6 +6,7 @@ from collections import Counter
 from typing import NamedTuple, TypeVar
 
 from plastron_tui.diagnostics import Span
+from plastron_tui.sources.splices import indent_of, line_start
 
 from .document import Element, XmlDocument
 
@@ -68,17 +69,6 @@ def quote_of(document: XmlDocument, element: Element) -> str | None:
         return None
     end = element.attributes[-1].span.end
     return document.slice(Span(end - 1, end))
-
-
-def line_start(text: bytes, offset: int) -> int:
-    """Return where the line of an offset starts."""
-    return text.rfind(b"\n", 0, offset) + 1
-
-
-def indent_of(text: bytes, offset: int) -> bytes:
-    """Return the blanks that the line of an offset starts with."""
-    start = line_start(text, offset)
-    return text[start : skip_blanks(text, start)]
 
 
 def starts_line(text: bytes, offset: int) -> bool:

@@ -5,9 +5,8 @@ What is written at a place of these is taken away by `removal` with every byte t
 
 from __future__ import annotations
 
-from typing import NamedTuple
-
 from plastron_tui.diagnostics import Span
+from plastron_tui.sources.splices import Splice, indent_of, line_start
 
 from .document import Element, XmlDocument
 from .layout import (
@@ -15,20 +14,11 @@ from .layout import (
     behind_comments,
     blanks_before,
     close_of,
-    indent_of,
     line_break,
-    line_start,
     skip_blanks,
     starts_line,
 )
 from .new_element import NewElement, render
-
-
-class Splice(NamedTuple):
-    """Write bytes in the place of a range."""
-
-    span: Span
-    new: bytes
 
 
 def after(document: XmlDocument, anchor: Span, new: NewElement, style: Style) -> Splice:
@@ -98,16 +88,16 @@ def removal(
     if not starts_line(text, start):
         blanks = blanks_before(text, start)
         is_behind_tag = text[start - len(blanks) - 1 : start - len(blanks)] == b">"
-        return Splice(Span(start - len(blanks) if is_behind_tag else start, end), b"")
+        return Splice(start - len(blanks) if is_behind_tag else start, end)
     first = line_start(text, start)
     rest = skip_blanks(text, behind_comments(document, end))
     if (found := line_break(text, rest)) is not None:
         closed = _closed(document, element, style) if closes else None
-        return closed or Splice(Span(first, found.end), b"")
+        return closed or Splice(first, found.end)
     if text.startswith(b"</", rest):
         broken = first - 2 if text[:first].endswith(b"\r\n") else first - 1
-        return Splice(Span(broken, end), b"")
-    return Splice(Span(start, skip_blanks(text, end)), b"")
+        return Splice(broken, end)
+    return Splice(start, skip_blanks(text, end))
 
 
 def _opened(document: XmlDocument, parent: Element, new: NewElement, style: Style) -> Splice:
@@ -118,7 +108,7 @@ def _opened(document: XmlDocument, parent: Element, new: NewElement, style: Styl
     indent = indent_of(text, parent.span.start)
     inner = indent + style.unit
     written = style.newline + inner + render(new, style, inner) + style.newline + indent
-    return Splice(Span(start, end), b">" + written + f"</{parent.name}>".encode())
+    return Splice(start, end, b">" + written + f"</{parent.name}>".encode())
 
 
 def _closed(document: XmlDocument, element: Element, style: Style) -> Splice | None:
@@ -135,8 +125,8 @@ def _closed(document: XmlDocument, element: Element, style: Style) -> Splice | N
     at = parent.start_tag.end - 1
     inner = next((c for one in element.walk() if (c := close_of(document, one))), style.close)
     is_apart = text[at - 1 : at].isspace()
-    return Splice(Span(at, parent.span.end), b"/>" if is_apart else inner.encode())
+    return Splice(at, parent.span.end, b"/>" if is_apart else inner.encode())
 
 
 def _inserted(at: int, new: bytes) -> Splice:
-    return Splice(Span(at, at), new)
+    return Splice(at, at, new)

@@ -26,14 +26,14 @@ from plastron_tui.ros.parameter_values import yaml_text
 from plastron_tui.ros.parameters import ParameterType, Setting, as_setting
 
 
-class Executable(NamedTuple):
+class ExecutableName(NamedTuple):
     """What a node of the program is started by: its package, and its name there."""
 
     package: str
     name: str
 
 
-FindExecutable = Callable[[Node], Executable]
+FindExecutable = Callable[[Node], ExecutableName]
 
 
 class Request(NamedTuple):
@@ -102,7 +102,9 @@ def _container(name: str) -> StartedNode:
 
 
 def _node(start: Start, ros_version: int, find: FindExecutable) -> StartedNode:
-    own = Executable(start.package, start.executable) if start.node is None else find(start.node)
+    own = (
+        ExecutableName(start.package, start.executable) if start.node is None else find(start.node)
+    )
     # roslaunch wants a name, and a component has one of its own only in code.
     name = start.name
     if name is None and (ros_version == 1 or start.node is not None or start.container):
@@ -137,7 +139,9 @@ def _parameter(start: Start, name: str, value: Setting, ros_version: int) -> Par
         holds = None if known is None else known.holds
     found = with_arguments(value) if isinstance(value, str) else text()
     if any(isinstance(part, Substitution) for part in found.parts):
-        return ParameterValue(text(name), found, holds is ParameterType.STRING)
+        # rclpy refuses an integer for a float, and YAML reads 1 as one.
+        is_float = holds is ParameterType.FLOAT
+        return ParameterValue(text(name), found, holds is ParameterType.STRING, is_float)
     fitting = None if holds is None else as_setting(holds, value)
     return ParameterValue(text(name), value if fitting is None else fitting)
 

@@ -191,18 +191,20 @@ class _Writer:
         if not isinstance(parameter.value, Text):
             return self._value(parameter.value)
         shown = self._text(parameter.value)
-        return self._as_text(shown) if parameter.is_text else shown
+        if parameter.is_float:
+            return self._as_type(shown, "float")
+        return self._as_type(shown, "str") if parameter.is_text else shown
 
     def _value(self, value: Setting) -> str:
         if isinstance(value, tuple):
             return f"[{', '.join(map(_scalar, value))}]"
         # A text is read as YAML, unless its type is said.
         is_text = isinstance(value, str) and typed(value, 2) != value
-        return self._as_text(repr(value)) if is_text else _scalar(value)
+        return self._as_type(repr(value), "str") if is_text else _scalar(value)
 
-    def _as_text(self, value: str) -> str:
+    def _as_type(self, value: str, type_: str) -> str:
         self.names.add("ParameterValue")
-        return f"ParameterValue({value}, value_type=str)"
+        return f"ParameterValue({value}, value_type={type_})"
 
     def _container(self, item: Container, indent: str) -> str:
         inner = indent + "    "

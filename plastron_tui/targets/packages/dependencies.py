@@ -71,7 +71,6 @@ def _imported(spec: PackageSpec) -> tuple[set[str], tuple[Diagnostic, ...]]:
     diagnostics = []
     for node in spec.nodes:
         keys |= node.node.packages
-        keys.add(node.library)
         for module in sorted(node.language.imports(node.text)):
             if module.partition(".")[0] in own:
                 continue

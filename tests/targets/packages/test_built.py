@@ -96,7 +96,7 @@ def test_smoke_test_fails_where_the_node_has_something_else(tmp_path: Path) -> N
     talker.write_bytes(talker.read_bytes().replace(b'"chatter"', b'"shatter"'))
     conftest = package / "test" / "conftest.py"
     conftest.write_text(conftest.read_text(encoding="utf-8").replace("= 30.0", "= 3.0"))
-    command = ["python3", "-m", "pytest", "-q", "test/test_talker.py"]
+    command = ["python3", "-m", "pytest", "-q", "test/test_talker_node.py"]
     ended = subprocess.run(
         command,
         cwd=package,

@@ -23,6 +23,7 @@ from plastron_tui.targets.packages import (
     BuildType,
     PackagedFile,
     PackagedLaunch,
+    PackageFile,
     PackageSpec,
     interfaces_of,
     render_interfaces,
@@ -190,6 +191,22 @@ def test_node_that_cannot_be_called_so_is_told(part: str, value: str) -> None:
     found = render_package(replace(spec, nodes=nodes))
     assert found.files is None
     assert {each.code for each in found.diagnostics} == {"bad-package-file"}
+
+
+@pytest.mark.parametrize("name", ["flake8", "pep257", "copyright", "lint_cmake", "xmllint"])
+@pytest.mark.parametrize("build", ["ament_python", "ament_cmake_python"])
+def test_node_may_be_called_as_a_linter_is(build: str, name: str) -> None:
+    spec = shape(build)
+    plain = render_package(spec).files
+    nodes = (spec.nodes[0]._replace(executable=name, module=name), *spec.nodes[1:])
+    found = render_package(replace(spec, nodes=nodes)).files
+    assert plain is not None
+    assert found is not None
+    assert len(found) == len(plain)
+    assert found.get(f"test/test_{name}.py") == plain.get(f"test/test_{name}.py")
+    # ament_lint_auto adds a test of that name.
+    build_file = found.get("CMakeLists.txt", PackageFile(b"")).text.decode()
+    assert name not in [line.strip().partition(" ")[0] for line in build_file.splitlines()]
 
 
 def test_what_the_program_does_not_say_is_told_and_parses() -> None:

@@ -1,0 +1,243 @@
+"""Values of expressions in launch files in Python, as far as literals and plain names go."""
+
+from __future__ import annotations
+
+import ast
+from collections.abc import Callable
+from typing import Any
+
+from tree_sitter import Node
+
+from plastron_tui.ros.launch import Group
+from plastron_tui.ros.launch_text import Text, text
+
+from .python_actions import ACTIONS, Computed, as_text, placed
+
+_DEEPEST = 60
+_LONGEST_LITERAL = 20_000
+HEAVIEST = 50_000
+"""How many values and characters a value has at most: one that is doubled again and again is none
+that a person wrote."""
+
+
+class Values:
+    """Reads expressions.
+
+    Attributes:
+        names: the values of plain names. A list in it is replaced, never changed.
+    """
+
+    def __init__(self) -> None:
+        self.names: dict[str, Any] = {}
+        self._depth = 0
+
+    def value(self, node: Node) -> Any:
+        """Return what an expression comes to, `Computed` where that is not known."""
+        self._depth += 1
+        try:
+            if self._depth > _DEEPEST:
+                return Computed("what is nested too deep")
+            reader = _VALUES.get(node.type)
+            found = Computed(short(node)) if reader is None else reader(self, node)
+            return Computed("a huge value") if weight_of(found) > HEAVIEST else found
+        finally:
+            self._depth -= 1
+
+    def _literal(self, node: Node) -> Any:
+        source = node.text or b""
+        if len(source) > _LONGEST_LITERAL:
+            return Computed("a long literal")
+        try:
+            return ast.literal_eval(source.decode("utf-8", "replace"))
+        except (ValueError, SyntaxError, MemoryError, RecursionError):
+            return Computed(short(node))
+
+    def _string(self, node: Node) -> Any:
+        if any(child.type == "interpolation" for child in node.named_children):
+            return Computed(short(node))
+        if source_of(node)[:1] in "fF":
+            return Computed(short(node))
+        return self._literal(node)
+
+    def _concatenated(self, node: Node) -> Any:
+        parts = [self.value(child) for child in node.named_children if child.type == "string"]
+        if all(isinstance(part, str) for part in parts):
+            return "".join(parts)
+        return Computed(short(node))
+
+    def _identifier(self, node: Node) -> Any:
+        return self.names.get(source_of(node), Computed(short(node)))
+
+    def _list(self, node: Node) -> Any:
+        found: list[Any] = []
+        for child in node.named_children:
+            if child.type == "list_splat" and child.named_children:
+                inner = self.value(child.named_children[0])
+                found += inner if type(inner) in (list, tuple) else (Computed(short(child)),)
+            elif child.type != "comment":
+                found.append(self.value(child))
+        return found
+
+    def _tuple(self, node: Node) -> Any:
+        return tuple(self._list(node))
+
+    def _dictionary(self, node: Node) -> Any:
+        found = {}
+        for pair in node.named_children:
+            if pair.type == "comment":
+                continue
+            key, value = pair.child_by_field_name("key"), pair.child_by_field_name("value")
+            if pair.type != "pair" or key is None or value is None:
+                return Computed(short(node))
+            name = as_text(self.value(key))
+            if name is None:
+                return Computed(short(node))
+            found[name] = self.value(value)
+        return found
+
+    def _binary(self, node: Node) -> Any:
+        left, right = node.child_by_field_name("left"), node.child_by_field_name("right")
+        if left is None or right is None or field(node, "operator") != "+":
+            return Computed(short(node))
+        values = self.value(left), self.value(right)
+        if isinstance(values[0], list) and isinstance(values[1], list):
+            return values[0] + values[1]
+        parts = [each if isinstance(each, (str, Text)) else None for each in values]
+        known = [part for part in parts if part is not None]
+        return text(*known) if len(known) == len(parts) else Computed(short(node))
+
+    def _parenthesized(self, node: Node) -> Any:
+        inner = [child for child in node.named_children if child.type != "comment"]
+        return self.value(inner[0]) if len(inner) == 1 else Computed(short(node))
+
+    def _call(self, node: Node) -> Any:
+        name = callee(node)
+        function = node.child_by_field_name("function")
+        if name == "items" and function is not None:
+            of = function.child_by_field_name("object")
+            found = self.value(of) if of is not None else None
+            return list(found.items()) if isinstance(found, dict) else Computed(short(node))
+        if name == "float" and len(positional_of(node)) == 1:
+            word = self.value(positional_of(node)[0])
+            return float(word) if word in ("inf", "-inf", "nan") else Computed(short(node))
+        if name == "join" and function is not None and not _is_of_paths(function):
+            return self._joined(node, function)
+        if name in ("str", "dict", "float", "int"):
+            values = [self.value(each) for each in positional_of(node)]
+            is_one = len(values) == 1 and name == "str" and isinstance(values[0], (str, Text))
+            return values[0] if is_one else Computed(short(node))
+        action = ACTIONS.get(name)
+        if action is None or name in self.names:
+            return Computed(name or short(node))
+        positional: list[Any] = []
+        named: dict[str, Any] = {}
+        for argument in arguments_of(node):
+            if argument.type == "keyword_argument":
+                value = argument.child_by_field_name("value")
+                named[field(argument, "name")] = value and self.value(value)
+            elif argument.type in ("list_splat", "dictionary_splat"):
+                return Computed(name)
+            else:
+                positional.append(self.value(argument))
+        found = action(positional, named, placed(node))
+        return Computed(name) if found is None else found
+
+    def _joined(self, node: Node, function: Node) -> Any:
+        """Return what the `join` of a text comes to."""
+        of = function.child_by_field_name("object")
+        between = None if of is None else as_text(self.value(of))
+        values = [self.value(each) for each in arguments_of(node)]
+        parts = values[0] if len(values) == 1 and type(values[0]) in (list, tuple) else None
+        known = [] if parts is None else [each for each in map(as_text, parts) if each is not None]
+        if between is None or parts is None or len(known) < len(parts):
+            return Computed(short(node))
+        return text(
+            *(x for i, each in enumerate(known) for x in ((between, each) if i else (each,)))
+        )
+
+
+_VALUES: dict[str, Callable[[Values, Node], Any]] = {
+    "string": Values._string,
+    "concatenated_string": Values._concatenated,
+    "integer": Values._literal,
+    "float": Values._literal,
+    "unary_operator": Values._literal,
+    "true": lambda reader, node: True,
+    "false": lambda reader, node: False,
+    "none": lambda reader, node: None,
+    "identifier": Values._identifier,
+    "list": Values._list,
+    "tuple": Values._tuple,
+    "dictionary": Values._dictionary,
+    "binary_operator": Values._binary,
+    "parenthesized_expression": Values._parenthesized,
+    "call": Values._call,
+    "attribute": lambda reader, node: Computed(short(node)),
+}
+
+
+def weight_of(value: Any) -> int:
+    """Return how many values and characters a value has, up to a bit more than the most."""
+    weight = 0
+    stack = [value]
+    while stack and weight <= HEAVIEST:
+        each = stack.pop()
+        weight += 1
+        if isinstance(each, str):
+            weight += len(each)
+        elif isinstance(each, Text):
+            weight += sum(len(part) if isinstance(part, str) else 1 for part in each.parts)
+        elif isinstance(each, (list, tuple)) and not isinstance(each, Computed):
+            stack.extend(each[:HEAVIEST])
+        elif isinstance(each, dict):
+            stack.extend(each.values())
+        elif isinstance(each, Group):
+            stack.extend(each.items)
+    return weight
+
+
+def field(node: Node, name: str) -> str:
+    """Return the text of a field of a node, "" where it has none."""
+    child = node.child_by_field_name(name)
+    return "" if child is None else source_of(child)
+
+
+def source_of(node: Node) -> str:
+    """Return the text of a node."""
+    return (node.text or b"").decode("utf-8", "replace")
+
+
+def _is_of_paths(function: Node) -> bool:
+    """Tell whether a function called `join` is that of `os.path`."""
+    if function.type == "identifier":
+        return True
+    return field(function, "object") in ("os.path", "path", "osp", "posixpath")
+
+
+def callee(node: Node) -> str:
+    """Return the last word of what is called: `join` for `os.path.join`."""
+    function = node.child_by_field_name("function")
+    if function is None:
+        return ""
+    if function.type == "attribute":
+        return field(function, "attribute")
+    return source_of(function) if function.type == "identifier" else ""
+
+
+def arguments_of(node: Node) -> list[Node]:
+    """Return the arguments of a call."""
+    arguments = node.child_by_field_name("arguments")
+    if arguments is None or arguments.type != "argument_list":
+        return []
+    return [child for child in arguments.named_children if child.type != "comment"]
+
+
+def positional_of(node: Node) -> list[Node]:
+    """Return the arguments of a call that have no names."""
+    return [each for each in arguments_of(node) if each.type != "keyword_argument"]
+
+
+def short(node: Node) -> str:
+    """Return the first line of a node, cut where it is long."""
+    first = source_of(node).split("\n", 1)[0]
+    return first if len(first) <= 40 else f"{first[:40]}…"
