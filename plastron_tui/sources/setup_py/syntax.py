@@ -73,24 +73,9 @@ class Setup:
 
     def changed(self, node: Node) -> Node | None:
         """Return where something may change the value of a name, None where nothing does."""
-        found, waiting = set[str](), [node]
-        while waiting:
-            each = waiting.pop()
-            while each.type == "parenthesized_expression" and each.named_child_count == 1:
-                each = each.named_children[0]
-            name = self.source(each) if each.type == "identifier" else ""
-            reached = [name] if name else []
-            while reached:
-                name = reached.pop()
-                if name in found:
-                    continue
-                found.add(name)
-                if name in self.names.changes:
-                    return self.names.changes[name]
-                reached.extend(self.names.given.get(name, ()))
-                if name in self.names.constants:
-                    waiting.append(self.names.constants[name])
-        return None
+        while node.type == "parenthesized_expression" and node.named_child_count == 1:
+            node = node.named_children[0]
+        return self.names.changes.get(self.source(node)) if node.type == "identifier" else None
 
 
 def parse_setup(text: bytes, path: Path) -> Setup:
