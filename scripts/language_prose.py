@@ -265,12 +265,14 @@ they check its launch files with `roslaunch_add_file_check`; of style they check
 is no part of Debian's ROS, and a package that needs it could not be built there.
 
 `load_package 'src/rover' as rover` reads a package that exists. What `contains` asks for is then written
-into its `package.xml`, `setup.py` or `CMakeLists.txt`, where each has its like; what a file computes, and
-Plastron is not sure of, is refused with the line. The output folder gets the whole package, changed, so
-that it is built from there ([more](commands.md#packages-that-exist)); with `--in-place` it is changed
-where it is. `no_longer_contains` takes out what `contains` put in, to the byte; the file of the node stays,
-and a warning says so, as one does where a launch file of the package starts the node still. To take out
-again what is gone already does nothing. A `CMakeLists.txt` is read with the extra `cmake`
+into its `package.xml`, and into `setup.py`, `setup.cfg` or `CMakeLists.txt`, where each has its like. What
+a file computes, and Plastron is not sure of, is refused with the line: scripts that a `pyproject.toml` has
+below `[project]`, a list that a function or another name may change. So is taking out what CMake installs
+by a pattern or in a branch. The output folder gets the whole package, changed, so that it is built from
+there ([more](commands.md#packages-that-exist)); with `--in-place` it is changed where it is.
+`no_longer_contains` takes out what `contains` put in, to the byte; the file of the node stays, and a
+warning says so, as one does where a launch file of the package starts the node still. To take out again
+what is gone already does nothing. A `CMakeLists.txt` is read with the extra `cmake`
 (`pip install 'plastron-tui[cmake]'`), which `./dev` brings.
 
 A launch file starts nodes, each with its name, namespace, other names for its topics, and parameters, and

@@ -24,6 +24,7 @@ from plastron_tui.sources import find_language
 from plastron_tui.sources.packages import (
     PACKAGE_XML,
     Changed,
+    Needs,
     add_definition,
     add_launch,
     add_node,
@@ -145,9 +146,7 @@ class _Change:
                 self.source,
                 self.texts,
                 name,
-                self._needs,
-                added,
-                ours,
+                Needs(self._needs, added, ours),
                 is_installed_elsewhere=was_there,
             )
             if not self._take(changed, span) or file is None:

@@ -134,13 +134,19 @@ def mended_package_name(name: str) -> str | None:
     return mended if len(mended) > 1 and mended != name else None
 
 
+def is_version(version: str) -> bool:
+    """Tell whether a text is a version (REP 149): three numbers with dots between."""
+    parts = version.split(".")
+    return len(parts) == 3 and all(part and not set(part) - set(digits) for part in parts)
+
+
 def check_version(version: str) -> NameProblem | None:
     """Return what is wrong with the version of a package, None when nothing is.
 
     REP 149: three numbers with dots between; catkin_pkg warns of leading zeros.
     """
     parts = version.split(".")
-    if len(parts) != 3 or not all(part and not set(part) - set(digits) for part in parts):
+    if not is_version(version):
         return NameProblem("a version is three numbers, such as `0.1.0`", 0, len(version))
     start = 0
     for part in parts:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 
 import pytest
-from hypothesis import given
+from hypothesis import example, given
 from hypothesis import strategies as st
 
 from plastron_tui.ros.package_keys import key_of_module
@@ -56,6 +56,7 @@ def test_name_is_one_that_rep_144_allows(name: str) -> None:
 
 
 @given(TEXTS)
+@example(f"{'a' * 243}@example.com")
 def test_address_is_one_that_catkin_pkg_takes(mail: str) -> None:
     package = pytest.importorskip("catkin_pkg.package")
     try:

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from .changing import Changed, add_launch, add_node, remove_executable, remove_launch
+from .changing import Changed, Needs, add_launch, add_node, remove_executable, remove_launch
 from .definitions import add_definition
 from .reading import PACKAGE_XML, PackageFiles, finds_scripts, named_elsewhere, read_package_files
 
 __all__ = [
     "PACKAGE_XML",
     "Changed",
+    "Needs",
     "PackageFiles",
     "add_definition",
     "add_launch",

@@ -29,6 +29,21 @@ class Changed(NamedTuple):
     added: tuple[str, ...] = ()
 
 
+class Needs(NamedTuple):
+    """What is known of the dependencies of an executable that goes.
+
+    Attributes:
+        of: returns what a text needs to run, by key, each with its modules.
+        added: the dependencies that came with it, each with whether a file named it before, which
+            the package lived with; None where nothing tells.
+        others_added: the files of other nodes that came so.
+    """
+
+    of: Callable[[bytes], Mapping[str, Iterable[str]]]
+    added: Mapping[str, bool] | None = None
+    others_added: Container[str] = ()
+
+
 def add_node(
     source: PackageSource,
     texts: Mapping[str, bytes],
@@ -137,25 +152,19 @@ def remove_executable(
     source: PackageSource,
     texts: Mapping[str, bytes],
     executable: str,
-    needs: Callable[[bytes], Mapping[str, Iterable[str]]],
-    added: Mapping[str, bool] | None = None,
-    others_added: Container[str] = (),
+    needs: Needs,
     *,
     is_installed_elsewhere: bool = False,
 ) -> Changed:
     """Let a package install an executable no more, nor depend on what only that needed.
 
-    Its file stays. A dependency goes where no other file of the package has its name, or that of a
-    module that it brings.
+    Its file stays.
 
     Args:
         source: the package.
         texts: what its files hold by now.
         executable: what one starts it by.
-        needs: returns what a text needs to run, by key, each with its modules.
-        added: the dependencies that came with the executable, each with whether a file named it
-            before, which the package lived with; None where nothing tells.
-        others_added: the files of other nodes that came so.
+        needs: what is known of its dependencies.
         is_installed_elsewhere: whether what installs it was there before, and stays.
     """
     known = source.executables[executable]
@@ -165,21 +174,29 @@ def remove_executable(
     after = Changed(dict(texts))
     if not is_installed_elsewhere:
         after = _uninstalled(source, texts, executable)
-    text = texts.get(known.file or "")
-    if after.texts is None or text is None or not source.is_whole:
+    if after.texts is None or known.file is None or not source.is_whole:
         return after
-    others = {
-        name: each for name, each in after.texts.items() if name not in (known.file, PACKAGE_XML)
-    }
-    nodes = {name: each for name, each in others.items() if name in others_added}
+    if known.file not in after.texts:
+        return after
+    gone = _needed_no_more(after.texts, known.file, needs)
+    return _remove_dependencies(source, after.texts, gone)
+
+
+def _needed_no_more(texts: Mapping[str, bytes], file: str, needs: Needs) -> list[str]:
+    """Return the dependencies of a file that goes, as far as no other file names them.
+
+    A file names one by its name, or by that of a module that it brings.
+    """
+    others = {name: each for name, each in texts.items() if name not in (file, PACKAGE_XML)}
+    nodes = {name: each for name, each in others.items() if name in needs.others_added}
     gone = []
-    for key, modules in needs(text).items():
-        if added is not None and key not in added:
+    for key, modules in needs.of(texts[file]).items():
+        if needs.added is not None and key not in needs.added:
             continue
-        judged = nodes if added is not None and added[key] else others
+        judged = nodes if needs.added is not None and needs.added[key] else others
         if not any(named_elsewhere(judged, (key, *modules))):
             gone.append(key)
-    return _remove_dependencies(source, after.texts, gone)
+    return gone
 
 
 def _uninstalled(source: PackageSource, texts: Mapping[str, bytes], executable: str) -> Changed:

@@ -73,7 +73,7 @@ def _addition(setup: Setup, before: SetupFile, destination: str, file: str) -> l
     ]
     if computed:
         raise refusal(setup.text, setup.path, computed[0], "computes `data_files`")
-    quote = _quote(setup)
+    quote = setup.quote(setup.call)
     node = keyword(setup, "data_files")
     written = f"{quote}{file}{quote}"
     if node is None:
@@ -154,17 +154,6 @@ def _arguments(call: Node) -> Node:
     arguments = call.child_by_field_name("arguments")
     assert arguments is not None
     return arguments
-
-
-def _quote(setup: Setup) -> str:
-    """Return the quotes that the strings of the call have."""
-    stack = [setup.call]
-    while stack:
-        each = stack.pop()
-        if each.type == "string":
-            return setup.source(each).lstrip("rRfFbBuU")[:1] or "'"
-        stack.extend(reversed(each.children))
-    return "'"
 
 
 def _files(described: SetupFile) -> Counter[tuple[str | None, str]]:

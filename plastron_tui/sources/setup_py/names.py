@@ -47,14 +47,13 @@ class Names(NamedTuple):
 
     Attributes:
         constants: what a name stands for that is bound once, where that surely runs.
-        changes: where the value of a name may be changed after it was made.
-        given: the names that the value of a name is given, or is put into.
+        changes: where the value of a name may be changed after it was made, by that name or by
+            another one that it is given, or is put into.
         uses: how often each name is read.
     """
 
     constants: Mapping[str, Node]
     changes: Mapping[str, Node]
-    given: Mapping[str, Sequence[str]]
     uses: Mapping[str, int]
 
 
@@ -92,7 +91,27 @@ def read_names(text: bytes, nodes: Sequence[Node], setup_calls: Sequence[Node]) 
     for name, other in reader.looped:
         if name not in sure or not _has_only_texts(sure[name]):
             reader.given.setdefault(name, []).append(other)
-    return Names(sure, reader.changes, reader.given, reader.uses)
+    for name, node in sure.items():
+        if other := reader.name_alone(node):
+            reader.given.setdefault(name, []).append(other)
+    return Names(sure, _spread(reader.changes, reader.given), reader.uses)
+
+
+def _spread(changes: Mapping[str, Node], given: Mapping[str, Sequence[str]]) -> dict[str, Node]:
+    """Return the changes with those of each name that a name is given, however far."""
+    takers: dict[str, list[str]] = {}
+    for name, others in given.items():
+        for other in others:
+            takers.setdefault(other, []).append(name)
+    found = dict(changes)
+    waiting = list(found)
+    while waiting:
+        other = waiting.pop()
+        for name in takers.get(other, ()):
+            if name not in found:
+                found[name] = found[other]
+                waiting.append(name)
+    return found
 
 
 class _Reader:
@@ -130,6 +149,12 @@ class _Reader:
         """Whether the names in a value are bound before it, so that none stands for itself."""
         known = (self.constants.get(each) for each in self._names(value))
         return all(each is None or each.start_byte < value.start_byte for each in known)
+
+    def name_alone(self, value: Node) -> str:
+        """Return the name that a value is nothing but, "" for other values."""
+        while value.type == "parenthesized_expression" and value.named_child_count == 1:
+            value = value.named_children[0]
+        return self._name(value)
 
     def follow(self, root: Node) -> None:
         """Note where the values of names are changed, and which other names they are given."""

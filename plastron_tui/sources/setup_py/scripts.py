@@ -81,19 +81,6 @@ def _computed(setup: Setup, node: Node, what: str) -> RefusedError:
     return refusal(setup.text, setup.path, span, f"computes {what}")
 
 
-def _quote(setup: Setup, node: Node) -> str:
-    """Return the quotes that strings have in a part of a file, or else in its call."""
-    for place in (node, setup.call):
-        stack = [place]
-        while stack:
-            each = stack.pop()
-            if each.type == "string":
-                first = setup.source(each).lstrip("rRfFbBuU")[:1]
-                return first or "'"
-            stack.extend(reversed(each.children))
-    return "'"
-
-
 def _addition(setup: Setup, name: str, written: str) -> list[Splice]:
     given = keyword(setup, "entry_points")
     arguments = setup.call.child_by_field_name("arguments")
@@ -108,7 +95,7 @@ def _addition(setup: Setup, name: str, written: str) -> list[Splice]:
         raise _computed(setup, changed or given, "`entry_points`, or writes it as one text")
     node = entry_points(setup)
     if node is None:
-        quote = _quote(setup, found)
+        quote = setup.quote(found, setup.call)
         key = f"{quote}{CONSOLE_SCRIPTS}{quote}: "
         key = key if found.type == "dictionary" else f"{CONSOLE_SCRIPTS}="
         item = f"{key}[{quote}{written}{quote}]".encode()
@@ -120,7 +107,7 @@ def _addition(setup: Setup, name: str, written: str) -> list[Splice]:
 
 def _new_argument(setup: Setup, arguments: Node, written: str) -> list[Splice]:
     """Write `entry_points` as the last argument of `setup`."""
-    quote = _quote(setup, arguments)
+    quote = setup.quote(arguments, setup.call)
     end = newline_of(setup.text).decode()
     is_long = b"\n" in setup.text[arguments.start_byte : arguments.end_byte]
 
@@ -136,7 +123,7 @@ def _new_argument(setup: Setup, arguments: Node, written: str) -> list[Splice]:
 def _into_list(setup: Setup, node: Node, name: str, written: str) -> list[Splice]:
     resolved = setup.resolve(node)
     if resolved.type == "list":
-        quote = _quote(setup, resolved)
+        quote = setup.quote(resolved, setup.call)
         values = [value for _, value in placed(setup, resolved)]
         index = sorted_index(values, written)
         item = f"{quote}{written}{quote}".encode()
@@ -202,7 +189,7 @@ def _into_comprehension(setup: Setup, node: Node, name: str, written: str) -> li
         source, body, variable = found
         script = evaluate(setup, body, {variable: name})
         if isinstance(script, str) and _normal(script) == _normal(written):
-            quote = _quote(setup, source)
+            quote = setup.quote(source, setup.call)
             index = sorted_index([evaluate(setup, each) for each in items_of(source)], name)
             item = f"{quote}{name}{quote}".encode()
             return insert(setup.text, source, lambda _: item, index)

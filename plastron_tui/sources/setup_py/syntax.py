@@ -13,7 +13,7 @@ from tree_sitter import Language, Node, Parser
 from plastron_tui.diagnostics import codes
 from plastron_tui.sources.build_files import check_text, refusal
 
-from .names import Names, read_names
+from .names import Names, descendants, read_names
 
 _SETUP_CALLS = frozenset({"setup", "setuptools.setup", "distutils.core.setup"})
 # Names that stand for each other in a circle stand for nothing.
@@ -50,6 +50,13 @@ class Setup:
         """Return the text of a node."""
         return self.text[node.start_byte : node.end_byte].decode()
 
+    def quote(self, *nodes: Node) -> str:
+        """Return the quotes that strings have in the first of some nodes that has any."""
+        for each in (part for node in nodes for part in descendants(node)):
+            if each.type == "string":
+                return self.source(each).lstrip("rRfFbBuU")[:1] or "'"
+        return "'"
+
     def resolve(self, node: Node) -> Node:
         """Return the expression that a name stands for, the node itself where it is no name."""
         for _ in range(_MOST_NAMES):
@@ -66,24 +73,9 @@ class Setup:
 
     def changed(self, node: Node) -> Node | None:
         """Return where something may change the value of a name, None where nothing does."""
-        found, waiting = set[str](), [node]
-        while waiting:
-            each = waiting.pop()
-            while each.type == "parenthesized_expression" and each.named_child_count == 1:
-                each = each.named_children[0]
-            name = self.source(each) if each.type == "identifier" else ""
-            reached = [name] if name else []
-            while reached:
-                name = reached.pop()
-                if name in found:
-                    continue
-                found.add(name)
-                if name in self.names.changes:
-                    return self.names.changes[name]
-                reached.extend(self.names.given.get(name, ()))
-                if name in self.names.constants:
-                    waiting.append(self.names.constants[name])
-        return None
+        while node.type == "parenthesized_expression" and node.named_child_count == 1:
+            node = node.named_children[0]
+        return self.names.changes.get(self.source(node)) if node.type == "identifier" else None
 
 
 def parse_setup(text: bytes, path: Path) -> Setup:

@@ -6,39 +6,23 @@ from what catkin_pkg 1 refuses.
 
 from __future__ import annotations
 
-import re
 from collections.abc import Callable, Iterator
+from string import ascii_letters, ascii_lowercase, digits
 
 from plastron_tui.diagnostics import Diagnostic, Span, codes
 from plastron_tui.diagnostics.severity import Severity
+from plastron_tui.ros.packages import check_mail, check_version, is_version
 
 from .conditions import holds
 from .document import Element
 from .package_data import DEPENDENCY_TAGS, VERSIONS, PackageXml, Person
 
-_NAME = re.compile(r"[a-zA-Z0-9][a-zA-Z0-9_-]*")
-_USUAL_NAME = re.compile(r"[a-z][a-z0-9_-]*")
-_VERSION = re.compile(r"[0-9]+\.[0-9]+\.[0-9]+")
-_LEADING_ZERO = re.compile(r"(.*\.)?0[0-9].*")
-_MAIL = re.compile(
-    r"[-a-zA-Z0-9_%+]+(\.[-a-zA-Z0-9_%+]+)*@[-a-zA-Z0-9%]+(\.[-a-zA-Z0-9%]+)*\.[a-zA-Z]{2,}"
-)
-_LONGEST_MAIL = 254
+_NAME = frozenset(f"{ascii_letters}{digits}_-")
 
 
-def is_package_name(name: str) -> bool:
+def _is_package_name(name: str) -> bool:
     """Tell whether a package can have a name, usual or not."""
-    return _NAME.fullmatch(name) is not None
-
-
-def is_version(version: str) -> bool:
-    """Tell whether a text is a version: three numbers with dots between."""
-    return _VERSION.fullmatch(version) is not None
-
-
-def is_mail(mail: str) -> bool:
-    """Tell whether catkin_pkg takes a text for a mail address."""
-    return len(mail) <= _LONGEST_MAIL and _MAIL.fullmatch(mail) is not None
+    return name[:1] not in ("", "_", "-") and not set(name) - _NAME
 
 
 def check(package: PackageXml) -> Iterator[Diagnostic]:
@@ -56,16 +40,16 @@ _Found = Iterator[tuple[str, Span, Severity]]
 def _head(package: PackageXml) -> _Found:
     root, text = package.document.root, package.document.text
     (name,), (version,) = root.named("name"), root.named("version")
-    if not is_package_name(package.name):
+    if not _is_package_name(package.name):
         message = f"no package can be called `{package.name}`"
         yield message, name.value_span(text), Severity.ERROR
-    elif _USUAL_NAME.fullmatch(package.name) is None:
+    elif package.name[0] not in ascii_lowercase or package.name != package.name.lower():
         message = f"the name `{package.name}` does not start with a small letter, or has capitals"
         yield message, name.value_span(text), Severity.WARNING
     if not is_version(package.version):
         message = f"`{package.version}` is no version: it is three numbers, as in 0.1.0"
         yield message, version.value_span(text), Severity.ERROR
-    elif _LEADING_ZERO.fullmatch(package.version) is not None:
+    elif check_version(package.version) is not None:
         message = f"a number of the version `{package.version}` starts with 0"
         yield message, version.value_span(text), Severity.WARNING
     older = version.attribute("compatibility")
@@ -88,7 +72,7 @@ def _people(package: PackageXml) -> _Found:
     for person in (*package.maintainers, *package.authors):
         # An author's may be missing, and not be empty; a maintainer's was told.
         is_told = not person.email and person in package.maintainers
-        if person.email is not None and not is_mail(person.email) and not is_told:
+        if person.email is not None and check_mail(person.email) is not None and not is_told:
             message = f"`{person.email}` is no mail address"
             yield message, _place(package, person, "email"), Severity.ERROR
 

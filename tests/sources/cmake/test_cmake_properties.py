@@ -55,7 +55,13 @@ OPENINGS = [
     "generate_messages(DEPENDENCIES",
     "message(",
 ]
-TAILS = ["", "DESTINATION lib/${PROJECT_NAME}", "DESTINATION share/rover", "DEPENDENCIES std_msgs"]
+TAILS = [
+    *("", "DESTINATION lib/${PROJECT_NAME}", "DESTINATION share/rover", "DEPENDENCIES std_msgs"),
+    "DESTINATION lib/rover CONFIGURATIONS Debug",
+    "DESTINATION lib/rover PERMISSIONS OWNER_READ",
+    "DESTINATION lib/rover RENAME other",
+    "DESTINATION share/rover EXCLUDE_FROM_ALL",
+]
 
 
 @st.composite
@@ -71,6 +77,8 @@ BLOCKS = st.one_of(
     calls(),
     calls().map(lambda call: f"if(BUILD_TESTING)\n{call}\nendif()"),
     calls().map(lambda call: f"foreach(Y a b)\n{call}\nendforeach()"),
+    calls().map(lambda call: f"foreach(Y IN LISTS X)\n{call}\nendforeach()"),
+    calls().map(lambda call: f"function(f X)\n{call}\nendfunction()\nf(a)"),
     st.sampled_from(
         ["# note", "#########\n## Install ##\n#########", "#########", "ament_package()"]
     ),
