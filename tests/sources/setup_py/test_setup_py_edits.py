@@ -141,9 +141,9 @@ HOSTILE: dict[str, bytes] = {
     "circle": b"a = b\nb = a\nsetup(name=a, entry_points=b)\n",
     "itself": b"a = [a]\nsetup(name=a, entry_points={'console_scripts': a})\n",
     "splat": b"k = {**k}\nsetup(**k)\n",
-    "names in a row": b"".join(b"a%d = a%d\n" % (x + 1, x) for x in range(12_000))
+    "names in a row": b"".join(b"a%d = a%d\n" % (x + 1, x) for x in range(3_000))
     + b"a0 = []\nsetup(data_files=["
-    + b"a0, " * 20_000
+    + b"a0, " * 6_000
     + b"])\n",
     "sum with itself": b"a = a + ['x = y:z']\nsetup(entry_points={'console_scripts': a})\n",
     "sums in a circle": b"a = b + ['x = y:z']\nb = a + []\nsetup(entry_points={'console_scripts': a}, data_files=b)\n",
