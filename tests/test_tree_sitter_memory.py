@@ -76,6 +76,9 @@ CALLS: dict[str, Callable[[Tree], object]] = {
         node.children_by_field_name("name") for node in every(tree.root_node)
     ],
     "child": lambda tree: tree.root_node.child(0),
+    "field_name_for_child": lambda tree: [
+        node.field_name_for_child(0) for node in every(tree.root_node) if node.children
+    ],
     "child_by_field_id": lambda tree: [
         node.child_by_field_id(FIELD) for node in every(tree.root_node)
     ],
