@@ -87,6 +87,7 @@ def test_whole_statements_parse(kind: str, text: str) -> None:
     assert_statement(root, 0, kind, text)
 
 
+@pytest.mark.long
 @pytest.mark.parametrize(("kind", "text"), WHOLE)
 def test_cut_after_every_word(kind: str, text: str) -> None:
     for cut in cuts(text):

@@ -83,6 +83,7 @@ def fresh(folder: Folder, statements: str) -> Folder:
 each_change = pytest.mark.parametrize("change", CHANGES)
 
 
+@pytest.mark.long
 @each_change
 def test_handwork_elsewhere(folder: Folder, change: str) -> None:
     before, after = CHANGES[change]

@@ -61,6 +61,7 @@ async def make_node(it: WizardDriver, purpose: str) -> None:
     await it.finish()
 
 
+@pytest.mark.long
 async def test_two_nodes_exchange_a_type_of_ones_own_in_few_keys() -> None:
     async with wizard_from_welcome() as it:
         await make_type(it)
@@ -88,6 +89,7 @@ async def test_two_nodes_exchange_a_type_of_ones_own_in_few_keys() -> None:
     } <= names
 
 
+@pytest.mark.long
 async def test_rows_grow_with_the_fields_and_wrong_ones_are_said(two: Path) -> None:
     async with wizard(two) as it:
         await it.go(OWN, "make a type of message")
@@ -141,6 +143,7 @@ async def test_what_can_be_had_comes_first(two: Path) -> None:
         assert any(closed) and closed == sorted(closed)
 
 
+@pytest.mark.long
 async def test_a_service_of_ones_own_is_what_is_answered_next(two: Path) -> None:
     async with wizard(two) as it:
         await it.go(OWN, "make a type of service")

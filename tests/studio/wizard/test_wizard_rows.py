@@ -59,6 +59,7 @@ async def test_the_topic_that_is_there_comes_first_and_brings_its_type(here: Pat
         assert it.form.choices[0].about == "from eye"
 
 
+@pytest.mark.long
 async def test_a_node_that_is_not_there_yet_has_a_page_of_its_own(two: Path) -> None:
     async with wizard(two) as it:
         await it.go(MORE, REACT)

@@ -48,6 +48,7 @@ async def test_statement_code_and_graph_are_in_view_as_they_grow(
         assert {"horn", "/toot"} <= {text.strip() for text in marked}
 
 
+@pytest.mark.long
 async def test_what_was_there_before_is_not_marked(two: Path) -> None:
     async with wizard(two) as it:
         await it.go(MORE, REACT)

@@ -69,6 +69,7 @@ async def test_help_explains_every_page(here: Path, steps: int) -> None:
         assert it.title == title
 
 
+@pytest.mark.long
 async def test_the_node_is_named_though_something_else_is_wrong(here: Path) -> None:
     async with wizard() as it:
         await it.go(MAKE, SEND)
