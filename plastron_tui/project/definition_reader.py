@@ -7,12 +7,13 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from plastron_tui.diagnostics import Code, Diagnostic, codes
-from plastron_tui.diagnostics.suggest import nearest
 from plastron_tui.model.context import FoundDefinition, LoadedDefinition
 from plastron_tui.regular_files import read_regular, reason
 from plastron_tui.ros.catalog.folders import package_of
 from plastron_tui.ros.definition import MAX_DEFINITION_BYTES
 from plastron_tui.ros.interfaces import InterfaceKind
+
+from .missing_files import missing
 
 if TYPE_CHECKING:
     from plastron_tui.boundary import Boundary
@@ -43,22 +44,13 @@ class DefinitionReader:
             message = f"`{source}` is {self._boundary.place_of(path)}"
             return _failed(codes.OUTSIDE_PROJECT, message, self._boundary.remedy)
         if not os.path.isfile(path):  # noqa: PTH113 - a path that is too long is not there
-            return self._not_there(source, path)
+            remedy = missing(source, path, lambda each: each.suffix in _KINDS).remedy
+            return _failed(codes.FILE_NOT_FOUND, f"no file `{source}` beside the program", remedy)
         try:
             text = read_regular(path, MAX_DEFINITION_BYTES)
         except OSError as error:
             return _failed(codes.UNREADABLE_FILE, f"`{source}` cannot be read: {reason(error)}")
         return LoadedDefinition(FoundDefinition(path, text, package_of(path), kind))
-
-    def _not_there(self, source: str, path: Path) -> LoadedDefinition:
-        try:
-            names = sorted(each.name for each in path.parent.iterdir() if each.suffix in _KINDS)
-        except OSError:
-            names = []
-        name = nearest(path.name, names)
-        folder = source[: len(source) - len(path.name)]
-        remedy = f"did you mean `{folder}{name}`?" if name else f"it is looked for as `{path}`"
-        return _failed(codes.FILE_NOT_FOUND, f"no file `{source}` beside the program", remedy)
 
 
 def _failed(code: Code, message: str, remedy: str | None = None) -> LoadedDefinition:

@@ -7,11 +7,12 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from plastron_tui.diagnostics import Code, Diagnostic, codes
-from plastron_tui.diagnostics.suggest import nearest
 from plastron_tui.model.launches import LaunchSource, LoadedLaunch
 from plastron_tui.model.source import LARGEST_FILE
 from plastron_tui.output.own_files import MANIFEST
 from plastron_tui.regular_files import read_regular, reason
+
+from .missing_files import missing
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -63,7 +64,8 @@ class LaunchReader:
             message = f"`{source}` is {self._boundary.place_of(path)}"
             return _failed(codes.OUTSIDE_PROJECT, message, self._boundary.remedy)
         if not os.path.isfile(path):  # noqa: PTH113 - a path that is too long is not there
-            return self._not_there(source, path)
+            remedy = missing(source, path, lambda each: each.suffix in _ENDINGS).remedy
+            return _failed(codes.FILE_NOT_FOUND, f"no file `{source}` beside the program", remedy)
         if path.suffix in _ONLY_READ:
             message = f"a launch file in {_ONLY_READ[path.suffix]} is only read, and not changed"
             remedy = f"`plastron graph {source}` shows it; only one in XML is changed"
@@ -94,16 +96,6 @@ class LaunchReader:
 
         author = Author(self._program, digest(self._text), self._folder)
         return find_start(path, present, author, lambda folder: self._manifest(folder)[0])
-
-    def _not_there(self, source: str, path: Path) -> LoadedLaunch:
-        try:
-            names = sorted(each.name for each in path.parent.iterdir() if each.suffix in _ENDINGS)
-        except (OSError, ValueError):
-            names = []
-        name = nearest(path.name, names)
-        folder = source[: len(source) - len(path.name)]
-        remedy = f"did you mean `{folder}{name}`?" if name else f"it is looked for as `{path}`"
-        return _failed(codes.FILE_NOT_FOUND, f"no file `{source}` beside the program", remedy)
 
 
 def _failed(code: Code, message: str, remedy: str | None = None) -> LoadedLaunch:

@@ -18,6 +18,8 @@ from plastron_tui.model.workspace import Generation
 from plastron_tui.output.own_files import MANIFEST, is_own_name, settled
 from plastron_tui.regular_files import Stamp, read_regular, reason, stamp_of
 
+from .missing_files import missing
+
 if TYPE_CHECKING:
     from plastron_tui.boundary import Boundary
     from plastron_tui.model.source import FileSet, Origin, SourceUnit
@@ -269,12 +271,12 @@ class NodeLoader:
     def _not_found(self, request: LoadRequest) -> Loaded:
         if request.is_path:
             path = self._folder / request.source
-            name = nearest(path.name, _names(path.parent, full=True))
-            folder = request.source[: len(request.source) - len(path.name)]
+            suffixes = set(_suffixes())
+            near = missing(request.source, path, lambda each: each.suffix in suffixes)
             return _not_there(
                 f"no file `{request.source}` beside the program",
-                f"did you mean `{folder}{name}`?" if name else f"it is looked for as `{path}`",
-                None if name is None or "'" in name else f"'{folder}{name}'",
+                near.remedy,
+                None if near.name is None or "'" in near.name else f"'{near.name}'",
             )
         known = {name for folder in (self._output, self._folder) for name in _names(folder)}
         name = nearest(request.source, sorted(known))
@@ -354,13 +356,13 @@ def _suffixes() -> Iterator[str]:
     return (language.suffix for language in languages())
 
 
-def _names(folder: Path, *, full: bool = False) -> list[str]:
+def _names(folder: Path) -> list[str]:
     try:
         suffixes = set(_suffixes())
         files = [file for file in folder.iterdir() if file.suffix in suffixes]
     except OSError:
         return []
-    return sorted(file.name if full else file.stem for file in files)
+    return sorted(file.stem for file in files)
 
 
 def _failed(code: Code, message: str, remedy: str | None = None) -> Loaded:

@@ -19,9 +19,8 @@ from plastron_tui.output.own_files import PREFIX
 from plastron_tui.output.plan import OutputFile
 from plastron_tui.regular_files import read_regular
 from plastron_tui.ros.packages import BUILT_FOLDERS, CACHES
+from plastron_tui.sources.packages.folder import DEEPEST
 from plastron_tui.sources.packages.reading import PACKAGE_XML
-
-from .package_reader import DEEPEST
 
 if TYPE_CHECKING:
     from plastron_tui.boundary import Boundary

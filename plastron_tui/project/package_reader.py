@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Iterator
 from contextlib import suppress
 from dataclasses import dataclass, field
 from itertools import islice
@@ -11,24 +10,16 @@ from pathlib import Path
 from typing import TYPE_CHECKING, TypeAlias
 
 from plastron_tui.diagnostics import Code, Diagnostic, codes
-from plastron_tui.diagnostics.suggest import nearest
 from plastron_tui.model.package_source import LoadedPackage
 from plastron_tui.regular_files import Stamp, read_regular, reason, stamp_of
-from plastron_tui.ros.packages import BUILT_FOLDERS, CACHES
-from plastron_tui.sources.packages.reading import (
-    CMAKE_LISTS,
-    PACKAGE_XML,
-    PYPROJECT,
-    SETUP_CFG,
-    SETUP_PY,
-    PackageFiles,
-    read_package_files,
-)
+from plastron_tui.sources.packages.folder import BUILD_FILES, MOST_FILES, package_files
+from plastron_tui.sources.packages.reading import PACKAGE_XML, PackageFiles, read_package_files
+
+from .missing_files import missing
 
 if TYPE_CHECKING:
     from plastron_tui.boundary import Boundary
 
-_BUILD_FILES = (PACKAGE_XML, SETUP_PY, SETUP_CFG, PYPROJECT, CMAKE_LISTS)
 _TEXTS = frozenset(
     {
         "", ".action", ".c", ".cc", ".cfg", ".cmake", ".cpp", ".cxx", ".h", ".hh", ".hpp", ".in",
@@ -37,11 +28,6 @@ _TEXTS = frozenset(
 )  # fmt: skip
 """What may name a package, or a file of this one; without an ending there are scripts."""
 
-DEEPEST = 64
-"""How many folders of a package a file may be in."""
-
-_BUILT = BUILT_FOLDERS | CACHES
-_MOST_FILES = 4_000
 _MOST_BYTES = 16_000_000
 _LARGEST_BUILD_FILE = 4_000_000
 """In bytes; what is larger than a parser takes it says itself."""
@@ -121,7 +107,7 @@ class _Walk:
 
     def read(self) -> Diagnostic | None:
         """Read the files; the diagnostic says why one that has to be read is not."""
-        for name in _BUILD_FILES:
+        for name in BUILD_FILES:
             path = self.folder / name
             if not os.path.lexists(path):
                 continue
@@ -134,7 +120,7 @@ class _Walk:
                 message = f"`{name}` cannot be read: {reason(error)}"
                 return Diagnostic(codes.UNREADABLE_FILE, message)
         for name in self.stamps:
-            if len(self.names) >= _MOST_FILES:
+            if len(self.names) >= MOST_FILES:
                 self.is_whole = False
                 break
             self.names.add(name)
@@ -157,35 +143,14 @@ class _Walk:
 
 def _stamps(folder: Path) -> Stamps:
     """Return the files of a package, with what tells whether one was changed."""
-    names = islice(_files(folder), _MOST_FILES + 1)
+    names = islice(package_files(folder), MOST_FILES + 1)
     return {name: stamp_of(folder / name) for name in names}
-
-
-def _files(folder: Path) -> Iterator[str]:
-    """Yield the files of a package in a steady order, none of those of packages inside it."""
-    for place, folders, names in os.walk(folder):
-        inner = Path(place)
-        is_other = inner != folder and PACKAGE_XML in names
-        here = "" if inner == folder else f"{inner.relative_to(folder).as_posix()}/"
-        folders[:] = (
-            []
-            if is_other or here.count("/") >= DEEPEST
-            else sorted(each for each in folders if not each.startswith(".") and each not in _BUILT)
-        )
-        if not is_other:
-            yield from (here + name for name in sorted(names) if not name.startswith("."))
 
 
 def _not_there(source: str, folder: Path) -> LoadedPackage:
     if os.path.lexists(folder):
         return _failed(codes.FILE_NOT_FOUND, f"`{source}` is not a folder")
-    try:
-        names = sorted(each.name for each in folder.parent.iterdir() if each.is_dir())
-    except OSError:
-        names = []
-    name = nearest(folder.name, names)
-    start = source[: len(source) - len(folder.name)]
-    remedy = f"did you mean `{start}{name}`?" if name else f"it is looked for as `{folder}`"
+    remedy = missing(source, folder, Path.is_dir).remedy
     return _failed(codes.FILE_NOT_FOUND, f"no folder `{source}` beside the program", remedy)
 
 

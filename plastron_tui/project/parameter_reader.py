@@ -8,10 +8,11 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from plastron_tui.diagnostics import Code, Diagnostic, codes
-from plastron_tui.diagnostics.suggest import nearest
 from plastron_tui.model.launches import LoadedParameters
 from plastron_tui.regular_files import read_regular, reason
 from plastron_tui.ros.parameter_values import params_problem
+
+from .missing_files import missing
 
 if TYPE_CHECKING:
     from plastron_tui.boundary import Boundary
@@ -49,23 +50,14 @@ class ParameterReader:
         try:
             text = read_regular(path, LARGEST)
         except FileNotFoundError:
-            return self._not_there(source, path)
+            remedy = missing(source, path, lambda each: each.suffix in _ENDINGS).remedy
+            return _failed(codes.FILE_NOT_FOUND, f"no file `{source}` beside the program", remedy)
         except OSError as error:
             return _failed(codes.UNREADABLE_FILE, f"`{source}` cannot be read: {reason(error)}")
         wrong = _problem(text, ros_version)
         if wrong is not None:
             return _failed(codes.BAD_PARAMETERS, f"`{source}` {wrong[0]}", wrong[1])
         return LoadedParameters(Path(os.path.normpath(path)), text)
-
-    def _not_there(self, source: str, path: Path) -> LoadedParameters:
-        try:
-            names = sorted(each.name for each in path.parent.iterdir() if each.suffix in _ENDINGS)
-        except (OSError, ValueError):
-            names = []
-        name = nearest(path.name, names)
-        folder = source[: len(source) - len(path.name)]
-        remedy = f"did you mean `{folder}{name}`?" if name else f"it is looked for as `{path}`"
-        return _failed(codes.FILE_NOT_FOUND, f"no file `{source}` beside the program", remedy)
 
 
 @lru_cache(maxsize=16)

@@ -1,4 +1,4 @@
-"""Which executables a package has, from the build files in its folder."""
+"""The files in a package's folder, and which executables its build files make of them."""
 
 from __future__ import annotations
 
@@ -10,6 +10,7 @@ from pathlib import Path
 
 from plastron_tui.model.package_source import InstalledExecutable
 from plastron_tui.regular_files import read_regular
+from plastron_tui.ros.packages import BUILT_FOLDERS, CACHES
 from plastron_tui.sources.setup_py.reader import read_setup
 from plastron_tui.sources.splices import line_number
 
@@ -23,9 +24,32 @@ from .reading import (
     read_package_files,
 )
 
+BUILD_FILES = (PACKAGE_XML, SETUP_PY, SETUP_CFG, PYPROJECT, CMAKE_LISTS)
+"""What says how a package is built, and what is installed of it."""
+
+DEEPEST = 64
+"""How many folders of a package a file may be in."""
+
+MOST_FILES = 4_000
+"""How many files of a package are known."""
+
 _LARGEST = 500_000
-_MOST_FILES = 4_000
-_NO_SOURCES = frozenset({"build", "install", "devel", "log", "node_modules", "__pycache__"})
+_BUILT = BUILT_FOLDERS | CACHES
+
+
+def package_files(folder: Path) -> Iterator[str]:
+    """Yield the files of a package in a steady order, none of those of packages inside it."""
+    for place, folders, names in os.walk(folder):
+        inner = Path(place)
+        is_other = inner != folder and PACKAGE_XML in names
+        here = "" if inner == folder else f"{inner.relative_to(folder).as_posix()}/"
+        folders[:] = (
+            []
+            if is_other or here.count("/") >= DEEPEST
+            else sorted(each for each in folders if not each.startswith(".") and each not in _BUILT)
+        )
+        if not is_other:
+            yield from (here + name for name in sorted(names) if not name.startswith("."))
 
 
 def read_executables(
@@ -40,12 +64,12 @@ def read_executables(
         allows: whether a file may be read.
     """
     texts: dict[str, bytes] = {}
-    for name in (PACKAGE_XML, SETUP_PY, SETUP_CFG, PYPROJECT, CMAKE_LISTS):
+    for name in BUILD_FILES:
         path = folder / name
         with suppress(OSError, ValueError):
             if os.path.lexists(path) and allows(path):
                 texts[name] = read_regular(path, _LARGEST)
-    names = frozenset(islice(_names(folder), _MOST_FILES))
+    names = frozenset(islice(package_files(folder), MOST_FILES))
     if PACKAGE_XML in texts:
         source = read_package_files(PackageFiles(folder, names, texts, is_whole=False), 2).source
         if source is not None:
@@ -61,10 +85,3 @@ def _scripts(folder: Path, text: bytes) -> Iterator[tuple[str, InstalledExecutab
         file = "/".join((setup.root or "", *each.target.partition(":")[0].split("."))) + ".py"
         line = line_number(text, each.span.start)
         yield each.name, InstalledExecutable(file.lstrip("/"), SETUP_PY, line, each.target)
-
-
-def _names(folder: Path) -> Iterator[str]:
-    for place, folders, files in os.walk(folder):
-        folders[:] = sorted(x for x in folders if x not in _NO_SOURCES and not x.startswith("."))
-        inner = Path(place).relative_to(folder).as_posix()
-        yield from (each if inner == "." else f"{inner}/{each}" for each in sorted(files))
