@@ -27,6 +27,7 @@ from plastron_tui.sources.splices import Splice, apply, indent_of, newline_of
 
 from .items import sorted_index
 from .reader import CONSOLE_SCRIPTS, ConsoleScript
+from .scripts import has_script
 
 if sys.version_info >= (3, 11):
     import tomllib
@@ -179,12 +180,8 @@ def _add(text: bytes, path: Path, name: str, target: str) -> bytes:
     if found is None or not written.isprintable() or any(each in name for each in "=#;[] "):
         message = f"`{written}` cannot be written as an entry point of `{path.name}`"
         raise RefusedError(Diagnostic(codes.EDIT_REFUSED, message, file=path))
-    for each in found.scripts:
-        if each.name == name:
-            if each.target == target:
-                return text
-            why = f"makes `{name}` start `{each.target}` already"
-            raise refusal(text, path, each.span, why, codes.EDIT_REFUSED)
+    if has_script(found.scripts, name, target, text, path):
+        return text
     after = apply(text, _addition(text, found, name, target))
     if not _is_right(after, text, path, {name: target}, set()):
         message = f"adding `{name}` would change more of `{path.name}` than that"

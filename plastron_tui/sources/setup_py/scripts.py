@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from pathlib import Path
 
 from tree_sitter import Node
@@ -46,6 +46,23 @@ def remove_console_script(text: bytes, path: Path, name: str) -> Edited:
     return edited(_remove, text, path, name)
 
 
+def has_script(
+    scripts: Iterable[ConsoleScript], name: str, target: str, text: bytes, path: Path
+) -> bool:
+    """Tell whether an executable is there already; one of its name that starts another is refused.
+
+    Raises:
+        RefusedError: at the line of the other.
+    """
+    for each in scripts:
+        if each.name == name:
+            if each.target == target:
+                return True
+            why = f"makes `{name}` start `{each.target}` already"
+            raise refusal(text, path, each.span, why, codes.EDIT_REFUSED)
+    return False
+
+
 def _add(text: bytes, path: Path, name: str, target: str) -> bytes:
     setup = parse_setup(text, path)
     before = describe(setup)
@@ -54,12 +71,8 @@ def _add(text: bytes, path: Path, name: str, target: str) -> bytes:
     if not written.isprintable() or any(each in written for each in "'\"\\"):
         message = f"`{written}` cannot be written as an entry point"
         raise RefusedError(Diagnostic(codes.EDIT_REFUSED, message, file=path))
-    for each in before.console_scripts:
-        if each.name == name:
-            if each.target == target:
-                return text
-            why = f"makes `{name}` start `{each.target}` already"
-            raise refusal(text, path, each.span, why, codes.EDIT_REFUSED)
+    if has_script(before.console_scripts, name, target, text, path):
+        return text
     after = apply(text, _addition(setup, name, written))
     expected = _scripts(before) + Counter({(name, target): 1})
     if not _is_right(after, path, before, expected):
