@@ -225,6 +225,18 @@ def test_a_package_that_is_built_for_a_run_has_its_other_types(tmp_path: Path) -
     assert b"std_msgs" in files["CMakeLists.txt"].text
 
 
+def test_a_type_that_is_changed_is_built_for_a_run_as_it_is_then(tmp_path: Path) -> None:
+    lay(tmp_path, CATKIN_WITH_TYPES)
+    change = "load_type 'demo/msg/Num.msg' as num\nnum has_field \"int64 more\"\n"
+    node = USED.replace("Speed", "demo/Num").replace("1.0, 2.0", "1, 2")
+    program = f"{LOADED}{change}{node}generate_node driver\n"
+    session = Session(program.encode(), tmp_path / "a.plastron", Options("rospy"), environ={})
+    assert session.diagnostics == ()
+    files = session.own_packages(list(session.workspace.nodes.values()), 1)["demo"].files
+    assert files is not None
+    assert files["msg/Num.msg"].text == b"int64 num\nint64 more\n"
+
+
 def test_types_may_be_of_a_package_of_ones_own_that_has_the_name_of_one_of_ros(
     tmp_path: Path,
 ) -> None:

@@ -85,6 +85,15 @@ def _told(file: Path, ros_version: int = 2, **arguments: str) -> list[str]:
             ],
         ),
         (
+            # Of two remaps of a name the first holds.
+            '<node pkg="demo" exec="talker" name="talker"><remap from="chatter" to="/words"/>'
+            '<remap from="chatter" to="/late"/></node>',
+            [
+                "the remap of `chatter` of `/talker` is `/words`, and not set as `a.plastron` "
+                "wrote it"
+            ],
+        ),
+        (
             f'{NODE[2]}<include file="$(find-pkg-share x)/a.launch.xml"/>',
             ["`/x/a.launch.xml` is included, which `a.plastron` did not write"],
         ),
