@@ -35,8 +35,9 @@ def test_what_may_be_meant_by_a_path(tmp_path: Path, source: str, name: str | No
 def test_files_of_a_package_are_none_of_others_or_of_builds(tmp_path: Path) -> None:
     deep = "/".join("d" * (DEEPEST + 2))
     for each in (
-        "package.xml", "scripts/a.py", "inner/package.xml", "inner/b.py", "build/c.py",
-        "scripts/__pycache__/a.pyc", ".git/config", ".hidden", f"{deep}/e.py", "a/z.py",
+        "package.xml", "scripts/a.py", "inner/package.xml", "inner/b.py", "inner/in/b.py",
+        "build/c.py", "scripts/__pycache__/a.pyc", ".git/config", ".hidden",
+        f"{deep}/e.py", "a/z.py",
     ):  # fmt: skip
         (tmp_path / each).parent.mkdir(parents=True, exist_ok=True)
         (tmp_path / each).touch()
