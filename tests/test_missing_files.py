@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from plastron_tui.project.missing_files import missing
-from plastron_tui.sources.packages.folder import DEEPEST, package_files
+from plastron_tui.sources.packages.files import DEEPEST, package_files
 
 
 @pytest.mark.parametrize(

@@ -19,7 +19,7 @@ from plastron_tui.output.own_files import PREFIX
 from plastron_tui.output.plan import OutputFile
 from plastron_tui.regular_files import read_regular
 from plastron_tui.ros.packages import BUILT_FOLDERS, CACHES
-from plastron_tui.sources.packages.folder import DEEPEST
+from plastron_tui.sources.packages.files import DEEPEST
 from plastron_tui.sources.packages.reading import PACKAGE_XML
 
 if TYPE_CHECKING:

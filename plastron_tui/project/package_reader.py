@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, TypeAlias
 from plastron_tui.diagnostics import Code, Diagnostic, codes
 from plastron_tui.model.package_source import LoadedPackage
 from plastron_tui.regular_files import Stamp, read_regular, reason, stamp_of
-from plastron_tui.sources.packages.folder import BUILD_FILES, MOST_FILES, package_files
+from plastron_tui.sources.packages.files import BUILD_FILES, MOST_FILES, package_files
 from plastron_tui.sources.packages.reading import PACKAGE_XML, PackageFiles, read_package_files
 
 from .missing_files import missing
