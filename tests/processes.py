@@ -29,10 +29,15 @@ CLOSED_BY_ROSPY = re.compile(
     re.DOTALL,
 )
 
+# Python goes on behind what a signal breaks off in a destructor of rclpy's own, and says so.
+BROKEN_OFF = re.compile(
+    r"^Exception ignored in: .*\nTraceback .*\n(?: .*\n|\n)*KeyboardInterrupt.*\n", re.MULTILINE
+)
+
 
 def own_tracebacks(output: str) -> list[str]:
-    """Return the lines that begin a traceback which is not rospy's own."""
-    left = CLOSED_BY_ROSPY.sub("", output)
+    """Return the lines that begin a traceback which is not rospy's or rclpy's own."""
+    left = BROKEN_OFF.sub("", CLOSED_BY_ROSPY.sub("", output))
     return [line for line in left.splitlines() if "Traceback" in line]
 
 

@@ -85,9 +85,6 @@ MORE_CALLS = {
     "rclpy": [("init", 1), *EVERY_CALL],
 }
 
-# Python goes on behind what a signal breaks off in a destructor of rclpy's own, and says so.
-IGNORED = re.compile(r"^Exception ignored in: .*\nTraceback .*\n(?: .*\n)*\S.*\n", re.MULTILINE)
-
 # A look at what speaks to the master while the node works.
 CALL = """\
 import sys, threading
@@ -133,8 +130,7 @@ def assert_ended(graph: Graph, node: Process, status: int, where: str) -> None:
     """A node ends by itself; rclpy's way of writing one lets an early signal end it, silently."""
     accepted = {"rospy": {0}, "rclpy": {0, -signal.SIGINT}}[graph.target]
     assert status in accepted, f"{where}:\n{node.output}"
-    output = IGNORED.sub("", node.output) if graph.target == "rclpy" else node.output
-    assert not own_tracebacks(output), f"{where}:\n{node.output}"
+    assert not own_tracebacks(node.output), f"{where}:\n{node.output}"
 
 
 def interrupt_at_calls(graph: Graph, folder: Path, calls: list[tuple[str, int]]) -> None:

@@ -17,7 +17,19 @@ CALL = """\
 TRACEBACK = "Traceback (most recent call last):\n" + CALL
 CLOSED = "rospy.exceptions.ROSException: publish() to a closed topic\n"
 
+BROKEN_OFF = (
+    "Exception ignored in: <function Future.__del__ at 0x7f00>\n"
+    "Traceback (most recent call last):\n"
+    '  File "rclpy/task.py", line 63, in __del__\n    def __del__(self) -> None:\n\n{}: \n'
+)
+
 OUTPUTS = {
+    "a destructor": (BROKEN_OFF.format("KeyboardInterrupt"), 0),
+    "a destructor's own": (BROKEN_OFF.format("ValueError"), 1),
+    "the node's own behind a destructor's": (
+        BROKEN_OFF.format("KeyboardInterrupt") + TRACEBACK + "ValueError: 3\n",
+        1,
+    ),
     "nothing": ("ready\n", 0),
     "the node's own": (TRACEBACK + "ValueError: 3\n", 1),
     "a thread": ("Exception in thread Thread-5:\n" + TRACEBACK + CLOSED, 0),
