@@ -85,7 +85,7 @@ def test_a_statement_stays_where_it_is_while_the_text_behind_it_changes() -> Non
 
 
 @pytest.mark.long
-@settings(max_examples=examples(150), deadline=None)
+@settings(max_examples=examples(300), deadline=None)
 @given(st.lists(statements(), max_size=6).map("\n".join), st.booleans(), EDITS)
 def test_what_is_lowered_after_edits_is_what_is_lowered_anew(
     written: str, is_broken: bool, edits: list[tuple[float, float, str]]
