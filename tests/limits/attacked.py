@@ -23,8 +23,8 @@ from typing import Any
 MEMORY = 1024**3
 """The most address space of an attacked process, in bytes; an idle one has a fifth of it."""
 
-PROCESSOR = 60
-"""The most seconds of processor time; most of what is attacked needs one, the slowest 20."""
+PROCESSOR = 40
+"""The most seconds of processor time; most of what is attacked needs one, the slowest 15."""
 
 PATIENCE = 300
 """Seconds after which a process that does nothing is taken for one that waits for ever."""
