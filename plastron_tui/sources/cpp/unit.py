@@ -18,6 +18,12 @@ MOST_BASES = 32
 _MUTATORS = ("append", "assign", "insert", "erase", "replace", "swap", "push_back", "clear")
 
 
+_CHANGE = re.compile(
+    rb"(?:>>\s*|(?<![&\w)\]])&\s*|\+\+\s*|--\s*)(?:this->)?([A-Za-z_]\w*)\b(?!\s*(?:::|\())"
+    rb"|\b([A-Za-z_]\w*)\s*(?:\+\+|--)"
+)
+
+
 class Write(NamedTuple):
     """What gives a variable a value.
 
@@ -263,20 +269,28 @@ class Unit:
                     found.add(last_name(call.receiver, call.scope))
         return found
 
+    @cached_property
+    def _changed(self) -> dict[str, list[tuple[CppFile, int]]]:
+        """Where something is counted up, read from a stream or handed out to be changed."""
+        found: dict[str, list[tuple[CppFile, int]]] = {}
+        for file in self.files:
+            for change in _CHANGE.finditer(file.syntax.code):
+                name = (change[1] or change[2]).decode("utf-8", "replace")
+                found.setdefault(name, []).append((file, change.start()))
+        return found
+
     def is_changed_unseen(self, variable: Variable) -> bool:
         """Whether something may change a variable that is neither an assignment nor a parameter."""
         if variable.is_const:
             return False
         if variable.name in self._mutated:
             return True
-        name = re.escape(variable.name.encode())
-        wanted = re.compile(
-            rb"(?:>>\s*|(?<![&\w)\]])&\s*)(?:this->)?" + name + rb"\b(?!\s*(?:::|\())"
-        )
+        changed = self._changed.get(variable.name, [])
+        if variable.kind in ("member", "global"):
+            return bool(changed)
+        around = variable.scope.enclosing("function") or variable.scope
         return any(
-            wanted.search(file.syntax.code)
-            for file in self.files
-            if file is variable.file or variable.kind in ("member", "global")
+            file is variable.file and around.start <= at < around.end for file, at in changed
         )
 
     def writes(self, variable: Variable) -> list[Write]:
