@@ -43,3 +43,33 @@ class Cpp(Language):
         from .reader import read_cpp  # loads tree-sitter-cpp
 
         return read_cpp(path, files, library)
+
+    def mentioned_library(self, text: bytes) -> str | None:
+        """Return the client library that a file mentions."""
+        from .mentioned import mentioned_library
+
+        return mentioned_library(text)
+
+    def is_worse(self, text: bytes, *others: bytes) -> bool:
+        """Tell whether a text parses at fewer places than each of the others."""
+        from .syntax import parse
+
+        return parse(text).errors > max((parse(other).errors for other in others), default=0)
+
+    def definitions(self, text: bytes, name: str) -> int:
+        """Count the functions and methods of a name that a C++ text defines."""
+        from .words import definitions
+
+        return definitions(text, name)
+
+    def mentions(self, text: bytes, name: str) -> bool:
+        """Tell whether C++ code has a name; strings and comments are no code."""
+        from .words import mentions
+
+        return mentions(text, name)
+
+    def imports(self, text: bytes) -> frozenset[str]:
+        """Return the packages whose headers a C++ text includes."""
+        from .mentioned import imports
+
+        return imports(text)

@@ -14,6 +14,7 @@ from tree_sitter import Node
 from plastron_tui.sources.work_limits import bounded
 
 from .arguments import Call, arguments_of, call_of
+from .fields import Fields
 from .literals import number_value, replaced, string_value
 from .scopes import Function, Scope, Variable
 from .unit import Unit, Write, last_name
@@ -69,6 +70,7 @@ class Evaluator:
         self.unit = unit
         self.effort = unit.effort
         self._callers = callers
+        self.fields = Fields(unit)
         self._known: dict[Variable, Value | None] = {}
         self._asked: set[Variable] = set()
 
@@ -197,7 +199,24 @@ class Evaluator:
             if variable is not None and variable.type not in ("", "auto"):
                 owner = self.unit.find_class(variable.type, scope)
         member = self.unit.member(owner, name) if owner is not None else None
+        if member is None and holder.type != "this":
+            return self._set_field(node, name, holder, scope)
         return self.variable(member) if member is not None else None
+
+    def _set_field(self, node: Node, name: str, holder: Node, scope: Scope) -> Value | None:
+        """Return what a field of a message is set to before, `descriptor.name = "x"`."""
+        held = last_name(holder, scope)
+        before = [
+            (value, place)
+            for assignment, path, value, place in self.fields.of(held)
+            if path == name
+            and place.file is scope.file
+            and place.enclosing("function") is scope.enclosing("function")
+            and assignment.start_byte < node.start_byte
+        ]
+        if not before or before[-1][1] not in scope.chain:
+            return None
+        return self.fold(*before[-1])
 
     def _binary(self, node: Node, scope: Scope) -> Value | None:
         left = self.fold(node.child_by_field_name("left"), scope)
@@ -343,7 +362,10 @@ class Evaluator:
                 return None
             values = [each.value for each in known if not isinstance(each.value, tuple)]
             return Value(tuple(values)).like(*known)
-        return self.fold(given[0], write.scope) if len(given) == 1 else None
+        # A stream begins with a text, and goes on.
+        if len(given) != 1 or "stream" in variable.type:
+            return None
+        return self.fold(given[0], write.scope)
 
     def _function_of(self, parameter: Variable) -> Function | None:
         return parameter.scope.function
