@@ -49,6 +49,22 @@ PARAMETER_READERS = (
 )
 
 
+_CHANGES = re.compile(
+    r"get|read|load|parse|fetch|param|scan|printf|cpy|strcat|trim|lower|upper|replace|erase|swap"
+    r"|search|fill",
+    re.IGNORECASE,
+)
+NO_CHANGE = frozenset(
+    {
+        *PARAMETER_READERS,
+        *("setParam", "hasParam", "deleteParam", "set", "has", "printf", "get_node", "make_shared"),
+        *("declare_parameter", "declare_parameters", "has_parameter", "set_parameter", "getenv"),
+        *("declare_parameter_if_not_declared", "getMessage", "target_frame", "getChild"),
+    }
+)
+"""The functions that change nothing, whatever their names may say."""
+
+
 class Unit:
     """Files that are read together.
 
@@ -279,13 +295,32 @@ class Unit:
                 found.setdefault(name, []).append((file, change.start()))
         return found
 
+    @cached_property
+    def _handed(self) -> dict[str, list[tuple[CppFile, int]]]:
+        """Where variables are handed to functions that change what they get."""
+        found: dict[str, list[tuple[CppFile, int]]] = {}
+        for file in self.files:
+            for call in file.calls:
+                if call.name in NO_CHANGE:
+                    continue
+                own = self.functions.get(call.name)
+                if own is None and not _CHANGES.search(call.name):
+                    continue
+                for position, given in enumerate(call.arguments):
+                    if given.type not in ("identifier", "field_expression"):
+                        continue
+                    if own is None or any(_changes(each, position) for each in own):
+                        name = last_name(given, call.scope)
+                        found.setdefault(name, []).append((file, given.start_byte))
+        return found
+
     def is_changed_unseen(self, variable: Variable) -> bool:
         """Whether something may change a variable that is neither an assignment nor a parameter."""
         if variable.is_const:
             return False
         if variable.name in self._mutated:
             return True
-        changed = self._changed.get(variable.name, [])
+        changed = self._changed.get(variable.name, []) + self._handed.get(variable.name, [])
         if variable.kind in ("member", "global"):
             return bool(changed)
         around = variable.scope.enclosing("function") or variable.scope
@@ -355,6 +390,14 @@ class Unit:
         while node.parent is not None and not node.type.endswith(("statement", "declaration")):
             node = node.parent
         return node
+
+
+def _changes(function: Function, position: int) -> bool:
+    """Whether a function may change what it gets as an argument."""
+    if position >= len(function.parameters):
+        return False
+    parameter = function.parameters[position]
+    return parameter.is_reference and not parameter.is_const
 
 
 def _outer(qualified: str) -> str:
