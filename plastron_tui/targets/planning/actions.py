@@ -5,9 +5,9 @@ from __future__ import annotations
 from plastron_tui.diagnostics import codes
 from plastron_tui.model.kinds import ActionClient, ActionServer
 from plastron_tui.ros.interfaces import InterfaceKind
-from plastron_tui.sources.python import naming
+from plastron_tui.sources import naming
 
-from ..plan import ActionServerPlan, ClientPlan, NodePlan, WorkPlan
+from .plan import ActionServerPlan, ClientPlan, NodePlan, WorkPlan
 from .writing import Writing
 
 
@@ -22,14 +22,14 @@ def add_action_servers(writing: Writing, plan: NodePlan) -> None:
             writing.refuse(codes.INVALID_FUNCTION, message, server.span, "give it another name")
         plan.action_servers.append(
             ActionServerPlan(
-                attribute=writing.attributes.new(f"{name}_{writing.dialect.serving}"),
+                attribute=writing.attributes.new(f"{name}_{writing.serving}"),
                 name=writing.name(server),
                 label=naming.label(server.name, method),
                 type=writing.class_of(type_, InterfaceKind.ACTION),
                 method=method,
-                feedback=f"{writing.part_of(type_, InterfaceKind.ACTION, 'Feedback')}()",
+                feedback=writing.empty(type_, InterfaceKind.ACTION, "Feedback"),
                 server=writing.held(f"{name}_server"),
-                result=f"{writing.part_of(type_, InterfaceKind.ACTION, 'Result')}()",
+                result=writing.empty(type_, InterfaceKind.ACTION, "Result"),
             )
         )
 

@@ -1,7 +1,7 @@
-"""What the template of a Python node is given: names, literals and types, ready to be written.
+"""What the template of a node is given: names, literals and types, ready to be written.
 
-Every string in a plan is Python source: a literal, an identifier, or an expression made of both.
-The exceptions are the labels, which hold plain characters only.
+Every string in a plan is source code of the node's language: a literal, an identifier, or code made
+of both. The exceptions are the labels, which hold plain characters only.
 """
 
 from __future__ import annotations
@@ -120,6 +120,8 @@ class ParameterPlan(NamedTuple):
         descriptor: what describes it (ROS 2), "" for nothing.
         check: what holds of a `value` that is one of it (ROS 1).
         wanted: what a value is to be, in words.
+        type: the type of its value, "" in a language that needs none.
+        is_own: whether it is one of the node, and not of the whole ROS 1.
     """
 
     name: str
@@ -130,6 +132,8 @@ class ParameterPlan(NamedTuple):
     descriptor: str
     check: str
     wanted: str
+    type: str = ""
+    is_own: bool = False
 
 
 @dataclass(frozen=True, slots=True)
