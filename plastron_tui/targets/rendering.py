@@ -18,7 +18,7 @@ class CannotRenderError(Exception):
 
 
 def render_text(
-    library: str,
+    folders: tuple[str, ...],
     template: str,
     values: dict[str, Any],
     finish: Callable[[str], str],
@@ -27,7 +27,8 @@ def render_text(
     """Fill in the user's template where there is one, else Plastron's own.
 
     Args:
-        library: the client library, which is the template's folder.
+        folders: the client library, and the other folders of Plastron's own templates that it
+            takes what it has not itself from.
         template: the template's name.
         values: what it is given.
         finish: lays the text out.
@@ -40,14 +41,14 @@ def render_text(
     from .templates import render_template
 
     try:
-        if folder is not None and os.path.lexists(folder / library / template):
+        if folder is not None and os.path.lexists(folder / folders[0] / template):
             from .template_process import render_apart
 
-            return render_apart(library, folder, template, values, finish)
-        return finish(render_template(library, None, template, values))
+            return render_apart(folders, folder, template, values, finish)
+        return finish(render_template(folders, None, template, values))
     # A template may fail in any way; a user's does so in a process of its own.
     except Exception as error:
-        raise CannotRenderError(_template_error(library, folder, template, error)) from error
+        raise CannotRenderError(_template_error(folders[0], folder, template, error)) from error
 
 
 def _template_error(

@@ -17,7 +17,10 @@ def add_action_servers(writing: Writing, plan: NodePlan) -> None:
         type_ = writing.known(server.type, InterfaceKind.ACTION, server.name, server.span)
         name = naming.words(server.name)
         method = server.callback or writing.attributes.new(f"execute_{name}")
-        if any(each.method == method for each in plan.action_servers) or method in writing.methods:
+        if method in {
+            *(each.method for each in plan.action_servers),
+            *(each.name for each in writing.methods.values()),
+        }:
             message = f"`{method}` cannot work on `{server.name}` and do its other work"
             writing.refuse(codes.INVALID_FUNCTION, message, server.span, "give it another name")
         plan.action_servers.append(

@@ -90,12 +90,14 @@ class OncePlan(NamedTuple):
 class ReactionPlan(NamedTuple):
     """The messages that a publisher sends for those of a topic, called `received`.
 
-    `condition` is "" where they are sent for each, `compared` what of it may not be there.
+    `type` is the class of `received`. `condition` is "" where they are sent for each, `compared`
+    what of it may not be there.
     """
 
     publisher: str
     method: str
     topic: str
+    type: str
     heard: str
     label: str
     sends: tuple[SendPlan, ...]
@@ -167,6 +169,7 @@ class MethodPlan:
     Attributes:
         name: what it is called.
         label: the topic or the service, as prose.
+        type: the class of what it is called with.
         response: what a handler answers.
         answer: what the program says that it answers, "" where it says nothing.
         unsure: what is computed in the answer that may not be there, or fit no field, "" for
@@ -176,6 +179,7 @@ class MethodPlan:
 
     name: str
     label: str
+    type: str
     response: str = ""
     answer: str = ""
     unsure: str = ""

@@ -29,11 +29,12 @@ def add_services(writing: Writing, plan: NodePlan) -> None:
         class_ = writing.class_of(type_, InterfaceKind.SERVICE)
         attribute = writing.held(f"{naming.words(service.name)}_service")
         plan.services.append(ServicePlan(writing.name(service), class_, handler, attribute))
-        known = writing.methods.get(handler)
+        key = writing.method_key(handler, class_)
+        known = writing.methods.get(key)
         if known is None:
             label = naming.label(service.name, handler)
-            method = MethodPlan(handler, label, response, answer, unsure)
-            writing.methods[handler] = method
+            method = MethodPlan(handler, label, class_, response, answer, unsure)
+            writing.methods[key] = method
             plan.handlers.append(method)
         elif known.response != response:
             message = f"`{handler}` cannot answer `{service.name}` and do its other work"

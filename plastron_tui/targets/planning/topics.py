@@ -62,6 +62,7 @@ def add_publishers(writing: Writing, plan: NodePlan) -> None:
                     publisher=attribute,
                     method=writing.attributes.new(f"publish_{name}"),
                     topic=reaction.topic,
+                    type=_heard_class(writing, reaction.topic),
                     heard=naming.label(reaction.topic, "its topic"),
                     label=label,
                     sends=_sends(writing, publisher, found, heard),
@@ -84,6 +85,12 @@ def _sends(
     heard: Sequence[Field] = (),
 ) -> tuple[SendPlan, ...]:
     return tuple(writing.send(each.message.value, publisher.span, heard) for each in found)
+
+
+def _heard_class(writing: Writing, topic: str) -> str:
+    """Write the class of the messages of a topic that the node subscribes to."""
+    subscription = writing.node.of(Subscription)[topic]
+    return writing.message_class(subscription.type, topic, subscription.span)
 
 
 def _heard(writing: Writing, topic: str) -> Sequence[Field]:
@@ -122,9 +129,10 @@ def add_subscriptions(writing: Writing, plan: NodePlan) -> None:
             )
         )
         reactions = tuple(each.method for each in plan.reactions if each.topic == subscription.name)
-        known = writing.methods.get(callback)
+        key = writing.method_key(callback, type_)
+        known = writing.methods.get(key)
         if known is None:
-            known = MethodPlan(callback, naming.label(subscription.name, callback))
-            writing.methods[callback] = known
+            known = MethodPlan(callback, naming.label(subscription.name, callback), type_)
+            writing.methods[key] = known
             plan.callbacks.append(known)
         known.reactions += reactions

@@ -61,7 +61,7 @@ class Writing(ABC):
         catalog: the interface types.
         ros_version: the generation of ROS that the file is for, 1 or 2.
         attributes: the names of what the node's class has.
-        methods: the functions that endpoints call, by their names.
+        methods: the functions that endpoints call, by their keys.
         serving: how the attribute of an action ends that a node provides.
     """
 
@@ -165,6 +165,11 @@ class Writing(ABC):
     def held(self, attribute: str) -> str:
         """Name what holds a part of a managed node, which destroys it later; "" in other nodes."""
         return self.attributes.new(attribute) if self.node.is_managed else ""
+
+    def method_key(self, name: str, type_: str) -> str:
+        """Return what tells a function from others; in some languages its type does as well."""
+        del type_
+        return name
 
     def name(self, endpoint: Endpoint) -> str:
         """Write the name of an endpoint as the client library takes it."""

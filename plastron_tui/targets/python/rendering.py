@@ -36,7 +36,7 @@ def render_python(
         return Rendered(None, tuple(planner.diagnostics))
     template = MANAGED_TEMPLATE if plan.is_managed else NODE_TEMPLATE
     try:
-        text = render_text(dialect.library, template, {"node": plan}, fit, template_folder)
+        text = render_text((dialect.library,), template, {"node": plan}, fit, template_folder)
     except CannotRenderError as error:
         return Rendered(None, (error.diagnostic,))
     return Rendered(FileSet.single(".py", text.encode()))
