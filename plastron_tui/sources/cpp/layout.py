@@ -156,20 +156,16 @@ def lay_out(source: str) -> str:
     """
     lines: list[str] = []
     for line in map(str.rstrip, source.split("\n")):
-        before = lines[-1] if lines else "{"
-        if not line and (not before or (before.lstrip() in _OPENS and not _is_namespace(lines))):
+        if not line and (not lines or not lines[-1] or _opens(lines)):
             continue
-        closes = line.lstrip().startswith("}") and not line.startswith("}  //")
-        if closes and lines and not lines[-1]:
-            line.lstrip().startswith("}")
-            and lines
-            and not lines[-1]
-            and not line.startswith("}  //")
-        ):
+        is_end = line.lstrip().startswith("}") and not line.startswith("}  //")
+        if is_end and lines and not lines[-1]:
             lines.pop()
         lines.append(line)
     return fit("\n".join(lines).strip("\n") + "\n")
 
 
-def _is_namespace(lines: list[str]) -> bool:
-    return len(lines) > 1 and lines[-2].startswith("namespace ")
+def _opens(lines: list[str]) -> bool:
+    """Tell whether the last line opens a block, that of a namespace apart."""
+    is_namespace = len(lines) > 1 and lines[-2].startswith("namespace ")
+    return lines[-1].lstrip() in _OPENS and not is_namespace
