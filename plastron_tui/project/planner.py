@@ -8,7 +8,7 @@ from dataclasses import replace
 from pathlib import Path, PurePath
 from typing import TYPE_CHECKING
 
-from plastron_tui.diagnostics import Diagnostic, Span, codes, has_errors
+from plastron_tui.diagnostics import Diagnostic, Span, codes, either, has_errors
 from plastron_tui.model.libraries import written_libraries
 from plastron_tui.project.configuration import Configuration
 from plastron_tui.targets import LIBRARIES, has_target
@@ -370,5 +370,5 @@ def _unsupported(generation: Generation) -> Diagnostic:
         codes.UNSUPPORTED_TARGET,
         f"plastron cannot generate `{generation.library}` yet",
         generation.span,
-        help=f"use {' or '.join(written_libraries(LIBRARIES))}",
+        help=f"use {either(written_libraries(LIBRARIES))}",
     )

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from plastron_tui.diagnostics import either
 from plastron_tui.model.libraries import written_libraries
 from plastron_tui.ros.installations import Installation, present
 from plastron_tui.targets import LIBRARIES, has_target, ros_version
@@ -45,7 +46,7 @@ class LibraryKind(Kind):
 
 def _written() -> str:
     """Name the libraries that are written, each with its ROS."""
-    return " or ".join(f"{n} (ROS {ros_version(n)})" for n in written_libraries(LIBRARIES))
+    return either(f"{n} (ROS {ros_version(n)})" for n in written_libraries(LIBRARIES))
 
 
 def _why(ask: Ask, default: str) -> str:
