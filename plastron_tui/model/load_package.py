@@ -84,11 +84,7 @@ def _check_version(run: Run, statement: st.Contains, source: PackageSource, node
     if version == source.ros_version:
         return
     libraries = run.setting.libraries.values()
-    fitting = [
-        each.name
-        for each in libraries
-        if each.is_written and each.ros_version == source.ros_version
-    ]
+    fitting = [each.name for each in libraries if each.ros_version == source.ros_version]
     raise Mistake(
         Diagnostic(
             codes.OTHER_ROS,

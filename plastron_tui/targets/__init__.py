@@ -23,11 +23,11 @@ if TYPE_CHECKING:
 
 
 class _Own(NamedTuple):
-    """A client library of Plastron's own: where its target is, "" for one that is to come."""
+    """A client library of Plastron's own, and where its target is."""
 
     ros_version: int
     language: str
-    target: str = ""
+    target: str
 
 
 _OWN = {
@@ -40,10 +40,6 @@ _OWN = {
 }
 
 
-PLANNED = tuple(name for name, own in _OWN.items() if not own.target)
-"""The client libraries that are words of the language, and that nothing writes yet."""
-
-
 class _Libraries(Libraries):
     """The names that are known to Plastron, then those of other distributions."""
 
@@ -52,12 +48,12 @@ class _Libraries(Libraries):
         if own is not None:
             language = find_language(own.language)
             title, is_keyword = language.title, language.is_keyword
-            return ClientLibrary(name, own.ros_version, title, is_keyword, bool(own.target))
+            return ClientLibrary(name, own.ros_version, title, is_keyword)
         target = find_target(name)
         if target is None:
             raise KeyError(name)
         language = target.language
-        return ClientLibrary(name, target.ros_version, language.title, language.is_keyword, True)
+        return ClientLibrary(name, target.ros_version, language.title, language.is_keyword)
 
     def __contains__(self, name: object) -> bool:
         return name in _OWN or (isinstance(name, str) and has_target(name))
@@ -94,8 +90,6 @@ def find_target(name: str, template_folder: Path | None = None) -> Target | None
         from .plugins import make_target
 
         return make_target(name, template_folder)
-    if not own.target:
-        return None
     module, attribute = own.target.split(":")
     target: Target = getattr(import_module(module), attribute)(template_folder)
     return target
@@ -108,9 +102,8 @@ def ros_version(name: str) -> int:
 
 def has_target(name: str) -> bool:
     """Tell whether there is a target of a client library, without loading it."""
-    own = _OWN.get(name)
-    if own is not None:
-        return bool(own.target)
+    if name in _OWN:
+        return True
     from .plugins import registered
 
     return name in registered()
