@@ -53,6 +53,11 @@ class Target:
     writes_managed: ClassVar[bool] = False
     package_folder: ClassVar[str] = "src"
 
+    def plugin_class(self, node: Node) -> str | None:
+        """Return the class that another process loads a node as; None for one with its own."""
+        del node
+        return None
+
     def packaged(self, home: Home, name: str) -> str:
         """Return where a node's file is in a folder of packages, by the file's name."""
         usual = self.package_folder.format(home.package)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from typing import ClassVar
 
 from plastron_tui.sources.base import Language
@@ -19,13 +20,27 @@ _KEYWORDS = """
 """
 
 
+_INCLUDE = re.compile(rb"""^[ \t]*#[ \t]*include[ \t]*[<"]([\w.+-]+/[\w./+-]+)[>"]""", re.MULTILINE)
+
+# Folders of headers that come with a compiler and the C library of a system.
+_OF_SYSTEM = frozenset(
+    {"arpa", "asm", "bits", "experimental", "linux", "net", "netinet", "sys", "..", "."}
+)
+
+
 class Cpp(Language):
     """C++, as ROS nodes are written in it."""
 
     name: ClassVar[str] = "cpp"
     title: ClassVar[str] = "C++"
+    is_built: ClassVar[bool] = True
     suffixes: ClassVar[tuple[str, ...]] = (".cpp", ".cc", ".cxx", ".hpp", ".h")
 
     def is_keyword(self, word: str) -> bool:
         """Tell whether a word is a keyword, or an alternative spelling of an operator."""
         return word in _KEYWORDS.split()
+
+    def imports(self, text: bytes) -> frozenset[str]:
+        """Return the headers that a text includes from folders: `std_msgs/msg/string.hpp`."""
+        found = (each.decode("ascii") for each in _INCLUDE.findall(text))
+        return frozenset(each for each in found if each.partition("/")[0] not in _OF_SYSTEM)
