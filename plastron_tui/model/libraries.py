@@ -15,6 +15,7 @@ class ClientLibrary(NamedTuple):
         language: the language of its nodes, as people call it.
         is_keyword: tells whether a word is reserved in that language.
         is_written: whether nodes can be generated for it.
+        is_built: whether a package has to build its nodes before they can be started.
     """
 
     name: str
@@ -22,6 +23,7 @@ class ClientLibrary(NamedTuple):
     language: str
     is_keyword: Callable[[str], bool]
     is_written: bool
+    is_built: bool = False
 
 
 Libraries = Mapping[str, ClientLibrary]

@@ -62,7 +62,8 @@ class Target:
         """Return where a node's file is in a folder of packages, by the file's name."""
         usual = self.package_folder.format(home.package)
         folder = usual if home.folder is None else home.folder
-        return "/".join(part for part in (home.package, folder, name) if part)
+        package = "" if home.is_output else home.package
+        return "/".join(part for part in (package, folder, name) if part)
 
     def unwritable(self, node: Node) -> Diagnostic | None:
         """Return what of a node the client library has no means for, None where it has all."""

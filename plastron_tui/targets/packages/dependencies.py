@@ -76,6 +76,8 @@ def _named(spec: PackageSpec) -> tuple[set[str], set[str], tuple[Diagnostic, ...
 
 def _for_tests(spec: PackageSpec) -> set[str]:
     """Return what the tests import, and what their build files find."""
+    if spec.is_bare:
+        return set()
     if spec.ros_version == 1:
         nodes = {"python3-pytest", "rosgraph", "rosmaster"} if spec.scripts else set()
         return nodes | ({"roslaunch"} if spec.launches else set())

@@ -63,7 +63,7 @@ def render_package(spec: PackageSpec) -> RenderedPackage:
     build = spec.builds
     files = {
         "package.xml": package_xml(spec, dependencies, [_WITH_TYPES] if spec.builds_types else ()),
-        **_about(spec),
+        **({} if spec.is_bare else _about(spec)),
         **{f"launch/{each.name}": each.text for each in spec.launches},
         **{f"config/{each.name}": each.text for each in spec.configs},
     }
@@ -83,13 +83,14 @@ def render_package(spec: PackageSpec) -> RenderedPackage:
         files |= {each.path: each.text for each in spec.definitions}
     if build in (BuildType.AMENT_PYTHON, BuildType.AMENT_CMAKE_PYTHON):
         files[f"{spec.modules}/__init__.py"] = b""
-    files |= _tests(spec)
+    if not spec.is_bare:
+        files |= _tests(spec)
     rendered = {path: PackageFile(text) for path, text in files.items()}
     for node in spec.nodes:
         path = node_path(spec, node)
         rendered[path] = PackageFile(node.text, node.language.is_executable)
-        for name, text in node.others:
-            rendered[normpath(f"{PurePosixPath(path).parent}/{name}")] = PackageFile(text)
+        for other, (_, text) in zip(node_paths(spec, node)[1:], node.others, strict=True):
+            rendered[other] = PackageFile(text)
     return RenderedPackage(dict(sorted(rendered.items())), (*problems, *unknown))
 
 
@@ -97,6 +98,13 @@ def node_path(spec: PackageSpec, node: PackagedNode) -> str:
     """Return where the file of a node stands in its package."""
     folder = SOURCE_FOLDER if node.is_built else spec.modules
     return str(PurePosixPath(folder, node.file))
+
+
+def node_paths(spec: PackageSpec, node: PackagedNode) -> tuple[str, ...]:
+    """Return where all files of a node stand in its package, the one of `node_path` first."""
+    path = node_path(spec, node)
+    folder = PurePosixPath(path).parent
+    return (path, *(normpath(f"{folder}/{name}") for name, _ in node.others))
 
 
 def interfaces_of(spec: PackageSpec) -> PackageSpec | None:
@@ -228,6 +236,7 @@ def _filled(spec: PackageSpec, template: str) -> bytes:
         "services": of(InterfaceKind.SERVICE),
         "actions": of(InterfaceKind.ACTION),
         "definitions": sorted(each.path for each in spec.definitions),
+        "has_tests": not spec.is_bare,
         **_built_values(spec),
         "modules": spec.modules,
         "with_python": spec.builds is BuildType.AMENT_CMAKE_PYTHON,

@@ -134,6 +134,7 @@ class PackageSpec:
         packages: the packages with interface types that are known, to tell imports by.
         build_type: how it is built; None for the one that its contents ask for.
         builds_types: whether its types of ROS 2 are built with it, not in a package beside it.
+        is_bare: whether it is no more than what builds its nodes, for nobody said what it is.
         span: the statement that creates it.
     """
 
@@ -151,6 +152,7 @@ class PackageSpec:
     packages: frozenset[str] = frozenset()
     build_type: BuildType | None = None
     builds_types: bool = False
+    is_bare: bool = False
     span: Span | None = None
 
     @property
