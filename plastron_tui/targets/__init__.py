@@ -33,9 +33,10 @@ class _Own(NamedTuple):
 _OWN = {
     "rospy": _Own(1, "python", "plastron_tui.targets.python.rospy:RospyTarget"),
     "rclpy": _Own(2, "python", "plastron_tui.targets.python.rclpy:RclpyTarget"),
-    "roscpp": _Own(1, "cpp"),
-    "rclcpp": _Own(2, "cpp"),
-    "nodelet": _Own(1, "cpp"),
+    "roscpp": _Own(1, "cpp", "plastron_tui.targets.cpp.roscpp:RoscppTarget"),
+    "nodelet": _Own(1, "cpp", "plastron_tui.targets.cpp.nodelet:NodeletTarget"),
+    "rclcpp": _Own(2, "cpp", "plastron_tui.targets.cpp.rclcpp:RclcppTarget"),
+    "component": _Own(2, "cpp", "plastron_tui.targets.cpp.component:ComponentTarget"),
 }
 
 

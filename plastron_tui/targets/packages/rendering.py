@@ -303,4 +303,4 @@ def _test_of(node: PackagedNode) -> str:
 
 
 def _render(name: str, values: Mapping[str, object]) -> bytes:
-    return render_template("package", None, name, values).encode()
+    return render_template(("package",), None, name, values).encode()

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from plastron_tui.model.kinds import Timer
-from plastron_tui.sources.python import naming
+from plastron_tui.sources import naming
 
-from ..plan import NodePlan
 from .periods import planned_timer
+from .plan import NodePlan
 from .writing import Writing
 
 

@@ -5,9 +5,9 @@ from __future__ import annotations
 from plastron_tui.diagnostics import codes
 from plastron_tui.model.kinds import ActionClient, ActionServer
 from plastron_tui.ros.interfaces import InterfaceKind
-from plastron_tui.sources.python import naming
+from plastron_tui.sources import naming
 
-from ..plan import ActionServerPlan, ClientPlan, NodePlan, WorkPlan
+from .plan import ActionServerPlan, ClientPlan, NodePlan, WorkPlan
 from .writing import Writing
 
 
@@ -17,19 +17,22 @@ def add_action_servers(writing: Writing, plan: NodePlan) -> None:
         type_ = writing.known(server.type, InterfaceKind.ACTION, server.name, server.span)
         name = naming.words(server.name)
         method = server.callback or writing.attributes.new(f"execute_{name}")
-        if any(each.method == method for each in plan.action_servers) or method in writing.methods:
+        if method in {
+            *(each.method for each in plan.action_servers),
+            *(each.name for each in writing.methods.values()),
+        }:
             message = f"`{method}` cannot work on `{server.name}` and do its other work"
             writing.refuse(codes.INVALID_FUNCTION, message, server.span, "give it another name")
         plan.action_servers.append(
             ActionServerPlan(
-                attribute=writing.attributes.new(f"{name}_{writing.dialect.serving}"),
+                attribute=writing.attributes.new(f"{name}_{writing.serving}"),
                 name=writing.name(server),
                 label=naming.label(server.name, method),
                 type=writing.class_of(type_, InterfaceKind.ACTION),
                 method=method,
-                feedback=f"{writing.part_of(type_, InterfaceKind.ACTION, 'Feedback')}()",
+                feedback=writing.empty(type_, InterfaceKind.ACTION, "Feedback"),
                 server=writing.held(f"{name}_server"),
-                result=f"{writing.part_of(type_, InterfaceKind.ACTION, 'Result')}()",
+                result=writing.empty(type_, InterfaceKind.ACTION, "Result"),
             )
         )
 

@@ -1,19 +1,12 @@
-"""The plan of a whole file, from a node and the types that its library has."""
+"""The plan of a whole Python file, from a node and the types that its library has."""
 
 from __future__ import annotations
-
-from collections.abc import Callable
 
 from plastron_tui.diagnostics import Diagnostic, codes
 from plastron_tui.model.kinds import (
     ActionClient,
     ActionServer,
     Client,
-    Parameter,
-    Publisher,
-    Service,
-    Subscription,
-    Timer,
     callback_of,
 )
 from plastron_tui.model.workspace import Node
@@ -21,38 +14,11 @@ from plastron_tui.ros.catalog import Catalog
 from plastron_tui.sources.python import literals, naming
 from plastron_tui.sources.python.dialect import Dialect
 from plastron_tui.sources.python.import_block import Imports, Symbol
+from plastron_tui.targets.planning import plan_parts, summary
+from plastron_tui.targets.planning.plan import NodePlan
+from plastron_tui.targets.planning.writing import CannotPlanError
 
-from ..plan import NodePlan
-from .actions import add_action_client, add_action_servers
-from .parameters import add_parameters
-from .services import add_client, add_services
-from .timers import add_timers
-from .topics import add_publishers, add_subscriptions
-from .writing import AS_FLOAT32, CannotPlanError, Writing
-
-
-def _add_clients(writing: Writing, plan: NodePlan) -> None:
-    """Plan what a node asks of others, in the order of the program."""
-    node = writing.node
-    clients: list[Client | ActionClient] = [*node.of(Client).values()]
-    clients += node.of(ActionClient).values()
-    for client in sorted(clients, key=lambda each: each.span.start if each.span else 0):
-        if isinstance(client, Client):
-            add_client(writing, plan, client)
-        else:
-            add_action_client(writing, plan, client)
-
-
-_PARTS: tuple[Callable[[Writing, NodePlan], None], ...] = (
-    add_parameters,
-    add_publishers,
-    add_subscriptions,
-    add_services,
-    add_action_servers,
-    _add_clients,
-    add_timers,
-)
-"""What plans each group of what a node has, in the order in which names are given."""
+from .writing import AS_FLOAT32, PythonWriting
 
 
 class Planner:
@@ -86,11 +52,10 @@ class Planner:
         plan = NodePlan(literals.string(node.name), naming.label(node.name, "of this file"))
         plan.is_managed = node.is_managed
         given = {name for each in node.endpoints.values() if (name := callback_of(each))}
-        writing = Writing(node, self._catalog, dialect, imports, given)
+        writing = PythonWriting(node, self._catalog, dialect, imports, given)
         _check_names(writing)
-        for add in _PARTS:
-            add(writing, plan)
-        plan.summary = _summary(node)
+        plan_parts(writing, plan)
+        plan.summary = summary(node)
         symbols = _symbols(dialect, plan)
         plan.functions = frozenset(writing.functions)
         taken = imports.names() | dialect.reserved(symbols)
@@ -99,7 +64,7 @@ class Planner:
         return plan, imports
 
 
-def _check_names(writing: Writing) -> None:
+def _check_names(writing: PythonWriting) -> None:
     """Refuse what the program calls its functions where that can be no method."""
     dialect, node = writing.dialect, writing.node
     reserved = dialect.method_names | dialect.attribute_names
@@ -145,33 +110,3 @@ def _symbols(dialect: Dialect, plan: NodePlan) -> tuple[Symbol, ...]:
     if plan.waits:
         symbols += dialect.task_symbols
     return symbols
-
-
-_LONGEST = 78
-"""How long what a node does may be said, in characters: it has to go on one line."""
-
-
-def _summary(node: Node) -> str:
-    """Return what a node does, as a sentence."""
-    parts = [
-        ("publishes messages", node.of(Publisher)),
-        ("listens to messages", node.of(Subscription)),
-        ("provides services", node.of(Service)),
-        ("calls services", node.of(Client)),
-        ("provides actions", node.of(ActionServer)),
-        ("sends goals", node.of(ActionClient)),
-        ("repeats functions", node.of(Timer)),
-        ("has parameters", node.of(Parameter)),
-    ]
-    does = [text for text, has in parts if has] or ["does nothing yet"]
-    said = len(does)
-    text = _sentence(does)
-    while len(text) > _LONGEST:
-        said -= 1
-        text = _sentence([*does[:said], "more"])
-    return text
-
-
-def _sentence(does: list[str]) -> str:
-    text = does[0] if len(does) == 1 else f"{', '.join(does[:-1])} and {does[-1]}"
-    return f"{text[0].upper()}{text[1:]}."

@@ -1,7 +1,7 @@
-"""What the template of a Python node is given: names, literals and types, ready to be written.
+"""What the template of a node is given: names, literals and types, ready to be written.
 
-Every string in a plan is Python source: a literal, an identifier, or an expression made of both.
-The exceptions are the labels, which hold plain characters only.
+Every string in a plan is source code of the node's language: a literal, an identifier, or code made
+of both. The exceptions are the labels, which hold plain characters only.
 """
 
 from __future__ import annotations
@@ -90,12 +90,14 @@ class OncePlan(NamedTuple):
 class ReactionPlan(NamedTuple):
     """The messages that a publisher sends for those of a topic, called `received`.
 
-    `condition` is "" where they are sent for each, `compared` what of it may not be there.
+    `type` is the class of `received`. `condition` is "" where they are sent for each, `compared`
+    what of it may not be there.
     """
 
     publisher: str
     method: str
     topic: str
+    type: str
     heard: str
     label: str
     sends: tuple[SendPlan, ...]
@@ -120,6 +122,8 @@ class ParameterPlan(NamedTuple):
         descriptor: what describes it (ROS 2), "" for nothing.
         check: what holds of a `value` that is one of it (ROS 1).
         wanted: what a value is to be, in words.
+        type: the type of its value, "" in a language that needs none.
+        is_own: whether it is one of the node, and not of the whole ROS 1.
     """
 
     name: str
@@ -130,6 +134,8 @@ class ParameterPlan(NamedTuple):
     descriptor: str
     check: str
     wanted: str
+    type: str = ""
+    is_own: bool = False
 
 
 @dataclass(frozen=True, slots=True)
@@ -163,6 +169,7 @@ class MethodPlan:
     Attributes:
         name: what it is called.
         label: the topic or the service, as prose.
+        type: the class of what it is called with.
         response: what a handler answers.
         answer: what the program says that it answers, "" where it says nothing.
         unsure: what is computed in the answer that may not be there, or fit no field, "" for
@@ -172,6 +179,7 @@ class MethodPlan:
 
     name: str
     label: str
+    type: str
     response: str = ""
     answer: str = ""
     unsure: str = ""

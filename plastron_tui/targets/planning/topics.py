@@ -8,11 +8,10 @@ from typing import NamedTuple
 
 from plastron_tui.model.kinds import Condition, Publication, Publisher, Rate, Subscription
 from plastron_tui.ros.interfaces import Field, InterfaceKind
-from plastron_tui.ros.qos import Qos
-from plastron_tui.sources.python import naming
-from plastron_tui.sources.python.qos_code import new_keywords, profile
+from plastron_tui.sources import naming
 
-from ..plan import (
+from .periods import planned_timer
+from .plan import (
     MethodPlan,
     NodePlan,
     OncePlan,
@@ -21,7 +20,6 @@ from ..plan import (
     SendPlan,
     SubscriptionPlan,
 )
-from .periods import planned_timer
 from .writing import Writing
 
 
@@ -38,7 +36,7 @@ def add_publishers(writing: Writing, plan: NodePlan) -> None:
         name = naming.words(publisher.name)
         attribute = writing.attributes.new(f"{name}_publisher")
         type_ = writing.message_class(publisher.type, publisher.name, publisher.span)
-        qos = _qos(writing, publisher.qos, is_publisher=True)
+        qos = writing.quality(publisher.qos, is_publisher=True)
         plan.publishers.append(PublisherPlan(attribute, writing.name(publisher), type_, qos))
         label = naming.label(publisher.name, "its topic")
         by_rate: dict[Rate, list[Publication]] = defaultdict(list)
@@ -64,6 +62,7 @@ def add_publishers(writing: Writing, plan: NodePlan) -> None:
                     publisher=attribute,
                     method=writing.attributes.new(f"publish_{name}"),
                     topic=reaction.topic,
+                    type=_heard_class(writing, reaction.topic),
                     heard=naming.label(reaction.topic, "its topic"),
                     label=label,
                     sends=_sends(writing, publisher, found, heard),
@@ -75,7 +74,7 @@ def add_publishers(writing: Writing, plan: NodePlan) -> None:
             new = writing.attributes.new
             method, waiting = new(f"publish_{name}"), new(f"{name}_timer")
             sends = _sends(writing, publisher, once)
-            rest = (new(f"{name}_is_heard"), "") if writing.is_rclpy else ("", new(f"await_{name}"))
+            rest = (new(f"{name}_is_heard"), "") if writing.is_ros2 else ("", new(f"await_{name}"))
             plan.once.append(OncePlan(attribute, method, waiting, label, sends, *rest))
 
 
@@ -86,6 +85,12 @@ def _sends(
     heard: Sequence[Field] = (),
 ) -> tuple[SendPlan, ...]:
     return tuple(writing.send(each.message.value, publisher.span, heard) for each in found)
+
+
+def _heard_class(writing: Writing, topic: str) -> str:
+    """Write the class of the messages of a topic that the node subscribes to."""
+    subscription = writing.node.of(Subscription)[topic]
+    return writing.message_class(subscription.type, topic, subscription.span)
 
 
 def _heard(writing: Writing, topic: str) -> Sequence[Field]:
@@ -119,22 +124,15 @@ def add_subscriptions(writing: Writing, plan: NodePlan) -> None:
                 writing.name(subscription),
                 type_,
                 callback,
-                _qos(writing, subscription.qos, is_publisher=False),
+                writing.quality(subscription.qos, is_publisher=False),
                 writing.held(f"{naming.words(subscription.name)}_subscription"),
             )
         )
         reactions = tuple(each.method for each in plan.reactions if each.topic == subscription.name)
-        known = writing.methods.get(callback)
+        key = writing.method_key(callback, type_)
+        known = writing.methods.get(key)
         if known is None:
-            known = MethodPlan(callback, naming.label(subscription.name, callback))
-            writing.methods[callback] = known
+            known = MethodPlan(callback, naming.label(subscription.name, callback), type_)
+            writing.methods[key] = known
             plan.callbacks.append(known)
         known.reactions += reactions
-
-
-def _qos(writing: Writing, qos: Qos | None, *, is_publisher: bool) -> str:
-    """Write what a publisher or a subscription is given behind the rest, "" for nothing."""
-    if writing.is_rclpy:
-        return profile(qos or Qos(), writing.imports.use)
-    found = new_keywords(qos, is_publisher=is_publisher)
-    return ", ".join(f"{name}={value}" for name, value in found.items())

@@ -7,10 +7,10 @@ from collections import defaultdict
 from plastron_tui.diagnostics import codes
 from plastron_tui.model.kinds import Client, Rate, Service
 from plastron_tui.ros.interfaces import InterfaceKind
-from plastron_tui.sources.python import naming
+from plastron_tui.sources import naming
 
-from ..plan import ClientPlan, MethodPlan, NodePlan, ServicePlan, WorkPlan
 from .periods import planned_timer
+from .plan import ClientPlan, MethodPlan, NodePlan, ServicePlan, WorkPlan
 from .writing import Writing
 
 
@@ -21,7 +21,7 @@ def add_services(writing: Writing, plan: NodePlan) -> None:
         handler = service.callback
         if handler is None:
             handler = writing.attributes.new(f"handle_{naming.words(service.name)}")
-        response = writing.dialect.response(type_, writing.imports)
+        response = writing.empty_response(type_)
         answer, unsure = "", ""
         if service.answer is not None:
             answer = response = writing.response(type_, service.answer, service.span)
@@ -29,11 +29,12 @@ def add_services(writing: Writing, plan: NodePlan) -> None:
         class_ = writing.class_of(type_, InterfaceKind.SERVICE)
         attribute = writing.held(f"{naming.words(service.name)}_service")
         plan.services.append(ServicePlan(writing.name(service), class_, handler, attribute))
-        known = writing.methods.get(handler)
+        key = writing.method_key(handler, class_)
+        known = writing.methods.get(key)
         if known is None:
             label = naming.label(service.name, handler)
-            method = MethodPlan(handler, label, response, answer, unsure)
-            writing.methods[handler] = method
+            method = MethodPlan(handler, label, class_, response, answer, unsure)
+            writing.methods[key] = method
             plan.handlers.append(method)
         elif known.response != response:
             message = f"`{handler}` cannot answer `{service.name}` and do its other work"
@@ -60,7 +61,7 @@ def add_client(writing: Writing, plan: NodePlan, client: Client) -> None:
         )
         if rate is not None:
             repeat = writing.attributes.new(f"repeat_{name}")
-            task = writing.attributes.new(f"{name}_calls") if writing.is_rclpy else ""
+            task = writing.attributes.new(f"{name}_calls") if writing.is_ros2 else ""
             work = work._replace(repeat=repeat, task=task)
             plan.timers.append(planned_timer(writing, rate, repeat, f"{name}_timer"))
         plan.works.append(work)
