@@ -14,12 +14,18 @@ class ClientLibrary(NamedTuple):
         ros_version: the generation of ROS that it is for, 1 or 2.
         language: the language of its nodes, as people call it.
         is_keyword: tells whether a word is reserved in that language.
+    <<<<<<< HEAD
+    =======
+        is_written: whether nodes can be generated for it.
+        is_built: whether a package has to build its nodes before they can be started.
+    >>>>>>> h/packages
     """
 
     name: str
     ros_version: int
     language: str
     is_keyword: Callable[[str], bool]
+    is_built: bool = False
 
 
 Libraries = Mapping[str, ClientLibrary]

@@ -47,13 +47,24 @@ class _Libraries(Libraries):
         own = _OWN.get(name)
         if own is not None:
             language = find_language(own.language)
-            title, is_keyword = language.title, language.is_keyword
-            return ClientLibrary(name, own.ros_version, title, is_keyword)
+            return ClientLibrary(
+                name,
+                own.ros_version,
+                language.title,
+                language.is_keyword,
+                language.is_built,
+            )
         target = find_target(name)
         if target is None:
             raise KeyError(name)
         language = target.language
-        return ClientLibrary(name, target.ros_version, language.title, language.is_keyword)
+        return ClientLibrary(
+            name,
+            target.ros_version,
+            language.title,
+            language.is_keyword,
+            language.is_built,
+        )
 
     def __contains__(self, name: object) -> bool:
         return name in _OWN or (isinstance(name, str) and has_target(name))
