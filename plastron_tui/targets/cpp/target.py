@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from pathlib import Path
 from typing import ClassVar
 
 from plastron_tui.diagnostics import Diagnostic
 from plastron_tui.model.kinds import EDITABLE, EndpointKind
-from plastron_tui.model.source import FileSet
+from plastron_tui.model.source import Change, FileSet, SourceUnit
 from plastron_tui.model.workspace import Node
 from plastron_tui.ros.catalog import Catalog
 from plastron_tui.sources import find_language
@@ -69,6 +70,12 @@ class CppTarget(Target):
         except CannotRenderError as error:
             return Rendered(None, (error.diagnostic,))
         return Rendered(FileSet(tuple((name, text.encode()) for name, text in files)))
+
+    def edit(self, source: SourceUnit, changes: Sequence[Change], catalog: Catalog) -> Rendered:
+        """Change the files of a unit by splices."""
+        from plastron_tui.sources.cpp.editing import edit_cpp  # loads tree-sitter-cpp
+
+        return edit_cpp(source, changes, catalog)
 
     def _text(self, template: str, values: dict[str, object]) -> str:
         folders = self.dialect.template_folders
