@@ -9,10 +9,9 @@ from functools import cached_property
 from pathlib import Path, PurePath
 from typing import TYPE_CHECKING
 
-from plastron_tui.diagnostics import Diagnostic, Span, codes, has_errors
-from plastron_tui.model.libraries import written_libraries
+from plastron_tui.diagnostics import Diagnostic, Span, codes, either, has_errors
 from plastron_tui.project.configuration import Configuration
-from plastron_tui.targets import LIBRARIES, has_target
+from plastron_tui.targets import LIBRARIES
 
 if TYPE_CHECKING:
     # To check a program takes no more of this than what nothing can write.
@@ -384,19 +383,10 @@ class Planner:
         return params_output(last.values(), path, configuration.output, manifest)
 
 
-def unwritten(generations: Sequence[Generation]) -> Iterator[Diagnostic]:
-    """Yield a diagnostic for each node whose client library nothing here can write."""
-    libraries = {generation.library for generation in generations}
-    missing = {library for library in libraries if not has_target(library)}
-    for generation in generations if missing else ():
-        if generation.library in missing:
-            yield _unsupported(generation)
-
-
 def _unsupported(generation: Generation) -> Diagnostic:
     return Diagnostic(
         codes.UNSUPPORTED_TARGET,
-        f"plastron cannot generate `{generation.library}` yet",
+        f"plastron cannot generate `{generation.library}`",
         generation.span,
-        help=f"use {' or '.join(written_libraries(LIBRARIES))}",
+        help=f"use {either(LIBRARIES)}",
     )

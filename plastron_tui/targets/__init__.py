@@ -23,11 +23,11 @@ if TYPE_CHECKING:
 
 
 class _Own(NamedTuple):
-    """A client library of Plastron's own: where its target is, "" for one that is to come."""
+    """A client library of Plastron's own, and where its target is."""
 
     ros_version: int
     language: str
-    target: str = ""
+    target: str
 
 
 _OWN = {
@@ -38,10 +38,6 @@ _OWN = {
     "rclcpp": _Own(2, "cpp", "plastron_tui.targets.cpp.rclcpp:RclcppTarget"),
     "component": _Own(2, "cpp", "plastron_tui.targets.cpp.component:ComponentTarget"),
 }
-
-
-PLANNED = tuple(name for name, own in _OWN.items() if not own.target)
-"""The client libraries that are words of the language, and that nothing writes yet."""
 
 
 class _Libraries(Libraries):
@@ -56,7 +52,6 @@ class _Libraries(Libraries):
                 own.ros_version,
                 language.title,
                 language.is_keyword,
-                bool(own.target),
                 language.is_built,
             )
         target = find_target(name)
@@ -68,7 +63,6 @@ class _Libraries(Libraries):
             target.ros_version,
             language.title,
             language.is_keyword,
-            True,
             language.is_built,
         )
 
@@ -107,8 +101,6 @@ def find_target(name: str, template_folder: Path | None = None) -> Target | None
         from .plugins import make_target
 
         return make_target(name, template_folder)
-    if not own.target:
-        return None
     module, attribute = own.target.split(":")
     target: Target = getattr(import_module(module), attribute)(template_folder)
     return target
@@ -121,9 +113,8 @@ def ros_version(name: str) -> int:
 
 def has_target(name: str) -> bool:
     """Tell whether there is a target of a client library, without loading it."""
-    own = _OWN.get(name)
-    if own is not None:
-        return bool(own.target)
+    if name in _OWN:
+        return True
     from .plugins import registered
 
     return name in registered()

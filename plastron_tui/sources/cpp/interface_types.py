@@ -27,3 +27,22 @@ def class_name(type_: InterfaceName, kind: InterfaceKind, ros_version: int) -> s
     """Return the class of a type."""
     folder = "" if ros_version == 1 else f"{kind.value}::"
     return f"{type_.package}::{folder}{type_.name}"
+
+
+_SCALARS = {
+    "bool": "bool",
+    "float32": "float",
+    "float64": "double",
+    "string": "std::string",
+    "wstring": "std::u16string",
+    "char": "uint8_t",
+    "time": "ros::Time",
+    "duration": "ros::Duration",
+}
+
+
+def scalar_class(name: str, ros_version: int) -> str:
+    """Return the C++ type of a primitive: `byte` is signed in ROS 1, and `bool` one of 8 bits."""
+    if ros_version == 1 and name in {"bool", "byte"}:
+        return "uint8_t" if name == "bool" else "int8_t"
+    return _SCALARS.get(name) or ("uint8_t" if name == "byte" else f"{name}_t")

@@ -3,8 +3,11 @@
 from __future__ import annotations
 
 import math
+import re
 
 _ESCAPES = {"\\": "\\\\", '"': '\\"', "\n": "\\n", "\r": "\\r", "\t": "\\t"}
+
+_TRIGRAPH = re.compile(r"(?<=\?)\?")
 
 _LARGEST_INT = 2**31 - 1
 _LARGEST_LONG = 2**63 - 1
@@ -24,9 +27,9 @@ def string(value: str) -> str:
 
 def quoted(value: str) -> str:
     """Write a string as a literal; a zero in it ends what C takes for the string."""
-    written = "".join(map(_character, value))
     # `??/` and its kin are other characters to C++14 and older.
-    return f'"{written.replace("??", "?" + chr(92) + "?")}"'
+    written = _TRIGRAPH.sub(r"\\?", "".join(map(_character, value)))
+    return f'"{written}"'
 
 
 def wide(value: str) -> str:

@@ -52,8 +52,8 @@ class CppWriting(Writing):
     def computing(self) -> Computing:
         """What writes the values that are known when they are sent."""
         # Not kept: each would hold the other, and only the cycle collector would free them.
-        given = self.catalog, self.ros_version, self.node.span
-        return Computing(*given, self._parameter_value, self.functions)
+        given = self.catalog, self.ros_version, self.node.span, self._parameter_value
+        return Computing(*given, self.functions)
 
     def held(self, attribute: str) -> str:
         """Name what holds a part of the node: what nothing holds is gone at once in C++."""
@@ -144,7 +144,7 @@ class CppWriting(Writing):
         self, target: str, type_: FieldType, value: Value, span: Span | None, received: str
     ) -> list[str]:
         if isinstance(value, Computed):
-            return [f"{target} = {self.computing.write(value, received, self._heard)};"]
+            return self.computing.set(target, value, received, self._heard)
         if isinstance(value, MessageValue):
             interface = self.find(value.type, InterfaceKind.MESSAGE, span)
             return self._fields(interface, interface.fields, value, span, f"{target}.", received)

@@ -83,8 +83,8 @@ class PythonWriting(Writing):
     def computing(self) -> Computing:
         """What writes the values that are known when they are sent."""
         # Not kept: each would hold the other, and only the cycle collector would free them.
-        given = self.catalog, self.dialect, self.node.span
-        return Computing(*given, self._parameter_value, self.functions)
+        given = self.catalog, self.ros_version, self.node.span, self._parameter_value
+        return Computing(*given, self.dialect, self.functions)
 
     def string(self, text: str) -> str:
         """Write a string."""
