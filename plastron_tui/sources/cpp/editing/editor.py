@@ -54,8 +54,8 @@ def edit_cpp(source: SourceUnit, changes: Sequence[Change], catalog: Catalog) ->
     except UnicodeEncodeError as error:
         character = error.object[error.start]
         message = f"`{source.path.name}` is in {error.encoding}, which has no `{character}`"
-        refusal = Diagnostic(codes.EDIT_REFUSED, message, help="save the file in UTF-8 first")
-        return Rendered(None, (refusal,))
+        found = Diagnostic(codes.EDIT_REFUSED, message, help="save the file in UTF-8 first")
+        return Rendered(None, (found,))
     problem = edits.problem()
     if problem is not None:
         message = f"the change of `{source.path.name}` would {problem}"
