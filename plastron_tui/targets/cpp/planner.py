@@ -60,12 +60,16 @@ def _overloaded(plan: NodePlan) -> frozenset[str]:
 
 def _has_private(plan: NodePlan) -> bool:
     """Tell whether a node of ROS 1 has private names: a handle of its own takes them."""
-    topics = (each.topic for each in (*plan.publishers, *plan.subscriptions))
-    others = (*plan.services, *plan.clients, *plan.action_servers, *plan.action_clients)
-    names = (*topics, *(each.name for each in others))
-    return any(each.is_own for each in plan.parameters) or any(
-        name.startswith('"~') for name in names
-    )
+    names = [
+        *(each.topic for each in plan.publishers),
+        *(each.topic for each in plan.subscriptions),
+        *(each.name for each in plan.services),
+        *(each.name for each in plan.clients),
+        *(each.name for each in plan.action_servers),
+        *(each.name for each in plan.action_clients),
+    ]
+    is_private = any(name.startswith('"~') for name in names)
+    return is_private or any(each.is_own for each in plan.parameters)
 
 
 def _check_names(writing: CppWriting) -> None:
