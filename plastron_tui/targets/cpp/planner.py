@@ -54,7 +54,8 @@ def plan_node(node: Node, catalog: Catalog, dialect: Dialect) -> CppPlan | Diagn
 def _overloaded(plan: NodePlan) -> frozenset[str]:
     """Return the names of several methods: `&Class::name` does not say which of them."""
     names = Counter(each.name for each in (*plan.callbacks, *plan.handlers))
-    names.update(each.method for each in (*plan.timers, *plan.action_servers))
+    names.update(each.method for each in plan.timers)
+    names.update(each.method for each in plan.action_servers)
     return frozenset(name for name, count in names.items() if count > 1)
 
 
