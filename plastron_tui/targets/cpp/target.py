@@ -58,6 +58,8 @@ class CppTarget(Target):
         values = {
             "node": plan.node,
             "headers": plan.headers,
+            "overloaded": plan.overloaded,
+            "has_private": plan.has_private,
             "namespace": namespace,
             "is_split": is_split,
             "header": f"{_namespace(node)}/{stem}.hpp" if is_split else "",
