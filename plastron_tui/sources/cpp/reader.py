@@ -31,6 +31,10 @@ _ROS2 = re.compile(
 )
 _COMPONENT = re.compile(rb"^[ \t]*RCLCPP_COMPONENTS_REGISTER_NODE(?:_WITH_\w+)?[ \t]*\(", re.M)
 
+_NODELET = re.compile(
+    rb"^[ \t]*PLUGINLIB_(?:EXPORT|DECLARE)_CLASS[ \t]*\([^;{}]*\bnodelet::Nodelet\b", re.M
+)
+
 LIBRARIES = {"roscpp": 1, "nodelet": 1, "rclcpp": 2, "component": 2}
 """The generations of ROS of the client libraries for C++."""
 
@@ -75,8 +79,9 @@ def _mentioned(files: FileSet) -> list[int]:
 def _library(analysis: Analysis) -> str:
     files = analysis.unit.files
     if analysis.ros_version == 1:
-        return "nodelet" if nodelets(analysis) else "roscpp"
-    is_component = any(_COMPONENT.search(file.syntax.code) for file in files[:1])
+        is_nodelet = any(_NODELET.search(file.syntax.text) for file in files[:1])
+        return "nodelet" if is_nodelet or nodelets(analysis) else "roscpp"
+    is_component = any(_COMPONENT.search(file.syntax.text) for file in files[:1])
     return "component" if is_component else "rclcpp"
 
 

@@ -18,6 +18,12 @@ MOST_BASES = 32
 _MUTATORS = ("append", "assign", "insert", "erase", "replace", "swap", "push_back", "clear")
 
 
+_CHANGE = re.compile(
+    rb"(?:>>\s*|(?<![&\w)\]])&\s*|\+\+\s*|--\s*)(?:this->)?([A-Za-z_]\w*)\b(?!\s*(?:::|\())"
+    rb"|\b([A-Za-z_]\w*)\s*(?:\+\+|--)"
+)
+
+
 class Write(NamedTuple):
     """What gives a variable a value.
 
@@ -263,20 +269,28 @@ class Unit:
                     found.add(last_name(call.receiver, call.scope))
         return found
 
+    @cached_property
+    def _changed(self) -> dict[str, list[tuple[CppFile, int]]]:
+        """Where something is counted up, read from a stream or handed out to be changed."""
+        found: dict[str, list[tuple[CppFile, int]]] = {}
+        for file in self.files:
+            for change in _CHANGE.finditer(file.syntax.code):
+                name = (change[1] or change[2]).decode("utf-8", "replace")
+                found.setdefault(name, []).append((file, change.start()))
+        return found
+
     def is_changed_unseen(self, variable: Variable) -> bool:
         """Whether something may change a variable that is neither an assignment nor a parameter."""
         if variable.is_const:
             return False
         if variable.name in self._mutated:
             return True
-        name = re.escape(variable.name.encode())
-        wanted = re.compile(
-            rb"(?:>>\s*|(?<![&\w)\]])&\s*)(?:this->)?" + name + rb"\b(?!\s*(?:::|\())"
-        )
+        changed = self._changed.get(variable.name, [])
+        if variable.kind in ("member", "global"):
+            return bool(changed)
+        around = variable.scope.enclosing("function") or variable.scope
         return any(
-            wanted.search(file.syntax.code)
-            for file in self.files
-            if file is variable.file or variable.kind in ("member", "global")
+            file is variable.file and around.start <= at < around.end for file, at in changed
         )
 
     def writes(self, variable: Variable) -> list[Write]:
@@ -301,11 +315,24 @@ class Unit:
             if self._is_it(variable, owner, holder, given, call.scope):
                 yield Write(call.node, None, call.scope, call)
         if owner is not None:
+            for defined in self._globals.get(variable.name, ()):
+                # `const std::string Names::TOPIC = "x";`
+                outer = self._outer_class(defined)
+                if outer is not None and self.derives_from(outer, owner):
+                    yield Write(defined.node, defined.value, defined.scope, None, defined.arguments)
             for node, listed, at in self.initialized.get(variable.name, ()):
                 of = self.class_of(at)
                 if of is not None and self.derives_from(of, owner):
                     value = listed[0] if len(listed) == 1 else None
                     yield Write(node, value, at, None, listed)
+
+    def _outer_class(self, variable: Variable) -> Scope | None:
+        """Return the class whose static member a variable outside of it defines."""
+        node = variable.declarator
+        if node is None or node.type != "qualified_identifier":
+            return None
+        text = "".join(variable.file.syntax.word(node).split())
+        return self.find_class(text.rpartition("::")[0], variable.scope)
 
     def _is_it(
         self, variable: Variable, owner: Scope | None, holder: Node | None, left: Node, at: Scope

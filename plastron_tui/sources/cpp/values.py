@@ -14,7 +14,7 @@ from tree_sitter import Node
 from plastron_tui.sources.work_limits import bounded
 
 from .arguments import Call, arguments_of, call_of
-from .literals import number_value, string_value, strings_value
+from .literals import number_value, replaced, string_value
 from .scopes import Function, Scope, Variable
 from .unit import Unit, Write, last_name
 
@@ -69,6 +69,8 @@ class Evaluator:
         self.unit = unit
         self.effort = unit.effort
         self._callers = callers
+        self._known: dict[Variable, Value | None] = {}
+        self._asked: set[Variable] = set()
 
     @bounded(None)
     def fold(self, node: Node | None, scope: Scope) -> Value | None:
@@ -157,22 +159,8 @@ class Evaluator:
 
     def _defined(self, name: str) -> Value | None:
         """Return the value of a macro."""
-        for _ in range(4):
-            texts = set(self.unit.defines.get(name, ()))
-            if len(texts) != 1:
-                return None
-            text = texts.pop().strip()
-            while text.startswith("(") and text.endswith(")"):
-                text = text[1:-1].strip()
-            if (joined := strings_value(text)) is not None:
-                return Value(joined)
-            sign = -1 if text.startswith("-") else 1
-            if (number := number_value(text.removeprefix("-").strip())) is not None:
-                return Value(sign * number)
-            if text in ("true", "false"):
-                return Value(text == "true")
-            name = text
-        return None
+        value = replaced(name, self.unit.defines)
+        return None if value is None else Value(value)
 
     def _qualified(self, node: Node, scope: Scope) -> Value | None:
         """Return the value of `Class::NAME` and `space::NAME`."""
@@ -275,9 +263,41 @@ class Evaluator:
         inner = statements[0].named_children
         return self.fold(inner[0], function.scope or function.place) if inner else None
 
-    @bounded(None)
     def variable(self, variable: Variable) -> Value | None:
         """Return the one value that a variable has wherever it can be asked for."""
+        is_bound = bool(self.unit.bindings or self.unit.items)
+        if not is_bound and variable in self._known:
+            return self._known[variable]
+        if variable in self._asked:
+            return None
+        self._asked.add(variable)
+        found = self._variable(variable)
+        self._asked.discard(variable)
+        if not is_bound and not self._asked:
+            self._known[variable] = found
+        return found
+
+    def before(self, node: Node, scope: Scope) -> Value | None:
+        """Return what an expression is worth before what is just looked at.
+
+        In `rate = declare_parameter("rate", rate)` the default is what the variable was before.
+        """
+        name = last_name(node, scope)
+        variable = self.unit.lookup(name, scope, node.start_byte) if name else None
+        if variable is not None and variable in self._asked:
+            return self._initial(variable)
+        return self.fold(node, scope)
+
+    def _initial(self, variable: Variable) -> Value | None:
+        """Return what a variable is made with."""
+        writes = self.unit.writes(variable)
+        first = [each for each in writes if each.node.type == "field_initializer"] or [
+            each for each in writes if each.node.id == variable.node.id
+        ]
+        return self._written(first[0], variable) if len(first) == 1 else None
+
+    @bounded(None)
+    def _variable(self, variable: Variable) -> Value | None:
         if variable.kind == "parameter":
             function = self._function_of(variable)
             return self._given(variable, function) if function is not None else None
@@ -287,6 +307,9 @@ class Evaluator:
         writes = self.unit.writes(variable)
         if not 0 < len(writes) <= MOST_WRITES or self.unit.is_changed_unseen(variable):
             return None
+        # An initializer of the constructor takes the place of that of the declaration.
+        if any(each.node.type == "field_initializer" for each in writes):
+            writes = [each for each in writes if each.node.id != variable.node.id]
         plain = [each for each in writes if each.call is None]
         found = [self._written(each, variable) for each in plain]
         # What is empty before it gets its value is never meant.
