@@ -19,7 +19,7 @@ from plastron_tui.language import Document, Program
 from plastron_tui.language.incremental_lowering import Lowered, lower_edited
 from plastron_tui.output.own_files import has_leftovers
 from plastron_tui.project.configuration import Configuration, Options
-from plastron_tui.project.planner import Planner, unwritten
+from plastron_tui.project.planner import Planner
 from plastron_tui.project.program_file import lines_of
 from plastron_tui.project.ros_choice import RosChoice
 from plastron_tui.project.settings import Project
@@ -252,12 +252,11 @@ class Session:
         """All that is wrong with the program, its project file, and the types that it uses."""
         # The types are read when the program is interpreted.
         meaning = self.interpret().diagnostics
-        missing = unwritten(self.workspace.generations)
         starts = () if has_errors(meaning) else start_problems(
             self.workspace, self.generate, self.output, self.library
         )  # fmt: skip
         left = (each for problems in self._files.problems.values() for each in problems)
-        return (*self.project_problems, *meaning, *starts, *missing, *left, *self.type_problems)
+        return (*self.project_problems, *meaning, *starts, *left, *self.type_problems)
 
     def lines(self, file: Path | None) -> LineIndex | None:
         """Return the lines of a file that a diagnostic is about; None is the program."""

@@ -20,7 +20,7 @@ from plastron_tui.project.program_file import (
 )
 from plastron_tui.session import Options, Session
 from plastron_tui.sources import own_languages
-from plastron_tui.targets import LIBRARIES, PLANNED
+from plastron_tui.targets import LIBRARIES
 
 from .other_files import other_file
 
@@ -67,7 +67,7 @@ target_option = click.option(
     "--target",
     "-t",
     type=_ClientLibrary(),
-    help=f"The client library of nodes that name none; {', '.join(PLANNED)}: not written yet.",
+    help="The client library of nodes that name none.",
 )
 
 

@@ -10,7 +10,7 @@ from .data import Diagnostic, Edit, Fix, Label, Span, has_errors, write
 from .lines import LineIndex, Position
 from .severity import Severity
 from .suggest import did_you_mean, guess
-from .wording import listed, shortened
+from .wording import either, listed, shortened
 
 __all__ = [
     "Code",
@@ -24,6 +24,7 @@ __all__ = [
     "Span",
     "codes",
     "did_you_mean",
+    "either",
     "guess",
     "has_errors",
     "listed",

@@ -46,3 +46,9 @@ def listed(names: Iterable[str]) -> str:
         else:
             shown.append(name)
     return ", ".join(shown) + (f" … and {left} more" if left else "")
+
+
+def either(names: Iterable[str]) -> str:
+    """Return names as what one may choose from: `a, b or c`."""
+    *first, last = names
+    return f"{', '.join(first)} or {last}" if first else last

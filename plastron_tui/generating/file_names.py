@@ -57,10 +57,13 @@ class FileNames(NamedTuple):
     def of(self, node: Node, target: Target) -> str:
         """Return the name of a node's main file: the one that it has, or what it is written to."""
         suffix = target.language.suffix
-        if node.home is not None:
-            return target.packaged(node.home, f"{node.home.stem}{suffix}")
+        home = node.home
+        if home is not None and not home.is_own:
+            return target.packaged(home, f"{home.stem}{suffix}")
         new = f"{node.name}{suffix}" if self.is_plain else target.file_name(node)
-        names = dict.fromkeys((new, *(f"{node.name}{ending}{suffix}" for ending in _ENDINGS)))
+        usual = (new, *(f"{node.name}{ending}{suffix}" for ending in _ENDINGS))
+        names = dict.fromkeys(usual if home is None else (target.packaged(home, x) for x in usual))
+        new = next(iter(names))
         held = {name: self._library(name, node) for name in names}
         own = (name for name, library in held.items() if library == target.name)
         # A node that is no longer written for another client library takes that file along.

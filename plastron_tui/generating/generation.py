@@ -211,10 +211,10 @@ class _Creation:
         unwritable = target.unwritable(node)
         if unwritable is not None:
             return _refused(self.generation, (unwritable,))
-        rendered = target.render(node, catalog)
+        name = self.writing.names.of(node, target)
+        rendered = target.render(_called(node, name), catalog)
         if rendered.files is None:
             return _refused(self.generation, rendered.diagnostics)
-        name = self.writing.names.of(node, target)
         base = remember(node, target.name, program)
         files = NodeFiles(
             name,
@@ -297,6 +297,7 @@ class _Creation:
         target, catalog = self.library
         node = self.generation.node.snapshot()
         base.home = node.home
+        base.file = node.file = path.name
         made = target.render(base, catalog).files
         if node.home is not None and made is not None:
             base.home = node.home = None
@@ -306,6 +307,11 @@ class _Creation:
             ):
                 made, mine = alone, target.render(node, catalog).files or mine
         return None if made is None else Sides(path, made, mine, present)
+
+
+def _called(node: Node, name: str) -> Node:
+    """Let a node know its file, by the file's name in the output folder: others may name it."""
+    return replace(node, file=PurePath(name).name)
 
 
 def _other_program(name: str, program: str, manifest: Manifest) -> str | None:

@@ -13,10 +13,39 @@ from plastron_tui.ros.packages import parse_maintainer
 from plastron_tui.targets.packages.spec import PackagedNode, PackageSpec
 
 if TYPE_CHECKING:
+    from plastron_tui.diagnostics import Span
     from plastron_tui.model.packages import Package
 
     from .apply_changes import Library
     from .generation import Generated
+
+
+def packaged_node(
+    executable: str, generated: Generated, libraries: Mapping[str, Library], span: Span
+) -> PackagedNode:
+    """Return a node as a package has it, by the files that are made for it.
+
+    Args:
+        executable: what one starts it by.
+        generated: its files.
+        libraries: the client libraries, by name.
+        span: the statement that puts it into the package.
+    """
+    assert generated.files is not None, "it can be written"
+    (_, main), *others = generated.files.files.texts
+    stem, library = PurePath(generated.files.name).stem, generated.generation.library
+    target, node = libraries[library].target, generated.generation.node
+    return PackagedNode(
+        executable,
+        stem,
+        main,
+        node,
+        target.language,
+        library,
+        span,
+        tuple((name.replace("{}", stem), text) for name, text in others),
+        target.plugin_class(node),
+    )
 
 
 def package_spec(
@@ -44,18 +73,7 @@ def package_spec(
         generated = by_variable.get(variable)
         if generated is None or generated.files is None or generated.files.files.main is None:
             return None
-        library = generated.generation.library
-        nodes.append(
-            PackagedNode(
-                contained.name,
-                PurePath(generated.files.name).stem,
-                generated.files.files.main,
-                generated.generation.node,
-                libraries[library].target.language,
-                library,
-                contained.span,
-            )
-        )
+        nodes.append(packaged_node(contained.name, generated, libraries, contained.span))
     first = libraries[nodes[0].library] if nodes else default
     maintainer, _ = parse_maintainer(package.maintainer)
     catalog = first.catalog

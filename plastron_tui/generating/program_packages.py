@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, NamedTuple
 from plastron_tui.diagnostics import Diagnostic, Label, codes
 from plastron_tui.model.launch_checks import unwritable, with_parameter_files
 from plastron_tui.model.launches import Launch, LaunchGeneration
-from plastron_tui.model.packages import nodes_folder
+from plastron_tui.model.packages import SCRIPTS_FOLDER, nodes_folder
 from plastron_tui.model.workspace import Node, Workspace
 from plastron_tui.ros.launch import Argument, items_of
 from plastron_tui.sources.launch.new_elements import CannotWriteError
@@ -18,7 +18,7 @@ from plastron_tui.targets.launch.python import write_python
 from plastron_tui.targets.launch.xml import write_xml
 from plastron_tui.targets.packages.rendering import (
     interfaces_of,
-    node_path,
+    node_paths,
     render_interfaces,
     render_package,
 )
@@ -34,6 +34,7 @@ from plastron_tui.targets.packages.spec import (
 from .launch_files import edited_launch, is_within, launch_output, name_within, packages_of
 from .loaded_types import refused_types
 from .own_definitions import Packaged, own_definitions, rendered_definitions, used_packages
+from .own_package import own_specs
 from .package_spec import package_spec
 
 if TYPE_CHECKING:
@@ -41,6 +42,7 @@ if TYPE_CHECKING:
 
     from plastron_tui.diagnostics import Span
     from plastron_tui.model.packages import Package
+    from plastron_tui.model.workspace import Generation
     from plastron_tui.output.plan import OutputFile
 
     from .apply_changes import Library
@@ -51,8 +53,9 @@ if TYPE_CHECKING:
 
 def _are_apart(spec: PackageSpec) -> bool:
     """Tell whether the nodes of a package leave its name to the module of its types."""
-    homes = (each.node.home for each in spec.nodes)
-    return all(home is not None and home.folder == nodes_folder(spec.name) for home in homes)
+    folders = (nodes_folder(spec.name), SCRIPTS_FOLDER)
+    homes = (each.node.home for each in spec.scripts)
+    return all(home is not None and home.folder in folders for home in homes)
 
 
 def _is_open(launch: Launch) -> bool:
@@ -80,6 +83,7 @@ class ProgramPackages:
         default: str,
         is_own: Callable[[Path], bool] = lambda _: False,
         *,
+        generations: Sequence[Generation] = (),
         python_launch: bool = False,
     ) -> None:
         """Set what it follows from.
@@ -90,11 +94,13 @@ class ProgramPackages:
             library_of: gives a client library by its name, None for one that nothing writes.
             default: the client library of what no node tells the ROS of.
             is_own: tells whether an earlier run wrote a file.
+            generations: all that the program generates, each with its place.
             python_launch: whether launch files of ROS 2 are written in Python.
         """
         self._workspace = workspace
         self._made = made
         self._is_own = is_own
+        self._generations = generations
         self._python_launch = python_launch
         names = dict.fromkeys((*(each.generation.library for each in made), default))
         found = {name: library_of(name) for name in names}
@@ -111,6 +117,7 @@ class ProgramPackages:
         last = {each.package.variable: each.package for each in self._workspace.written_packages}
         for part in (
             *(self._package(each) for each in last.values() if each.source is None),
+            *self._own_packages(),
             *self._definitions_alone(),
             *self._launches_alone(),
         ):
@@ -135,7 +142,7 @@ class ProgramPackages:
         else:
             spec = replace(spec, definitions=definitions.get(home, ()))
         rendered = render_package(spec)
-        nodes = {node_path(spec, each) for each in spec.nodes}
+        nodes = {path for each in spec.nodes for path in node_paths(spec, each)}
         files = {
             f"{spec.name}/{path}": file
             for path, file in (rendered.files or {}).items()
@@ -150,6 +157,18 @@ class ProgramPackages:
                 f"{interfaces.name}/{path}": file for path, file in (beside.files or {}).items()
             }
         return Made(files, tuple(found))
+
+    def _own_packages(self) -> Iterator[Made]:
+        """Make the packages of nodes that have to be built, and are in none that is named."""
+        for folder, spec in own_specs(self._made, self._generations, self._libraries):
+            rendered = render_package(spec)
+            nodes = {path for each in spec.nodes for path in node_paths(spec, each)}
+            files = {
+                "/".join(part for part in (folder, path) if part): file
+                for path, file in (rendered.files or {}).items()
+                if path not in nodes
+            }
+            yield Made(files, rendered.diagnostics)
 
     def _types_alone(self, spec: PackageSpec) -> Made:
         """Make a package that the program creates for nothing but types."""

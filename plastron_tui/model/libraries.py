@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Mapping
 from typing import NamedTuple
 
 
@@ -14,31 +14,24 @@ class ClientLibrary(NamedTuple):
         ros_version: the generation of ROS that it is for, 1 or 2.
         language: the language of its nodes, as people call it.
         is_keyword: tells whether a word is reserved in that language.
+    <<<<<<< HEAD
+    =======
         is_written: whether nodes can be generated for it.
+        is_built: whether a package has to build its nodes before they can be started.
+    >>>>>>> h/packages
     """
 
     name: str
     ros_version: int
     language: str
     is_keyword: Callable[[str], bool]
-    is_written: bool
+    is_built: bool = False
 
 
 Libraries = Mapping[str, ClientLibrary]
-"""Client libraries by name; the first that is written for a ROS is its default."""
+"""Client libraries by name; the first of a ROS is its default."""
 
 
 def default_library(libraries: Libraries, ros_version: int) -> str:
     """Return the client library of a generation of ROS where nobody names one."""
-    return next(_written(libraries, ros_version))
-
-
-def written_libraries(libraries: Libraries) -> list[str]:
-    """Return the names of the libraries that nodes can be generated for."""
-    return [each.name for each in libraries.values() if each.is_written]
-
-
-def _written(libraries: Libraries, ros_version: int) -> Iterator[str]:
-    for each in libraries.values():
-        if each.is_written and each.ros_version == ros_version:
-            yield each.name
+    return next(each.name for each in libraries.values() if each.ros_version == ros_version)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from plastron_tui.diagnostics import Diagnostic, Label, codes
+from plastron_tui.diagnostics import Diagnostic, Label, codes, either
 from plastron_tui.language import statements as st
 
 from .mistake import Mistake
@@ -84,18 +84,14 @@ def _check_version(run: Run, statement: st.Contains, source: PackageSource, node
     if version == source.ros_version:
         return
     libraries = run.setting.libraries.values()
-    fitting = [
-        each.name
-        for each in libraries
-        if each.is_written and each.ros_version == source.ros_version
-    ]
+    fitting = [each.name for each in libraries if each.ros_version == source.ros_version]
     raise Mistake(
         Diagnostic(
             codes.OTHER_ROS,
             f"the package `{source.name}` is for ROS {source.ros_version}, and "
             f"`{node.variable}` is a node for ROS {version}",
             statement.span_of("item"),
-            help=f"generate it for {' or '.join(fitting)}: `ros: {source.ros_version}` in "
+            help=f"generate it for {either(fitting)}: `ros: {source.ros_version}` in "
             "`plastron.yaml`, or `--target`",
         )
     )

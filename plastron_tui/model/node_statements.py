@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from plastron_tui.diagnostics import Diagnostic, Label, codes, write
+from plastron_tui.diagnostics import Diagnostic, Label, codes, either, write
 from plastron_tui.language import statements as st
 
 from .context import LoadRequest
@@ -42,7 +42,7 @@ def check_managed(run: Run, statement: st.CreateNode, library: str) -> None:
             codes.NOT_IN_ROS_1,
             f"`{library}` has no managed nodes: they are nodes of ROS 2",
             statement.span_of("managed"),
-            help=f"use {' or '.join(others)}, or leave `managed` out",
+            help=f"use {either(others)}, or leave `managed` out",
         )
     )
 

@@ -21,7 +21,7 @@ from plastron_tui.ros.packages import (
 from .launches import Launch
 from .load_package import home_in
 from .mistake import Mistake
-from .packages import Contained, Package, PackageGeneration, nodes_folder
+from .packages import SCRIPTS_FOLDER, Contained, Package, PackageGeneration, nodes_folder
 from .run import Run
 from .workspace import Generation, Home, Node
 
@@ -302,17 +302,33 @@ def generate_package(run: Run, statement: st.GeneratePackage) -> None:
         if isinstance(each.item, Node):
             library = each.item.library or run.setting.library
             node = each.item.snapshot()
-            if _has_types(run, package, node):
-                node.home = Home(package.name, each.name, nodes_folder(package.name))
+            node.home = _home(run, package, each, node)
             generation = Generation(node, library, statement.span)
             workspace.generations.append(generation)
     workspace.written_packages.append(PackageGeneration(package.snapshot(), statement.span))
 
 
-def _has_types(run: Run, package: Package, node: Node) -> bool:
-    """Tell whether a package that is created is to build types of ROS 2 beside a node."""
-    if package.source is not None or run.checks.version_of(node) == 1:
-        return False
+def _home(run: Run, package: Package, contained: Contained, node: Node) -> Home | None:
+    """Return where a node of a package is, which all that the package contains decides."""
+    if package.source is not None or _is_built(run, node) or run.checks.version_of(node) == 1:
+        return node.home
+    others = (each.item for each in package.contents.values())
+    if any(isinstance(each, Node) and _is_built(run, each) for each in others):
+        return Home(package.name, contained.name, SCRIPTS_FOLDER)
+    if _has_types(run, package):
+        return Home(package.name, contained.name, nodes_folder(package.name))
+    return node.home
+
+
+def _is_built(run: Run, node: Node) -> bool:
+    """Tell whether a package has to build a node before it can be started."""
+    library = node.library or run.setting.library
+    libraries = run.setting.libraries
+    return library in libraries and libraries[library].is_built
+
+
+def _has_types(run: Run, package: Package) -> bool:
+    """Tell whether a package that is created is to build types of ROS 2."""
     own = run.types.own_package(2)
     made = (each for each in run.workspace.types.values() if each.source is None)
     return any(2 in each.definitions and (each.package or own) == package.name for each in made)

@@ -32,6 +32,10 @@ class Contained(NamedTuple):
         return self.executable or self.item.name
 
 
+SCRIPTS_FOLDER = "scripts"
+"""The folder of the nodes that a package installs as they are, where it builds others."""
+
+
 def nodes_folder(package: str) -> str:
     """Return where the nodes of a ROS 2 package are that builds its own types too.
 

@@ -78,7 +78,11 @@ class FileSet:
 
 def place_of(main: P, name: str) -> P:
     """Return where a file of a set is, by the path of the set's main file."""
-    return main.parent / name.replace("{}", main.stem)
+    folder, name = main.parent, name.replace("{}", main.stem)
+    # A name of the set may lead out of the folder, which names of an output folder may not.
+    while name.startswith("../") and folder.name not in ("", ".."):
+        folder, name = folder.parent, name.removeprefix("../")
+    return folder / name
 
 
 class SourceEndpoint(NamedTuple):

@@ -49,11 +49,16 @@ class Home(NamedTuple):
         package: its name.
         executable: what one starts the node by.
         folder: the folder of the package that its file is in; None for the usual one.
+        is_own: whether it is the package of the program itself, which no statement makes: the
+            files of its nodes are called as those of nodes in no package.
+        is_output: whether the output folder is the package, not a folder of it by its name.
     """
 
     package: str
     executable: str
     folder: str | None = None
+    is_own: bool = False
+    is_output: bool = False
 
     @property
     def stem(self) -> str:

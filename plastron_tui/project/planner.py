@@ -5,13 +5,13 @@ from __future__ import annotations
 import os
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import replace
+from functools import cached_property
 from pathlib import Path, PurePath
 from typing import TYPE_CHECKING
 
-from plastron_tui.diagnostics import Diagnostic, Span, codes, has_errors
-from plastron_tui.model.libraries import written_libraries
+from plastron_tui.diagnostics import Diagnostic, Span, codes, either, has_errors
 from plastron_tui.project.configuration import Configuration
-from plastron_tui.targets import LIBRARIES, has_target
+from plastron_tui.targets import LIBRARIES
 
 if TYPE_CHECKING:
     # To check a program takes no more of this than what nothing can write.
@@ -19,6 +19,7 @@ if TYPE_CHECKING:
     from plastron_tui.generating.destination import Writing
     from plastron_tui.generating.file_names import FileNames
     from plastron_tui.generating.generation import Generated
+    from plastron_tui.generating.own_package import OwnPackages
     from plastron_tui.generating.program_packages import ProgramPackages
     from plastron_tui.model.own_types import OwnInterfaces
     from plastron_tui.model.packages import Package
@@ -27,6 +28,7 @@ if TYPE_CHECKING:
     from plastron_tui.output.manifest import Manifest, Reading
     from plastron_tui.output.patch_stack import Author
     from plastron_tui.output.plan import FilePlan, OutputFile
+    from plastron_tui.targets.base import Target
 
 
 class Planner:
@@ -57,8 +59,29 @@ class Planner:
         self._configuration = configuration
         self._author = author
         self._manifest = manifest
-        self._generations = generations
         self._written = frozenset((each.node.name, each.library) for each in generations)
+        self._asked = generations
+
+    @cached_property
+    def _own_packages(self) -> OwnPackages:
+        from plastron_tui.generating.own_package import OwnPackages
+
+        return OwnPackages(
+            self._author.name,
+            self._asked,
+            self._workspace,
+            self._target,
+            in_place=self._configuration.options.in_place,
+        )
+
+    def _target(self, name: str) -> Target | None:
+        library = self._library(name)
+        return None if library is None else library.target
+
+    @cached_property
+    def _generations(self) -> tuple[Generation, ...]:
+        """All that is generated, each in the package that it has to be in."""
+        return tuple(self._own_packages.placed(each) for each in self._asked)
 
     def generated(self) -> tuple[Generated, ...]:
         """Make the files of all that is generated.
@@ -81,7 +104,8 @@ class Planner:
         """Make the file of one `generate_node`."""
         from plastron_tui.generating.generation import Manifests
 
-        return self._generate(generation, Manifests(self._manifest), self._generations)
+        placed = self._own_packages.placed(generation)
+        return self._generate(placed, Manifests(self._manifest), self._generations)
 
     def rendered(self, generation: Generation) -> tuple[Path, FileSet, str] | None:
         """Return the files that an earlier `generate_node` makes, for a `load` that follows it.
@@ -90,6 +114,7 @@ class Planner:
         """
         from plastron_tui.output.manifest import Manifest
 
+        generation = self._own_packages.placed(generation)
         made = self._generate(generation, lambda _: Manifest())
         path = made.path(self._configuration.output)
         if made.files is None or path is None:
@@ -212,7 +237,8 @@ class Planner:
     ) -> tuple[list[OutputFile], list[Diagnostic]]:
         """Make the packages, definitions and launch files of the program."""
         workspace = self._workspace
-        if workspace is None or not workspace.has_more_than_nodes:
+        has_own = any(x.node.home is not None and x.node.home.is_own for x in self._generations)
+        if workspace is None or not (workspace.has_more_than_nodes or has_own):
             return [], []
         from plastron_tui.generating.loaded_types import places_beside
         from plastron_tui.generating.own_definitions import loaded_definitions
@@ -246,6 +272,7 @@ class Planner:
             self._library,
             configuration.ros.library,
             lambda path: entry_of(path, configuration.output) in manifest,
+            generations=self._generations,
             python_launch=configuration.project.launch == "python",
         )
 
@@ -356,19 +383,10 @@ class Planner:
         return params_output(last.values(), path, configuration.output, manifest)
 
 
-def unwritten(generations: Sequence[Generation]) -> Iterator[Diagnostic]:
-    """Yield a diagnostic for each node whose client library nothing here can write."""
-    libraries = {generation.library for generation in generations}
-    missing = {library for library in libraries if not has_target(library)}
-    for generation in generations if missing else ():
-        if generation.library in missing:
-            yield _unsupported(generation)
-
-
 def _unsupported(generation: Generation) -> Diagnostic:
     return Diagnostic(
         codes.UNSUPPORTED_TARGET,
-        f"plastron cannot generate `{generation.library}` yet",
+        f"plastron cannot generate `{generation.library}`",
         generation.span,
-        help=f"use {' or '.join(written_libraries(LIBRARIES))}",
+        help=f"use {either(LIBRARIES)}",
     )

@@ -80,6 +80,30 @@ def key_of_module(module: str, ros_version: int, packages: Container[str]) -> st
     return None
 
 
+def key_of_header(header: str, ros_version: int, packages: Container[str]) -> str | None:
+    """Return the ROS package or rosdep key that brings a header, None where that is not known.
+
+    Args:
+        header: the header's path as it is included, such as `std_msgs/msg/string.hpp`.
+        ros_version: the generation of ROS, 1 or 2.
+        packages: the packages with interface types that are known.
+    """
+    table = _table("header_keys.yaml")
+    folder = header.partition("/")[0]
+    for name in (header, folder):
+        key: str | None = table["ros"][ros_version].get(name) or table["system"].get(name)
+        if key is not None:
+            return key
+    return folder if folder in packages or folder in table["packages"][ros_version] else None
+
+
+def is_ros_package(key: str, ros_version: int, packages: Container[str]) -> bool:
+    """Tell whether what a header is of is a package of ROS, which CMake finds by its name."""
+    table = _table("header_keys.yaml")
+    named = (*table["packages"][ros_version], *table["ros"][ros_version].values())
+    return key in packages or key in named
+
+
 @cache
 def _table(name: str) -> Any:
     return load(_DATA / name)

@@ -57,6 +57,7 @@ class Language:
         suffixes: the suffixes of its files; a created node's file gets the first one.
         is_executable: whether a node's file is a program that the system can start.
         is_script: whether the Python of a ROS environment runs its files.
+        is_built: whether a package has to build its nodes before they can be started.
     """
 
     name: ClassVar[str]
@@ -64,6 +65,7 @@ class Language:
     suffixes: ClassVar[tuple[str, ...]]
     is_executable: ClassVar[bool] = False
     is_script: ClassVar[bool] = False
+    is_built: ClassVar[bool] = False
 
     @property
     def suffix(self) -> str:

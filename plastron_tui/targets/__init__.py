@@ -23,24 +23,21 @@ if TYPE_CHECKING:
 
 
 class _Own(NamedTuple):
-    """A client library of Plastron's own: where its target is, "" for one that is to come."""
+    """A client library of Plastron's own, and where its target is."""
 
     ros_version: int
     language: str
-    target: str = ""
+    target: str
 
 
 _OWN = {
     "rospy": _Own(1, "python", "plastron_tui.targets.python.rospy:RospyTarget"),
     "rclpy": _Own(2, "python", "plastron_tui.targets.python.rclpy:RclpyTarget"),
-    "roscpp": _Own(1, "cpp"),
-    "rclcpp": _Own(2, "cpp"),
-    "nodelet": _Own(1, "cpp"),
+    "roscpp": _Own(1, "cpp", "plastron_tui.targets.cpp.roscpp:RoscppTarget"),
+    "nodelet": _Own(1, "cpp", "plastron_tui.targets.cpp.nodelet:NodeletTarget"),
+    "rclcpp": _Own(2, "cpp", "plastron_tui.targets.cpp.rclcpp:RclcppTarget"),
+    "component": _Own(2, "cpp", "plastron_tui.targets.cpp.component:ComponentTarget"),
 }
-
-
-PLANNED = tuple(name for name, own in _OWN.items() if not own.target)
-"""The client libraries that are words of the language, and that nothing writes yet."""
 
 
 class _Libraries(Libraries):
@@ -50,13 +47,24 @@ class _Libraries(Libraries):
         own = _OWN.get(name)
         if own is not None:
             language = find_language(own.language)
-            title, is_keyword = language.title, language.is_keyword
-            return ClientLibrary(name, own.ros_version, title, is_keyword, bool(own.target))
+            return ClientLibrary(
+                name,
+                own.ros_version,
+                language.title,
+                language.is_keyword,
+                language.is_built,
+            )
         target = find_target(name)
         if target is None:
             raise KeyError(name)
         language = target.language
-        return ClientLibrary(name, target.ros_version, language.title, language.is_keyword, True)
+        return ClientLibrary(
+            name,
+            target.ros_version,
+            language.title,
+            language.is_keyword,
+            language.is_built,
+        )
 
     def __contains__(self, name: object) -> bool:
         return name in _OWN or (isinstance(name, str) and has_target(name))
@@ -93,8 +101,6 @@ def find_target(name: str, template_folder: Path | None = None) -> Target | None
         from .plugins import make_target
 
         return make_target(name, template_folder)
-    if not own.target:
-        return None
     module, attribute = own.target.split(":")
     target: Target = getattr(import_module(module), attribute)(template_folder)
     return target
@@ -107,9 +113,8 @@ def ros_version(name: str) -> int:
 
 def has_target(name: str) -> bool:
     """Tell whether there is a target of a client library, without loading it."""
-    own = _OWN.get(name)
-    if own is not None:
-        return bool(own.target)
+    if name in _OWN:
+        return True
     from .plugins import registered
 
     return name in registered()

@@ -53,11 +53,17 @@ class Target:
     writes_managed: ClassVar[bool] = False
     package_folder: ClassVar[str] = "src"
 
+    def plugin_class(self, node: Node) -> str | None:
+        """Return the class that another process loads a node as; None for one with its own."""
+        del node
+        return None
+
     def packaged(self, home: Home, name: str) -> str:
         """Return where a node's file is in a folder of packages, by the file's name."""
         usual = self.package_folder.format(home.package)
         folder = usual if home.folder is None else home.folder
-        return "/".join(part for part in (home.package, folder, name) if part)
+        package = "" if home.is_output else home.package
+        return "/".join(part for part in (package, folder, name) if part)
 
     def unwritable(self, node: Node) -> Diagnostic | None:
         """Return what of a node the client library has no means for, None where it has all."""

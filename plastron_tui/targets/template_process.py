@@ -63,12 +63,12 @@ Finish = Callable[[str], str]
 
 
 def render_apart(
-    library: str, folder: Path, name: str, values: Mapping[str, object], finish: Finish
+    folders: tuple[str, ...], folder: Path, name: str, values: Mapping[str, object], finish: Finish
 ) -> str:
     """Fill in the user's template of a client library, and lay out what it writes.
 
     Args:
-        library: the client library.
+        folders: the client library, and the folders of Plastron's own templates besides.
         folder: the user's template folder, with a folder for each client library.
         name: the template.
         values: what it is given, by the names that it has for it.
@@ -78,13 +78,13 @@ def render_apart(
         TemplateFailedError: the template has a mistake, or does not keep to a limit.
     """
     state = _state(folder)
-    known = _stopped.get((library, folder))
+    known = _stopped.get((folders[0], folder))
     if known is not None and known[0] == state:
         raise OverLimitError(known[1])
     try:
-        return _rendered(pickle.dumps((library, folder, name, values, finish)))
+        return _rendered(pickle.dumps((folders, folder, name, values, finish)))
     except OverLimitError as error:
-        _stopped[library, folder] = state, str(error)
+        _stopped[folders[0], folder] = state, str(error)
         raise
 
 
@@ -134,10 +134,10 @@ def main() -> int:
     """Answer the one request that the standard input holds; return the exit status."""
     from .templates import render_template
 
-    library, folder, name, values, finish = pickle.load(sys.stdin.buffer)
+    folders, folder, name, values, finish = pickle.load(sys.stdin.buffer)
     _limit_itself()
     try:
-        text = finish(render_template(library, folder, name, values)).encode()
+        text = finish(render_template(folders, folder, name, values)).encode()
         if len(text) > LARGEST_NODE:
             raise TemplateFailedError(f"it writes more than {LARGEST_NODE // 1024**2} MB")
         reply, status = text, 0

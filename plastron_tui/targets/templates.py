@@ -36,12 +36,13 @@ class UnusableTemplateError(TemplateError):
 
 
 def render_template(
-    library: str, folder: Path | None, name: str, values: Mapping[str, object]
+    folders: tuple[str, ...], folder: Path | None, name: str, values: Mapping[str, object]
 ) -> str:
     """Fill in a template of a client library.
 
     Args:
-        library: the client library.
+        folders: the client library, and the other folders of Plastron's own templates that it
+            takes what it has not itself from.
         folder: the user's template folder, with a folder for each client library; a template
             that is not there is Plastron's own.
         name: the template.
@@ -50,21 +51,22 @@ def render_template(
     Raises:
         Exception: whatever a template does wrong, a division by zero, say.
     """
-    return _environment(library, folder).get_template(name).render(values)
+    return _environment(folders, folder).get_template(name).render(values)
 
 
 @cache  # of Plastron's own in practice: a user's are compiled once in each process that has limits
-def _environment(library: str, folder: Path | None) -> Environment:
+def _environment(folders: tuple[str, ...], folder: Path | None) -> Environment:
     """Return what finds the templates of a client library, and confines them."""
-    own = resources.files("plastron_tui") / "templates" / library
+    own = resources.files("plastron_tui") / "templates"
 
     def load_own(name: str) -> str | None:
-        file = own.joinpath(*split_template_path(name))
-        return file.read_text(encoding="utf-8") if file.is_file() else None
+        files = (own.joinpath(each, *split_template_path(name)) for each in folders)
+        found = next((file for file in files if file.is_file()), None)
+        return None if found is None else found.read_text(encoding="utf-8")
 
     def load_users(name: str) -> str | None:
         assert folder is not None
-        return _read_inside(folder, library, name)
+        return _read_inside(folder, folders[0], name)
 
     users = [FunctionLoader(load_users)] if folder is not None else []
     return ImmutableSandboxedEnvironment(

@@ -262,14 +262,6 @@ def test_force_writes_anew_and_keeps_a_backup(run: Run, here: Path) -> None:
     assert file.with_name("listener_sub1.py.bak").read_text() == text
 
 
-@pytest.mark.parametrize("library", ["roscpp", "rclcpp", "nodelet"])
-def test_library_that_cannot_be_generated_yet(run: Run, here: Path, library: str) -> None:
-    write(here, TALKER)
-    result = run("generate", "--target", library, "a.plastron")
-    assert (result.returncode, b"error[unsupported-target]" in result.stderr) == (1, True)
-    assert b"a.plastron:4:1" in result.stderr
-
-
 def test_broken_manifest_is_told_and_nothing_is_overwritten(run: Run, here: Path) -> None:
     write(here, TALKER)
     assert run("generate", "a.plastron").returncode == 0

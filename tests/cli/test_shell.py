@@ -48,13 +48,6 @@ def test_mistake_has_no_effect_and_a_place(run: Run, here: Path) -> None:
     assert (here / "output" / "talker_pub.py").exists()
 
 
-def test_statement_that_cannot_be_generated_is_marked(run: Run) -> None:
-    text = TALKER.replace("as talker", "as talker using nodelet", 1)
-    result = run("shell", stdin=text.encode())
-    assert (result.returncode, b"<input>:4:1" in result.stderr) == (1, True)
-    assert b"error[unsupported-target]" in result.stderr
-
-
 def test_generate_twice_and_load(run: Run, here: Path) -> None:
     text = TALKER + (
         "subscribe talker to 'x' of message_type String\n"

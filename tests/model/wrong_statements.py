@@ -294,7 +294,7 @@ MISTAKES: list[tuple[str, str, str, str | None]] = [
         "create_node 'k' as k managed using rospy",
         "not-in-ros-1",
         "managed",
-        "use rclpy or rclcpp, or",
+        "use rclpy, rclcpp or component, or",
     ),
     (
         "n renames parameter 'sped' to 'pace'",

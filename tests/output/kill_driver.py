@@ -312,14 +312,22 @@ def fresh(base: Path, root: Path, scene: Scene) -> None:
         assert in_child(root, scene.crash)[0] == _KILLED
 
 
+def warm_up(scene: Scene, base: Path, folder: Path) -> None:
+    """Do all that children will do in this process, so that they need not import it each."""
+    shutil.copytree(base, folder)
+    os.chdir(folder)
+    assert command("check", "a.plastron")[0] == 0
+    for act in (scene.act, *scene.following.values()):
+        act()
+
+
 def run(name: str, event: str, folder: Path, calls: tuple[str, ...]) -> tuple[int, list[str]]:
     """Break each call of a scene's command in turn; return their number, and what was wrong."""
     scene, base, root = SCENES[name], folder / "base", folder / "root"
     base.mkdir()
-    # In this process, which then has all modules.
     os.chdir(base)
     scene.prepare()
-    assert command("check", "a.plastron")[0] == 0
+    warm_up(scene, base, folder / "warm")
     os.chdir(folder)
     # After an error everything is old or new, and one command tells.
     commands = list(scene.following)[: None if event == "kill" else 1]

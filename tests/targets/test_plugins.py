@@ -47,7 +47,7 @@ class RoslispTarget(Target):
         rendered = Rendered(FileSet.single(".lisp", text.encode()))
         return rendered
 """
-NAMES = "'rospy', 'rclpy', 'roscpp', 'rclcpp', 'nodelet', 'roslisp'"
+NAMES = "'rospy', 'rclpy', 'roscpp', 'nodelet', 'rclcpp', 'component', 'roslisp'"
 
 
 def install(site: Path, module: str, entry: str = "roslisp_target:RoslispTarget") -> None:

@@ -1,1 +1,1 @@
-"""C++: reading node files."""
+"""C++: node files are read with the headers of their package."""

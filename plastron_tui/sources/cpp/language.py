@@ -8,17 +8,8 @@ from typing import ClassVar
 from plastron_tui.model.source import FileSet
 from plastron_tui.sources.base import Language, ReadResult
 
-# [lex.key] and [lex.digraph] of ISO C++20.
-_KEYWORDS = """
-    alignas alignof and and_eq asm auto bitand bitor bool break case catch char char16_t
-    char32_t char8_t class co_await co_return co_yield compl concept const const_cast consteval
-    constexpr constinit continue decltype default delete do double dynamic_cast else enum
-    explicit export extern false float for friend goto if inline int long mutable namespace new
-    noexcept not not_eq nullptr operator or or_eq private protected public register
-    reinterpret_cast requires return short signed sizeof static static_assert static_cast struct
-    switch template this thread_local throw true try typedef typeid typename union unsigned
-    using virtual void volatile wchar_t while xor xor_eq
-"""
+from .includes import included
+from .keywords import is_keyword
 
 
 class Cpp(Language):
@@ -26,11 +17,12 @@ class Cpp(Language):
 
     name: ClassVar[str] = "cpp"
     title: ClassVar[str] = "C++"
+    is_built: ClassVar[bool] = True
     suffixes: ClassVar[tuple[str, ...]] = (".cpp", ".cc", ".cxx", ".hpp", ".h")
 
     def is_keyword(self, word: str) -> bool:
         """Tell whether a word is a keyword, or an alternative spelling of an operator."""
-        return word in _KEYWORDS.split()
+        return is_keyword(word)
 
     def others(self, path: Path, text: bytes) -> tuple[str, ...]:
         """Return the headers of the file's package that it includes."""
@@ -69,7 +61,5 @@ class Cpp(Language):
         return mentions(text, name)
 
     def imports(self, text: bytes) -> frozenset[str]:
-        """Return the packages whose headers a C++ text includes."""
-        from .mentioned import imports
-
-        return imports(text)
+        """Return the headers that a text includes from folders: `std_msgs/msg/string.hpp`."""
+        return included(text)

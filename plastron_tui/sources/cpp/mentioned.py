@@ -4,8 +4,6 @@ from __future__ import annotations
 
 import re
 
-from .preprocessing import preprocess
-
 _ROS1 = re.compile(rb'#[ \t]*include[ \t]*[<"]ros/|\bros::[A-Za-z]')
 _ROS2 = re.compile(rb'#[ \t]*include[ \t]*[<"]rclcpp|\brclcpp(?:_\w+)?::')
 _NODELET = re.compile(
@@ -15,10 +13,6 @@ _COMPONENT = re.compile(
     rb"^[ \t]*(?:RCLCPP_COMPONENTS_REGISTER_NODE\w*[ \t]*\("
     rb"|CLASS_LOADER_REGISTER_CLASS[ \t]*\([^;{}]*\brclcpp::Node\b)",
     re.MULTILINE,
-)
-# What a compiler brings, or the system.
-_SYSTEM = frozenset(
-    {"arpa", "asm", "bits", "linux", "net", "netinet", "sys", "gtest", "gmock", "experimental"}
 )
 
 
@@ -39,13 +33,3 @@ def mentioned_library(text: bytes) -> str | None:
     if is_nodelet(text):
         return "nodelet"
     return "roscpp" if _ROS1.search(text) is not None else None
-
-
-def imports(text: bytes) -> frozenset[str]:
-    """Return the folders of the headers that a text includes: those of packages have their name."""
-    found = set()
-    for include in preprocess(text).includes:
-        package, slash, _ = include.path.partition("/")
-        if slash and package.isidentifier() and package not in _SYSTEM:
-            found.add(package)
-    return frozenset(found)

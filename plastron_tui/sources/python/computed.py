@@ -8,23 +8,19 @@ from __future__ import annotations
 
 import math
 from array import array
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import NamedTuple, Protocol
+from typing import Protocol
 
-from plastron_tui.diagnostics import Span
 from plastron_tui.model.kinds import Condition
 from plastron_tui.model.kinds.computed import type_received
 from plastron_tui.model.kinds.ranges import Interval, field_range, range_of_calculated
-from plastron_tui.model.values import Computed, OfParameter, OfReceived
-from plastron_tui.ros.catalog import Catalog
+from plastron_tui.model.values import Computed, OfReceived
 from plastron_tui.ros.interfaces import Field, FieldType
+from plastron_tui.sources.computing import BaseComputing, Source
 
 from . import literals
 from .dialect import Dialect
-
-ParameterValue = Callable[[str], tuple[str, Interval | None]]
-"""Writes what reads a parameter, and tells which numbers it may be; None for no number."""
 
 
 class Guard(Protocol):
@@ -47,41 +43,16 @@ _OCTET = "octet"
 """A byte of ROS 2, which is one of a `bytes` in rclpy."""
 
 
-class _Source(NamedTuple):
-    """What a value comes from.
-
-    Attributes:
-        text: the expression.
-        type: the type of the field that it is, None for a parameter.
-        range: what it can be, or its elements; None for no number.
-    """
-
-    text: str
-    type: FieldType | None
-    range: Interval | None
-
-    @property
-    def is_whole(self) -> bool:
-        """Whether it is of integers."""
-        return self.range is not None and isinstance(self.range.least, int)
-
-
 @dataclass(frozen=True, slots=True)
-class Computing:
-    """What writes the values of a file that are known when they are sent.
+class Computing(BaseComputing):
+    """What writes the values of a Python file that are known when they are sent.
 
     Attributes:
-        catalog: the interface types.
         dialect: the client library.
-        span: the statement that asks for them.
-        parameter: what writes those of parameters.
         guard: what keeps from a field what it cannot hold.
     """
 
-    catalog: Catalog
     dialect: Dialect
-    span: Span
-    parameter: ParameterValue
     guard: Guard
 
     def write(self, value: Computed, holder: str, heard: Sequence[Field]) -> str:
@@ -92,7 +63,7 @@ class Computing:
             holder: what holds the message or the request that is received.
             heard: its fields.
         """
-        source = self._source(value.source, holder, heard)
+        source = self.source_of(value.source, holder, heard)
         if source.type == value.type and not value.steps:
             return source.text
         if value.type.is_array:
@@ -126,17 +97,6 @@ class Computing:
             text = f"{condition.quantifier}({text} for each in {whole})"
         return text
 
-    def may_fail(self, value: Computed, heard: Sequence[Field]) -> bool:
-        """Tell whether there may be no value, or one that its field does not take."""
-        source = self._source(value.source, "received", heard)
-        return self.lacks(value.source, heard) or self._limits(value, source) is not None
-
-    def lacks(self, source: OfParameter | OfReceived, heard: Sequence[Field]) -> bool:
-        """Tell whether a list may have too few elements; a fixed length has been counted."""
-        if isinstance(source, OfParameter) or source.position is None:
-            return False
-        return self._whole(source, heard).length is None
-
     def holder_of(self, source: OfReceived, holder: str, heard: Sequence[Field]) -> str:
         """Write a field of what is received; an element of an array is a number of Python's own."""
         text = ".".join((holder, *map(self.dialect.field, source.path)))
@@ -145,8 +105,8 @@ class Computing:
         if self.lacks(source, heard):
             self.guard.element(text, source.position)
         text += f"[{source.position}]"
-        whole = self._whole(source, heard)
-        range_ = field_range(whole, self.dialect.ros_version)
+        whole = self.whole(source, heard)
+        range_ = field_range(whole, self.ros_version)
         # rclpy has arrays of a fixed length as those of NumPy, whose numbers its messages do not
         # take.
         if whole.length is None or range_ is None or whole.name == "byte" or not self._is_rclpy:
@@ -165,25 +125,11 @@ class Computing:
         made = self.guard.short()
         return f"{made}({number})" if made else literals.number(held)
 
-    def _whole(self, source: OfReceived, heard: Sequence[Field]) -> FieldType:
-        """Return the type of the list that a source is an element of."""
-        return type_received(OfReceived(source.path), heard, self.catalog, self.span)
-
     @property
     def _is_rclpy(self) -> bool:
-        return self.dialect.ros_version == 2
+        return self.ros_version == 2
 
-    def _source(
-        self, source: OfParameter | OfReceived, holder: str, heard: Sequence[Field]
-    ) -> _Source:
-        if isinstance(source, OfReceived):
-            type_ = type_received(source, heard, self.catalog, self.span)
-            range_ = field_range(type_, self.dialect.ros_version)
-            return _Source(self.holder_of(source, holder, heard), type_, range_)
-        text, range_ = self.parameter(source.name)
-        return _Source(text, None, range_)
-
-    def _list(self, value: Computed, source: _Source) -> str:
+    def _list(self, value: Computed, source: Source) -> str:
         """Write a list as a field of lists takes it."""
         text = source.text
         is_bytes = source.type is not None and source.type.name == "byte" and self._is_rclpy
@@ -192,7 +138,7 @@ class Computing:
         elif self._is_rclpy and source.type is not None and source.range is not None:
             # An array of another type is no list: its memory would be taken as it is.
             text = f"{text}.tolist()"
-        limits = self._limits(value, source)
+        limits = self.limits(value, source)
         if limits is not None:
             text = self.guard.numbers(text, limits)
         made = self._made_of(value, source)
@@ -203,9 +149,9 @@ class Computing:
         is_list = not self._is_rclpy or text != source.text
         return text if is_list else f"list({text})"
 
-    def _fitting(self, value: Computed, source: _Source, text: str) -> str:
+    def _fitting(self, value: Computed, source: Source, text: str) -> str:
         """Write a value of which the text is known as the field takes it."""
-        limits = self._limits(value, source)
+        limits = self.limits(value, source)
         if limits is not None:
             text = self.guard.number(text, limits)
         made = self._made_of(value, source)
@@ -213,9 +159,9 @@ class Computing:
             return f"bytes([{text}])"
         return f"{made}({text})" if made else text
 
-    def _made_of(self, value: Computed, source: _Source) -> str:
+    def _made_of(self, value: Computed, source: Source) -> str:
         """Return what makes a number one that the field takes, "" where it is one."""
-        target = field_range(value.type, self.dialect.ros_version)
+        target = field_range(value.type, self.ros_version)
         if source.range is None or target is None:
             return ""
         if isinstance(target.least, int):
@@ -225,11 +171,3 @@ class Computing:
         made = self.guard.short() if is_short and is_long else ""
         is_whole = source.is_whole and not value.is_float
         return made or ("float" if self._is_rclpy and is_whole else "")
-
-    def _limits(self, value: Computed, source: _Source) -> Interval | None:
-        """Return the limits of a field that a value may pass, None where it cannot."""
-        target = field_range(value.type, self.dialect.ros_version)
-        if source.range is None or target is None or not isinstance(target.least, int):
-            return None
-        is_inside = target.contains(range_of_calculated(source.range, value.steps))
-        return None if is_inside else target

@@ -12,8 +12,9 @@ from plastron_tui.model.kinds.ranges import EVERY_INTEGER, Interval
 from plastron_tui.model.values import Computed, MessageValue, Value
 from plastron_tui.ros.catalog import Catalog, moved
 from plastron_tui.ros.interfaces import Field, FieldType, Interface, InterfaceKind, InterfaceName
+from plastron_tui.sources.computing import ParameterValue
 
-from .computed import Computing, ParameterValue
+from .computed import Computing
 from .conventions import Conventions
 from .dialect import Dialect, plain_scalar
 from .typeimports import FileImports
@@ -136,7 +137,8 @@ class Messages:
         self._span = span
         self.conditions = Conditions(name)
         where = span or Span(0, 0)
-        self._computing = Computing(catalog, dialect, where, read, self.conditions)
+        version = dialect.ros_version
+        self._computing = Computing(catalog, version, where, read, dialect, self.conditions)
         self._received: tuple[str, Sequence[Field]] = ("received", ())
 
     def interface(self, type_: InterfaceName | None, kind: InterfaceKind, name: str) -> Interface:

@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-from plastron_tui.model.libraries import written_libraries
 from plastron_tui.ros.installations import Installation, present
-from plastron_tui.targets import LIBRARIES, has_target, ros_version
+from plastron_tui.targets import LIBRARIES, ros_version
 
 from .ask import Ask, Choice
 from .context import Scene
@@ -29,23 +28,15 @@ class LibraryKind(Kind):
         for name in LIBRARIES:
             there = _installation(name)
             about = "not installed here: it can be written, not run"
-            closed = "" if has_target(name) else "plastron does not write it yet"
             words = about if there is None else there.words
-            found.append(Choice(name, f"ROS {ros_version(name)}", words, closed))
+            found.append(Choice(name, f"ROS {ros_version(name)}", words))
         return found
 
     def problem(self, ask: Ask, text: str) -> str | None:
         """Tell why there is no such library."""
         if text not in LIBRARIES:
             return f"there is no client library `{text}`: {OF_THE_LIST}"
-        if not has_target(text):
-            return f"plastron does not write {text} yet: choose {_written()}"
         return None
-
-
-def _written() -> str:
-    """Name the libraries that are written, each with its ROS."""
-    return " or ".join(f"{n} (ROS {ros_version(n)})" for n in written_libraries(LIBRARIES))
 
 
 def _why(ask: Ask, default: str) -> str:

@@ -45,6 +45,8 @@ def _head(spec: PackageSpec) -> Iterator[Diagnostic]:
     if spec.description:
         problem = check_text(spec.description, "the description of a package")
         yield from _told(codes.BAD_PACKAGE_TEXT, problem, spec.span)
+    if spec.is_bare:
+        return
     if spec.maintainer is None:
         message = f"nobody is named as the maintainer of `{spec.name}`"
         help_ = f'write who it is, as in: maintained_by "{"Ada <ada@example.com>"}"'

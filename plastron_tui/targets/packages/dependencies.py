@@ -5,11 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 from typing import NamedTuple
 
-from plastron_tui.diagnostics import Diagnostic, codes
+from plastron_tui.diagnostics import Diagnostic
 from plastron_tui.ros.interfaces import InterfaceKind
-from plastron_tui.ros.package_keys import key_of_module
 
-from .spec import BuildType, PackageSpec, interfaces_name
+from .needs import needs_of
+from .spec import BuildType, PackageSpec
 
 
 class Dependency(NamedTuple):
@@ -22,9 +22,9 @@ class Dependency(NamedTuple):
 def dependencies_of(spec: PackageSpec) -> tuple[tuple[Dependency, ...], tuple[Diagnostic, ...]]:
     """Return what a package depends on, in the order of its `package.xml`, and what is not known.
 
-    Nodes in Python need nothing while they are built: what they import is an `exec_depend`.
+    What only runs is an `exec_depend`; what is built with others is that of who uses them too.
     """
-    run, diagnostics = _imported(spec)
+    run, built, diagnostics = _named(spec)
     for launch in spec.launches:
         run |= launch.needs
     if spec.launches:
@@ -33,16 +33,15 @@ def dependencies_of(spec: PackageSpec) -> tuple[tuple[Dependency, ...], tuple[Di
     found = [Dependency("buildtool_depend", tool) for tool in _BUILD_TOOLS[spec.builds]]
     if spec.builds_types:
         found.append(Dependency("buildtool_depend", "rosidl_default_generators"))
-        needed = needs_of_definitions(spec)
-        found += [Dependency("depend", package) for package in sorted(needed)]
-        run = (run - needed) | {"rosidl_default_runtime"}
+        built |= needs_of_definitions(spec)
+        run.add("rosidl_default_runtime")
     if spec.ros_version == 1 and spec.definitions:
         # The wiki page "catkin/package.xml", and the package message_generation.
         found.append(Dependency("build_depend", "message_generation"))
-        needed = needs_of_definitions(spec)
-        found += [Dependency("depend", package) for package in sorted(needed)]
-        run = (run - needed) | {"message_runtime"}
-    found += [Dependency("exec_depend", key) for key in sorted(run - {spec.name})]
+        built |= needs_of_definitions(spec)
+        run.add("message_runtime")
+    found += [Dependency("depend", key) for key in sorted(built - {spec.name})]
+    found += [Dependency("exec_depend", key) for key in sorted(run - built - {spec.name})]
     found += [Dependency("test_depend", key) for key in sorted(_for_tests(spec) - {spec.name})]
     return tuple(found), diagnostics
 
@@ -63,40 +62,36 @@ _BUILD_TOOLS = {
 }
 
 
-def _imported(spec: PackageSpec) -> tuple[set[str], tuple[Diagnostic, ...]]:
-    """Return what the nodes import, as packages and rosdep keys, and what nobody knows."""
-    own = {spec.name, *(each.module for each in spec.nodes)}
-    known = spec.packages | {interfaces_name(spec.name)}
-    keys: set[str] = set()
-    diagnostics = []
+def _named(spec: PackageSpec) -> tuple[set[str], set[str], tuple[Diagnostic, ...]]:
+    """Return what nodes need to run, what others are built with, and what nobody knows."""
+    run: set[str] = set()
+    built: set[str] = set()
+    diagnostics: list[Diagnostic] = []
     for node in spec.nodes:
-        keys |= node.node.packages
-        for module in sorted(node.language.imports(node.text)):
-            if module.partition(".")[0] in own:
-                continue
-            key = key_of_module(module, spec.ros_version, known)
-            if key is not None:
-                keys.add(key)
-                continue
-            message = f"`{node.file}` imports `{module}`, and no package is known that has it"
-            help_ = "add what brings it to package.xml, as `<exec_depend>KEY</exec_depend>`"
-            diagnostics.append(Diagnostic(codes.UNKNOWN_IMPORT, message, node.span, help=help_))
-    return keys, tuple(diagnostics)
+        keys, unknown = needs_of(spec, node)
+        (built if node.is_built else run).update(keys)
+        diagnostics += unknown
+    return run, built, tuple(diagnostics)
 
 
 def _for_tests(spec: PackageSpec) -> set[str]:
     """Return what the tests import, and what their build files find."""
+    if spec.is_bare:
+        return set()
     if spec.ros_version == 1:
-        nodes = {"python3-pytest", "rosgraph", "rosmaster"} if spec.nodes else set()
+        nodes = {"python3-pytest", "rosgraph", "rosmaster"} if spec.scripts else set()
         return nodes | ({"roslaunch"} if spec.launches else set())
     needed = set(_LINTERS[spec.builds])
-    if spec.nodes:
+    if spec.built:
+        needed |= {"ament_cmake_cpplint", "ament_cmake_uncrustify"}
+        needed |= {"ament_cmake_flake8", "ament_cmake_pep257"} if spec.scripts else set()
+    if spec.scripts:
         needed |= {"domain_coordinator"}
         if spec.builds is BuildType.AMENT_PYTHON:
             needed.add("python3-pytest")
         else:
             needed.add("ament_cmake_pytest")
-        if any(each.node.is_managed for each in spec.nodes):
+        if any(each.node.is_managed for each in spec.scripts):
             needed.add("lifecycle_msgs")
     return needed
 

@@ -5,7 +5,9 @@ from __future__ import annotations
 from collections.abc import Sequence
 from xml.sax.saxutils import escape, quoteattr
 
+from .built import PLUGINS_FILE
 from .dependencies import Dependency
+from .plugins import NODELET, has_plugins
 from .spec import BuildType, PackageSpec
 
 _HEAD = """\
@@ -45,5 +47,8 @@ def package_xml(
     if spec.ros_version == 2:
         built = "ament_python" if spec.builds is BuildType.AMENT_PYTHON else "ament_cmake"
         lines += ["", "<export>", f"  <build_type>{built}</build_type>", "</export>"]
+    elif has_plugins(spec):
+        plugin = f'  <{NODELET} plugin="${{prefix}}/{PLUGINS_FILE}"/>'
+        lines += ["", "<export>", plugin, "</export>"]
     body = "".join(f"  {line}\n" if line else "\n" for line in lines)
     return f"{_HEAD}{body}</package>\n".encode()

@@ -10,15 +10,18 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import replace
 from pathlib import PurePosixPath
+from posixpath import normpath
 
 from plastron_tui.ros.interfaces import InterfaceKind
 from plastron_tui.ros.package_keys import PROPRIETARY, find_license, find_own_license, licenses
 from plastron_tui.targets.templates import render_template
 
+from .built import PLUGINS_FILE, built_nodes, found_packages
 from .checks import check_package, is_refused
 from .dependencies import Dependency, dependencies_of, needs_of_definitions
 from .literals import python_argument, python_string
 from .manifest import package_xml
+from .plugins import has_plugins, plugin_name, plugins_xml
 from .smoke_tests import expected_of
 from .spec import (
     BuildType,
@@ -31,6 +34,9 @@ from .spec import (
 
 _WITH_TYPES = "rosidl_interface_packages"
 """The group of the packages of ROS 2 that build types (REP 149; rosidl_default_generators)."""
+
+SOURCE_FOLDER = "src"
+"""The folder of the nodes that a package builds."""
 
 _CONSOLE_MAIN = "main"
 """The function of a node's file that starts it; rclpy's and rospy's templates have it."""
@@ -57,7 +63,7 @@ def render_package(spec: PackageSpec) -> RenderedPackage:
     build = spec.builds
     files = {
         "package.xml": package_xml(spec, dependencies, [_WITH_TYPES] if spec.builds_types else ()),
-        **_about(spec),
+        **({} if spec.is_bare else _about(spec)),
         **{f"launch/{each.name}": each.text for each in spec.launches},
         **{f"config/{each.name}": each.text for each in spec.configs},
     }
@@ -69,23 +75,36 @@ def render_package(spec: PackageSpec) -> RenderedPackage:
         }
     elif build is BuildType.CATKIN:
         files["CMakeLists.txt"] = _filled(spec, "catkin/CMakeLists.txt.j2")
+        if has_plugins(spec):
+            files[PLUGINS_FILE] = plugins_xml(spec)
         files |= {each.path: each.text for each in spec.definitions}
     else:
         files["CMakeLists.txt"] = _filled(spec, "ament_cmake/CMakeLists.txt.j2")
         files |= {each.path: each.text for each in spec.definitions}
     if build in (BuildType.AMENT_PYTHON, BuildType.AMENT_CMAKE_PYTHON):
         files[f"{spec.modules}/__init__.py"] = b""
-    files |= _tests(spec)
+    if not spec.is_bare:
+        files |= _tests(spec)
     rendered = {path: PackageFile(text) for path, text in files.items()}
     for node in spec.nodes:
-        rendered[node_path(spec, node)] = PackageFile(node.text, node.language.is_executable)
+        path = node_path(spec, node)
+        rendered[path] = PackageFile(node.text, node.language.is_executable)
+        for other, (_, text) in zip(node_paths(spec, node)[1:], node.others, strict=True):
+            rendered[other] = PackageFile(text)
     return RenderedPackage(dict(sorted(rendered.items())), (*problems, *unknown))
 
 
 def node_path(spec: PackageSpec, node: PackagedNode) -> str:
     """Return where the file of a node stands in its package."""
-    folder = "scripts" if spec.builds is BuildType.CATKIN else spec.modules
+    folder = SOURCE_FOLDER if node.is_built else spec.modules
     return str(PurePosixPath(folder, node.file))
+
+
+def node_paths(spec: PackageSpec, node: PackagedNode) -> tuple[str, ...]:
+    """Return where all files of a node stand in its package, the one of `node_path` first."""
+    path = node_path(spec, node)
+    folder = PurePosixPath(path).parent
+    return (path, *(normpath(f"{folder}/{name}") for name, _ in node.others))
 
 
 def interfaces_of(spec: PackageSpec) -> PackageSpec | None:
@@ -149,7 +168,6 @@ def _about(spec: PackageSpec) -> dict[str, bytes]:
         ],
         "launches": [each.name for each in spec.launches],
         "definitions": [each.path for each in spec.definitions],
-        "run": "rosrun" if spec.ros_version == 1 else "ros2 run",
         "launch": "roslaunch" if spec.ros_version == 1 else "ros2 launch",
         "build": "catkin_make"
         if spec.ros_version == 1
@@ -170,7 +188,11 @@ def _about(spec: PackageSpec) -> dict[str, bytes]:
 
 
 def _started(spec: PackageSpec, node: PackagedNode) -> str:
-    return node.file if spec.builds is BuildType.CATKIN else node.executable
+    if spec.ros_version == 2:
+        return f"ros2 run {spec.name} {node.executable}"
+    if node.plugin is not None:
+        return f"rosrun nodelet nodelet standalone {plugin_name(spec, node)}"
+    return f"rosrun {spec.name} {node.executable if node.is_built else node.file}"
 
 
 def _entries(node: PackagedNode) -> list[str]:
@@ -190,14 +212,14 @@ def _filled(spec: PackageSpec, template: str) -> bytes:
     values = {
         "name": spec.name,
         "version": spec.version,
-        "nodes": [
+        "scripts": [
             {
                 "executable": each.executable,
                 "module": each.module,
                 "path": node_path(spec, each),
                 "test": _test_of(each),
             }
-            for each in spec.nodes
+            for each in spec.scripts
         ],
         "folders": [
             *(["launch"] if spec.launches else []),
@@ -213,12 +235,34 @@ def _filled(spec: PackageSpec, template: str) -> bytes:
         "messages": of(InterfaceKind.MESSAGE),
         "services": of(InterfaceKind.SERVICE),
         "actions": of(InterfaceKind.ACTION),
-        "needed": sorted(needs_of_definitions(spec)) if spec.definitions else [],
         "definitions": sorted(each.path for each in spec.definitions),
+        "has_tests": not spec.is_bare,
+        **_built_values(spec),
         "modules": spec.modules,
         "with_python": spec.builds is BuildType.AMENT_CMAKE_PYTHON,
     }
     return _render(template, values)
+
+
+def _built_values(spec: PackageSpec) -> dict[str, object]:
+    """Return what a CMakeLists.txt is filled with: of nodes that are built, and of definitions."""
+    built = built_nodes(spec)
+    plugins = [each for each in built if each.plugin is not None]
+    needed = sorted(needs_of_definitions(spec)) if spec.definitions else []
+    found = {*needed, *found_packages(spec)}
+    has_types = spec.ros_version == 1 and spec.definitions
+    return {
+        "needed": needed,
+        "components": sorted(found | {"message_generation"} if has_types else found),
+        "exported": sorted(found | {"message_runtime"} if has_types else found),
+        "built": built,
+        "programs": [each for each in built if each.plugin is None],
+        "plugins": plugins,
+        "plugin_packages": sorted({name for each in plugins for name in each.packages}),
+        "plugins_file": PLUGINS_FILE,
+        "has_headers": any(each.has_header for each in built),
+        "exports_headers": any(each.has_header for each in plugins),
+    }
 
 
 def _tests(spec: PackageSpec) -> dict[str, bytes]:
@@ -227,12 +271,12 @@ def _tests(spec: PackageSpec) -> dict[str, bytes]:
     shared = {
         "package": spec.name,
         "has_localhost_only": spec.for_distribution in ("foxy", "galactic", "humble"),
-        "is_managed": any(each.node.is_managed for each in spec.nodes),
+        "is_managed": any(each.node.is_managed for each in spec.scripts),
     }
     folder = "ros1" if spec.ros_version == 1 else "ros2"
-    if spec.nodes:
+    if spec.scripts:
         files["test/conftest.py"] = _render(f"tests/{folder}_conftest.py.j2", shared)
-    for node in spec.nodes:
+    for node in spec.scripts:
         values = shared | {
             "node": python_string(node.node.name),
             "label": node.node.name,
@@ -259,4 +303,4 @@ def _test_of(node: PackagedNode) -> str:
 
 
 def _render(name: str, values: Mapping[str, object]) -> bytes:
-    return render_template("package", None, name, values).encode()
+    return render_template(("package",), None, name, values).encode()

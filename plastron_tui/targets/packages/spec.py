@@ -8,7 +8,7 @@ from enum import Enum
 from typing import NamedTuple
 
 from plastron_tui.diagnostics import Diagnostic, Span
-from plastron_tui.model.packages import nodes_folder
+from plastron_tui.model.packages import SCRIPTS_FOLDER, nodes_folder
 from plastron_tui.model.workspace import Node
 from plastron_tui.ros.catalog.distributions import usual_distribution
 from plastron_tui.ros.interfaces import InterfaceKind
@@ -42,6 +42,8 @@ class PackagedNode(NamedTuple):
         language: what it is written in.
         library: its client library.
         span: the statement that puts it there.
+        others: the other files of its source, by their names from the folder of its file.
+        plugin: the class that a manager or a container loads it as, None for a program.
     """
 
     executable: str
@@ -51,11 +53,24 @@ class PackagedNode(NamedTuple):
     language: Language
     library: str
     span: Span | None = None
+    others: tuple[tuple[str, bytes], ...] = ()
+    plugin: str | None = None
 
     @property
     def file(self) -> str:
         """The name of its file."""
         return f"{self.module}{self.language.suffix}"
+
+    @property
+    def is_built(self) -> bool:
+        """Whether the package builds it from its source."""
+        return self.language.is_built
+
+    @property
+    def imports(self) -> frozenset[str]:
+        """What its files need of others, as their language names it."""
+        texts = (self.text, *(text for _, text in self.others))
+        return frozenset().union(*(self.language.imports(each) for each in texts))
 
 
 class PackagedLaunch(NamedTuple):
@@ -119,6 +134,7 @@ class PackageSpec:
         packages: the packages with interface types that are known, to tell imports by.
         build_type: how it is built; None for the one that its contents ask for.
         builds_types: whether its types of ROS 2 are built with it, not in a package beside it.
+        is_bare: whether it is no more than what builds its nodes, for nobody said what it is.
         span: the statement that creates it.
     """
 
@@ -136,6 +152,7 @@ class PackageSpec:
     packages: frozenset[str] = frozenset()
     build_type: BuildType | None = None
     builds_types: bool = False
+    is_bare: bool = False
     span: Span | None = None
 
     @property
@@ -145,13 +162,27 @@ class PackageSpec:
             return self.build_type
         if self.ros_version == 1:
             return BuildType.CATKIN
+        if self.built:
+            return BuildType.AMENT_CMAKE
         if self.builds_types:
             return BuildType.AMENT_CMAKE_PYTHON if self.nodes else BuildType.AMENT_CMAKE
         return BuildType.AMENT_PYTHON if self.nodes else BuildType.AMENT_CMAKE
 
     @property
+    def built(self) -> tuple[PackagedNode, ...]:
+        """The nodes that are built from their sources."""
+        return tuple(each for each in self.nodes if each.is_built)
+
+    @property
+    def scripts(self) -> tuple[PackagedNode, ...]:
+        """The nodes that are installed as they are."""
+        return tuple(each for each in self.nodes if not each.is_built)
+
+    @property
     def modules(self) -> str:
-        """The folder of its Python modules."""
+        """The folder of its Python modules; beside nodes that are built there are only scripts."""
+        if self.ros_version == 1 or self.built:
+            return SCRIPTS_FOLDER
         return nodes_folder(self.name) if self.builds_types else self.name
 
     @property

@@ -41,7 +41,6 @@ REFUSED = [
     ([MAKE], "variable", "talker", "a node is called `talker` already"),
     ([MAKE], "variable", "greeting", "a message is called `greeting` already"),
     ([MAKE], "library", "ros2", "there is no client library `ros2`"),
-    ([MAKE], "library", "roscpp", "plastron does not write roscpp yet"),
     ([MORE, SEND], "node", "", "choose one with ↓"),
     ([MORE, SEND], "message", "Bool", "`Bool` is a type: take `a new message` here"),
     ([MORE, SEND], "message", "", "take `a new message`"),

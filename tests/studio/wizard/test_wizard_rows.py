@@ -161,7 +161,7 @@ async def test_the_library_is_what_is_installed_and_explained(
         about = {choice.text: choice.closed or choice.about for choice in it.form.choices}
         assert about["rclpy"] == "ROS 2 kilted (from the Python packages)"
         assert "not installed here" in about["rospy"]
-        assert "does not write it yet" in about["roscpp"]
+        assert "not installed here" in about["roscpp"]
 
 
 async def test_a_library_of_which_nothing_is_installed_is_explained(

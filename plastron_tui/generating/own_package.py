@@ -1,0 +1,139 @@
+"""The package that a program's nodes are in where they have to be built, and no statement has one.
+
+The output folder is that package; where the program writes other packages besides, it is a folder
+beside them, for neither catkin nor colcon looks for packages in a package.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from pathlib import PurePath
+from typing import TYPE_CHECKING
+
+from plastron_tui.model.packages import SCRIPTS_FOLDER
+from plastron_tui.model.workspace import Generation, Home, Workspace
+from plastron_tui.ros.interfaces import InterfaceKind
+from plastron_tui.ros.package_keys import is_ros_package
+from plastron_tui.ros.packages import (
+    check_package_name,
+    mended_package_name,
+    taken_package_name,
+)
+from plastron_tui.targets.packages.spec import PackageSpec
+
+from .package_spec import packaged_node
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from plastron_tui.targets.base import Target
+
+    from .apply_changes import Library
+    from .generation import Generated
+
+_USUAL_NAME = "robot_nodes"
+"""What the package of a program is called whose own name cannot be a package's."""
+
+
+def package_name(program: str) -> str:
+    """Return the name of a program's own package, by that of the program's file."""
+    stem = PurePath(program).stem
+    name = stem if check_package_name(stem) is None else mended_package_name(stem) or _USUAL_NAME
+    is_taken = taken_package_name(name) is not None
+    is_taken = is_taken or any(is_ros_package(name, version, ()) for version in (1, 2))
+    return f"{name}_nodes" if is_taken else name
+
+
+class OwnPackages:
+    """Where the nodes of a program are that are in none of the packages that it names."""
+
+    def __init__(
+        self,
+        program: str,
+        generations: Iterable[Generation],
+        workspace: Workspace | None,
+        target_of: Callable[[str], Target | None],
+        *,
+        in_place: bool,
+    ) -> None:
+        """Set what it follows from.
+
+        Args:
+            program: the name of the program's file, "" where it has none.
+            generations: all that the program generates.
+            workspace: what the program built, None while it is interpreted.
+            target_of: gives the target of a client library.
+            in_place: whether a loaded node is written over the file that it came from.
+        """
+        self._target_of = target_of
+        self._in_place = in_place
+        self._name = package_name(program)
+        targets = (target_of(each.library) for each in generations if self._is_free(each))
+        versions = {x.ros_version for x in targets if x is not None and x.language.is_built}
+        self._versions = frozenset(versions)
+        is_alone = workspace is None or not (workspace.written_packages or workspace.types)
+        self._is_output = len(versions) < 2 and is_alone
+
+    def _is_free(self, generation: Generation) -> bool:
+        """Tell whether a node is in no package, and is not written where it comes from."""
+        node = generation.node
+        return node.home is None and not (self._in_place and node.source is not None)
+
+    def placed(self, generation: Generation) -> Generation:
+        """Return what is asked for, with the package that the node has to be in."""
+        target = self._target_of(generation.library)
+        if target is None or not self._is_free(generation):
+            return generation
+        version, is_built = target.ros_version, target.language.is_built
+        if not is_built and version not in self._versions:
+            return generation
+        node = generation.node.snapshot()
+        name = self._name if len(self._versions) < 2 else f"{self._name}_ros{version}"
+        folder = None if is_built else SCRIPTS_FOLDER
+        node.home = Home(name, node.name, folder, is_own=True, is_output=self._is_output)
+        return generation._replace(node=node)
+
+
+def own_specs(
+    made: Sequence[Generated],
+    generations: Iterable[Generation],
+    libraries: Mapping[str, Library],
+) -> Iterator[tuple[str, PackageSpec]]:
+    """Yield a program's own packages, each with its folder in the output folder, "" for that.
+
+    One of which a node is not made, or cannot be written, is left out.
+
+    Args:
+        made: the files of the nodes that the program generates.
+        generations: all that it generates, each with its place.
+        libraries: the client libraries, by name.
+    """
+    by_variable = {(x.generation.node.variable, x.generation.library): x for x in made}
+    packages: dict[tuple[str, str], dict[tuple[str, str], Generation]] = {}
+    for each in generations:
+        home = each.node.home
+        if home is not None and home.is_own:
+            place = "" if home.is_output else home.package, home.package
+            packages.setdefault(place, {})[each.node.variable, each.library] = each
+    for (folder, name), asked in packages.items():
+        found = [by_variable.get(key) for key in asked]
+        whole = [each for each in found if each is not None and each.files is not None]
+        if len(whole) == len(found):
+            yield folder, _spec(name, whole, libraries)
+
+
+def _spec(name: str, made: Sequence[Generated], libraries: Mapping[str, Library]) -> PackageSpec:
+    nodes = []
+    for each in made:
+        assert each.files is not None, "it can be written"
+        stem = PurePath(each.files.name).stem
+        nodes.append(packaged_node(stem, each, libraries, each.generation.span))
+    target, catalog = libraries[nodes[0].library]
+    return PackageSpec(
+        name,
+        target.ros_version,
+        distribution=catalog.distribution,
+        nodes=tuple(nodes),
+        packages=frozenset(each for kind in InterfaceKind for each in catalog.packages(kind)),
+        is_bare=True,
+    )

@@ -1,0 +1,22 @@
+"""The words that C++ reserves."""
+
+from __future__ import annotations
+
+# [lex.key] and [lex.digraph] of ISO C++20.
+_WORDS = """
+    alignas alignof and and_eq asm auto bitand bitor bool break case catch char char16_t
+    char32_t char8_t class co_await co_return co_yield compl concept const const_cast consteval
+    constexpr constinit continue decltype default delete do double dynamic_cast else enum
+    explicit export extern false float for friend goto if inline int long mutable namespace new
+    noexcept not not_eq nullptr operator or or_eq private protected public register
+    reinterpret_cast requires return short signed sizeof static static_assert static_cast struct
+    switch template this thread_local throw true try typedef typeid typename union unsigned
+    using virtual void volatile wchar_t while xor xor_eq
+"""
+
+_KEYWORDS = frozenset(_WORDS.split())
+
+
+def is_keyword(word: str) -> bool:
+    """Tell whether a word is a keyword, or an alternative spelling of an operator."""
+    return word in _KEYWORDS

@@ -1,0 +1,1 @@
+"""The targets that are written in C++: roscpp, nodelet, rclcpp and component."""
