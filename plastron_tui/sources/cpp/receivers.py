@@ -32,6 +32,7 @@ NODE_CLASSES = frozenset(
 MANAGED_CLASSES = frozenset({"rclcpp_lifecycle::LifecycleNode", "nav2_util::LifecycleNode"})
 NODELET = "nodelet::Nodelet"
 HANDLE = "ros::NodeHandle"
+TRANSPORT = "image_transport::ImageTransport"
 _NODELET_HANDLES = {
     "getNodeHandle": "",
     "getMTNodeHandle": "",
@@ -283,7 +284,7 @@ class Receivers:
             return self.prefix(call.receiver, call.scope)
         if call.name in ("move", "ref", "cref") and len(call.arguments) == 1:
             return self.prefix(call.arguments[0], call.scope)
-        if self._type_of_call(call) == HANDLE and call.receiver is None:
+        if call.receiver is None and self._type_of_call(call) in (HANDLE, TRANSPORT):
             functions = self._unit.functions.get(call.name, ())
             if not functions:
                 return self._prefix_of(call.arguments, call.scope)

@@ -301,6 +301,16 @@ class Unit:
         return found
 
     @cached_property
+    def _made_anew(self) -> dict[str, list[Call]]:
+        """The calls that give pointers something new to point to, by the pointer's name."""
+        found: dict[str, list[Call]] = {}
+        for name in ("reset", "emplace"):
+            for call in self.calls.get(name, ()):
+                if call.receiver is not None and call.arguments:
+                    found.setdefault(last_name(call.receiver, call.scope), []).append(call)
+        return found
+
+    @cached_property
     def _mutated(self) -> set[str]:
         """The names of what methods change."""
         found = set()
@@ -370,6 +380,17 @@ class Unit:
             operator = node.child_by_field_name("operator")
             is_plain = operator is None or operator.type == "="
             yield Write(node, node.child_by_field_name("right") if is_plain else None, at)
+        for call in self._made_anew.get(variable.name, ()):
+            receiver = call.receiver
+            if receiver is None:
+                continue
+            holder = receiver.child_by_field_name("argument")
+            if not self._is_it(variable, owner, holder, receiver, call.scope):
+                continue
+            if call.name == "emplace":
+                yield Write(call.node, None, call.scope, None, call.arguments)
+            else:
+                yield Write(call.node, call.arguments[0], call.scope)
         for call, given in self._read_into.get(variable.name, ()):
             holder = given.child_by_field_name("argument")
             if self._is_it(variable, owner, holder, given, call.scope):
