@@ -10,7 +10,6 @@ from tree_sitter import Node
 from plastron_tui.diagnostics import Span
 from plastron_tui.model.source import EndpointKind, SourceEndpoint
 from plastron_tui.ros.interfaces import InterfaceName
-from plastron_tui.ros.names import name_as_read
 
 from .analysis import Analysis
 from .arguments import Call
@@ -129,8 +128,6 @@ def _name(analysis: Analysis, found: Found, node: Node | None) -> _Name:
     prefix = Prefix("")
     if analysis.ros_version == 1:
         prefix = _prefix(analysis, found)
-        if found.handle is None:
-            text = name_as_read(text, 1)
         name = prefix.joined(text)
     else:
         name = _in_sub_node(analysis, found, text)

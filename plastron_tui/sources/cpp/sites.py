@@ -16,10 +16,11 @@ from .receivers import HANDLE, NODELET
 from .scopes import CppFile, Scope, Variable
 from .shapes import FUNCTIONS, METHODS, OBJECTS, TRANSFORM_OBJECTS, Shape
 from .transforms import transforms
+from .type_texts import without_pointer
 from .unit import last_name
 
 MOST_SITES = 4_000
-"""More calls than that in one unit were generated; the rest is not read."""
+"""A file with more calls that create endpoints was generated, and is not read."""
 
 _NODE_NAME = re.compile(r"(?:\w*_)?(?:node|n|nh|self|parent|ros_node|lc_?node)\w{0,3}_?", re.I)
 _HANDLE_NAME = re.compile(
@@ -59,12 +60,15 @@ class Found(NamedTuple):
 
 
 def find_sites(analysis: Analysis) -> None:
-    """Find the calls that create endpoints."""
+    """Find the calls that create endpoints; none where there are more than `MOST_SITES`."""
     finder = _Finder(analysis)
     order = {id(file): at for at, file in enumerate(analysis.unit.files)}
     found = list(finder.found())
+    analysis.calls_found = len(found)
     found.sort(key=lambda each: (order[id(each.call.scope.file)], each.call.node.start_byte))
-    for each in found[:MOST_SITES]:
+    if len(found) > MOST_SITES:
+        return
+    for each in found:
         analysis.sites.extend(_sites(analysis, each))
     analysis.sites.extend(transforms(analysis))
     analysis.sites.sort(key=lambda each: (order[id(each.file)], each.endpoint.span.start))
@@ -104,6 +108,8 @@ class _Finder:
         self._wanted = {"handle", "lazy"} if self._ros == 1 else {"node"}
         self._unsure: list[Found] = []
         self._used: set[int] = set()
+        self._unsure_methods: list[tuple[str, Found]] = []
+        self._used_classes: set[str] = set()
 
     def found(self) -> Iterator[Found]:
         """Yield the calls."""
@@ -112,6 +118,7 @@ class _Finder:
                 if (found := self._method(call, shapes)) is not None:
                     yield found
         yield from (each for each in self._unsure if id(each.owner) in self._used)
+        yield from (each for name, each in self._unsure_methods if name in self._used_classes)
         short = {name.rpartition("::")[2] for name in FUNCTIONS}
         for name in sorted(short):
             for call in self._unit.calls.get(name, ()):
@@ -205,6 +212,8 @@ class _Finder:
             if shape.on not in self._wanted:
                 continue
             if owner is None:
+                if (found := self._of_unknown_class(call, shape)) is not None:
+                    return found
                 continue
             if any(call.name in each.functions for each in self._unit.bases(owner)):
                 continue
@@ -230,6 +239,23 @@ class _Finder:
             if shape.type == "":
                 self._unsure.append(found)
         return None
+
+    def _of_unknown_class(self, call: Call, shape: Shape) -> Found | None:
+        """Match a call in a method of a class that none of the files declares."""
+        around = call.scope.enclosing("function")
+        function = around.function if around is not None else None
+        if shape.on != "node" or function is None or not function.qualifier or call.qualifier:
+            return None
+        if call.name in self._unit.functions:
+            return None
+        found = Found(call, shape, call.arguments, None, call.scope, None)
+        if shape.type == "":
+            self._unsure_methods.append((function.qualifier, found))
+            return None
+        if not self._is_typed(shape, call):
+            return None
+        self._used_classes.add(function.qualifier)
+        return found
 
     def _lazy(self, call: Call, shape: Shape, owner: Scope) -> Found | None:
         """Match `advertise<T>(nh, "topic", 1)` of nodelets that publish for who listens."""
@@ -369,7 +395,11 @@ class _Finder:
             text = _initialized_type(self._a, call) or text
         elif text == "make_shared":
             text = call.qualified
-        return self._receivers.plain(text, scope)
+        whole = self._a.types.expand(text, scope)
+        if call.node.type != "call_expression" and without_pointer(whole) != whole:
+            # A pointer that is given what is made.
+            return ""
+        return self._receivers.plain(whole, scope)
 
     def _object(self, call: Call, shape: Shape, type_: str) -> Found | None:
         scope = call.scope

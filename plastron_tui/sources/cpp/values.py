@@ -15,6 +15,7 @@ from plastron_tui.sources.work_limits import bounded
 
 from .arguments import Call, arguments_of, call_of
 from .fields import Fields
+from .flow import reaching_write
 from .literals import number_value, replaced, string_value
 from .scopes import Function, Scope, Variable
 from .unit import Unit, Write, last_name
@@ -159,9 +160,25 @@ class Evaluator:
 
     def _named(self, name: str, node: Node, scope: Scope) -> Value | None:
         variable = self.unit.lookup(name, scope, node.start_byte)
-        if variable is not None:
-            return self.variable(variable)
-        return self._defined(name)
+        if variable is None:
+            return self._defined(name)
+        if variable.kind == "local" and variable not in self.unit.items:
+            writes = self.unit.writes(variable)
+            if 1 < len(writes) <= MOST_WRITES:
+                reaching = reaching_write(writes, node, scope)
+                if reaching is not None:
+                    return self._reached(reaching, variable)
+        return self.variable(variable)
+
+    def _reached(self, writes: list[Write], variable: Variable) -> Value | None:
+        """Return the value of a local variable after what was last written to it."""
+        if self.unit.is_changed_unseen(variable):
+            return None
+        *earlier, last = writes
+        if last.call is None:
+            return self._written(last, variable)
+        before = self._reached(earlier, variable) if earlier else None
+        return self._callers.parameters.read_into(last.call, self, before)
 
     def _defined(self, name: str) -> Value | None:
         """Return the value of a macro."""
