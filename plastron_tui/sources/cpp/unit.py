@@ -70,13 +70,15 @@ class Unit:
 
     Attributes:
         files: the files, the main one first.
+        all_files: these, and the other sources that define and make what they declare.
         effort: what is left of the steps for all of them.
         bindings: what the parameters of functions are given in the call that is looked at.
         items: what the variables of loops are in the turn that is looked at.
     """
 
-    def __init__(self, files: Iterable[CppFile]) -> None:
+    def __init__(self, files: Iterable[CppFile], beside: Iterable[CppFile] = ()) -> None:
         self.files = list(files)
+        self.all_files = [*self.files, *beside]
         self.effort = Effort(sum(len(file.syntax.text) for file in self.files))
         self.bindings: dict[Function, tuple[Call | None, dict[Function, Call]]] = {}
         self.items: dict[Variable, Any] = {}
@@ -102,16 +104,20 @@ class Unit:
     def functions(self) -> dict[str, list[Function]]:
         """The functions by name, definitions and declarations."""
         found: dict[str, list[Function]] = {}
-        for scope in self.scopes():
-            for name, functions in scope.functions.items():
-                found.setdefault(name, []).extend(functions)
+        for file in self.all_files:
+            for scope in file.scopes:
+                for name, functions in scope.functions.items():
+                    # Of another source only the methods are those of classes of these files.
+                    seen = [each for each in functions if each.qualifier or not file.is_beside]
+                    if seen:
+                        found.setdefault(name, []).extend(seen)
         return found
 
     @cached_property
     def calls(self) -> dict[str, list[Call]]:
         """The calls by the last name of what is called."""
         found: dict[str, list[Call]] = {}
-        for file in self.files:
+        for file in self.all_files:
             for call in file.calls:
                 found.setdefault(call.name, []).append(call)
         return found
@@ -269,7 +275,7 @@ class Unit:
     def _assigned(self) -> dict[str, list[tuple[Node, Node | None, Node, Scope]]]:
         """The assignments by the last name of what gets the value, with the object before that."""
         found: dict[str, list[tuple[Node, Node | None, Node, Scope]]] = {}
-        for file in self.files:
+        for file in self.all_files:
             for node, scope in file.assignments:
                 left = node.child_by_field_name("left")
                 holder = None
@@ -285,7 +291,7 @@ class Unit:
     def initialized(self) -> dict[str, list[tuple[Node, list[Node], Scope]]]:
         """The initializers of constructors by the name of the member or base, with arguments."""
         found: dict[str, list[tuple[Node, list[Node], Scope]]] = {}
-        for file in self.files:
+        for file in self.all_files:
             for node, scope in file.initializers:
                 children = node.named_children
                 if children:
