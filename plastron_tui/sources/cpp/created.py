@@ -22,7 +22,7 @@ from .shapes import Shape
 from .worlds import worlds
 
 if TYPE_CHECKING:
-    from .sites import Found
+    from .found import Found
 
 PARAMETER = EndpointKind.PARAMETER
 _ACTIONS = (EndpointKind.ACTION_SERVER, EndpointKind.ACTION_CLIENT)
