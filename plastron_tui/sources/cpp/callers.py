@@ -45,8 +45,31 @@ class Callers:
                     for call in self._unit.calls.get(function.name, ())
                     if self._may_call(call, function, owner)
                 ]
-            self._found[function] = [each for each in found if self.fits(each, function)]
+            self._found[function] = [
+                each
+                for each in found
+                if self.fits(each, function) and self._counts(each, function, owner)
+            ]
         return self._found[function]
+
+    def _counts(self, call: Call, function: Function, owner: Scope | None) -> bool:
+        """Whether a call says what a function of the unit gets.
+
+        Another source says it of the constructor of a class that the main file defines, and of
+        nothing else: it calls the helpers of a header for a node of its own.
+        """
+        if not call.scope.file.is_beside:
+            return True
+        main = self._unit.files[0]
+        return (
+            owner is not None
+            and owner.name == function.name
+            and any(
+                scope.function is not None and self._unit.class_of_function(scope.function) is owner
+                for scope in main.scopes
+                if scope.kind == "function"
+            )
+        )
 
     def _may_call(self, call: Call, function: Function, owner: Scope | None) -> bool:
         if owner is None:

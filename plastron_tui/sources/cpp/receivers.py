@@ -204,7 +204,7 @@ class Receivers:
             if made == HANDLE or made in NODE_CLASSES or self._unit.find_class(made, scope):
                 return made
             if call.template is not None:
-                return made + "".join(syntax.word(call.template).split())
+                return self.plain(made + "".join(syntax.word(call.template).split()), scope)
         functions = self._unit.functions.get(name, [])
         returned = {each.return_type for each in functions}
         if len(returned) == 1 and (text := returned.pop()) not in ("auto", "void", ""):

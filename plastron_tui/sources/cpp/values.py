@@ -173,7 +173,10 @@ class Evaluator:
             held = last_name(holder, scope)
             variable = self.unit.lookup(held, scope, holder.start_byte) if held else None
             owner = None
-            if variable is not None and variable.type not in ("", "auto"):
+            # An object that is made of something may have other values than its class gives.
+            is_plain = variable is not None and not self.unit.writes(variable)
+            is_own = variable is not None and variable.kind in ("local", "member", "global")
+            if variable is not None and is_plain and is_own and not variable.is_pointer:
                 owner = self.unit.find_class(variable.type, scope)
         member = self.unit.member(owner, name) if owner is not None else None
         if member is None and holder.type != "this":
