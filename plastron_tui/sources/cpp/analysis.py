@@ -11,6 +11,8 @@ from plastron_tui.model.source import SourceEndpoint
 from .arguments import Call
 from .callbacks import NONE, Callback
 from .callers import Callers
+from .fields import Fields
+from .held import Holding
 from .read_parameters import ReadParameters
 from .receivers import Receivers
 from .scopes import CppFile, Function, Scope, Variable
@@ -33,6 +35,7 @@ class Site:
         node: the variable that is the node or its handle, None for none.
         callback: what it calls back, with the function's definition and declarations.
         bindings: the call of its function in which it creates the endpoint, among others.
+        options: the call that makes the options which are all that the call gets.
     """
 
     endpoint: SourceEndpoint
@@ -43,6 +46,12 @@ class Site:
     node: Variable | None = None
     callback: Callback = NONE
     bindings: tuple[tuple[Function, Call], ...] = ()
+    options: Call | None = None
+
+    @property
+    def place(self) -> Scope:
+        """The scope that its arguments stand in."""
+        return (self.options or self.call).scope
 
     @property
     def file(self) -> CppFile:
@@ -84,6 +93,8 @@ class Analysis:
         evaluator: what their expressions are worth.
         callers: which calls call their functions.
         receivers: what the objects are whose methods they call.
+        holding: what their variables hold.
+        fields: what the fields of their variables are set to.
         sites: the calls that create endpoints, in the order of the files.
         nodes: what makes the nodes.
     """
@@ -94,6 +105,8 @@ class Analysis:
     evaluator: Evaluator = field(init=False)
     callers: Callers = field(init=False)
     receivers: Receivers = field(init=False)
+    holding: Holding = field(init=False)
+    fields: Fields = field(init=False)
     sites: list[Site] = field(default_factory=list)
     nodes: list[NodeSite] = field(default_factory=list)
 
@@ -103,6 +116,8 @@ class Analysis:
         self.callers.parameters = ReadParameters(self.unit)
         self.types = Types(self.unit, self.ros_version)
         self.evaluator = Evaluator(self.unit, self.callers)
+        self.holding = Holding(self.unit, self.types, self.callers)
+        self.fields = Fields(self.unit)
         self.receivers = Receivers(self.unit, self.types, self.evaluator, self.callers)
         if self.ros_version == 2:
             self.callers.parameters.declare(self.evaluator)

@@ -82,6 +82,7 @@ def _sites(analysis: Analysis, found: Found) -> Iterator[Site]:
             variable,
             callback,
             bindings,
+            found.options,
         )
 
 

@@ -118,10 +118,14 @@ class Unit:
         last = plain.rpartition("::")[2]
         found = self.classes.get(last, [])
         if len(found) > 1 or "::" in plain:
-            fitting = [each for each in found if each.qualified.endswith(plain)]
-            outer = plain.rpartition("::")[0]
-            if not fitting and near is not None and "::" in plain:
-                fitting = [each for each in found if outer.endswith(_outer(each.qualified))]
+            fitting = [each for each in found if f"::{each.qualified}".endswith(f"::{plain}")]
+            if not fitting and "::" in plain:
+                space = plain.rpartition("::")[0]
+                fitting = [
+                    each
+                    for each in found
+                    if (outer := _outer(each.qualified)) and f"::{space}".endswith(f"::{outer}")
+                ]
             found = fitting
         if near is not None and len(found) > 1:
             own = [each for each in found if each.file is near.file]

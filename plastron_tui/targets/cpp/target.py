@@ -3,19 +3,19 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Sequence
 from pathlib import Path
 from typing import ClassVar
 
 from plastron_tui.diagnostics import Diagnostic
 from plastron_tui.model.kinds import EDITABLE, EndpointKind
-from plastron_tui.model.source import FileSet
+from plastron_tui.model.source import Change, FileSet, SourceUnit
 from plastron_tui.model.workspace import Node
 from plastron_tui.ros.catalog import Catalog
 from plastron_tui.sources import find_language
 from plastron_tui.sources.base import Language, Rendered
 from plastron_tui.sources.cpp import naming
 from plastron_tui.sources.cpp.layout import lay_out
-from plastron_tui.sources.cpp.standard_headers import standard_headers
 from plastron_tui.targets.base import API_VERSION, Target
 from plastron_tui.targets.rendering import CannotRenderError, render_text
 
@@ -64,6 +64,7 @@ class CppTarget(Target):
             "node": plan.node,
             "headers": self._headers(plan),
             "overloaded": plan.overloaded,
+            "has_private": plan.has_private,
             "namespace": namespace,
             "is_split": is_split,
             "is_plugin": self.dialect.is_plugin,
@@ -74,8 +75,6 @@ class CppTarget(Target):
             "base": base,
             # In a class of the same name, that name is the class itself.
             "base_name": base if base_name == plan.node.class_name else base_name,
-            "standard_headers": standard_headers,
-            "capitals": naming.capitals,
         }
         try:
             files = [("{}.cpp", self._text(SOURCE_TEMPLATE, values))]
@@ -99,6 +98,12 @@ class CppTarget(Target):
         if dialect.ros_version == 2 and node.following:
             found.add("rcl_interfaces/msg/set_parameters_result.hpp")
         return tuple(sorted(found - {""}))
+
+    def edit(self, source: SourceUnit, changes: Sequence[Change], catalog: Catalog) -> Rendered:
+        """Change the files of a unit by splices."""
+        from plastron_tui.sources.cpp.editing import edit_cpp  # loads tree-sitter-cpp
+
+        return edit_cpp(source, changes, catalog)
 
     def _text(self, template: str, values: dict[str, object]) -> str:
         folders = self.dialect.template_folders
