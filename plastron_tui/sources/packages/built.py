@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 
 _LOADER = "nodelet"
 _USUAL_FILE = "nodelet_plugins.xml"
-_NEEDS = ("build", "build_export", "exec")
+_NEEDS = ("build", "exec")
 _PREFIX = "${prefix}/"
 
 
