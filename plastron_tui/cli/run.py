@@ -125,6 +125,7 @@ def _prepare(
 ) -> list[NodeFile]:
     """Generate the nodes and find a ROS for each; what fails is reported."""
     from .generate import Planned, show_plan, write_plan
+    from .run_built import built_files, is_built_with
 
     report.add(session.diagnostics, session.lines, session.path)
     if report.status:
@@ -135,7 +136,8 @@ def _prepare(
     unknown = _unknown_names(made, (*names, *setup.nodes), launches)
     if not unknown:
         setup = _checked(session, setup, chosen, report)
-    plan, diagnostics = session.plan_of(chosen)
+    written = [each for each in made if each in chosen or is_built_with(each, chosen)]
+    plan, diagnostics = session.plan_of(written)
     report.add((*unknown, *diagnostics), session.lines, session.path)
     if has_errors(diagnostics) or unknown:
         return []
@@ -150,11 +152,17 @@ def _prepare(
         _hint(session)
 
     def again() -> Planned:
-        return session.plan_of([each for each in session.generated() if _is_chosen(each, names)])
+        made = session.generated()
+        chosen = [each for each in made if _is_chosen(each, names)]
+        return session.plan_of(
+            [each for each in made if each in chosen or is_built_with(each, chosen)]
+        )
 
     if not write_plan(plan, session, report, again=again):
         return []
-    return nodes
+    built, problems = built_files(session, chosen, environments, setup)
+    report.add(problems, session.lines, session.path)
+    return [] if report.status else [*built, *nodes]
 
 
 def _hint(session: Session) -> None:
@@ -203,12 +211,15 @@ def _environments(
 ) -> dict[str, Environment]:
     """Return the environment of each client library that is in use; packages are built for it."""
     from plastron_tui.runtime.build_progress import ProgressLine
-    from plastron_tui.targets import ros_version
+    from plastron_tui.targets import LIBRARIES, ros_version
 
     environments = {}
     for library in dict.fromkeys(generated.generation.library for generated in chosen):
         environment, diagnostics = found.choose(ros_version(library))
-        if environment is not None:
+        if environment is not None and LIBRARIES[library].is_built:
+            # What they need is built with them, once their files are written.
+            environments[library] = environment
+        elif environment is not None:
             nodes = [each.generation.node for each in chosen if each.generation.library == library]
             with ProgressLine(drawn_on(sys.stderr)) as line:
                 environments[library], missing = _complete(session, nodes, environment, line)
@@ -227,7 +238,7 @@ def _complete(
     from plastron_tui.runtime.interface_packages import complete
 
     version = environment.ros_version
-    own, refused = _own_packages(session, nodes, version)
+    own, refused = own_packages(session, nodes, version)
     if refused:
         return environment, refused
     named = {package.name for package in own}
@@ -249,7 +260,7 @@ def _complete(
     return overlay(environment, own, line.tell)
 
 
-def _own_packages(
+def own_packages(
     session: Session, nodes: Sequence[Node], version: int
 ) -> tuple[list[BuiltPackage], list[Diagnostic]]:
     """Return the packages of the program's own types that nodes use, or why there are none."""
@@ -294,7 +305,7 @@ def _node_files(
         target = find_target(generated.generation.library)
         environment = environments.get(generated.generation.library)
         path = generated.path(session.output)
-        if path is None or target is None or environment is None:
+        if path is None or target is None or environment is None or target.language.is_built:
             continue
         command = target.language.command(path, environment.python)
         if command is None:

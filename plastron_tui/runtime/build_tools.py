@@ -132,8 +132,16 @@ def find_builder(
     environment: Environment,
     packages: Mapping[str, Mapping[str, bytes]],
     environ: Mapping[str, str],
+    *,
+    is_compiled: bool = False,
 ) -> Builder:
     """Return what makes the steps of a build of packages, given as their files by path.
+
+    Args:
+        environment: what is to run the nodes.
+        packages: the files of each package, by path.
+        environ: the environment variables.
+        is_compiled: whether nodes are built, and not only types.
 
     Raises:
         BuildError: a tool is missing.
@@ -151,6 +159,10 @@ def find_builder(
     is_known = all((DEBIAN_SHARE / each / "cmake").is_dir() for each in needed)
     if is_for_catkin and is_known and not environment.overlays and _has_catkin():
         return _catkin(environment, own)
+    if is_compiled:
+        missing = " ".join(("catkin", "ros-message-generation", *_TOOLS.values()))
+        message = "the tools for it are not installed"
+        raise BuildError(message, f"install them with `sudo apt install {missing}`")
     return _genpy(environment, packages, own)
 
 

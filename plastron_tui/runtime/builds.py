@@ -49,12 +49,14 @@ class BuiltPackage:
         files: what its files hold, by their paths below its folder.
         executables: the paths of the files that can be started.
         spans: where the program says what a line of a file says; line 0 stands for all of it.
+        is_compiled: whether nodes are built in it, and not only types.
     """
 
     name: str
     files: Mapping[str, bytes]
     executables: frozenset[str] = frozenset()
     spans: Mapping[str, Spans] = field(default_factory=dict)
+    is_compiled: bool = False
 
 
 def overlay(
@@ -109,7 +111,12 @@ def _built(
     kept = folder / "overlays" / f"{name}-{_content_key(tools_key, packages)}"
     if _use(kept):
         return kept
-    builder = find_builder(environment, {each.name: each.files for each in packages}, environ)
+    builder = find_builder(
+        environment,
+        {each.name: each.files for each in packages},
+        environ,
+        is_compiled=any(each.is_compiled for each in packages),
+    )
     for each in (folder, folder / "overlays", folder / "workspaces"):
         each.mkdir(mode=0o700, parents=True, exist_ok=True)
     # The definitions here are nobody's own, wherever the cache is.

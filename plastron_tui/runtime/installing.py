@@ -100,3 +100,16 @@ def of_distribution(package: str, distribution: str) -> str | None:
 
 def _dashed(package: str) -> str:
     return package.replace("_", "-")
+
+
+_DEBIAN_HEADERS = {
+    "dynamic_reconfigure": ("libdynamic-reconfigure-config-init-mutex-dev",),
+    "nodelet": ("libnodelet-dev", "libnodeletlib-dev"),
+    "pluginlib": ("pluginlib-dev",),
+}
+"""The packages of Debian with what code is built with, where their names follow no rule."""
+
+
+def debian_headers(package: str) -> tuple[str, ...]:
+    """Return Debian's packages with what code is built with that uses a ROS 1 package."""
+    return _DEBIAN_HEADERS.get(package, (f"lib{_dashed(package)}-dev",))

@@ -23,9 +23,27 @@ from .table import Screen, Ticker, Watch
 _OBSERVERS = Path(__file__).with_name("observers")
 _WATCH_NAME = "watch"
 _LIFECYCLE_NAME = "lifecycle"
+_COMPONENTS_NAME = "components"
+_LOADED = "loaded"
 _LONGEST_CALL = 1 << 16
 _LONGEST_START = 30.0
 """How long a managed node may take until it is active, in seconds."""
+
+
+class Loaded(NamedTuple):
+    """A component of ROS 2 that is loaded into a container.
+
+    Attributes:
+        name: the node's name.
+        package: the package that has it.
+        plugin: its class.
+        arguments: what a process of it would be started with.
+    """
+
+    name: str
+    package: str
+    plugin: str
+    arguments: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)
@@ -43,6 +61,7 @@ class NodeFile:
         folders: folders that come first in variables of the environment (`PYTHONPATH`).
         label: what its lines are labelled with, where that is not its name.
         starts: the full names of the nodes that it starts itself; its name is then none.
+        loads: the components that the run has to load into it.
     """
 
     name: str
@@ -55,6 +74,7 @@ class NodeFile:
     folders: tuple[tuple[str, Path], ...] = ()
     label: str = ""
     starts: tuple[str, ...] = ()
+    loads: tuple[Loaded, ...] = ()
 
     @property
     def title(self) -> str:
@@ -68,26 +88,29 @@ class NodeFile:
 
 
 class Activation(NamedTuple):
-    """How the activation of a managed node ended.
+    """How the activation of a managed node, or the loading of a component, ended.
 
     Attributes:
         node: its full name.
         passed: the transitions that it was asked for and passed.
         error: why it is not active, None where it is.
+        wanted: what it was to become: `loaded`, of a component.
     """
 
     node: str
     passed: tuple[str, ...]
     error: str | None
+    wanted: str = "active"
 
 
 def activation_of(line: str) -> Activation | None:
-    """Read a line of `observers/lifecycle.py`; None for what it has not written itself."""
+    """Read a line of the observers that bring nodes up; None for what they have not written."""
     try:
         told = json.loads(line)
         error = told["error"]
         passed = tuple(map(str, told["passed"]))
-        return Activation(str(told["node"]), passed, None if error is None else str(error))
+        wanted = _LOADED if told.get("wanted") == _LOADED else "active"
+        return Activation(str(told["node"]), passed, None if error is None else str(error), wanted)
     except (ValueError, TypeError, KeyError, RecursionError):
         return None
 
@@ -196,6 +219,7 @@ class _Run:
             for node in self._nodes:
                 self._supervisor.start(self._process(node, master, pipe))
         self._activate(master)
+        self._load(master)
         if self._options.watch:
             self._start_observers(master)
             self._console.show(self._screen)
@@ -250,6 +274,28 @@ class _Run:
             self._activations.append(process)
             self._supervisor.start(process)
 
+    def _load(self, master: Master | None) -> None:
+        """Load the components, of each container by a process of its own."""
+        for node in self._nodes:
+            if not node.loads:
+                continue
+            script = str(_OBSERVERS / "components.py")
+            loads = json.dumps([each._asdict() for each in node.loads])
+            process = Process(
+                _COMPONENTS_NAME,
+                (
+                    str(node.environment.python),
+                    script,
+                    str(_LONGEST_START),
+                    node.full_name,
+                    loads,
+                ),
+                self._node_environ(node.environment, master),
+                role=Role.OBSERVER,
+            )
+            self._activations.append(process)
+            self._supervisor.start(process)
+
     def _tell_activation(self, line: str) -> None:
         """Say whether a managed node is active now; other lines are those of a client library."""
         told = activation_of(line)
@@ -257,8 +303,10 @@ class _Run:
             return
         name = told.node.removeprefix("/")
         if told.error is not None:
-            self._console.notice(f"{name} is not active: {told.error}", is_bad=True)
+            self._console.notice(f"{name} is not {told.wanted}: {told.error}", is_bad=True)
             self._is_inactive = True
+        elif told.wanted == _LOADED:
+            self._console.notice(f"loaded {name} into its container")
         elif told.passed:
             done = " and ".join(f"{each.removesuffix('e')}ed" for each in told.passed)
             self._console.notice(f"{done} {name} by its lifecycle services")

@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 
 _OWN = {
     "python": "plastron_tui.sources.python.language:Python",
-    "cpp": "plastron_tui.sources.cpp:Cpp",
+    "cpp": "plastron_tui.sources.cpp.language:Cpp",
 }
 
 

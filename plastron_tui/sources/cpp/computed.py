@@ -101,13 +101,10 @@ class Computing(BaseComputing):
         if isinstance(number, float) and not number.is_integer():
             return f"{compared} {operator} {literals.real(number)}"
         number = int(number)
-        is_inside = range_.least < number < range_.most
-        if is_inside or (range_ == _INT64 and number in INTEGERS):
+        if range_.least < number < range_.most:
             return f"{compared} {operator} {literals.integer(number)}"
-        is_narrow = _INT64.contains(range_) and number in INTEGERS
-        wide = "int64_t" if is_narrow else "long double"
-        written = literals.integer(number) if is_narrow else f"{literals.real(float(number))}L"
-        return f"static_cast<{wide}>({compared}) {operator} {written}"
+        # What never holds, or always does, would be a warning.
+        return f"static_cast<long double>({compared}) {operator} {number}.0L"
 
     def _float_literal(self, operator: str, number: float, type_: FieldType) -> str:
         """Write a number as a field of floats is compared with it: an equal one has its bits."""

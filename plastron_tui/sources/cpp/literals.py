@@ -1,4 +1,7 @@
-"""C++ literals: every value of a message or a parameter as the compiler takes it."""
+"""C++ literals: written as the compiler takes them, and read.
+
+Source: ISO C++20, [lex.literal].
+"""
 
 from __future__ import annotations
 
@@ -8,6 +11,18 @@ import re
 _ESCAPES = {"\\": "\\\\", '"': '\\"', "\n": "\\n", "\r": "\\r", "\t": "\\t"}
 
 _TRIGRAPH = re.compile(r"(?<=\?)\?")
+
+_ESCAPE = re.compile(
+    r"\\(?:([0-7]{1,3})|x([0-9A-Fa-f]+)|u([0-9A-Fa-f]{4})|U([0-9A-Fa-f]{8})|(\r?\n)|(.))", re.S
+)
+_SIMPLE = {"n": "\n", "t": "\t", "r": "\r", "0": "\0", "a": "\a", "b": "\b", "f": "\f", "v": "\v"}
+_STRING = re.compile(r'(?:u8|[uUL])?"((?:[^"\\]|\\.)*)"(?:s|sv)?', re.S)
+_RAW = re.compile(r'(?:u8|[uUL])?R"([^()\\\s]{0,16})\((.*)\)\1"(?:s|sv)?', re.S)
+_NUMBER = re.compile(
+    r"(0[xX][0-9a-fA-F]+|0[bB][01]+|\d+(?:\.\d*)?(?:[eE][+-]?\d+)?|\.\d+(?:[eE][+-]?\d+)?)"
+    r"([uUlLfFzZ]*)"
+)
+_STRINGS = re.compile(r'(?:\s*(?:u8)?"(?:[^"\\]|\\.)*")+\s*', re.S)
 
 _LARGEST_INT = 2**31 - 1
 _LARGEST_LONG = 2**63 - 1
@@ -85,3 +100,42 @@ def _character(character: str) -> str:
     if character.isprintable():
         return character
     return "".join(f"\\{byte:03o}" for byte in character.encode(errors="surrogatepass"))
+
+
+def string_value(text: str) -> str | None:
+    """Return the value of a string literal, None for what is none."""
+    if found := _RAW.fullmatch(text):
+        return found[2]
+    found = _STRING.fullmatch(text)
+    return None if found is None else _ESCAPE.sub(_unescaped, found[1])
+
+
+def strings_value(text: str) -> str | None:
+    """Return the value of string literals one after the other, None for what is more."""
+    if not _STRINGS.fullmatch(text):
+        return None
+    return "".join(string_value(each[0]) or "" for each in _STRING.finditer(text))
+
+
+def _unescaped(found: re.Match[str]) -> str:
+    octal, hexadecimal, short, long, newline, simple = found.groups()
+    if newline:
+        return ""
+    if simple is not None:
+        return _SIMPLE.get(simple, simple)
+    number = int(octal, 8) if octal else int(hexadecimal or short or long, 16)
+    return chr(number) if number < 0x110000 and not 0xD800 <= number < 0xE000 else "�"
+
+
+def number_value(text: str) -> int | float | None:
+    """Return the value of a number, None for what is none."""
+    found = _NUMBER.fullmatch(text.replace("'", ""))
+    if found is None or len(text) > 400:
+        return None
+    digits, suffix = found[1], found[2].lower()
+    if digits[:2].lower() in ("0x", "0b"):
+        return int(digits, 0)
+    if "f" in suffix or any(letter in digits for letter in ".eE"):
+        return float(digits)
+    is_octal = len(digits) > 1 and digits[0] == "0" and all(each in "01234567" for each in digits)
+    return int(digits, 8) if is_octal else int(digits)

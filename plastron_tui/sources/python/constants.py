@@ -10,6 +10,8 @@ from typing import TYPE_CHECKING, Any, Protocol
 
 from tree_sitter import Node
 
+from plastron_tui.sources.work_limits import Effort
+
 from . import literals
 from .arguments import Arguments
 from .calls import Argument
@@ -17,7 +19,6 @@ from .flow import reaching
 from .imported_names import ImportedNames
 from .scopes import Binding, BindingKind, Scope, ScopeTree
 from .syntax import Syntax, parts_of
-from .work_limits import Effort
 
 if TYPE_CHECKING:
     from .names import Instance

@@ -11,6 +11,7 @@ from collections.abc import Callable, Sequence
 from tree_sitter import Node
 
 from plastron_tui.model.source import EndpointKind
+from plastron_tui.sources.work_limits import bounded
 
 from . import literals
 from .analysis import Analysis
@@ -34,7 +35,6 @@ from .guesses import is_default_guess
 from .parameter_calls import READERS, VALUE_FIELDS, parameter_call
 from .scopes import Binding, BindingKind, Scope
 from .syntax import parts_of
-from .work_limits import bounded
 
 _CONSTANTS = {
     f"{module}.{name}": getattr(math, name)

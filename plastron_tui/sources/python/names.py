@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from tree_sitter import Node
 
 from plastron_tui.ros.interfaces import InterfaceName
+from plastron_tui.sources.work_limits import bounded
 
 from .calls import ClientLibrary
 from .constants import MOST_BINDINGS, MOST_DEEP, Constants, Folded, without_none
@@ -17,7 +18,6 @@ from .passes import Passes
 from .scopes import Binding, BindingKind, Scope, ScopeTree
 from .syntax import Syntax, parts_of
 from .type_names import Types
-from .work_limits import bounded
 
 # What `from our_tools import *` brings along, where no import of the file binds these names.
 _LIBRARIES = frozenset({"rospy", "rclpy", "message_filters", "actionlib"})

@@ -7,6 +7,8 @@ from typing import NamedTuple
 
 from tree_sitter import Node
 
+from plastron_tui.sources.work_limits import bounded
+
 from .analysis import Analysis
 from .arguments import Arguments
 from .callers import given_for
@@ -16,7 +18,6 @@ from .flow import reaching
 from .runs import LOOPS
 from .scopes import Binding, BindingKind, Scope
 from .syntax import parts_of
-from .work_limits import bounded
 
 # More values than these differ.
 _MOST_VALUES = 8

@@ -17,6 +17,7 @@ from weakref import proxy
 from tree_sitter import Node
 
 from plastron_tui.regular_files import read_regular
+from plastron_tui.sources.work_limits import Effort, bounded
 
 from .analysis import Analysis, Site
 from .calls import ClientLibrary
@@ -26,7 +27,6 @@ from .reading_cost import is_readable
 from .scopes import Binding, BindingKind, Scope
 from .sites import complete, outline
 from .syntax import parse
-from .work_limits import Effort, bounded
 
 MOST_MODULES = 32
 """The most files of a package that one file is read with."""

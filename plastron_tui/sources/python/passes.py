@@ -12,6 +12,8 @@ from contextlib import contextmanager
 
 from tree_sitter import Node
 
+from plastron_tui.sources.work_limits import Effort, bounded
+
 from .arguments import Arguments
 from .callers import Callers, Calls, called_function, count_words, given_for
 from .classes import Classes
@@ -31,7 +33,6 @@ from .runs import (
 )
 from .scopes import Binding, BindingKind, Scope, ScopeTree
 from .syntax import Syntax
-from .work_limits import Effort, bounded
 
 MOST_PASSES = 64
 """The most passes through a line that are told apart."""

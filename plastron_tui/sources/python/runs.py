@@ -7,12 +7,13 @@ from dataclasses import dataclass
 
 from tree_sitter import Node
 
+from plastron_tui.sources.work_limits import Effort
+
 from .classes import Classes
 from .constants import MOST_BINDINGS
 from .containers import Item
 from .scopes import BindingKind, Scope, ScopeTree
 from .syntax import Syntax, is_inside, parts_of
-from .work_limits import Effort
 
 LOOPS = frozenset({"for_statement", "for_in_clause"})
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from typing import NamedTuple
 
 from plastron_tui.diagnostics import Diagnostic, codes
@@ -23,10 +24,14 @@ class CppPlan(NamedTuple):
     Attributes:
         node: what is in it.
         headers: the headers of the interfaces that it uses, sorted.
+        overloaded: the names that several of its methods have.
+        has_private: whether any of its names is a private one, of ROS 1.
     """
 
     node: NodePlan
     headers: tuple[str, ...]
+    overloaded: frozenset[str]
+    has_private: bool
 
 
 def plan_node(node: Node, catalog: Catalog, dialect: Dialect) -> CppPlan | Diagnostic:
@@ -43,7 +48,29 @@ def plan_node(node: Node, catalog: Catalog, dialect: Dialect) -> CppPlan | Diagn
     plan.summary = summary(node)
     plan.functions = frozenset(writing.functions)
     plan.class_name = naming.class_name(node.name)
-    return CppPlan(plan, tuple(sorted(writing.headers)))
+    return CppPlan(plan, tuple(sorted(writing.headers)), _overloaded(plan), _has_private(plan))
+
+
+def _overloaded(plan: NodePlan) -> frozenset[str]:
+    """Return the names of several methods: `&Class::name` does not say which of them."""
+    names = Counter(each.name for each in (*plan.callbacks, *plan.handlers))
+    names.update(each.method for each in plan.timers)
+    names.update(each.method for each in plan.action_servers)
+    return frozenset(name for name, count in names.items() if count > 1)
+
+
+def _has_private(plan: NodePlan) -> bool:
+    """Tell whether a node of ROS 1 has private names: a handle of its own takes them."""
+    names = [
+        *(each.topic for each in plan.publishers),
+        *(each.topic for each in plan.subscriptions),
+        *(each.name for each in plan.services),
+        *(each.name for each in plan.clients),
+        *(each.name for each in plan.action_servers),
+        *(each.name for each in plan.action_clients),
+    ]
+    is_private = any(name.startswith('"~') for name in names)
+    return is_private or any(each.is_own for each in plan.parameters)
 
 
 def _check_names(writing: CppWriting) -> None:

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from pathlib import Path
 from typing import ClassVar
 
 from plastron_tui.diagnostics import Diagnostic
 from plastron_tui.model.kinds import EDITABLE, EndpointKind
-from plastron_tui.model.source import FileSet
+from plastron_tui.model.source import Change, FileSet, SourceUnit
 from plastron_tui.model.workspace import Node
 from plastron_tui.ros.catalog import Catalog
 from plastron_tui.sources import find_language
@@ -57,6 +58,8 @@ class CppTarget(Target):
         values = {
             "node": plan.node,
             "headers": plan.headers,
+            "overloaded": plan.overloaded,
+            "has_private": plan.has_private,
             "namespace": namespace,
             "is_split": is_split,
             "header": f"{_namespace(node)}/{stem}.hpp" if is_split else "",
@@ -69,6 +72,12 @@ class CppTarget(Target):
         except CannotRenderError as error:
             return Rendered(None, (error.diagnostic,))
         return Rendered(FileSet(tuple((name, text.encode()) for name, text in files)))
+
+    def edit(self, source: SourceUnit, changes: Sequence[Change], catalog: Catalog) -> Rendered:
+        """Change the files of a unit by splices."""
+        from plastron_tui.sources.cpp.editing import edit_cpp  # loads tree-sitter-cpp
+
+        return edit_cpp(source, changes, catalog)
 
     def _text(self, template: str, values: dict[str, object]) -> str:
         folders = self.dialect.template_folders

@@ -8,6 +8,10 @@ from plastron_tui.ros.package_keys import key_of_header, key_of_module
 from .spec import PackagedNode, PackageSpec, interfaces_name
 
 
+# Nodelets are looked for in the packages alone that depend on `nodelet` (the wiki page "pluginlib").
+_LOADED_BY = {1: {"nodelet", "pluginlib"}, 2: {"rclcpp_components"}}
+
+
 def needs_of(
     spec: PackageSpec, node: PackagedNode
 ) -> tuple[frozenset[str], tuple[Diagnostic, ...]]:
@@ -20,6 +24,8 @@ def needs_of(
     own = {spec.name, *(each.module for each in spec.scripts)}
     known = spec.packages | {interfaces_name(spec.name)}
     keys = set(node.node.packages)
+    if node.plugin is not None:
+        keys |= _LOADED_BY[spec.ros_version]
     diagnostics = []
     for name in sorted(node.imports):
         if name.partition("/" if node.is_built else ".")[0] in own:

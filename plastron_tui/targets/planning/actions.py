@@ -53,5 +53,6 @@ def add_action_client(writing: Writing, plan: NodePlan, client: ActionClient) ->
                 naming.label(client.name, "the action"),
                 tuple(writing.goal(type_, each, client.span) for each in client.goals),
                 is_goals=True,
+                task=writing.sending(f"{name}_goals", is_repeated=False),
             )
         )

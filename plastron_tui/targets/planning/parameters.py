@@ -39,7 +39,7 @@ def add_parameters(writing: Writing, plan: NodePlan) -> None:
                 default=writing.setting(parameter.default),
                 type=writing.parameter_type(parameter.holds),
                 attribute=writing.attributes.new(f"{naming.words(name)}_parameter"),
-                getter=writing.attributes.new(f"get_{naming.words(name)}"),
+                getter=writing.getter(name),
                 descriptor=writing.descriptor(parameter, limits) if writing.is_ros2 else "",
                 check=writing.check(parameter.holds, limits),
                 wanted=_wanted(writing, parameter.holds, limits),

@@ -91,7 +91,7 @@ class ReactionPlan(NamedTuple):
     """The messages that a publisher sends for those of a topic, called `received`.
 
     `type` is the class of `received`. `condition` is "" where they are sent for each, `compared`
-    what of it may not be there.
+    what of it may not be there. `is_heard` tells whether anything depends on what is received.
     """
 
     publisher: str
@@ -103,6 +103,7 @@ class ReactionPlan(NamedTuple):
     sends: tuple[SendPlan, ...]
     condition: str
     compared: tuple[str, ...] = ()
+    is_heard: bool = True
 
     @property
     def unsure(self) -> str:
@@ -206,7 +207,7 @@ class WorkPlan(NamedTuple):
         sends: what makes each request or goal, when it is sent.
         is_goals: whether they are goals.
         repeat: what a timer calls to send them again, "" where they are sent once.
-        task: the attribute that holds the last sending of those (ROS 2).
+        task: the attribute that holds the last sending of those, "" where nothing does.
     """
 
     method: str

@@ -60,8 +60,8 @@ def add_client(writing: Writing, plan: NodePlan, client: Client) -> None:
             tuple(requests),
         )
         if rate is not None:
-            repeat = writing.attributes.new(f"repeat_{name}")
-            task = writing.attributes.new(f"{name}_calls") if writing.is_ros2 else ""
-            work = work._replace(repeat=repeat, task=task)
-            plan.timers.append(planned_timer(writing, rate, repeat, f"{name}_timer"))
+            work = work._replace(repeat=writing.attributes.new(f"repeat_{name}"))
+        work = work._replace(task=writing.sending(f"{name}_calls", is_repeated=rate is not None))
+        if rate is not None:
+            plan.timers.append(planned_timer(writing, rate, work.repeat, f"{name}_timer"))
         plan.works.append(work)

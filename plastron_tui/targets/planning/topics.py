@@ -7,6 +7,7 @@ from collections.abc import Sequence
 from typing import NamedTuple
 
 from plastron_tui.model.kinds import Condition, Publication, Publisher, Rate, Subscription
+from plastron_tui.model.values import OfReceived, computed_in
 from plastron_tui.ros.interfaces import Field, InterfaceKind
 from plastron_tui.sources import naming
 
@@ -68,6 +69,7 @@ def add_publishers(writing: Writing, plan: NodePlan) -> None:
                     sends=_sends(writing, publisher, found, heard),
                     condition=condition,
                     compared=compared,
+                    is_heard=_is_heard(reaction, found),
                 )
             )
         if once:
@@ -85,6 +87,15 @@ def _sends(
     heard: Sequence[Field] = (),
 ) -> tuple[SendPlan, ...]:
     return tuple(writing.send(each.message.value, publisher.span, heard) for each in found)
+
+
+def _is_heard(reaction: _Reactions, found: list[Publication]) -> bool:
+    """Tell whether what is sent, or whether it is, depends on the message that is received."""
+    return reaction.condition is not None or any(
+        isinstance(value.source, OfReceived)
+        for each in found
+        for value in computed_in(each.message.value)
+    )
 
 
 def _heard_class(writing: Writing, topic: str) -> str:

@@ -22,6 +22,7 @@ from plastron_tui.ros.interfaces import Field, Interface, InterfaceKind, Interfa
 from plastron_tui.ros.names import name_as_written, parameter_name
 from plastron_tui.ros.parameters import ParameterType
 from plastron_tui.ros.qos import Qos
+from plastron_tui.sources import naming
 from plastron_tui.sources.naming import Scope
 
 from .plan import MethodPlan, SendPlan
@@ -165,6 +166,14 @@ class Writing(ABC):
     def held(self, attribute: str) -> str:
         """Name what holds a part of a managed node, which destroys it later; "" in other nodes."""
         return self.attributes.new(attribute) if self.node.is_managed else ""
+
+    def sending(self, attribute: str, *, is_repeated: bool) -> str:
+        """Name what holds the last sending of requests or goals, "" where nothing does."""
+        return self.attributes.new(attribute) if self.is_ros2 and is_repeated else ""
+
+    def getter(self, name: str) -> str:
+        """Name the method that reads a parameter, by the parameter's name in ROS 1."""
+        return self.attributes.new(f"get_{naming.words(name)}")
 
     def method_key(self, name: str, type_: str) -> str:
         """Return what tells a function from others; in some languages its type does as well."""

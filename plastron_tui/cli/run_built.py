@@ -1,0 +1,180 @@
+"""Nodes that `plastron run` has to build before it can start them."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from plastron_tui.diagnostics import Diagnostic, codes
+from plastron_tui.diagnostics.terminal import drawn_on
+
+if TYPE_CHECKING:
+    from plastron_tui.generating.generation import Generated
+    from plastron_tui.project.run_setup import RunSetup
+    from plastron_tui.runtime.build_output import Spans
+    from plastron_tui.runtime.builds import BuiltPackage
+    from plastron_tui.runtime.built_nodes import BuiltNode
+    from plastron_tui.runtime.environment import Environment
+    from plastron_tui.runtime.launch import NodeFile
+    from plastron_tui.session import Session
+
+_CONTAINERS = {1: "manager", 2: "container"}
+
+
+def is_built_with(generated: Generated, chosen: Sequence[Generated]) -> bool:
+    """Tell whether a node is in a package of which a chosen one has to be built."""
+    home = generated.generation.node.home
+    return home is not None and any(
+        each.generation.node.home is not None
+        and each.generation.node.home.package == home.package
+        and _is_built(each)
+        for each in chosen
+    )
+
+
+def built_files(
+    session: Session,
+    chosen: Sequence[Generated],
+    environments: Mapping[str, Environment],
+    setup: RunSetup,
+) -> tuple[list[NodeFile], list[Diagnostic]]:
+    """Build the packages of chosen nodes as they are on the disk, and return what starts each.
+
+    Args:
+        session: the program, which was written.
+        chosen: the nodes that are started.
+        environments: the environment of each client library.
+        setup: what the user says about the run.
+    """
+    files: list[NodeFile] = []
+    found: list[Diagnostic] = []
+    nodes = [each for each in chosen if _is_built(each)]
+    by_version: dict[int, list[Generated]] = {}
+    for each in nodes:
+        environment = environments.get(each.generation.library)
+        if environment is not None:
+            by_version.setdefault(environment.ros_version, []).append(each)
+    for those in by_version.values():
+        environment = environments[those[0].generation.library]
+        made, problems = _built(session, those, environment, setup)
+        files += made
+        found += problems
+    return files, found
+
+
+def _is_built(generated: Generated) -> bool:
+    from plastron_tui.targets import LIBRARIES
+
+    return LIBRARIES[generated.generation.library].is_built
+
+
+def _built(
+    session: Session, nodes: Sequence[Generated], environment: Environment, setup: RunSetup
+) -> tuple[list[NodeFile], list[Diagnostic]]:
+    from plastron_tui.runtime.build_progress import ProgressLine
+    from plastron_tui.runtime.builds import overlay
+    from plastron_tui.runtime.built_nodes import LOADERS, find_loader, node_files
+
+    version = environment.ros_version
+    packages = _packages(session, nodes)
+    started = [_node(session, each, version, setup) for each in nodes]
+    needed = [LOADERS[version]] if any(each.plugin is not None for each in started) else []
+    loader = find_loader(environment) if needed else None
+    if needed and loader is None:
+        return [], [_no_loader(environment, needed[0])]
+    beside, problems = _beside(session, nodes, packages, environment)
+    if problems:
+        return [], problems
+    with ProgressLine(drawn_on(sys.stderr)) as line:
+        built, problems = overlay(environment, [*beside, *packages], line.tell)
+    if problems:
+        return [], problems
+    name = f"{packages[-1].name}_{_CONTAINERS[version]}"
+    return list(node_files(started, built, loader, name)), []
+
+
+def _node(session: Session, generated: Generated, version: int, setup: RunSetup) -> BuiltNode:
+    from plastron_tui.runtime.built_nodes import BuiltNode
+    from plastron_tui.targets import find_target
+
+    node, path = generated.generation.node, generated.path(session.output)
+    target = find_target(generated.generation.library)
+    assert node.home is not None and path is not None and target is not None, "it was written"
+    return BuiltNode(
+        node.name,
+        node.home.package,
+        path.stem if node.home.is_own else node.home.executable,
+        target.plugin_class(node),
+        setup.arguments(version, [node]),
+        setup.names.namespace or "",
+    )
+
+
+def _packages(session: Session, nodes: Sequence[Generated]) -> list[BuiltPackage]:
+    """Return the packages of nodes, as they are on the disk."""
+    from plastron_tui.runtime.built_nodes import read_package
+
+    spans: dict[tuple[str, Path], dict[str, Spans]] = {}
+    for each in nodes:
+        home, path = each.generation.node.home, each.path(session.output)
+        assert home is not None and path is not None, "it was written"
+        folder = session.output if home.is_output else session.output / home.package
+        inner = path.relative_to(folder).as_posix()
+        spans.setdefault((home.package, folder), {})[inner] = {0: each.generation.span}
+    return [read_package(name, folder, those) for (name, folder), those in spans.items()]
+
+
+def _beside(
+    session: Session,
+    nodes: Sequence[Generated],
+    packages: Sequence[BuiltPackage],
+    environment: Environment,
+) -> tuple[list[BuiltPackage], list[Diagnostic]]:
+    """Return the packages that have to be built before those of the nodes, or what is missing."""
+    from plastron_tui.ros.interfaces import InterfaceKind
+    from plastron_tui.runtime.build_needs import built_with, missing_for_build, not_found
+    from plastron_tui.runtime.interface_packages import table_package
+
+    from .run import own_packages
+
+    version = environment.ros_version
+    own, refused = own_packages(session, [each.generation.node for each in nodes], version)
+    if refused:
+        return [], refused
+    named = {each.name for each in packages}
+    beside = [each for each in own if each.name not in named]
+    catalog = session.catalog(version)
+    known = frozenset(each for kind in InterfaceKind for each in catalog.packages(kind))
+    named |= {each.name for each in beside}
+    needs = [
+        need
+        for each in (*packages, *beside)
+        for need in built_with(each.files["package.xml"])
+        if need not in named
+    ]
+    missing = missing_for_build(environment, needs, known)
+    left = []
+    for each in missing:
+        definitions = catalog.table_package(each) if version == 2 else None
+        if definitions is None:
+            left.append(each)
+        else:
+            beside.insert(0, table_package(environment, each, definitions))
+    return (beside, []) if not left else ([], [not_found(environment, left)])
+
+
+def _no_loader(environment: Environment, name: str) -> Diagnostic:
+    """Say that nothing here loads nodes into its process."""
+    from plastron_tui.ros.installations import Origin
+    from plastron_tui.runtime import installing
+
+    help_ = f"source a ROS that has `{name}`"
+    if environment.origin is Origin.DEBIAN:
+        help_ = "install it with `sudo apt install libnodeletlib-tools`"
+    elif environment.origin is Origin.SOURCED:
+        command = installing.of_distribution(name, environment.distribution)
+        help_ = help_ if command is None else f"install it with `{command}`"
+    message = f"`{name}` is not installed in {environment.words}, and it loads such nodes"
+    return Diagnostic(codes.MISSING_ROS_PACKAGE, message, help=help_)

@@ -1,0 +1,153 @@
+"""Which calls of a unit call its functions, and what they give for a parameter."""
+
+from __future__ import annotations
+
+from functools import cached_property
+from typing import TYPE_CHECKING
+
+from tree_sitter import Node
+
+from .arguments import Call, arguments_of
+from .scopes import Function, Scope, type_text
+from .unit import Unit
+
+if TYPE_CHECKING:
+    from .read_parameters import ReadParameters
+
+MOST_CALLERS = 64
+_MAKERS = ("make_shared", "make_unique", "allocate_shared", "construct", "emplace")
+
+
+class Callers:
+    """The calls of the functions of a unit.
+
+    Attributes:
+        parameters: what reading a parameter of ROS gives.
+    """
+
+    parameters: ReadParameters
+
+    def __init__(self, unit: Unit) -> None:
+        self._unit = unit
+        self._found: dict[Function, list[Call]] = {}
+
+    def of(self, function: Function) -> list[Call]:
+        """Return the calls of a function; of a constructor, what makes objects of its class."""
+        if function not in self._found:
+            owner = self._unit.class_of_function(function)
+            if owner is not None and owner.name == function.name:
+                found = self._makers(owner)
+            else:
+                found = [
+                    call
+                    for call in self._unit.calls.get(function.name, ())
+                    if self._may_call(call, function, owner)
+                ]
+            self._found[function] = [each for each in found if self._fits(each, function)]
+        return self._found[function]
+
+    def _may_call(self, call: Call, function: Function, owner: Scope | None) -> bool:
+        if owner is None:
+            return call.receiver is None
+        if call.receiver is None or call.receiver.type == "this":
+            of = self._unit.class_of(call.scope)
+            return of is None or any(
+                each is owner for each in (*self._unit.bases(of), *self._unit.bases(owner))
+            ) or self._unit.derives_from(owner, of)  # fmt: skip
+        return True
+
+    def _fits(self, call: Call, function: Function) -> bool:
+        """Whether a call gives as many arguments as a function takes."""
+        most = len(function.parameters)
+        needed = sum(self.default_of(function, position) is None for position in range(most))
+        return needed <= len(call.arguments) <= most
+
+    def default_of(self, function: Function, position: int) -> Node | None:
+        """Return the default of a parameter, which its declaration may have."""
+        own = function.parameters[position].value
+        if own is not None:
+            return own
+        owner = self._unit.class_of_function(function)
+        for other in self._unit.functions.get(function.name, ()):
+            if other.scope is None and len(other.parameters) == len(function.parameters):
+                of = self._unit.class_of_function(other)
+                if of is owner and other.parameters[position].value is not None:
+                    return other.parameters[position].value
+        return None
+
+    def given(self, call: Call, function: Function, position: int) -> Node | None:
+        """Return what a call gives for a parameter, None where it leaves it to the default."""
+        del function
+        return call.argument(position)
+
+    @cached_property
+    def made(self) -> dict[str, list[Call]]:
+        """What makes objects, by the last name of the class as it is written."""
+        found: dict[str, list[Call]] = {}
+        for call in self._all_made():
+            found.setdefault(call.name, []).append(call)
+        return found
+
+    def _all_made(self) -> list[Call]:
+        found: list[Call] = []
+        for file in self._unit.files:
+            syntax = file.syntax
+            for call in file.calls:
+                if call.name in _MAKERS and call.type_nodes:
+                    type_ = call.type_nodes[0]
+                    text = type_text(syntax.word(type_))
+                    found.append(_making(call.node, text, call.arguments, call.scope, type_))
+                elif call.name == "make_shared" and call.qualifier:
+                    name = call.qualifier
+                    found.append(
+                        _making(call.node, name, call.arguments, call.scope, call.name_node)
+                    )
+                elif call.receiver is None:
+                    found.append(call)
+            for node, scope in file.news:
+                type_node = node.child_by_field_name("type")
+                if type_node is not None:
+                    listed = arguments_of(node.child_by_field_name("arguments"))
+                    found.append(
+                        _making(node, type_text(syntax.word(type_node)), listed, scope, type_node)
+                    )
+            for each in file.scopes:
+                for variables in each.variables.values():
+                    for variable in variables:
+                        if variable.type_node is None or variable.kind in ("parameter", "loop"):
+                            continue
+                        if variable.is_pointer or variable.is_reference:
+                            continue
+                        if variable.value is None:
+                            found.append(
+                                _making(
+                                    variable.node,
+                                    variable.type,
+                                    variable.arguments or [],
+                                    each,
+                                    variable.type_node,
+                                )
+                            )
+        for name, initializers in self._unit.initialized.items():
+            for node, given, scope in initializers:
+                owner = self._unit.class_of(scope)
+                member = self._unit.member(owner, name) if owner is not None else None
+                text = member.type if member is not None else name
+                found.append(_making(node, text, given, scope, None))
+        return found
+
+    def _makers(self, owner: Scope) -> list[Call]:
+        found = []
+        for call in self.made.get(owner.name, ()):
+            if self._unit.find_class(call.qualified, call.scope) is owner:
+                found.append(call)
+        return found[: MOST_CALLERS + 1]
+
+
+def _making(
+    node: Node, type_: str, arguments: list[Node], scope: Scope, type_node: Node | None
+) -> Call:
+    """Return what makes an object of a type as a call of its constructor."""
+    plain = type_.partition("<")[0]
+    qualifier, _, name = plain.rpartition("::")
+    return Call(node, name, qualifier, None, None, arguments, scope, type_node)

@@ -1,0 +1,135 @@
+"""Editing a unit: each change by splices, and the whole checked before it is handed out."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from plastron_tui.diagnostics import Diagnostic, codes
+from plastron_tui.model.source import (
+    Add,
+    Change,
+    Remove,
+    Rename,
+    SourceUnit,
+    Update,
+)
+from plastron_tui.ros.catalog import Catalog, moved
+from plastron_tui.sources.base import Rendered
+
+from ..analysis import Analysis
+from ..nodes import group
+from .addition import plan_addition
+from .plans import Plan, with_splices
+from .refusals import RefusedError
+from .removal import plan_removal
+from .renaming import plan_renames
+from .units import Found, analyze_files, endpoints_of
+from .updating import NotInPlaceError, plan_update
+
+
+def edit_cpp(source: SourceUnit, changes: Sequence[Change], catalog: Catalog) -> Rendered:
+    """Change the files of a unit; what no change asks for stays byte for byte.
+
+    The result was read again: each file parses no worse, and all of them hold exactly the
+    endpoints that were asked for. Otherwise there are no files, and a diagnostic says why.
+
+    Args:
+        source: the files, and what was read of them.
+        changes: what is asked for.
+        catalog: the interface types.
+    """
+    if not changes:
+        return Rendered(source.files)
+    used = {
+        (each.kind.facts.interface, each.type)
+        for each in source.endpoints
+        if each.type is not None and moved(each.type, catalog.ros_version) is None
+    }
+    catalog = catalog.with_undefined((kind, name) for kind, name in used if kind is not None)
+    edits = _Edits(source, catalog)
+    try:
+        edits.make(changes)
+    except RefusedError as refusal:
+        return Rendered(None, (refusal.diagnostic,))
+    except UnicodeEncodeError as error:
+        character = error.object[error.start]
+        message = f"`{source.path.name}` is in {error.encoding}, which has no `{character}`"
+        found = Diagnostic(codes.EDIT_REFUSED, message, help="save the file in UTF-8 first")
+        return Rendered(None, (found,))
+    problem = edits.problem()
+    if problem is not None:
+        message = f"the change of `{source.path.name}` would {problem}"
+        return Rendered(None, (Diagnostic(codes.EDIT_REFUSED, message),))
+    return Rendered(edits.files, tuple(edits.notes))
+
+
+class _Edits:
+    """Changes on their way into the files; each is planned for what the one before left.
+
+    Attributes:
+        files: the files as they are now.
+        analysis: what is known of them.
+        expected: the endpoints that a reader must find in them.
+        notes: warnings: what may no longer fit.
+    """
+
+    def __init__(self, source: SourceUnit, catalog: Catalog) -> None:
+        self._source = source
+        self._catalog = catalog
+        self.files = source.files
+        self.analysis = self._before = analyze_files(source.files, source.library)
+        self.expected: Found = endpoints_of(self.analysis)
+        self.notes: list[Diagnostic] = []
+
+    def make(self, changes: Sequence[Change]) -> None:
+        """Make changes: all renames at once, then the others in their order.
+
+        Raises:
+            RefusedError: one cannot be made.
+            UnicodeEncodeError: a file's encoding has not what is to be written.
+        """
+        renames = [change for change in changes if isinstance(change, Rename)]
+        if renames:
+            self._apply(plan_renames(self.analysis, renames))
+        for change in changes:
+            if isinstance(change, Add):
+                self._apply(plan_addition(self.analysis, change, self._catalog))
+            elif isinstance(change, Remove):
+                self._apply(plan_removal(self.analysis, change))
+            elif isinstance(change, Update):
+                self._update(change)
+
+    def _update(self, change: Update) -> None:
+        before = self.files, self.analysis, self.expected.copy()
+        try:
+            self._apply(plan_update(self.analysis, change, self._catalog))
+            if self.problem() is None:
+                return
+        except NotInPlaceError:
+            pass
+        self.files, self.analysis, self.expected = before
+        remove, add = change.apart
+        self._apply(plan_removal(self.analysis, remove))
+        self._apply(plan_addition(self.analysis, add, self._catalog))
+
+    def _apply(self, plan: Plan) -> None:
+        self.files = with_splices(self.files, plan.splices)
+        self.expected.subtract(endpoints_of(self.analysis, plan.lost))
+        self.expected.update(plan.added)
+        self.notes += plan.notes
+        self.analysis = analyze_files(self.files, self._source.library)
+
+    def problem(self) -> str | None:
+        """Return what is wrong with the changed files, None where nothing is."""
+        pairs = zip(self._before.unit.files, self.analysis.unit.files, strict=True)
+        if any(after.syntax.errors > before.syntax.errors for before, after in pairs):
+            return "leave a file that parses worse"
+        if endpoints_of(self.analysis) != +self.expected:
+            return "change other endpoints than the ones asked for"
+        if _names(self._before) != _names(self.analysis):
+            return "change the nodes of the file"
+        return None
+
+
+def _names(analysis: Analysis) -> list[tuple[str | None, str | None]]:
+    return [(node.name, node.class_name) for node in group(analysis)]

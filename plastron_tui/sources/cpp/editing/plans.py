@@ -1,0 +1,47 @@
+"""What one change does to the files of a unit."""
+
+from __future__ import annotations
+
+from collections import defaultdict
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, field
+
+from plastron_tui.diagnostics import Diagnostic
+from plastron_tui.model.source import FileSet
+from plastron_tui.sources.splices import Splice, apply
+
+from ..analysis import Site
+from ..scopes import CppFile
+from .units import Key
+
+
+@dataclass(slots=True)
+class Plan:
+    """What a change does.
+
+    Attributes:
+        splices: what it replaces, by the name of the file in the set; "" is the main file.
+        lost: the call sites that go, or become others.
+        added: the endpoints that a reader must find in addition.
+        notes: what is to be told of it.
+    """
+
+    splices: defaultdict[str, list[Splice]] = field(default_factory=lambda: defaultdict(list))
+    lost: list[Site] = field(default_factory=list)
+    added: list[tuple[str, Key]] = field(default_factory=list)
+    notes: list[Diagnostic] = field(default_factory=list)
+
+    def replace(self, file: CppFile, start: int, end: int, text: str = "") -> None:
+        """Replace a part of a file."""
+        encoded = text.encode(file.syntax.encoding)
+        self.splices[file.name].append(Splice(start, end, encoded))
+
+
+def with_splices(files: FileSet, splices: Mapping[str, Iterable[Splice]]) -> FileSet:
+    """Return a set of files with splices applied."""
+    for name, each in splices.items():
+        own = name or files.names[0]
+        text = files.get(own)
+        assert text is not None, "splices are for files of the set"
+        files = files.with_text(own, apply(text, each))
+    return files

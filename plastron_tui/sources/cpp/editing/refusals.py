@@ -1,0 +1,13 @@
+"""Why a change of a unit cannot be made, as it is told."""
+
+from __future__ import annotations
+
+from plastron_tui.diagnostics import Diagnostic, Span, codes
+
+
+class RefusedError(Exception):
+    """A change that cannot be made."""
+
+    def __init__(self, message: str, span: Span | None = None, remedy: str | None = None) -> None:
+        super().__init__(message)
+        self.diagnostic = Diagnostic(codes.EDIT_REFUSED, message, span, help=remedy)

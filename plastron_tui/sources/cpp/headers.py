@@ -1,0 +1,150 @@
+"""Which files of its package a C++ file is read and changed together with.
+
+A node is a source file with the headers of its own package that it includes, also by way of
+others: these declare its members, callbacks and constants. A header is read with the source file
+of its name.
+"""
+
+from __future__ import annotations
+
+import os
+import re
+from collections.abc import Iterator
+from contextlib import suppress
+from pathlib import Path
+
+from plastron_tui.regular_files import read_regular
+
+MOST_HEADERS = 24
+"""The most headers that one file is read with."""
+
+_MOST_INCLUDES = 200
+_LARGEST = 256 * 1024
+_MOST_BYTES = 1024 * 1024
+_MOST_DEEP = 4
+_MOST_ABOVE = 5
+_SOURCES = (".cpp", ".cc", ".cxx")
+_HEADERS = (".hpp", ".h", ".hh", ".hxx")
+_INCLUDE = re.compile(rb'^[ \t]*#[ \t]*include[ \t]*(?:<([^<>\n]+)>|"([^"\n]+)")', re.MULTILINE)
+# What other packages of ROS install, and the standard library.
+_FOREIGN = re.compile(
+    r"(?:ros|rclcpp\w*|rcl\w*|tf2?\w*|nodelet|pluginlib|actionlib|std|boost|Eigen|pcl\w*|opencv2?"
+    r"|cv_bridge|image_transport|message_filters|sys|gtest|\w+_msgs|\w+_srvs)/.*|\w+"
+)
+
+
+def others(path: Path, text: bytes) -> tuple[str, ...]:
+    """Return the names of the files that belong to a file, see `FileSet`."""
+    folder = os.path.dirname(os.path.abspath(path))  # noqa: PTH100,PTH120 (never raises)
+    roots = _roots(folder)
+    found: dict[str, None] = {}
+    if path.suffix in _HEADERS:
+        for name in _sources_of(path, folder):
+            found[name] = None
+    left = [_MOST_BYTES]
+    _gather(text, folder, roots, folder, path.stem, found, left, 0)
+    # What Plastron writes names its header like this before there is one on the disk.
+    for include in _includes(text):
+        name = include.rpartition("/")[2]
+        stem = name.rpartition(".")[0]
+        if stem == path.stem and len(found) < MOST_HEADERS:
+            outer = include.rpartition("/")[0]
+            beside = name.replace(stem, "{}")
+            usual = f"../include/{outer}/{beside}" if outer else beside
+            if not any(each.endswith(beside) for each in found):
+                found[usual] = None
+    return tuple(found)
+
+
+def _gather(
+    text: bytes,
+    folder: str,
+    roots: list[str],
+    main: str,
+    stem: str,
+    found: dict[str, None],
+    left: list[int],
+    depth: int,
+) -> None:
+    inner: list[tuple[bytes, str]] = []
+    for include in _includes(text):
+        if len(found) >= MOST_HEADERS:
+            return
+        place = _place(include, folder, roots)
+        if place is None:
+            continue
+        name = _relative(place, main, stem)
+        if name is None or name in found or name.startswith("{}.c"):
+            continue
+        with suppress(OSError, ValueError):
+            held = read_regular(Path(place), _LARGEST)
+            if len(held) > left[0]:
+                continue
+            left[0] -= len(held)
+            found[name] = None
+            inner.append((held, os.path.dirname(place)))  # noqa: PTH120
+    if depth < _MOST_DEEP:
+        for held, where in inner:
+            _gather(held, where, roots, main, stem, found, left, depth + 1)
+
+
+def _includes(text: bytes) -> Iterator[str]:
+    for at, include in enumerate(_INCLUDE.finditer(text)):
+        if at >= _MOST_INCLUDES:
+            return
+        name = (include[1] or include[2]).decode("utf-8", "replace").strip()
+        is_plain = "{" not in name and "\0" not in name and not name.startswith("/")
+        if is_plain and (include[2] or not _FOREIGN.fullmatch(name)):
+            yield name
+
+
+def _place(include: str, folder: str, roots: list[str]) -> str | None:
+    """Return the file of the package that an include names, None for one of another package."""
+    for root in (folder, *roots):
+        place = os.path.normpath(os.path.join(root, include))  # noqa: PTH118
+        if os.path.isfile(place):  # noqa: PTH113
+            return place
+    return None
+
+
+def _relative(place: str, main: str, stem: str) -> str | None:
+    with suppress(ValueError):
+        name = os.path.relpath(place, main).replace(os.sep, "/")
+        outer, slash, last = name.rpartition("/")
+        own, dot, suffix = last.rpartition(".")
+        if own == stem:
+            last = "{}" + dot + suffix
+        elif "{" in last:
+            return None
+        return outer + slash + last
+    return None
+
+
+def _roots(folder: str) -> list[str]:
+    """Return the folders that the headers of a package are looked for in."""
+    above = [folder]
+    for _ in range(_MOST_ABOVE):
+        outer = os.path.dirname(above[-1])  # noqa: PTH120
+        if outer == above[-1]:
+            break
+        above.append(outer)
+    package = next(
+        (at for at, each in enumerate(above) if os.path.isfile(os.path.join(each, "package.xml"))),  # noqa: PTH113,PTH118
+        None,
+    )
+    chain = above[: package + 1] if package is not None else above[:3]
+    roots = []
+    for each in chain:
+        roots += [os.path.join(each, "include"), os.path.join(each, "src"), each]  # noqa: PTH118
+    return roots
+
+
+def _sources_of(path: Path, folder: str) -> Iterator[str]:
+    """Yield the source file that defines what a header declares."""
+    for outer in ("", "../src/", "../../src/", "../../../src/", "src/"):
+        for suffix in _SOURCES:
+            name = f"{outer}{{}}{suffix}"
+            place = os.path.join(folder, name.replace("{}", path.stem))  # noqa: PTH118
+            if os.path.isfile(place):  # noqa: PTH113
+                yield name
+                return

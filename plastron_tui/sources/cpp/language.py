@@ -1,0 +1,41 @@
+"""What Plastron asks of C++, without the parser that reading needs."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import ClassVar
+
+from plastron_tui.model.source import FileSet
+from plastron_tui.sources.base import Language, ReadResult
+
+from .includes import included
+from .keywords import is_keyword
+
+
+class Cpp(Language):
+    """C++, as ROS nodes are written in it."""
+
+    name: ClassVar[str] = "cpp"
+    title: ClassVar[str] = "C++"
+    is_built: ClassVar[bool] = True
+    suffixes: ClassVar[tuple[str, ...]] = (".cpp", ".cc", ".cxx", ".hpp", ".h")
+
+    def is_keyword(self, word: str) -> bool:
+        """Tell whether a word is a keyword, or an alternative spelling of an operator."""
+        return is_keyword(word)
+
+    def others(self, path: Path, text: bytes) -> tuple[str, ...]:
+        """Return the headers of the file's package that it includes."""
+        from .headers import others
+
+        return others(path, text)
+
+    def read(self, path: Path, files: FileSet, library: str | None = None) -> ReadResult:
+        """Read the nodes and endpoints of a C++ file with the headers of its set."""
+        from .reader import read_cpp  # loads tree-sitter-cpp
+
+        return read_cpp(path, files, library)
+
+    def imports(self, text: bytes) -> frozenset[str]:
+        """Return the headers that a text includes from folders: `std_msgs/msg/string.hpp`."""
+        return included(text)

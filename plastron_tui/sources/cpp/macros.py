@@ -1,0 +1,88 @@
+"""Macros that no parser can see through, each blanked, so that what is around them parses.
+
+No offset moves. What they stand for is visibility, what Qt's compiler reads, or whole
+declarations: nothing that says what a node is.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable
+
+_ARGUMENTS = rb"\((?:[^()\n]|\((?:[^()\n]|\([^()\n]*\))*\))*\)"
+_BLANK = re.compile(
+    rb"""
+    # class FOO_PUBLIC Name
+    (?:(?<=class)|(?<=struct))\s+\b[A-Z][A-Z0-9_]{2,}\b(?:%(arguments)s)?(?=\s+[A-Za-z_][\w:]*\s*(?:final\b\s*)?[:{])
+    # FOO_PUBLIC void function();
+    |\b[A-Z][A-Z0-9_]*_(?:PUBLIC|LOCAL|EXPORT|IMPORT|API|DECL|INLINE|DEPRECATED)\b(?!\s*[;,=+)])
+    # "%%" PRId64 "more"
+    |(?<=")\s*\bPRI[dioxXu](?:8|16|32|64|PTR|MAX|(?:LEAST|FAST)(?:8|16|32|64))\b
+    |\b(?:Q_OBJECT|Q_GADGET|Q_SLOTS|Q_EMIT|Q_INVOKABLE)\b
+    |\bQ_SIGNALS\s*:
+    |\bslots\b(?=\s*:)
+    |\b__attribute__\s*\(\((?:[^()]|\([^()]*\))*\)\)
+    |\[\s*\[\s*(?:maybe_unused|nodiscard|deprecated|noreturn|fallthrough|gnu::)[^\[\]]*\]\s*\]
+    |\b__declspec\s*\([^()]*\)
+    |\bEIGEN_MAKE_ALIGNED_OPERATOR_NEW\b\s*;?
+    """
+    % {b"arguments": _ARGUMENTS},
+    re.VERBOSE,
+)
+# A macro alone on its line, without a `;`, stands for a declaration.
+_ALONE = re.compile(
+    rb"^[ \t]*(?!TEST|TYPED_TEST|PARAM_TEST)[A-Z][A-Z0-9]*_[A-Z0-9_]*[ \t]*"
+    rb"(?:\((?:[^(){};\"]|\((?:[^(){};\"]|\([^(){};\"]*\))*\))*\))?[ \t]*$",
+    re.MULTILINE,
+)
+_BEFORE = frozenset(b";{}:)")
+_AFTER = frozenset(b";,.)-+*/=<>?&|({")
+_LOOP = re.compile(rb"\b(?:BOOST_(?:REVERSE_)?FOREACH|Q_FOREACH|foreach)\s*(?=\()")
+_SIGNALS = re.compile(rb"\bsignals(\s*:)")
+
+
+def mask_macros(code: bytearray) -> None:
+    """Put blanks over the macros of a text that would not parse."""
+    found = bytes(code)
+    found = _BLANK.sub(_blanks, found)
+    if b"OREACH" in found or b"foreach" in found:
+        found = _mask_loops(found)
+    if b"Q_OBJECT" in code:
+        found = _SIGNALS.sub(rb"private\1", found)
+    code[:] = _ALONE.sub(_unless_joined(found), found)
+
+
+def _blanks(found: re.Match[bytes]) -> bytes:
+    return re.sub(rb"[^\n]", b" ", found[0])
+
+
+def _unless_joined(code: bytes) -> Callable[[re.Match[bytes]], bytes]:
+    """Return what blanks a macro, unless what is around it makes it a part of something."""
+
+    def replace(found: re.Match[bytes]) -> bytes:
+        start, end = found.span()
+        while start > 0 and code[start - 1] in b" \t\r\n":
+            start -= 1
+        while end < len(code) and code[end] in b" \t\r\n":
+            end += 1
+        is_first = start == 0 or code[start - 1] in _BEFORE
+        is_last = end == len(code) or code[end] not in _AFTER
+        return _blanks(found) if is_first and is_last else found[0]
+
+    return replace
+
+
+def _mask_loops(code: bytes) -> bytes:
+    """Write `while` for loops that are macros, with the number 1 for what they go over."""
+    text = bytearray(code)
+    for found in _LOOP.finditer(code):
+        start, end = found.span()
+        text[start:end] = b"while".ljust(end - start)
+        depth = 0
+        for at in range(end, min(len(text), end + 400)):
+            depth += (text[at] == ord("(")) - (text[at] == ord(")"))
+            if depth == 0:
+                inner = re.sub(rb"[^\n]", b" ", bytes(text[end + 1 : at]))
+                text[end + 1 : at] = b"1" + inner[1:] if inner and inner[:1] != b"\n" else inner
+                break
+    return bytes(text)

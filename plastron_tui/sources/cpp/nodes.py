@@ -1,0 +1,78 @@
+"""The nodes of a unit, and which of its call sites belong to which."""
+
+from __future__ import annotations
+
+from plastron_tui.diagnostics import Span
+from plastron_tui.model.source import SourceEndpoint, SourceNode
+
+from .analysis import Analysis, NodeSite, Site
+from .details import Details
+from .node_sites import find_nodes
+
+
+def group(analysis: Analysis) -> tuple[SourceNode, ...]:
+    """Sort the call sites into the nodes of the files."""
+    if not analysis.nodes:
+        find_nodes(analysis)
+    details = Details(analysis)
+    makers = analysis.nodes
+    if not makers:
+        known = tuple(map(details.of, analysis.sites))
+        return (SourceNode(None, "", known),) if known else ()
+    owned = owned_sites(analysis)
+    return tuple(
+        _source_node(maker, tuple(map(details.of, sites)))
+        for maker, sites in zip(makers, owned, strict=True)
+    )
+
+
+def _source_node(maker: NodeSite, endpoints: tuple[SourceEndpoint, ...]) -> SourceNode:
+    place = maker.place
+    return SourceNode(
+        maker.name,
+        maker.expression,
+        endpoints,
+        Span(place.start_byte, place.end_byte),
+        None if maker.owner is None else maker.owner.name,
+        maker.is_managed,
+    )
+
+
+def owned_sites(analysis: Analysis) -> list[list[Site]]:
+    """Return the call sites of each node."""
+    makers = analysis.nodes
+    if len(makers) == 1:
+        return [analysis.sites]
+    owned: list[list[Site]] = [[] for _ in makers]
+    for site in analysis.sites:
+        owned[_owner(site, analysis)].append(site)
+    return owned
+
+
+def _owner(site: Site, analysis: Analysis) -> int:
+    """Return the number of the node that a call site belongs to."""
+    unit, makers = analysis.unit, analysis.nodes
+    for at, maker in enumerate(makers):
+        if site.node is not None and maker.variable is site.node:
+            return at
+    for owner in (site.owner, unit.class_of(site.call.scope)):
+        if owner is None:
+            continue
+        for at, maker in enumerate(makers):
+            if maker.owner is owner:
+                return at
+        # A class that is no node itself is a part of what derives from it.
+        for at, maker in enumerate(makers):
+            if maker.owner is not None and unit.derives_from(maker.owner, owner):
+                return at
+    function = site.call.scope.enclosing("function")
+    for at, maker in enumerate(makers):
+        is_here = maker.file is site.file and maker.owner is None and function is not None
+        if is_here and function is not None:
+            is_here = function.start <= maker.place.start_byte < function.end
+        if is_here:
+            return at
+    for at, maker in enumerate(makers):
+        if maker.file is site.file and maker.owner is None:
+            return at
+    return next((at for at, maker in enumerate(makers) if maker.file is site.file), 0)

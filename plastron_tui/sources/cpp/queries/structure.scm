@@ -1,0 +1,26 @@
+; What has names of its own.
+(namespace_definition) @scope
+(class_specifier body: (_)) @scope
+(struct_specifier body: (_)) @scope
+(function_definition) @scope
+(lambda_expression) @scope
+(compound_statement) @scope
+(for_statement) @scope
+(for_range_loop) @scope
+(if_statement) @scope
+(template_declaration) @scope
+
+; What binds names.
+(declaration) @declaration
+(field_declaration) @declaration
+(for_range_loop) @loop
+(alias_declaration) @alias
+(type_definition) @alias
+(namespace_alias_definition) @alias
+(using_declaration) @using
+
+; What is done with them.
+(assignment_expression) @assignment
+(field_initializer) @initializer
+(call_expression) @call
+(new_expression) @new

@@ -1,0 +1,84 @@
+"""From the call sites of the files of a unit to its nodes."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+
+from plastron_tui.diagnostics import Code, Diagnostic, codes
+from plastron_tui.model.source import FileSet, SourceUnit
+from plastron_tui.sources.base import ReadResult
+
+from .analysis import Analysis
+from .node_sites import nodelets
+from .nodes import group
+from .sites import find_sites
+from .structure import outline
+from .syntax import parse
+from .unit import Unit
+
+MOST_BYTES = 4_000_000
+"""Beyond this size a file is data, not a node that a person wrote."""
+
+_ROS1 = re.compile(
+    rb'#[ \t]*include[ \t]*[<"](?:ros/|nodelet/|tf/|actionlib/|dynamic_reconfigure/)'
+    rb'|#[ \t]*include[ \t]*[<"][\w/]+_msgs/[A-Z]'
+    rb"|\bros::(?:NodeHandle|init|Publisher|Subscriber|param|Timer)\b|\bgetPrivateNodeHandle\b"
+)
+_ROS2 = re.compile(
+    rb'#[ \t]*include[ \t]*[<"](?:rclcpp|[\w/]+/(?:msg|srv|action)/\w+\.hpp)'
+    rb"|\brclcpp(?:_\w+)?::|\bcreate_(?:publisher|subscription|service|client)[ \t]*<"
+)
+_COMPONENT = re.compile(rb"^[ \t]*RCLCPP_COMPONENTS_REGISTER_NODE(?:_WITH_\w+)?[ \t]*\(", re.M)
+
+LIBRARIES = {"roscpp": 1, "nodelet": 1, "rclcpp": 2, "component": 2}
+"""The generations of ROS of the client libraries for C++."""
+
+
+def read_cpp(path: Path, files: FileSet, library: str | None = None) -> ReadResult:
+    """Read the nodes of a C++ file, the main one of a set."""
+    text = files.main
+    if len(text) > MOST_BYTES:
+        return _refuse(path, codes.FILE_TOO_LARGE, "the file is larger than 4 MB and is not read")
+    if b"\x00" in text:
+        return _refuse(path, codes.NO_NODE, "the file is not a text")
+    versions = [LIBRARIES[library]] if library in LIBRARIES else _mentioned(files)
+    if not versions:
+        return _refuse(path, codes.NO_NODE, "the file includes neither ROS 1 nor ROS 2")
+    outlines = [
+        outline("" if at == 0 else name, parse(each))
+        for at, (name, each) in enumerate(files.texts)
+        if len(each) <= MOST_BYTES and b"\x00" not in each
+    ]
+    analyses = [analyze(Unit(outlines), version) for version in versions]
+    best = max(analyses, key=lambda analysis: len(analysis.sites))
+    source = SourceUnit(path, files, _library(best), group(best))
+    return ReadResult(source)
+
+
+def analyze(unit: Unit, ros_version: int) -> Analysis:
+    """Return what is known of the files of a unit."""
+    analysis = Analysis(unit, ros_version)
+    find_sites(analysis)
+    return analysis
+
+
+def _mentioned(files: FileSet) -> list[int]:
+    texts = [text for _, text in files.texts]
+    found = []
+    for version, pattern in ((1, _ROS1), (2, _ROS2)):
+        if any(pattern.search(text) for text in texts):
+            found.append(version)
+    return found
+
+
+def _library(analysis: Analysis) -> str:
+    files = analysis.unit.files
+    if analysis.ros_version == 1:
+        return "nodelet" if nodelets(analysis) else "roscpp"
+    is_component = any(_COMPONENT.search(file.syntax.code) for file in files[:1])
+    return "component" if is_component else "rclcpp"
+
+
+def _refuse(path: Path, code: Code, message: str) -> ReadResult:
+    return ReadResult(None, (Diagnostic(code, message, file=path),))

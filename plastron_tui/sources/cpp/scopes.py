@@ -1,0 +1,270 @@
+"""What the names of a C++ file are bound to: namespaces, classes, functions, blocks, variables."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING
+
+from tree_sitter import Node
+
+from .syntax import Syntax
+
+if TYPE_CHECKING:
+    from .arguments import Call
+
+_KINDS = {
+    "translation_unit": "file",
+    "namespace_definition": "namespace",
+    "class_specifier": "class",
+    "struct_specifier": "class",
+    "function_definition": "function",
+    "lambda_expression": "lambda",
+    "template_declaration": "template",
+}
+_CV = re.compile(
+    r"\b(?:const|volatile|typename|struct|class|static|constexpr|inline|mutable|extern)\b|\.\.\."
+)
+_FUNCTION_LIKE = ("function", "lambda")
+
+
+def type_text(text: str) -> str:
+    """Return a type without blanks, `const`, references and pointers: `a::B<c::D>`."""
+    text = "".join(_CV.sub(" ", text).split())
+    return text.rstrip("&*").removeprefix("::")
+
+
+@dataclass(slots=True, eq=False)
+class Variable:
+    """A variable, member or parameter.
+
+    Attributes:
+        name: its name.
+        kind: `local`, `parameter`, `member` or `global`.
+        type_node: what is written as its type, None for what has none.
+        node: its declaration.
+        scope: the scope that it is declared in.
+        start: from which offset on it can be named.
+        value: what it is initialized with.
+        arguments: what its constructor gets, None where it is not written like that.
+        declarator: its name's node.
+        is_pointer: whether its declarator makes it a pointer.
+        is_reference: whether its declarator makes it a reference.
+    """
+
+    name: str
+    kind: str
+    type_node: Node | None
+    node: Node
+    scope: Scope
+    start: int
+    value: Node | None = None
+    arguments: list[Node] | None = None
+    declarator: Node | None = None
+    is_pointer: bool = False
+    is_reference: bool = False
+
+    @property
+    def file(self) -> CppFile:
+        """The file that declares it."""
+        return self.scope.file
+
+    @property
+    def is_const(self) -> bool:
+        """Whether it keeps its first value."""
+        syntax = self.file.syntax
+        end = self.type_node.end_byte if self.type_node is not None else self.node.start_byte
+        head = syntax.code[self.node.start_byte : end]
+        return b"const" in head
+
+    @property
+    def type(self) -> str:
+        """Its type as it is written, see `type_text`; "" for none."""
+        return "" if self.type_node is None else type_text(self.file.syntax.word(self.type_node))
+
+
+@dataclass(slots=True, eq=False)
+class Function:
+    """A function or method that is declared or defined.
+
+    Attributes:
+        name: its name.
+        qualifier: what stands before its name: `A` of `A::f`.
+        node: its declaration or definition.
+        declarator: its name with its parameters.
+        scope: the scope of its body, None for a declaration.
+        place: the scope that it is written in.
+    """
+
+    name: str
+    qualifier: str
+    node: Node
+    declarator: Node
+    scope: Scope | None
+    place: Scope
+    _parameters: list[Variable] | None = None
+
+    @property
+    def file(self) -> CppFile:
+        """The file that it is in."""
+        return self.place.file
+
+    @property
+    def parameters(self) -> list[Variable]:
+        """Its parameters, also those without a name."""
+        if self._parameters is None:
+            listed = self.declarator.child_by_field_name("parameters")
+            scope = self.scope or self.place
+            self._parameters = list(_parameters(listed, scope)) if listed is not None else []
+        return self._parameters
+
+    @property
+    def class_name(self) -> str:
+        """The name of the class that it is a method of, "" for none."""
+        if self.qualifier:
+            return re.sub(r"<.*", "", self.qualifier).rpartition("::")[2]
+        owner = self.place.enclosing("class")
+        return owner.name if owner is not None and self.place.kind != "block" else ""
+
+    @property
+    def return_type(self) -> str:
+        """What it returns, see `type_text`."""
+        found = self.node.child_by_field_name("type")
+        return "" if found is None else type_text(self.file.syntax.word(found))
+
+
+@dataclass(slots=True, eq=False)
+class Scope:
+    """A part of a file that has names of its own.
+
+    Attributes:
+        file: the file.
+        kind: `file`, `namespace`, `class`, `function`, `lambda`, `template` or `block`.
+        name: the name of a namespace, class or function.
+        node: its node.
+        parent: the scope around it, None for a file.
+        variables: its variables by name.
+        aliases: what its names for types stand for.
+        functions: the functions that are declared or defined in it.
+        usings: the namespaces, and single names, that it takes the names of.
+        bases: what a class derives from, see `type_text`.
+        function: the function of the scope's body.
+        template_names: the type parameters of a template.
+    """
+
+    file: CppFile
+    kind: str
+    name: str
+    node: Node
+    parent: Scope | None
+    start: int
+    end: int
+    variables: dict[str, list[Variable]] = field(default_factory=dict)
+    aliases: dict[str, str] = field(default_factory=dict)
+    functions: dict[str, list[Function]] = field(default_factory=dict)
+    usings: list[str] = field(default_factory=list)
+    bases: tuple[str, ...] = ()
+    function: Function | None = None
+    template_names: tuple[str, ...] = ()
+
+    def enclosing(self, *kinds: str) -> Scope | None:
+        """Return the innermost scope of some kinds that this one is in, or is."""
+        scope: Scope | None = self
+        while scope is not None and scope.kind not in kinds:
+            scope = scope.parent
+        return scope
+
+    @property
+    def chain(self) -> Iterator[Scope]:
+        """The scope and those around it, the innermost first."""
+        scope: Scope | None = self
+        while scope is not None:
+            yield scope
+            scope = scope.parent
+
+    @property
+    def qualified(self) -> str:
+        """The full name of a namespace or class, such as `a::B`."""
+        names = [each.name for each in self.chain if each.kind in ("namespace", "class")]
+        return "::".join(name for name in reversed(names) if name)
+
+
+@dataclass(slots=True, eq=False)
+class CppFile:
+    """A file of a unit, with its scopes.
+
+    Attributes:
+        name: its name in the set, "" for the main file.
+        syntax: its text and tree.
+        root: the scope of the whole file.
+        scopes: all scopes, in the order of the text.
+        captures: what the query of the structure has found, in the order of the text.
+        is_beside: whether it is no part of the set, and only looked into.
+    """
+
+    name: str
+    syntax: Syntax
+    root: Scope = field(init=False)
+    scopes: list[Scope] = field(default_factory=list)
+    calls: list[Call] = field(default_factory=list)
+    assignments: list[tuple[Node, Scope]] = field(default_factory=list)
+    initializers: list[tuple[Node, Scope]] = field(default_factory=list)
+    news: list[tuple[Node, Scope]] = field(default_factory=list)
+    is_beside: bool = False
+
+
+def _parameters(listed: Node, scope: Scope) -> Iterator[Variable]:
+    for each in listed.named_children:
+        if not each.type.endswith("parameter_declaration"):
+            continue
+        declarator = each.child_by_field_name("declarator")
+        name, inner, _, pointer, reference = declared(declarator, scope.file.syntax)
+        yield Variable(
+            name,
+            "parameter",
+            each.child_by_field_name("type"),
+            each,
+            scope,
+            each.start_byte,
+            each.child_by_field_name("default_value"),
+            None,
+            inner,
+            pointer,
+            reference,
+        )
+
+
+def declared(
+    declarator: Node | None, syntax: Syntax
+) -> tuple[str, Node | None, Node | None, bool, bool]:
+    """Return what a declarator declares.
+
+    Returns its name, the node of that, the declarator of a function if it is one, whether it is a
+    pointer, and whether it is a reference.
+    """
+    function = None
+    pointer = reference = False
+    for _ in range(16):
+        if declarator is None:
+            break
+        kind = declarator.type
+        if kind in ("identifier", "field_identifier", "type_identifier"):
+            return syntax.word(declarator), declarator, function, pointer, reference
+        if kind in (
+            "qualified_identifier",
+            "destructor_name",
+            "operator_name",
+            "template_function",
+        ):
+            return syntax.word(declarator), declarator, function, pointer, reference
+        pointer = pointer or kind == "pointer_declarator"
+        reference = reference or kind == "reference_declarator"
+        if kind == "function_declarator":
+            function = function or declarator
+        inner = declarator.child_by_field_name("declarator")
+        if inner is None:
+            named = declarator.named_children
+            inner = named[-1] if named and kind.endswith("declarator") else None
+        declarator = inner
+    return "", None, function, pointer, reference

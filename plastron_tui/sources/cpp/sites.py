@@ -1,0 +1,378 @@
+"""Where the files of a unit create endpoints."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from typing import NamedTuple
+
+from tree_sitter import Node
+
+from .analysis import Analysis, Site
+from .arguments import Call
+from .callbacks import callback_of
+from .created import created_by
+from .receivers import HANDLE, NODELET
+from .scopes import CppFile, Scope, Variable
+from .shapes import FUNCTIONS, METHODS, OBJECTS, TRANSFORM_OBJECTS, Shape
+from .transforms import transforms
+from .unit import last_name
+
+MOST_SITES = 4_000
+"""More calls than that in one unit were generated; the rest is not read."""
+
+_NODE_NAME = re.compile(r"(?:\w*_)?(?:node|n|nh|self|parent|ros_node|lc_?node)\w{0,3}_?", re.I)
+_HANDLE_NAME = re.compile(
+    r"\w*(?:nh|node_?handle|handle|node)\w{0,8}|n_?|nhp?_?|pn_?|np_?|priv\w*", re.I
+)
+_OPTIONS = {
+    "ros::AdvertiseOptions": "advertise",
+    "ros::SubscribeOptions": "subscribe",
+    "ros::AdvertiseServiceOptions": "advertiseService",
+    "ros::ServiceClientOptions": "serviceClient",
+}
+_HANDLE_ALONE = frozenset({"param", "getParam", "getParamCached", "setParam", "hasParam"})
+
+
+class Found(NamedTuple):
+    """A call with the shape that it matches.
+
+    Attributes:
+        call: the call.
+        shape: the shape.
+        arguments: the arguments without the node.
+        handle: the node, handle or transport that it is made on, None for the object itself.
+        scope: the scope that the handle stands in.
+        owner: the class of the files that the node is of.
+        template: what says the type instead of the call itself.
+        type: the type of what it is called on.
+    """
+
+    call: Call
+    shape: Shape
+    arguments: list[Node]
+    handle: Node | None
+    scope: Scope
+    owner: Scope | None
+    template: str = ""
+    options: Call | None = None
+
+
+def find_sites(analysis: Analysis) -> None:
+    """Find the calls that create endpoints."""
+    finder = _Finder(analysis)
+    order = {id(file): at for at, file in enumerate(analysis.unit.files)}
+    found = list(finder.found())
+    found.sort(key=lambda each: (order[id(each.call.scope.file)], each.call.node.start_byte))
+    for each in found[:MOST_SITES]:
+        analysis.sites.extend(_sites(analysis, each))
+    analysis.sites.extend(transforms(analysis))
+    analysis.sites.sort(key=lambda each: (order[id(each.file)], each.endpoint.span.start))
+
+
+def _sites(analysis: Analysis, found: Found) -> Iterator[Site]:
+    variable = _variable(analysis, found)
+    for endpoint, callback, bindings in created_by(analysis, found):
+        yield Site(
+            endpoint,
+            found.call,
+            found.shape,
+            found.arguments,
+            found.owner,
+            variable,
+            callback,
+            bindings,
+            found.options,
+        )
+
+
+def _variable(analysis: Analysis, found: Found) -> Variable | None:
+    if found.handle is None:
+        return None
+    name = last_name(found.handle, found.scope)
+    return analysis.unit.lookup(name, found.scope, found.handle.start_byte) if name else None
+
+
+class _Finder:
+    """The calls of a unit that match a shape."""
+
+    def __init__(self, analysis: Analysis) -> None:
+        self._a = analysis
+        self._unit = analysis.unit
+        self._receivers = analysis.receivers
+        self._ros = analysis.ros_version
+        self._wanted = {"handle"} if self._ros == 1 else {"node"}
+
+    def found(self) -> Iterator[Found]:
+        """Yield the calls."""
+        for name, shapes in METHODS.items():
+            for call in self._unit.calls.get(name, ()):
+                if (found := self._method(call, shapes)) is not None:
+                    yield found
+        short = {name.rpartition("::")[2] for name in FUNCTIONS}
+        for name in sorted(short):
+            for call in self._unit.calls.get(name, ()):
+                if (found := self._function(call)) is not None:
+                    yield found
+        yield from self._objects()
+
+    def _method(self, call: Call, shapes: tuple[Shape, ...]) -> Found | None:
+        scope = call.scope
+        if call.receiver is None:
+            return self._implicit(call, shapes)
+        type_ = self._receivers.type_of(call.receiver, scope)
+        for shape in shapes:
+            if shape.on in ("handle", "node") and shape.on not in self._wanted:
+                continue
+            given, handle = call.arguments, call.receiver
+            owner = self._unit.find_class(type_, scope) if type_ else None
+            if shape.on == "filter":
+                if not type_.startswith(("message_filters::Subscriber", "image_transport::Sub")):
+                    continue
+                found = self._filter(call, type_)
+                if found is not None:
+                    return found
+                continue
+            if self._is_on(shape, type_, owner, call):
+                if shape.on == "handle" and (options := self._options(call)) is not None:
+                    return Found(
+                        call, shape, options.arguments, handle, scope, owner, options=options
+                    )
+                return Found(call, shape, given, handle, scope, owner)
+        return None
+
+    def _is_on(self, shape: Shape, type_: str, owner: Scope | None, call: Call) -> bool:
+        """Whether a call is made on what a shape is for."""
+        scope = call.scope
+        if shape.on == "transport":
+            return type_ == "image_transport::ImageTransport"
+        if shape.on == "handle":
+            if type_ == HANDLE:
+                return True
+            if owner is not None:
+                return self._receivers.derives_from(owner, frozenset({HANDLE}))
+            return self._is_shown(shape, type_, call, _HANDLE_NAME)
+        if type_:
+            if owner is not None and call.name in owner.functions:
+                return False
+            is_node = self._receivers.is_node(type_, scope)
+            if is_node and type_.rpartition("::")[2] not in ("Node", "LifecycleNode"):
+                return owner is not None or self._is_typed(shape, call)
+            is_template = self._a.types.is_parameter(type_, scope)
+            return is_node or (is_template and self._is_typed(shape, call))
+        return self._is_shown(shape, type_, call, _NODE_NAME)
+
+    def _is_shown(self, shape: Shape, type_: str, call: Call, names: re.Pattern[str]) -> bool:
+        """Whether a call on an object of an unknown type shows that it is a node's."""
+        if type_ and not self._a.types.is_parameter(type_, call.scope):
+            return False
+        if call.receiver is None:
+            return False
+        name = last_name(call.receiver, call.scope)
+        if call.receiver.type == "call_expression":
+            inner = call.receiver.child_by_field_name("function")
+            name = last_name(inner, call.scope) if inner is not None else ""
+            name = name.removeprefix("get").removeprefix("_")
+        is_named = names.fullmatch(name) is not None
+        if call.name in _HANDLE_ALONE or shape.type == "":
+            return is_named and len(call.arguments) > 0
+        return (is_named and self._has_enough(shape, call)) or self._is_typed(shape, call)
+
+    def _has_enough(self, shape: Shape, call: Call) -> bool:
+        least = 1 + max(shape.name, shape.callback or 0)
+        return len(call.arguments) >= min(least, 2)
+
+    def _is_typed(self, shape: Shape, call: Call) -> bool:
+        """Whether a call names an interface where its shape wants one."""
+        if shape.type == "":
+            return True
+        types = self._a.types
+        syntax = call.scope.file.syntax
+        for each in call.type_nodes[:1]:
+            text = "".join(syntax.word(each).split())
+            if types.interface(text, call.scope) or types.is_parameter(text, call.scope):
+                return True
+        return False
+
+    def _implicit(self, call: Call, shapes: tuple[Shape, ...]) -> Found | None:
+        """Match a call of a method of the object itself, `create_publisher<T>(…)`."""
+        scope = call.scope
+        owner = self._unit.class_of(scope)
+        for shape in shapes:
+            if shape.on not in self._wanted:
+                continue
+            if owner is None:
+                continue
+            if any(call.name in each.functions for each in self._unit.bases(owner)):
+                continue
+            if shape.on == "handle":
+                if self._receivers.derives_from(owner, frozenset({HANDLE})):
+                    return Found(call, shape, call.arguments, None, scope, owner)
+                continue
+            if call.qualifier and not self._is_base(call.qualifier, owner):
+                continue
+            if self._receivers.is_node_class(owner) or (
+                self._is_typed(shape, call) and self._may_be_node(owner, shape)
+            ):
+                return Found(call, shape, call.arguments, None, scope, owner)
+        return None
+
+    def _is_base(self, qualifier: str, owner: Scope) -> bool:
+        last = qualifier.rpartition("::")[2]
+        bases = [*owner.bases, *(each.name for each in self._unit.bases(owner))]
+        return any(base.partition("<")[0].rpartition("::")[2] == last for base in bases)
+
+    def _may_be_node(self, owner: Scope, shape: Shape) -> bool:
+        """Whether a class derives from one of another file, which may be a node."""
+        if shape.type == "":
+            return False
+        return any(True for _ in self._unit.foreign_bases(owner))
+
+    def _function(self, call: Call) -> Found | None:
+        if call.receiver is not None:
+            return None
+        scope = call.scope
+        name = self._a.types.expand(call.qualified, scope)
+        shape = FUNCTIONS.get(name)
+        if shape is None and not call.qualifier:
+            for space in {using for each in scope.chain for using in each.usings}:
+                shape = shape or FUNCTIONS.get(f"{space}::{name}")
+        if shape is None:
+            return None
+        needs = 2 if name.startswith("ros::") else 1
+        if (needs == 2) != (self._ros == 1):
+            return None
+        if shape.on == "function":
+            if not call.arguments:
+                return None
+            handle = call.arguments[0]
+            owner = self._owner(handle, scope)
+            return Found(call, shape, call.arguments[1:], handle, scope, owner)
+        return Found(call, shape, call.arguments, None, scope, self._unit.class_of(scope))
+
+    def _owner(self, handle: Node, scope: Scope) -> Scope | None:
+        type_ = self._receivers.type_of(handle, scope)
+        return self._unit.find_class(type_, scope) if type_ else None
+
+    def _options(self, call: Call) -> Call | None:
+        """Return the call that makes the options that `advertise(options)` gets."""
+        if len(call.arguments) != 1:
+            return None
+        given = call.arguments[0]
+        scope = call.scope
+        type_ = self._receivers.type_of(given, scope)
+        if type_ not in _OPTIONS and "Options" not in type_:
+            return None
+        name = last_name(given, scope)
+        for maker in ("create", "init", "initByFullCallbackType"):
+            for each in self._unit.calls.get(maker, ()):
+                if not each.type_nodes or each.scope.file is not scope.file:
+                    continue
+                if each.receiver is not None and last_name(each.receiver, each.scope) == name:
+                    return each
+                if each.receiver is None and each.qualifier.endswith("Options"):
+                    variable = self._unit.lookup(name, scope, given.start_byte) if name else None
+                    writes = self._unit.writes(variable) if variable is not None else []
+                    if each.node.id == given.id or any(
+                        write.value is not None and write.value.id == each.node.id
+                        for write in writes
+                    ):
+                        return each
+        return None
+
+    def _filter(self, call: Call, type_: str) -> Found | None:
+        """Match `sub.subscribe(nh, "topic", 1)` on a message filter."""
+        if len(call.arguments) < 2:
+            return None
+        handle = call.arguments[0]
+        shape = OBJECTS[
+            "message_filters::Subscriber"
+            if type_.startswith("message_filters")
+            else "image_transport::SubscriberFilter"
+        ]
+        owner = self._owner(handle, call.scope)
+        return Found(
+            call, shape, call.arguments[1:], handle, call.scope, owner, _template_of(type_)
+        )
+
+    def _objects(self) -> Iterator[Found]:
+        """Yield the objects that are endpoints where they are made with a name."""
+        wanted = {name.rpartition("::")[2] for name in OBJECTS}
+        seen: set[int] = set()
+        for written, calls in self._a.callers.made.items():
+            for call in calls:
+                if not call.arguments or call.node.start_byte in seen:
+                    continue
+                type_ = self._made_type(call, written)
+                name = type_.partition("<")[0]
+                if name.rpartition("::")[2] not in wanted or name not in OBJECTS:
+                    continue
+                found = self._object(call, OBJECTS[name], type_)
+                if found is not None:
+                    seen.add(call.node.start_byte)
+                    yield found
+
+    def _made_type(self, call: Call, written: str) -> str:
+        """Return the whole type of what is made."""
+        del written
+        scope = call.scope
+        syntax = scope.file.syntax
+        if call.name_node is not None and call.template is None:
+            text = "".join(syntax.word(call.name_node).split())
+        else:
+            text = call.qualified
+            if call.template is not None:
+                text += "".join(syntax.word(call.template).split())
+        if call.node.type == "field_initializer":
+            text = _initialized_type(self._a, call) or text
+        elif call.node.type == "call_expression" and call.qualifier and call.template is None:
+            text = call.qualified
+        return self._receivers.plain(text, scope)
+
+    def _object(self, call: Call, shape: Shape, type_: str) -> Found | None:
+        scope = call.scope
+        given = call.arguments
+        handle: Node | None = None
+        if shape.on in ("function", "filter"):
+            if len(given) < 2:
+                return None
+            handle, given = given[0], given[1:]
+        elif shape.on == "maybe":
+            first = self._receivers.type_of(given[0], scope)
+            is_text = given[0].type in ("string_literal", "concatenated_string")
+            value = None if is_text else self._a.evaluator.fold(given[0], scope)
+            is_text = (
+                is_text
+                or first.endswith("string")
+                or (value is not None and value.text is not None)
+            )
+            if not is_text and len(given) > 1 and (first == HANDLE or not first or len(given) > 2):
+                second = given[1]
+                if second.type not in ("true", "false") or first == HANDLE:
+                    handle, given = given[0], given[1:]
+        owner = self._owner(handle, scope) if handle is not None else self._unit.class_of(scope)
+        return Found(call, shape, given, handle, scope, owner, _template_of(type_))
+
+
+def _initialized_type(analysis: Analysis, call: Call) -> str | None:
+    children = call.node.named_children
+    owner = analysis.unit.class_of(call.scope)
+    if owner is None or not children:
+        return None
+    name = "".join(call.scope.file.syntax.word(children[0]).split())
+    member = analysis.unit.member(owner, name)
+    return member.type if member is not None else None
+
+
+def _template_of(type_: str) -> str:
+    return type_.partition("<")[2].rpartition(">")[0]
+
+
+__all__ = [
+    "NODELET",
+    "TRANSFORM_OBJECTS",
+    "CppFile",
+    "Found",
+    "callback_of",
+    "find_sites",
+]

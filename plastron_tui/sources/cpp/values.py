@@ -1,0 +1,397 @@
+"""What the expressions of a unit are worth, as far as its files say it.
+
+A value that is not known is None: what a function of another file returns, what a loop counts,
+what two places give differently.
+"""
+
+from __future__ import annotations
+
+import re
+from typing import TYPE_CHECKING, NamedTuple
+
+from tree_sitter import Node
+
+from plastron_tui.sources.work_limits import bounded
+
+from .arguments import Call, arguments_of, call_of
+from .literals import number_value, string_value, strings_value
+from .scopes import Function, Scope, Variable
+from .unit import Unit, Write, last_name
+
+if TYPE_CHECKING:
+    from .callers import Callers
+
+MOST_WRITES = 16
+_STRING_TYPES = re.compile(r"(?:std::)?(?:string|string_view|basic_string)")
+_SAME = frozenset({"c_str", "str", "data", "string", "value", "get"})
+_CASTS = frozenset({"static_cast", "const_cast", "reinterpret_cast", "dynamic_cast"})
+_NUMBERS = frozenset(
+    {"int", "double", "float", "unsigned", "size_t", "long", "uint32_t", "int32_t"}
+)
+
+
+class Value(NamedTuple):
+    """What an expression is worth.
+
+    Attributes:
+        value: the value; a list is a tuple.
+        is_default: whether it is only where nobody sets a parameter of ROS otherwise.
+        is_guess: whether it is the default of what a caller elsewhere may give otherwise.
+    """
+
+    value: bool | int | float | str | tuple[bool | int | float | str, ...]
+    is_default: bool = False
+    is_guess: bool = False
+
+    def like(self, *others: Value) -> Value:
+        """Return the value as unsure as others that it was made of."""
+        return self._replace(
+            is_default=self.is_default or any(each.is_default for each in others),
+            is_guess=self.is_guess or any(each.is_guess for each in others),
+        )
+
+    @property
+    def text(self) -> str | None:
+        """The value where it is a string."""
+        return self.value if isinstance(self.value, str) else None
+
+    @property
+    def number(self) -> int | float | None:
+        """The value where it is a number."""
+        is_number = isinstance(self.value, int | float) and not isinstance(self.value, bool)
+        return self.value if is_number and isinstance(self.value, int | float) else None
+
+
+class Evaluator:
+    """What the expressions of the files of a unit are worth."""
+
+    def __init__(self, unit: Unit, callers: Callers) -> None:
+        self.unit = unit
+        self.effort = unit.effort
+        self._callers = callers
+
+    @bounded(None)
+    def fold(self, node: Node | None, scope: Scope) -> Value | None:
+        """Return what an expression is worth, None where that is not known."""
+        if node is None:
+            return None
+        syntax = scope.file.syntax
+        match node.type:
+            case "string_literal" | "raw_string_literal":
+                text = string_value(syntax.word(node))
+                return None if text is None else Value(text)
+            case "concatenated_string":
+                return self._joined(node, scope)
+            case "char_literal":
+                text = syntax.word(node)
+                return Value(text[1:-1]) if len(text) == 3 else None
+            case "number_literal":
+                number = number_value(syntax.word(node))
+                return None if number is None else Value(number)
+            case "true" | "false":
+                return Value(node.type == "true")
+            case "user_defined_literal":
+                text = string_value(syntax.word(node).strip())
+                return None if text is None else Value(text)
+            case "identifier" | "field_identifier" | "type_identifier":
+                return self._named(syntax.word(node), node, scope)
+            case "qualified_identifier":
+                return self._qualified(node, scope)
+            case "field_expression":
+                return self._field(node, scope)
+            case "parenthesized_expression":
+                inner = node.named_children
+                return self.fold(inner[0], scope) if len(inner) == 1 else None
+            case "initializer_list":
+                return self._listed(node, scope)
+            case "binary_expression":
+                return self._binary(node, scope)
+            case "unary_expression":
+                return self._unary(node, scope)
+            case "cast_expression":
+                return self.fold(node.child_by_field_name("value"), scope)
+            case "call_expression":
+                call = call_of(node, scope, syntax)
+                return self._called(call, scope) if call is not None else None
+            case "compound_literal_expression":
+                return self._made(node, scope)
+            case _:
+                return None
+
+    def _joined(self, node: Node, scope: Scope) -> Value | None:
+        parts = [self.fold(each, scope) for each in node.named_children]
+        known = [each for each in parts if each is not None and each.text is not None]
+        if len(known) < len(parts) or not known:
+            return None
+        return Value("".join(each.text or "" for each in known)).like(*known)
+
+    def _listed(self, node: Node, scope: Scope) -> Value | None:
+        """Return a list of values; a single value in braces is that value where one is wanted."""
+        found = [self.fold(each, scope) for each in node.named_children[:200]]
+        items = []
+        for each in found:
+            if each is None or isinstance(each.value, tuple):
+                return None
+            items.append(each.value)
+        known = [each for each in found if each is not None]
+        return Value(tuple(items)).like(*known)
+
+    def _made(self, node: Node, scope: Scope) -> Value | None:
+        """Return the value of `std::string{"x"}` and of `std::vector<int>{1, 2}`."""
+        type_node, given = node.child_by_field_name("type"), node.child_by_field_name("value")
+        if type_node is None or given is None:
+            return None
+        type_ = "".join(scope.file.syntax.word(type_node).split())
+        listed = self._listed(given, scope)
+        if listed is None or not isinstance(listed.value, tuple):
+            return None
+        if "vector<" in type_ or "array<" in type_:
+            return listed
+        return listed._replace(value=listed.value[0]) if len(listed.value) == 1 else None
+
+    def _named(self, name: str, node: Node, scope: Scope) -> Value | None:
+        variable = self.unit.lookup(name, scope, node.start_byte)
+        if variable is not None:
+            return self.variable(variable)
+        return self._defined(name)
+
+    def _defined(self, name: str) -> Value | None:
+        """Return the value of a macro."""
+        for _ in range(4):
+            texts = set(self.unit.defines.get(name, ()))
+            if len(texts) != 1:
+                return None
+            text = texts.pop().strip()
+            while text.startswith("(") and text.endswith(")"):
+                text = text[1:-1].strip()
+            if (joined := strings_value(text)) is not None:
+                return Value(joined)
+            sign = -1 if text.startswith("-") else 1
+            if (number := number_value(text.removeprefix("-").strip())) is not None:
+                return Value(sign * number)
+            if text in ("true", "false"):
+                return Value(text == "true")
+            name = text
+        return None
+
+    def _qualified(self, node: Node, scope: Scope) -> Value | None:
+        """Return the value of `Class::NAME` and `space::NAME`."""
+        text = "".join(scope.file.syntax.word(node).split()).removeprefix("::")
+        outer, _, name = text.rpartition("::")
+        owner = self.unit.find_class(outer, scope) if outer else None
+        if owner is not None:
+            member = self.unit.member(owner, name)
+            return self.variable(member) if member is not None else None
+        found = [
+            variable
+            for each in self.unit.scopes()
+            if each.kind in ("namespace", "file")
+            and (not outer or each.qualified == outer or each.qualified.endswith(f"::{outer}")
+                 or outer.endswith(f"::{each.qualified}"))
+            for variable in each.variables.get(name, ())
+        ]  # fmt: skip
+        if found:
+            return self._agreed([self.variable(each) for each in found])
+        return None
+
+    def _field(self, node: Node, scope: Scope) -> Value | None:
+        holder = node.child_by_field_name("argument")
+        inner = node.child_by_field_name("field")
+        if holder is None or inner is None:
+            return None
+        name = scope.file.syntax.word(inner)
+        if holder.type == "this":
+            owner = self.unit.class_of(scope)
+        else:
+            held = last_name(holder, scope)
+            variable = self.unit.lookup(held, scope, holder.start_byte) if held else None
+            owner = None
+            if variable is not None and variable.type not in ("", "auto"):
+                owner = self.unit.find_class(variable.type, scope)
+        member = self.unit.member(owner, name) if owner is not None else None
+        return self.variable(member) if member is not None else None
+
+    def _binary(self, node: Node, scope: Scope) -> Value | None:
+        left = self.fold(node.child_by_field_name("left"), scope)
+        right = self.fold(node.child_by_field_name("right"), scope)
+        operator = node.child_by_field_name("operator")
+        if left is None or right is None or operator is None:
+            return None
+        if left.text is not None or right.text is not None:
+            if operator.type != "+" or left.text is None or right.text is None:
+                return None
+            return Value(left.text + right.text).like(left, right)
+        one, other = left.number, right.number
+        if one is None or other is None:
+            return None
+        result = _calculated(operator.type, one, other)
+        return None if result is None else Value(result).like(left, right)
+
+    def _unary(self, node: Node, scope: Scope) -> Value | None:
+        operator = node.child_by_field_name("operator")
+        inner = self.fold(node.child_by_field_name("argument"), scope)
+        if operator is None or inner is None or inner.number is None:
+            return None
+        if operator.type not in ("-", "+"):
+            return None
+        return inner._replace(value=-inner.number if operator.type == "-" else inner.number)
+
+    def _called(self, call: Call, scope: Scope) -> Value | None:
+        """Return what a call gives whose arguments say it."""
+        name, given = call.name, call.arguments
+        first = given[0] if given else None
+        if call.receiver is not None:
+            if name in _SAME and not given:
+                return self.fold(call.receiver, scope)
+            return self._read(call, scope)
+        if _STRING_TYPES.fullmatch(call.qualified) and len(given) == 1:
+            return self.fold(first, scope)
+        if name in _CASTS | _NUMBERS or call.qualified in ("std::move", "std::forward"):
+            return self.fold(first, scope) if len(given) == 1 else None
+        if name == "to_string" and len(given) == 1:
+            value = self.fold(first, scope)
+            if value is not None and type(value.value) is int:
+                return Value(str(value.value)).like(value)
+            return None
+        return self._read(call, scope) or self._returned(call)
+
+    def _read(self, call: Call, scope: Scope) -> Value | None:
+        """Return the default of a parameter that a call reads, which may have another value."""
+        del scope
+        return self._callers.parameters.read_by(call, self)
+
+    def _returned(self, call: Call) -> Value | None:
+        """Return what a function without parameters always returns."""
+        functions = [
+            each for each in self.unit.functions.get(call.name, ()) if each.scope is not None
+        ]
+        if len(functions) != 1 or functions[0].parameters or call.arguments:
+            return None
+        (function,) = functions
+        body = function.node.child_by_field_name("body")
+        statements = body.named_children if body is not None else []
+        if len(statements) != 1 or statements[0].type != "return_statement":
+            return None
+        inner = statements[0].named_children
+        return self.fold(inner[0], function.scope or function.place) if inner else None
+
+    @bounded(None)
+    def variable(self, variable: Variable) -> Value | None:
+        """Return the one value that a variable has wherever it can be asked for."""
+        if variable.kind == "parameter":
+            function = self._function_of(variable)
+            return self._given(variable, function) if function is not None else None
+        if variable.kind == "loop":
+            item = self.unit.items.get(variable)
+            return item if isinstance(item, Value) else None
+        writes = self.unit.writes(variable)
+        if not 0 < len(writes) <= MOST_WRITES or self.unit.is_changed_unseen(variable):
+            return None
+        plain = [each for each in writes if each.call is None]
+        found = [self._written(each, variable) for each in plain]
+        # What is empty before it gets its value is never meant.
+        meant = [each for each in found if each is None or each.value != ""]
+        reads = [each for each in writes if each.call is not None]
+        before = self._agreed(meant) if meant else (found[0] if found else None)
+        if not reads:
+            return before
+        values = [
+            self._callers.parameters.read_into(each.call, self, before)
+            for each in reads
+            if each.call is not None
+        ]
+        return self._agreed(values)
+
+    def _written(self, write: Write, variable: Variable) -> Value | None:
+        if write.value is not None and write.value.type == "initializer_list":
+            listed = self._listed(write.value, write.scope)
+            return _single(listed, variable)
+        if write.value is not None:
+            return self.fold(write.value, write.scope)
+        given = write.arguments
+        if given is None:
+            return None
+        if not given:
+            return Value("") if _STRING_TYPES.fullmatch(variable.type) else None
+        if "vector<" in variable.type:
+            items = [self.fold(each, write.scope) for each in given]
+            known = [each for each in items if each is not None]
+            if len(known) < len(items) or any(isinstance(each.value, tuple) for each in known):
+                return None
+            values = [each.value for each in known if not isinstance(each.value, tuple)]
+            return Value(tuple(values)).like(*known)
+        return self.fold(given[0], write.scope) if len(given) == 1 else None
+
+    def _function_of(self, parameter: Variable) -> Function | None:
+        return parameter.scope.function
+
+    def _given(self, parameter: Variable, function: Function) -> Value | None:
+        """Return what a parameter is given, by all calls alike."""
+        position = next(
+            (at for at, each in enumerate(function.parameters) if each is parameter), None
+        )
+        if position is None:
+            return None
+        default = self._callers.default_of(function, position)
+        bound = self.unit.bindings.get(function)
+        if bound is not None:
+            call, outer = bound
+            del outer
+            given = self._callers.given(call, function, position)
+            if given is not None:
+                return self.fold(given, call.scope)
+            return self.fold(default, function.place) if default is not None else None
+        calls = self._callers.of(function)
+        if not calls:
+            value = self.fold(default, function.place) if default is not None else None
+            return None if value is None else value._replace(is_guess=True)
+        found = []
+        for call in calls[:MOST_WRITES]:
+            given = self._callers.given(call, function, position)
+            place = call.scope if given is not None else function.place
+            found.append(self.fold(given if given is not None else default, place))
+        return self._agreed(found) if len(calls) <= MOST_WRITES else None
+
+    def _agreed(self, found: list[Value | None]) -> Value | None:
+        """Return the value that all of some are."""
+        known = [each for each in found if each is not None]
+        if not known or len(known) < len(found):
+            return None
+        first = known[0]
+        if any(
+            (each.value, type(each.value)) != (first.value, type(first.value)) for each in known
+        ):
+            return None
+        return first.like(*known)
+
+
+def _single(listed: Value | None, variable: Variable) -> Value | None:
+    is_list = "vector<" in variable.type or "array<" in variable.type
+    if listed is None or is_list or not isinstance(listed.value, tuple):
+        return listed
+    if not listed.value:
+        return Value("") if _STRING_TYPES.fullmatch(variable.type) else None
+    return listed._replace(value=listed.value[0]) if len(listed.value) == 1 else None
+
+
+def _calculated(operator: str, one: int | float, other: int | float) -> int | float | None:
+    try:
+        match operator:
+            case "+":
+                return one + other
+            case "-":
+                return one - other
+            case "*":
+                return one * other
+            case "/" if isinstance(one, int) and isinstance(other, int):
+                quotient = abs(one) // abs(other)
+                return quotient if (one < 0) == (other < 0) else -quotient
+            case "/":
+                return one / other
+            case _:
+                return None
+    except (ZeroDivisionError, OverflowError):
+        return None
+
+
+__all__ = ["Evaluator", "Value", "arguments_of"]

@@ -1,0 +1,66 @@
+"""The calls of a function, and the turns of a loop, in which one call creates several endpoints."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from tree_sitter import Node
+
+from .arguments import Call
+from .scopes import Function, Scope, Variable
+from .values import Value
+
+if TYPE_CHECKING:
+    from .analysis import Analysis
+    from .sites import Found
+
+MOST_WORLDS = 64
+_MOST_DEEP = 3
+Bindings = tuple[tuple[Function, Call], ...]
+
+
+def worlds(analysis: Analysis, found: Found, name: Node | None) -> Iterator[Bindings]:
+    """Yield the calls of the function around a call, each bound while it is looked at."""
+    unit = analysis.unit
+    scope = (found.options or found.call).scope
+    for items in _turns(analysis, name, scope):
+        unit.items = items
+        chosen = list(_calls(analysis, scope, 0))[:MOST_WORLDS] or [()]
+        for bindings in chosen:
+            unit.bindings = {function: (call, {}) for function, call in bindings}
+            yield bindings
+            unit.bindings = {}
+        unit.items = {}
+
+
+def _turns(analysis: Analysis, name: Node | None, scope: Scope) -> list[dict[Variable, Value]]:
+    """Return the values of the variable of the loop around a call, one for each turn."""
+    for each in scope.chain:
+        if each.kind in ("function", "lambda"):
+            break
+        for variables in each.variables.values():
+            for variable in variables:
+                if variable.kind != "loop" or name is None:
+                    continue
+                listed = analysis.evaluator.fold(variable.value, variable.scope)
+                if listed is not None and isinstance(listed.value, tuple):
+                    return [
+                        {variable: Value(item).like(listed)} for item in listed.value[:MOST_WORLDS]
+                    ]
+    return [{}]
+
+
+def _calls(analysis: Analysis, scope: Scope, depth: int) -> Iterator[Bindings]:
+    around = scope.enclosing("function")
+    function = around.function if around is not None else None
+    if function is None or depth >= _MOST_DEEP:
+        return
+    has_template = function.place.kind == "template"
+    if not function.parameters and not has_template:
+        return
+    for call in analysis.callers.of(function)[:MOST_WORLDS]:
+        outer = list(_calls(analysis, call.scope, depth + 1))[:MOST_WORLDS]
+        for bindings in outer or [()]:
+            if all(each is not function for each, _ in bindings):
+                yield ((function, call), *bindings)
