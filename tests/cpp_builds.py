@@ -69,17 +69,24 @@ class CppLibrary:
     linking: tuple[str, ...]
     environ: Mapping[str, str]
 
-    def compile(self, program: Path, *sources: Path, headers: Sequence[Path] = ()) -> Path:
+    def compile(
+        self,
+        program: Path,
+        *sources: Path,
+        headers: Sequence[Path] = (),
+        is_shared: bool = False,
+    ) -> Path:
         """Make a program of sources, of which no warning is accepted, and return it.
 
         Args:
             program: where it is put.
             sources: its files.
             headers: folders of headers of its own.
+            is_shared: whether it is a library that something else loads.
         """
         own = [f"-I{each}" for each in headers]
         command = ["g++", *_FLAGS, *WARNINGS, *own, *self.compiling, *map(str, sources)]
-        _run([*command, "-o", str(program), *self.linking])
+        _run([*command, *["-shared"] * is_shared, "-o", str(program), *self.linking])
         return program
 
     def check(self, sources: Iterable[Path], *, headers: Sequence[Path] = ()) -> None:
@@ -90,6 +97,15 @@ class CppLibrary:
             for _ in pool.map(lambda source: _run([*command, str(source)]), sources):
                 pass
 
+    def building(self, environ: Mapping[str, str]) -> dict[str, str]:
+        """Return the environment of a build by whose tools it is found."""
+        own = {**environ, **self.environ}
+        for name in ("AMENT_PREFIX_PATH", "CMAKE_PREFIX_PATH"):
+            there = own.get(name, "").split(os.pathsep)
+            parts = [*map(str, self.prefixes), *filter(None, there)]
+            own[name] = os.pathsep.join(dict.fromkeys(parts))
+        return own
+
 
 def find_roscpp(factory: pytest.TempPathFactory) -> CppLibrary:
     """Return Debian's roscpp; its headers are compiled once for all workers."""
@@ -99,7 +115,12 @@ def find_roscpp(factory: pytest.TempPathFactory) -> CppLibrary:
     multiarch = sysconfig.get_config_var("MULTIARCH") or "x86_64-linux-gnu"
     libraries = _present(_ROSCPP_LIBRARIES, _DEBIAN / "lib" / multiarch)
     linking = ("-Wl,--as-needed", *libraries)
-    return CppLibrary("roscpp", "Debian's roscpp", True, (), _beginning(folder), linking, {})
+    # Some packages, which ROS 2 has too, have their headers a folder deeper there.
+    found = sorted((_DEBIAN / "include").glob("*/*"))
+    deeper = [each.parent for each in found if each.name == each.parent.name and each.is_dir()]
+    compiling = [*_beginning(folder), *(f"-isystem{each}" for each in deeper)]
+    words = "Debian's roscpp"
+    return CppLibrary("roscpp", words, True, (), tuple(compiling), linking, {})
 
 
 def describe_rclcpp() -> str:

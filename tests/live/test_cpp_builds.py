@@ -48,6 +48,7 @@ def test_a_node_talks_to_python(rclcpp: CppLibrary, ros2: Graph, tmp_path: Path)
     asking = ros2.run_program(asks, environ=rclcpp.environ)
     assert asking.wait(60) == 0, asking.output
     assert "answered: other" in asking.output
+    assert "waited for: other" in asking.output
 
     assert node.interrupt() == 0, node.output
     assert 'words: {data: "true"}' in node.output
