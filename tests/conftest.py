@@ -4,6 +4,7 @@ import gc
 import signal
 
 import pytest
+from cpp_builds import describe_rclcpp
 from hypothesis import settings
 from machine import IN_CI, be_quick, examples
 
@@ -26,6 +27,10 @@ def the_ros_that_is_here(request: pytest.FixtureRequest, monkeypatch: pytest.Mon
         monkeypatch.setattr(installations, "installed", lambda: (here,))
         for name in ("ROS_VERSION", "ROS_DISTRO", "ROS_PACKAGE_PATH", "AMENT_PREFIX_PATH"):
             monkeypatch.delenv(name, raising=False)
+
+
+def pytest_report_header() -> str:
+    return f"C++ nodes of ROS 2: compiled with {describe_rclcpp()}"
 
 
 # How long an example takes says more about the machine than about the code. CI tries the same
