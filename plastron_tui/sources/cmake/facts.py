@@ -236,6 +236,20 @@ def targets(lists: CMakeLists) -> Iterator[Entry]:
             yield Entry(call.items[0].value, call.items[0], call)
 
 
+def sources_of(target: Entry) -> list[str]:
+    """Return the sources of a target, by their paths from the package's folder."""
+    return [in_package(each.value) for each in target.call.items[1:]]
+
+
+def executable_of(lists: CMakeLists, target: Entry) -> str:
+    """Return the name of the program that a target is, which a property may give it."""
+    for call in lists.named("set_target_properties"):
+        values = [each.value for each in call.items]
+        if target.what in values and "OUTPUT_NAME" in values[:-1]:
+            return values[values.index("OUTPUT_NAME") + 1]
+    return target.what
+
+
 TOPICS = {
     "dependency": dependencies,
     "program": programs,

@@ -27,6 +27,7 @@ class Call:
         arguments: what it is given.
         scope: the scope that it is in.
         name_node: the node of the name.
+        types: the template arguments of a class that is made, as they are written.
     """
 
     node: Node
@@ -37,6 +38,7 @@ class Call:
     arguments: list[Node]
     scope: Scope
     name_node: Node | None
+    types: tuple[str, ...] = ()
 
     def argument(self, position: int) -> Node | None:
         """Return an argument, None where there is none."""

@@ -9,7 +9,7 @@ from tree_sitter import Node
 
 from .arguments import call_of
 from .scopes import Function, Scope, declared, type_text
-from .types import template_arguments
+from .type_texts import template_arguments, without_templates
 from .unit import Unit
 
 _BINDERS = frozenset({"bind", "bind_front", "mem_fn"})
@@ -74,7 +74,7 @@ def callback_of(unit: Unit, node: Node | None, scope: Scope, depth: int = 0) -> 
             return _named(unit, syntax.word(inner), node, scope, depth) if inner else NONE
         case "qualified_identifier" | "template_function" | "template_method":
             text = "".join(syntax.word(node).split()).removeprefix("::")
-            outer, _, last = re.sub(r"<.*\Z", "", text).rpartition("::")
+            outer, _, last = without_templates(text).rpartition("::")
             return _of_functions(unit, last, outer, scope)
         case _:
             return NONE

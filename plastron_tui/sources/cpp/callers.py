@@ -9,6 +9,7 @@ from tree_sitter import Node
 
 from .arguments import Call, arguments_of
 from .scopes import Function, Scope, type_text
+from .type_texts import template_arguments
 from .unit import Unit
 
 if TYPE_CHECKING:
@@ -148,6 +149,7 @@ def _making(
     node: Node, type_: str, arguments: list[Node], scope: Scope, type_node: Node | None
 ) -> Call:
     """Return what makes an object of a type as a call of its constructor."""
-    plain = type_.partition("<")[0]
+    plain, _, inner = type_.partition("<")
     qualifier, _, name = plain.rpartition("::")
-    return Call(node, name, qualifier, None, None, arguments, scope, type_node)
+    types = tuple(template_arguments(inner.rpartition(">")[0])) if inner else ()
+    return Call(node, name, qualifier, None, None, arguments, scope, type_node, types)

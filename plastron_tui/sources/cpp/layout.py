@@ -23,6 +23,8 @@ _TOKEN = re.compile(
 )
 _PIECE = re.compile(r"(?:\\(?:[0-7]{1,3}|.)|[^\\ ])*(?: +|$)")
 
+_CONDITION = re.compile(r"\s*(?:if|for|while|switch) \(")
+
 
 @dataclass(slots=True)
 class _Group:
@@ -47,8 +49,16 @@ def fit(source: str, limit: int = LINE_LENGTH) -> str:
             lines.append(line)
         else:
             margin = line[: len(line) - len(line.lstrip())]
-            lines += _broken(_scan(line.lstrip()), margin, limit)
+            lines += _brace_apart(_broken(_scan(line.lstrip()), margin, limit), margin)
     return "\n".join(lines)
+
+
+def _brace_apart(lines: list[str], margin: str) -> list[str]:
+    """Open the block of a condition that takes several lines on a line of its own."""
+    *before, last = lines
+    if before and _CONDITION.match(before[0]) and last.endswith(") {"):
+        return [*before, last.removesuffix(" {"), f"{margin}{{"]
+    return lines
 
 
 def _scan(text: str) -> list[_Part]:

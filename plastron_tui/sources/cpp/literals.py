@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import math
 import re
+from collections.abc import Mapping, Sequence
 
 _ESCAPES = {"\\": "\\\\", '"': '\\"', "\n": "\\n", "\r": "\\r", "\t": "\\t"}
 
@@ -22,7 +23,7 @@ _NUMBER = re.compile(
     r"(0[xX][0-9a-fA-F]+|0[bB][01]+|\d+(?:\.\d*)?(?:[eE][+-]?\d+)?|\.\d+(?:[eE][+-]?\d+)?)"
     r"([uUlLfFzZ]*)"
 )
-_STRINGS = re.compile(r'(?:\s*(?:u8)?"(?:[^"\\]|\\.)*")+\s*', re.S)
+_STRING_OR_NAME = re.compile(r'(?:u8)?"(?:[^"\\]|\\.)*"|[A-Za-z_]\w*', re.S)
 
 _LARGEST_INT = 2**31 - 1
 _LARGEST_LONG = 2**63 - 1
@@ -110,11 +111,32 @@ def string_value(text: str) -> str | None:
     return None if found is None else _ESCAPE.sub(_unescaped, found[1])
 
 
-def strings_value(text: str) -> str | None:
-    """Return the value of string literals one after the other, None for what is more."""
-    if not _STRINGS.fullmatch(text):
+def replaced(
+    name: str, defines: Mapping[str, Sequence[str]], depth: int = 0
+) -> bool | int | float | str | None:
+    """Return the value of a macro: a number, or strings and macros one after the other."""
+    texts = set(defines.get(name, ()))
+    if len(texts) != 1 or depth > 4:
         return None
-    return "".join(string_value(each[0]) or "" for each in _STRING.finditer(text))
+    text = texts.pop().strip()
+    while text.startswith("(") and text.endswith(")"):
+        text = text[1:-1].strip()
+    if text in ("true", "false"):
+        return text == "true"
+    if (number := number_value(text)) is not None:
+        return number
+    if _STRING_OR_NAME.sub("", text).strip():
+        return None
+    parts = [each[0] for each in _STRING_OR_NAME.finditer(text)][:32]
+    if len(parts) == 1 and parts[0][:1] not in ('"', "u"):
+        return replaced(parts[0], defines, depth + 1)
+    found = []
+    for part in parts:
+        value = string_value(part) if '"' in part else replaced(part, defines, depth + 1)
+        if not isinstance(value, str):
+            return None
+        found.append(value)
+    return "".join(found)
 
 
 def _unescaped(found: re.Match[str]) -> str:
@@ -129,6 +151,9 @@ def _unescaped(found: re.Match[str]) -> str:
 
 def number_value(text: str) -> int | float | None:
     """Return the value of a number, None for what is none."""
+    if text[:1] in ("-", "+"):
+        inner = number_value(text[1:].lstrip())
+        return -inner if inner is not None and text[0] == "-" else inner
     found = _NUMBER.fullmatch(text.replace("'", ""))
     if found is None or len(text) > 400:
         return None

@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 from plastron_tui.diagnostics import Span
 from plastron_tui.model.source import SourceEndpoint, SourceNode
 
 from .analysis import Analysis, NodeSite, Site
 from .details import Details
 from .node_sites import find_nodes
+from .scopes import Scope
 
 
 def group(analysis: Analysis) -> tuple[SourceNode, ...]:
@@ -18,8 +21,12 @@ def group(analysis: Analysis) -> tuple[SourceNode, ...]:
     makers = analysis.nodes
     if not makers:
         known = tuple(map(details.of, analysis.sites))
-        return (SourceNode(None, "", known),) if known else ()
+        owner = main_class(analysis)
+        name = owner.name if owner is not None else None
+        return (SourceNode(None, "", known, None, name),) if known else ()
     owned = owned_sites(analysis)
+    if analysis.ros_version == 1 and len(makers) == 1 and makers[0].owner is None:
+        makers = [replace(makers[0], owner=main_class(analysis))]
     return tuple(
         _source_node(maker, tuple(map(details.of, sites)))
         for maker, sites in zip(makers, owned, strict=True)
@@ -47,6 +54,16 @@ def owned_sites(analysis: Analysis) -> list[list[Site]]:
     for site in analysis.sites:
         owned[_owner(site, analysis)].append(site)
     return owned
+
+
+def main_class(analysis: Analysis) -> Scope | None:
+    """Return the class of ROS 1 that is the node: the one that creates most, None for none."""
+    found: dict[int, list[Scope]] = {}
+    for site in analysis.sites:
+        owner = analysis.unit.class_of(site.call.scope)
+        if owner is not None:
+            found.setdefault(id(owner), []).append(owner)
+    return max(found.values(), key=len)[0] if found else None
 
 
 def _owner(site: Site, analysis: Analysis) -> int:

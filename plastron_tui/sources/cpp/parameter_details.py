@@ -19,7 +19,7 @@ from .arguments import call_of
 from .listed_parameters import value_of
 from .read_parameters import AS_VALUE, ParameterCall, parameter_call
 from .scopes import Scope, type_text
-from .types import template_arguments
+from .type_texts import template_arguments
 from .unit import last_name
 from .values import Value
 

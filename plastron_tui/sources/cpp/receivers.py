@@ -16,7 +16,8 @@ from plastron_tui.sources.work_limits import bounded
 from .arguments import Call, arguments_of, call_of
 from .callers import Callers
 from .scopes import Scope, Variable, type_text
-from .types import Types, template_arguments, without_pointer
+from .type_texts import template_arguments, without_pointer
+from .types import Types
 from .unit import Unit
 from .values import MOST_WRITES, Evaluator
 
@@ -158,7 +159,12 @@ class Receivers:
                 return self.type_of(variable.value, variable.scope)
             given = variable.arguments or []
             return self.type_of(given[0], variable.scope) if len(given) == 1 else ""
-        return self.plain(written, variable.scope)
+        found = self.plain(written, variable.scope)
+        owner = self._unit.find_class(found, variable.scope)
+        for arrow in owner.functions.get("operator->", ()) if owner is not None else ():
+            # A class of one's own that stands for a pointer.
+            return self.plain(arrow.return_type, arrow.place)
+        return found
 
     def plain(self, text: str, scope: Scope) -> str:
         """Return a type as it is written without aliases and pointers."""

@@ -81,7 +81,10 @@ class Variable:
     @property
     def type(self) -> str:
         """Its type as it is written, see `type_text`; "" for none."""
-        return "" if self.type_node is None else type_text(self.file.syntax.word(self.type_node))
+        node = self.type_node
+        if node is not None and node.type in ("class_specifier", "struct_specifier"):
+            node = node.child_by_field_name("name")
+        return "" if node is None else type_text(self.file.syntax.word(node))
 
 
 @dataclass(slots=True, eq=False)

@@ -325,7 +325,7 @@ class _Finder:
                 text += "".join(syntax.word(call.template).split())
         if call.node.type == "field_initializer":
             text = _initialized_type(self._a, call) or text
-        elif call.node.type == "call_expression" and call.qualifier and call.template is None:
+        elif text == "make_shared":
             text = call.qualified
         return self._receivers.plain(text, scope)
 

@@ -15,51 +15,51 @@ from plastron_tui.ros.catalog import usual_distribution
 from plastron_tui.ros.catalog.data import index
 from plastron_tui.ros.interfaces import InterfaceKind, InterfaceName
 
+from .arguments import Call
 from .scopes import Scope, type_text
+from .type_texts import template_arguments, without_pointer
 from .unit import Unit
 
 MOST_EXPANSIONS = 12
 
-_POINTER = re.compile(
-    r"(?:std|boost)::(?:shared_ptr|unique_ptr|weak_ptr|optional|reference_wrapper)<(.+)>"
-)
-_EVENT = re.compile(r"(?:ros|message_filters)::MessageEvent<(.+)>")
+_EVENT = re.compile(r"(?:ros|message_filters)::(?:Message|Service)Event<(.+)>")
 _ADAPTER = re.compile(r"rclcpp::TypeAdapter<(.+)>|rclcpp::adapt_type<.+>::(?:template)?as<(.+)>")
-_SUFFIX = re.compile(r"::(?:(?:Const)?(?:SharedPtr|UniquePtr|WeakPtr|Ptr|RawPtr)|SharedConstPtr)\Z")
 _PART = re.compile(r"::(?:Request|Response|Goal|Result|Feedback|Impl)\Z")
+KNOWN = {
+    **dict.fromkeys(
+        (
+            "NodeHandle",
+            "Duration",
+            "WallDuration",
+            "Rate",
+            "WallRate",
+            "SubscribeOptions",
+            "AdvertiseOptions",
+            "init",
+        ),
+        ("ros",),
+    ),
+    **dict.fromkeys(("Node", "QoS", "KeepLast", "KeepAll", "SensorDataQoS"), ("rclcpp",)),
+    "LifecycleNode": ("rclcpp_lifecycle", "nav2_util"),
+    "Nodelet": ("nodelet",),
+    "ImageTransport": ("image_transport",),
+    "SubscriberFilter": ("image_transport",),
+    "Subscriber": ("message_filters",),
+    **dict.fromkeys(
+        ("SimpleActionServer", "SimpleActionClient", "ActionServer", "ActionClient"),
+        ("actionlib",),
+    ),
+    "TransformListener": ("tf2_ros", "tf"),
+    "TransformBroadcaster": ("tf2_ros", "tf"),
+    "StaticTransformBroadcaster": ("tf2_ros",),
+}
+"""The namespaces of the classes of ROS that say what a node is, by short name."""
+
 _NO_PACKAGES = frozenset(
     {"std", "boost", "cv", "ros", "Eigen", "message_filters", "rclcpp", "tf2", "YAML", "Json"}
 )
 _POINT_CLOUD = InterfaceName("sensor_msgs", "PointCloud2")
 _KINDS = ("msg", "srv", "action")
-
-
-def template_arguments(text: str) -> list[str]:
-    """Return the parts of a text between commas that are in no brackets."""
-    found, depth, start = [], 0, 0
-    for at, letter in enumerate(text):
-        if letter in "<([{":
-            depth += 1
-        elif letter in ">)]}":
-            depth -= 1
-        elif letter == "," and depth == 0:
-            found.append(text[start:at])
-            start = at + 1
-    found.append(text[start:])
-    return found
-
-
-def without_pointer(text: str) -> str:
-    """Return what a smart pointer points to; what is none stays as it is."""
-    for _ in range(4):
-        text = text.rstrip("&*")
-        if found := _POINTER.fullmatch(text):
-            text = template_arguments(found[1])[0]
-        elif _SUFFIX.search(text):
-            text = _SUFFIX.sub("", text)
-        else:
-            break
-    return text
 
 
 class Types:
@@ -142,7 +142,21 @@ class Types:
                 text = target + (colons + others if colons else "")
             else:
                 text = target + colons + others + bracket + rest
-        return text.removeprefix("::")
+        return self._in_namespace(text.removeprefix("::"), scope)
+
+    def _in_namespace(self, text: str, scope: Scope) -> str:
+        """Return the full name of a class of ROS that `using namespace` lets be short."""
+        head = text.partition("<")[0]
+        for space in KNOWN.get(head, ()):
+            if space in self._spaces(scope):
+                return f"{space}::{text}"
+        return text
+
+    def _spaces(self, scope: Scope) -> set[str]:
+        found = {name for each in scope.chain for name in each.usings}
+        for file in self._unit.files:
+            found.update(file.root.usings)
+        return found
 
     def _bound(self, name: str, scope: Scope) -> tuple[str, Scope] | None:
         """Return what a template parameter is in the call that is looked at."""
@@ -151,10 +165,9 @@ class Types:
                 position = each.template_names.index(name)
                 for function, (call, _) in self._unit.bindings.items():
                     if function.place is each or function.place.parent is each:
-                        given = call.type_nodes
+                        given = _template_of(call)
                         if position < len(given):
-                            syntax = call.scope.file.syntax
-                            return type_text(syntax.word(given[position])), call.scope
+                            return given[position], call.scope
                 return None
         return None
 
@@ -259,6 +272,12 @@ class Types:
             for inner in file.scopes:
                 if inner.kind in ("file", "namespace"):
                     yield from inner.usings
+
+
+def _template_of(call: Call) -> list[str]:
+    """Return the template arguments that a call gives, or the class of what it makes."""
+    syntax = call.scope.file.syntax
+    return list(call.types) or [type_text(syntax.word(each)) for each in call.type_nodes]
 
 
 def _bare(name: str) -> str:

@@ -301,11 +301,24 @@ class Unit:
             if self._is_it(variable, owner, holder, given, call.scope):
                 yield Write(call.node, None, call.scope, call)
         if owner is not None:
+            for defined in self._globals.get(variable.name, ()):
+                # `const std::string Names::TOPIC = "x";`
+                outer = self._outer_class(defined)
+                if outer is not None and self.derives_from(outer, owner):
+                    yield Write(defined.node, defined.value, defined.scope, None, defined.arguments)
             for node, listed, at in self.initialized.get(variable.name, ()):
                 of = self.class_of(at)
                 if of is not None and self.derives_from(of, owner):
                     value = listed[0] if len(listed) == 1 else None
                     yield Write(node, value, at, None, listed)
+
+    def _outer_class(self, variable: Variable) -> Scope | None:
+        """Return the class whose static member a variable outside of it defines."""
+        node = variable.declarator
+        if node is None or node.type != "qualified_identifier":
+            return None
+        text = "".join(variable.file.syntax.word(node).split())
+        return self.find_class(text.rpartition("::")[0], variable.scope)
 
     def _is_it(
         self, variable: Variable, owner: Scope | None, holder: Node | None, left: Node, at: Scope

@@ -14,7 +14,7 @@ from tree_sitter import Node
 from plastron_tui.sources.work_limits import bounded
 
 from .arguments import Call, arguments_of, call_of
-from .literals import number_value, string_value, strings_value
+from .literals import number_value, replaced, string_value
 from .scopes import Function, Scope, Variable
 from .unit import Unit, Write, last_name
 
@@ -157,22 +157,8 @@ class Evaluator:
 
     def _defined(self, name: str) -> Value | None:
         """Return the value of a macro."""
-        for _ in range(4):
-            texts = set(self.unit.defines.get(name, ()))
-            if len(texts) != 1:
-                return None
-            text = texts.pop().strip()
-            while text.startswith("(") and text.endswith(")"):
-                text = text[1:-1].strip()
-            if (joined := strings_value(text)) is not None:
-                return Value(joined)
-            sign = -1 if text.startswith("-") else 1
-            if (number := number_value(text.removeprefix("-").strip())) is not None:
-                return Value(sign * number)
-            if text in ("true", "false"):
-                return Value(text == "true")
-            name = text
-        return None
+        value = replaced(name, self.unit.defines)
+        return None if value is None else Value(value)
 
     def _qualified(self, node: Node, scope: Scope) -> Value | None:
         """Return the value of `Class::NAME` and `space::NAME`."""

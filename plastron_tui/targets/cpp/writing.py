@@ -42,8 +42,11 @@ class CppWriting(Writing):
 
     def __init__(self, node: Node, catalog: Catalog, dialect: Dialect, given: set[str]) -> None:
         """Begin a node in which the names in `given` are taken."""
-        scope = naming.Scope({*dialect.attribute_names, *dialect.method_names, *given})
-        super().__init__(node, catalog, dialect.ros_version, scope, "server")
+        # An attribute is called as a method may be, with an underscore behind it.
+        taken = {*given, *(name.removesuffix("_") for name in given)}
+        scope = naming.Scope(taken | dialect.names)
+        serving = "goal" if dialect.ros_version == 2 else "server"
+        super().__init__(node, catalog, dialect.ros_version, scope, serving)
         self.dialect = dialect
         self.headers: set[str] = set()
         self.functions = Functions()
@@ -86,8 +89,14 @@ class CppWriting(Writing):
         return literals.scalar(value)
 
     def period(self, rate: str | float) -> str:
-        """Write the seconds between two turns of what is done at a rate."""
-        return f"1.0 / {rate if isinstance(rate, str) else literals.real(float(rate))}"
+        """Write the seconds between two turns of what is done at a rate; in ROS 2, a duration."""
+        seconds = f"1.0 / {rate if isinstance(rate, str) else literals.real(float(rate))}"
+        if not self.is_ros2:
+            return seconds
+        milliseconds = 0 if isinstance(rate, str) else round(1000 / rate)
+        if milliseconds and 1000 / milliseconds == rate:
+            return f"std::chrono::milliseconds({milliseconds})"
+        return f"std::chrono::duration<double>({seconds})"
 
     def follow_rate(self) -> None:
         """Leave it to the template, which sees the timers that follow."""
