@@ -153,7 +153,10 @@ def _chain(parts: list[_Part], margin: str, limit: int) -> list[str]:
             isinstance(part, str) and part.startswith(".") and isinstance(parts[at - 1], _Group)
         )
         if is_call and width(head) <= limit:
-            return [head, *_broken(parts[at:], margin, limit)]
+            rest = parts[at:]
+            if width(margin + _flat(rest)) <= limit:
+                return [head, margin + _flat(rest)]
+            return [head, *(_chain(rest, margin, limit) or _broken(rest, margin, limit))]
     return []
 
 
