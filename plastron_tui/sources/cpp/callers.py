@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 from tree_sitter import Node
 
 from .arguments import Call, arguments_of
-from .scopes import Function, Scope, type_text
+from .scopes import Function, Scope, Variable, type_text
 from .type_texts import template_arguments
 from .unit import Unit
 
@@ -119,6 +119,8 @@ class Callers:
                             continue
                         if variable.is_pointer or variable.is_reference:
                             continue
+                        if variable.kind == "member" and self._is_initialized(variable, each):
+                            continue
                         if variable.value is None:
                             found.append(
                                 _making(
@@ -136,6 +138,13 @@ class Callers:
                 text = member.type if member is not None else name
                 found.append(_making(node, text, given, scope, None))
         return found
+
+    def _is_initialized(self, member: Variable, owner: Scope) -> bool:
+        """Whether a constructor says what a member is made of."""
+        return any(
+            self._unit.class_of(scope) is owner
+            for _, _, scope in self._unit.initialized.get(member.name, ())
+        )
 
     def _makers(self, owner: Scope) -> list[Call]:
         found = []

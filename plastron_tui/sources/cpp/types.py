@@ -133,9 +133,7 @@ class Types:
                 if qualified is not None:
                     text = qualified + more + tail + bracket + rest
                     continue
-            if target is None or target == first or target.endswith("::" + first):
-                if target is not None and target != first:
-                    text = target + colons + others + bracket + rest
+            if target is None or target == first:
                 break
             if bracket and target.endswith(">"):
                 # The arguments of a template that is an alias are not put in.

@@ -18,6 +18,12 @@ MOST_BASES = 32
 _MUTATORS = ("append", "assign", "insert", "erase", "replace", "swap", "push_back", "clear")
 
 
+_CHANGE = re.compile(
+    rb"(?:>>\s*|(?<![&\w)\]])&\s*|\+\+\s*|--\s*)(?:this->)?([A-Za-z_]\w*)\b(?!\s*(?:::|\())"
+    rb"|\b([A-Za-z_]\w*)\s*(?:\+\+|--)"
+)
+
+
 class Write(NamedTuple):
     """What gives a variable a value.
 
@@ -41,6 +47,22 @@ PARAMETER_READERS = (
     *("param", "getParam", "getParamCached", "get", "getCached"),
     *("get_parameter", "get_parameter_or"),
 )
+
+
+_CHANGES = re.compile(
+    r"get|read|load|parse|fetch|param|scan|printf|cpy|strcat|trim|lower|upper|replace|erase|swap"
+    r"|search|fill",
+    re.IGNORECASE,
+)
+NO_CHANGE = frozenset(
+    {
+        *PARAMETER_READERS,
+        *("setParam", "hasParam", "deleteParam", "set", "has", "printf", "get_node", "make_shared"),
+        *("declare_parameter", "declare_parameters", "has_parameter", "set_parameter", "getenv"),
+        *("declare_parameter_if_not_declared", "getMessage", "target_frame", "getChild"),
+    }
+)
+"""The functions that change nothing, whatever their names may say."""
 
 
 class Unit:
@@ -263,20 +285,47 @@ class Unit:
                     found.add(last_name(call.receiver, call.scope))
         return found
 
+    @cached_property
+    def _changed(self) -> dict[str, list[tuple[CppFile, int]]]:
+        """Where something is counted up, read from a stream or handed out to be changed."""
+        found: dict[str, list[tuple[CppFile, int]]] = {}
+        for file in self.files:
+            for change in _CHANGE.finditer(file.syntax.code):
+                name = (change[1] or change[2]).decode("utf-8", "replace")
+                found.setdefault(name, []).append((file, change.start()))
+        return found
+
+    @cached_property
+    def _handed(self) -> dict[str, list[tuple[CppFile, int]]]:
+        """Where variables are handed to functions that change what they get."""
+        found: dict[str, list[tuple[CppFile, int]]] = {}
+        for file in self.files:
+            for call in file.calls:
+                if call.name in NO_CHANGE:
+                    continue
+                own = self.functions.get(call.name)
+                if own is None and not _CHANGES.search(call.name):
+                    continue
+                for position, given in enumerate(call.arguments):
+                    if given.type not in ("identifier", "field_expression"):
+                        continue
+                    if own is None or any(_changes(each, position) for each in own):
+                        name = last_name(given, call.scope)
+                        found.setdefault(name, []).append((file, given.start_byte))
+        return found
+
     def is_changed_unseen(self, variable: Variable) -> bool:
         """Whether something may change a variable that is neither an assignment nor a parameter."""
         if variable.is_const:
             return False
         if variable.name in self._mutated:
             return True
-        name = re.escape(variable.name.encode())
-        wanted = re.compile(
-            rb"(?:>>\s*|(?<![&\w)\]])&\s*)(?:this->)?" + name + rb"\b(?!\s*(?:::|\())"
-        )
+        changed = self._changed.get(variable.name, []) + self._handed.get(variable.name, [])
+        if variable.kind in ("member", "global"):
+            return bool(changed)
+        around = variable.scope.enclosing("function") or variable.scope
         return any(
-            wanted.search(file.syntax.code)
-            for file in self.files
-            if file is variable.file or variable.kind in ("member", "global")
+            file is variable.file and around.start <= at < around.end for file, at in changed
         )
 
     def writes(self, variable: Variable) -> list[Write]:
@@ -341,6 +390,14 @@ class Unit:
         while node.parent is not None and not node.type.endswith(("statement", "declaration")):
             node = node.parent
         return node
+
+
+def _changes(function: Function, position: int) -> bool:
+    """Whether a function may change what it gets as an argument."""
+    if position >= len(function.parameters):
+        return False
+    parameter = function.parameters[position]
+    return parameter.is_reference and not parameter.is_const
 
 
 def _outer(qualified: str) -> str:

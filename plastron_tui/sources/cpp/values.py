@@ -14,6 +14,7 @@ from tree_sitter import Node
 from plastron_tui.sources.work_limits import bounded
 
 from .arguments import Call, arguments_of, call_of
+from .fields import Fields
 from .literals import number_value, replaced, string_value
 from .scopes import Function, Scope, Variable
 from .unit import Unit, Write, last_name
@@ -69,6 +70,9 @@ class Evaluator:
         self.unit = unit
         self.effort = unit.effort
         self._callers = callers
+        self.fields = Fields(unit)
+        self._known: dict[Variable, Value | None] = {}
+        self._asked: set[Variable] = set()
 
     @bounded(None)
     def fold(self, node: Node | None, scope: Scope) -> Value | None:
@@ -195,7 +199,24 @@ class Evaluator:
             if variable is not None and variable.type not in ("", "auto"):
                 owner = self.unit.find_class(variable.type, scope)
         member = self.unit.member(owner, name) if owner is not None else None
+        if member is None and holder.type != "this":
+            return self._set_field(node, name, holder, scope)
         return self.variable(member) if member is not None else None
+
+    def _set_field(self, node: Node, name: str, holder: Node, scope: Scope) -> Value | None:
+        """Return what a field of a message is set to before, `descriptor.name = "x"`."""
+        held = last_name(holder, scope)
+        before = [
+            (value, place)
+            for assignment, path, value, place in self.fields.of(held)
+            if path == name
+            and place.file is scope.file
+            and place.enclosing("function") is scope.enclosing("function")
+            and assignment.start_byte < node.start_byte
+        ]
+        if not before or before[-1][1] not in scope.chain:
+            return None
+        return self.fold(*before[-1])
 
     def _binary(self, node: Node, scope: Scope) -> Value | None:
         left = self.fold(node.child_by_field_name("left"), scope)
@@ -261,9 +282,41 @@ class Evaluator:
         inner = statements[0].named_children
         return self.fold(inner[0], function.scope or function.place) if inner else None
 
-    @bounded(None)
     def variable(self, variable: Variable) -> Value | None:
         """Return the one value that a variable has wherever it can be asked for."""
+        is_bound = bool(self.unit.bindings or self.unit.items)
+        if not is_bound and variable in self._known:
+            return self._known[variable]
+        if variable in self._asked:
+            return None
+        self._asked.add(variable)
+        found = self._variable(variable)
+        self._asked.discard(variable)
+        if not is_bound and not self._asked:
+            self._known[variable] = found
+        return found
+
+    def before(self, node: Node, scope: Scope) -> Value | None:
+        """Return what an expression is worth before what is just looked at.
+
+        In `rate = declare_parameter("rate", rate)` the default is what the variable was before.
+        """
+        name = last_name(node, scope)
+        variable = self.unit.lookup(name, scope, node.start_byte) if name else None
+        if variable is not None and variable in self._asked:
+            return self._initial(variable)
+        return self.fold(node, scope)
+
+    def _initial(self, variable: Variable) -> Value | None:
+        """Return what a variable is made with."""
+        writes = self.unit.writes(variable)
+        first = [each for each in writes if each.node.type == "field_initializer"] or [
+            each for each in writes if each.node.id == variable.node.id
+        ]
+        return self._written(first[0], variable) if len(first) == 1 else None
+
+    @bounded(None)
+    def _variable(self, variable: Variable) -> Value | None:
         if variable.kind == "parameter":
             function = self._function_of(variable)
             return self._given(variable, function) if function is not None else None
@@ -273,6 +326,9 @@ class Evaluator:
         writes = self.unit.writes(variable)
         if not 0 < len(writes) <= MOST_WRITES or self.unit.is_changed_unseen(variable):
             return None
+        # An initializer of the constructor takes the place of that of the declaration.
+        if any(each.node.type == "field_initializer" for each in writes):
+            writes = [each for each in writes if each.node.id != variable.node.id]
         plain = [each for each in writes if each.call is None]
         found = [self._written(each, variable) for each in plain]
         # What is empty before it gets its value is never meant.
@@ -306,7 +362,10 @@ class Evaluator:
                 return None
             values = [each.value for each in known if not isinstance(each.value, tuple)]
             return Value(tuple(values)).like(*known)
-        return self.fold(given[0], write.scope) if len(given) == 1 else None
+        # A stream begins with a text, and goes on.
+        if len(given) != 1 or "stream" in variable.type:
+            return None
+        return self.fold(given[0], write.scope)
 
     def _function_of(self, parameter: Variable) -> Function | None:
         return parameter.scope.function

@@ -13,7 +13,7 @@ from plastron_tui.ros.parameters import ParameterType
 from plastron_tui.ros.qos import Qos
 from plastron_tui.sources.cpp import interface_types, literals, naming
 from plastron_tui.sources.cpp.computed import Computing, Functions
-from plastron_tui.sources.cpp.keywords import is_keyword
+from plastron_tui.sources.cpp.keywords import is_keyword, is_taken
 from plastron_tui.sources.cpp.qos_code import latch, profile
 from plastron_tui.targets.planning.writing import Writing
 
@@ -263,13 +263,17 @@ class CppWriting(Writing):
         return self.part_of(type_, kind, part)
 
     def unusable(self, interface: Interface) -> str | None:
-        """Return which keyword of C++ is the name of a field or a part, None where none is."""
+        """Return what of C++ is the name of a field or a part, None where nothing is."""
         for word in (interface.name.package, interface.name.name):
-            if is_keyword(word):
-                return f"`{interface.name}` has a name that is a keyword of C++"
+            if is_taken(word):
+                return f"`{interface.name}` has a name that is {_what(word)} of C++"
         for section in interface.sections:
             for field in section.fields:
-                if is_keyword(field.name):
+                if is_taken(field.name):
                     name = f"`{interface.name}` has a field `{field.name}`"
-                    return f"{name}, which is a keyword of C++"
+                    return f"{name}, which is {_what(field.name)} of C++"
         return None
+
+
+def _what(word: str) -> str:
+    return "a keyword" if is_keyword(word) else "a macro"
