@@ -7,7 +7,9 @@ declarations: nothing that says what a node is.
 from __future__ import annotations
 
 import re
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
+
+from .preprocessing import Define
 
 _ARGUMENTS = rb"\((?:[^()\n]|\((?:[^()\n]|\([^()\n]*\))*\))*\)"
 _BLANK = re.compile(
@@ -35,6 +37,7 @@ _ALONE = re.compile(
     rb"(?:\((?:[^(){};\"]|\((?:[^(){};\"]|\([^(){};\"]*\))*\))*\))?[ \t]*$",
     re.MULTILINE,
 )
+_MOST_JOINED = 400
 _BEFORE = frozenset(b";{}:)")
 _AFTER = frozenset(b";,.)-+*/=<>?&|({")
 _LOOP = re.compile(rb"\b(?:BOOST_(?:REVERSE_)?FOREACH|Q_FOREACH|foreach)\s*(?=\()")
@@ -50,6 +53,25 @@ def mask_macros(code: bytearray) -> None:
     if b"Q_OBJECT" in code:
         found = _SIGNALS.sub(rb"private\1", found)
     code[:] = _ALONE.sub(_unless_joined(found), found)
+
+
+def join_macros(code: bytearray, defines: Sequence[Define], text: bytes) -> None:
+    """Put a `+` between macros that are strings and the strings before them.
+
+    `TOPIC_PREFIX TOPIC_NAME` and `"/" TOPIC_NAME` are strings one after the other, and no names
+    one after the other, which is how they would be parsed.
+    """
+    names = [
+        re.escape(define.name.encode())
+        for define in defines
+        if text[define.start : define.end].lstrip(b" (")[:1] == b'"'
+    ]
+    if not names or len(names) > _MOST_JOINED:
+        return
+    either = b"|".join(names)
+    found = re.compile(rb'(?:"|\b(?:' + either + rb"))[ \t\r\n]+(?=(?:" + either + rb")\b)")
+    for each in list(found.finditer(bytes(code))):
+        code[each.end() - 1 : each.end()] = b"+"
 
 
 def _blanks(found: re.Match[bytes]) -> bytes:

@@ -9,7 +9,7 @@ from pathlib import Path
 import tree_sitter_cpp
 from tree_sitter import Language, Node, Parser, Query, QueryCursor, Tree
 
-from .macros import mask_macros
+from .macros import join_macros, mask_macros
 from .preprocessing import Define, Include, preprocess
 
 # A node within more others was made to break readers: a query takes the square of the depth.
@@ -83,6 +83,7 @@ def parse(text: bytes) -> Syntax:
     prepared = preprocess(text)
     code = prepared.code
     mask_macros(code)
+    join_macros(code, prepared.defines, text)
     encoding = "utf-8"
     try:
         text.decode()
