@@ -1,6 +1,6 @@
 #include <ros/ros.h>
 #include <nav_msgs/Path.h>
-#include <XmlRpcValue.h>
+#include <xmlrpcpp/XmlRpcValue.h>
 
 class Converter
 {
