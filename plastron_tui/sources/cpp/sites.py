@@ -293,6 +293,11 @@ class _Finder:
         if type_ not in _OPTIONS and "Options" not in type_:
             return None
         name = last_name(given, scope)
+        held = self._unit.lookup(name, scope, given.start_byte) if name else None
+        if type_ == "ros::TimerOptions" and held is not None and held.arguments:
+            return Call(
+                held.node, "TimerOptions", "ros", None, None, held.arguments, held.scope, None
+            )
         for maker in ("create", "init", "initByFullCallbackType"):
             for each in self._unit.calls.get(maker, ()):
                 if not each.type_nodes or each.scope.file is not scope.file:

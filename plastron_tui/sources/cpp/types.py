@@ -162,6 +162,8 @@ class Types:
             if name in each.template_names:
                 position = each.template_names.index(name)
                 for function, (call, _) in self._unit.bindings.items():
+                    if call is None:
+                        continue
                     if function.place is each or function.place.parent is each:
                         given = _template_of(call)
                         if position < len(given):
@@ -186,7 +188,10 @@ class Types:
             for base in self._unit.bases(owner) if owner is not None else ():
                 if name in base.aliases:
                     return base.aliases[name]
-        return self._aliases.get(name)
+        if name in self._aliases:
+            return self._aliases[name]
+        texts = self._unit.defines.get(name, [])
+        return type_text(texts[0]) if len(set(texts)) == 1 and "(" not in texts[0] else None
 
     def interface(self, text: str, scope: Scope) -> InterfaceName | None:
         """Return the interface that a type is, or points to, None for none."""
