@@ -107,9 +107,10 @@ def _made_name(found: Found) -> str:
 
 def _may_be_overridden(found: Found) -> bool:
     """Whether parameters may change it when the node starts."""
-    code = found.call.scope.file.syntax.code
-    if b"QosOverridingOptions" not in code and b"qos_overriding_options" not in code:
+    syntax = found.call.scope.file.syntax
+    if not syntax.overrides_qos:
         return False
+    code = syntax.code
     last = found.arguments[-1]
     text = found.call.scope.file.syntax.word(last)
     name = last_name(last, found.call.scope) or text.partition("(")[0]
