@@ -12,8 +12,8 @@ from random_programs import random_programs
 from plastron_tui.diagnostics import codes
 from plastron_tui.ros.catalog import Catalog
 from plastron_tui.session import Session
+from plastron_tui.sources.base import Rendered
 from plastron_tui.targets import find_target
-from plastron_tui.targets.base import Rendered
 
 LIBRARIES = ["roscpp", "nodelet"]
 FOLDERS = (Path(__file__).parents[1] / "programs", Path(__file__).parents[2] / "examples")
@@ -106,8 +106,9 @@ WRITTEN = {
     "one callback for two types": (
         "subscribe n to 'a' of message_type String calling hear\n"
         "subscribe n to 'b' of message_type Int32 calling hear",
-        'nh_.subscribe<std_msgs::Int32>("b", 0, '
-        "[this](const std_msgs::Int32::ConstPtr & message) {hear(*message);});",
+        'nh_.subscribe<std_msgs::Int32>("b", 0, &RobotNode::hear, this);',
+        "void hear(const std_msgs::Int32::ConstPtr & message)",
+        'ROS_INFO_STREAM("b: " << *message);',
     ),
     "service": (
         "n provides_service 'ask' of service_type Trigger",
@@ -148,7 +149,7 @@ WRITTEN = {
     ),
     "parameter": (
         f"{OFTEN}{HELLO}n publish m to 'out' of message_type String at parameter 'often' hz",
-        'if (!private_nh_.hasParam("often")) { private_nh_.setParam("often", often_parameter_); }',
+        'if (!private_nh_.hasParam("often")) { private_nh_.setParam("often", 5.0); }',
         'private_nh_.getParamCached("often", value); if (is_good && 1.0 <= value && value <= 9.0)',
         "double often_parameter_ = 5.0;",
         "rates_timer_ = nh_.createWallTimer(ros::WallDuration(0.1), &RobotNode::follow_rates",

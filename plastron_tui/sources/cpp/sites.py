@@ -293,6 +293,11 @@ class _Finder:
         if type_ not in _OPTIONS and "Options" not in type_:
             return None
         name = last_name(given, scope)
+        held = self._unit.lookup(name, scope, given.start_byte) if name else None
+        if type_ == "ros::TimerOptions" and held is not None and held.arguments:
+            return Call(
+                held.node, "TimerOptions", "ros", None, None, held.arguments, held.scope, None
+            )
         for maker in ("create", "init", "initByFullCallbackType"):
             for each in self._unit.calls.get(maker, ()):
                 if not each.type_nodes or each.scope.file is not scope.file:
@@ -330,7 +335,8 @@ class _Finder:
         seen: set[int] = set()
         for written, calls in self._a.callers.made.items():
             for call in calls:
-                if not call.arguments or call.node.start_byte in seen:
+                is_made = bool(call.arguments) and call.node.start_byte not in seen
+                if not is_made or not self._may_be_object(call, wanted):
                     continue
                 type_ = self._made_type(call, written)
                 name = type_.partition("<")[0]
@@ -340,6 +346,13 @@ class _Finder:
                 if found is not None:
                     seen.add(call.node.start_byte)
                     yield found
+
+    def _may_be_object(self, call: Call, wanted: set[str]) -> bool:
+        if call.name == "make_shared":
+            return True
+        return self._a.types.may_be(call.name, wanted) or self._a.types.may_be(
+            call.qualifier.partition("::")[0], wanted
+        )
 
     def _made_type(self, call: Call, written: str) -> str:
         """Return the whole type of what is made."""

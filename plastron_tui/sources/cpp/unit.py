@@ -78,8 +78,9 @@ class Unit:
     def __init__(self, files: Iterable[CppFile]) -> None:
         self.files = list(files)
         self.effort = Effort(sum(len(file.syntax.text) for file in self.files))
-        self.bindings: dict[Function, tuple[Call, dict[Function, Call]]] = {}
+        self.bindings: dict[Function, tuple[Call | None, dict[Function, Call]]] = {}
         self.items: dict[Variable, Any] = {}
+        self._bases: dict[int, tuple[Scope, ...]] = {}
         self._class_of: dict[Function, Scope | None] = {}
         self._writes: dict[Variable, list[Write]] = {}
 
@@ -136,9 +137,10 @@ class Unit:
 
     def find_class(self, name: str, near: Scope | None = None) -> Scope | None:
         """Return the class of the files that a type names, None for none."""
-        plain = re.sub(r"<.*", "", name)
-        last = plain.rpartition("::")[2]
-        found = self.classes.get(last, [])
+        plain = name.partition("<")[0]
+        found = self.classes.get(plain.rpartition("::")[2])
+        if found is None:
+            return None
         if len(found) > 1 or "::" in plain:
             fitting = [each for each in found if f"::{each.qualified}".endswith(f"::{plain}")]
             if not fitting and "::" in plain:
@@ -174,8 +176,14 @@ class Unit:
             self._class_of[function] = found
         return self._class_of[function]
 
-    def bases(self, owner: Scope) -> Iterator[Scope]:
-        """Yield a class and those of the files that it derives from."""
+    def bases(self, owner: Scope) -> tuple[Scope, ...]:
+        """Return a class and those of the files that it derives from."""
+        found = self._bases.get(id(owner))
+        if found is None:
+            found = self._bases[id(owner)] = tuple(self._find_bases(owner))
+        return found
+
+    def _find_bases(self, owner: Scope) -> Iterator[Scope]:
         pending, seen = [owner], set[int]()
         while pending and len(seen) < MOST_BASES:
             each = pending.pop(0)
@@ -227,6 +235,31 @@ class Unit:
         others = self._globals.get(name, [])
         return others[0] if others else None
 
+    def qualified(self, text: str, scope: Scope) -> list[Variable]:
+        """Return the variables that `Class::NAME` or `space::NAME` may be."""
+        outer, _, name = text.rpartition("::")
+        owner = self.find_class(outer, scope) if outer else None
+        if owner is not None:
+            member = self.member(owner, name)
+            return [member] if member is not None else []
+        found = []
+        for each in self._globals.get(name, ()):
+            space = each.scope.qualified
+            if not outer or f"::{space}".endswith(f"::{outer}") or outer.endswith(f"::{space}"):
+                found.append(each)
+        return found
+
+    def returning(self, call: Call) -> Function | None:
+        """Return the function that a call calls, if all that it does is to return something."""
+        functions = [
+            each
+            for each in self.functions.get(call.name, ())
+            if each.scope is not None and len(each.parameters) == len(call.arguments)
+        ]
+        if len(functions) != 1 or functions[0].returned is None:
+            return None
+        return functions[0]
+
     def function_of(self, scope: Scope) -> Function | None:
         """Return the innermost function or lambda that a scope is in."""
         found = scope.enclosing("function", "lambda")
@@ -273,6 +306,16 @@ class Unit:
                     name = last_name(given, call.scope)
                     if name:
                         found.setdefault(name, []).append((call, given))
+        return found
+
+    @cached_property
+    def _made_anew(self) -> dict[str, list[Call]]:
+        """The calls that give pointers something new to point to, by the pointer's name."""
+        found: dict[str, list[Call]] = {}
+        for name in ("reset", "emplace"):
+            for call in self.calls.get(name, ()):
+                if call.receiver is not None and call.arguments:
+                    found.setdefault(last_name(call.receiver, call.scope), []).append(call)
         return found
 
     @cached_property
@@ -345,6 +388,17 @@ class Unit:
             operator = node.child_by_field_name("operator")
             is_plain = operator is None or operator.type == "="
             yield Write(node, node.child_by_field_name("right") if is_plain else None, at)
+        for call in self._made_anew.get(variable.name, ()):
+            receiver = call.receiver
+            if receiver is None:
+                continue
+            holder = receiver.child_by_field_name("argument")
+            if not self._is_it(variable, owner, holder, receiver, call.scope):
+                continue
+            if call.name == "emplace":
+                yield Write(call.node, None, call.scope, None, call.arguments)
+            else:
+                yield Write(call.node, call.arguments[0], call.scope)
         for call, given in self._read_into.get(variable.name, ()):
             holder = given.child_by_field_name("argument")
             if self._is_it(variable, owner, holder, given, call.scope):
@@ -353,7 +407,8 @@ class Unit:
             for defined in self._globals.get(variable.name, ()):
                 # `const std::string Names::TOPIC = "x";`
                 outer = self._outer_class(defined)
-                if outer is not None and self.derives_from(outer, owner):
+                is_set = defined.value is not None or defined.arguments is not None
+                if is_set and outer is not None and self.derives_from(outer, owner):
                     yield Write(defined.node, defined.value, defined.scope, None, defined.arguments)
             for node, listed, at in self.initialized.get(variable.name, ()):
                 of = self.class_of(at)
@@ -390,6 +445,11 @@ class Unit:
         while node.parent is not None and not node.type.endswith(("statement", "declaration")):
             node = node.parent
         return node
+
+
+def bound_calls(bound: tuple[Call | None, dict[Function, Call]]) -> list[Call]:
+    """Return the call that a function is bound to, none where it is one that nobody makes."""
+    return [bound[0]] if bound[0] is not None else []
 
 
 def _changes(function: Function, position: int) -> bool:

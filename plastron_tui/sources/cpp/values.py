@@ -24,6 +24,10 @@ if TYPE_CHECKING:
 
 MOST_WRITES = 16
 _STRING_TYPES = re.compile(r"(?:std::)?(?:string|string_view|basic_string)")
+_PLAIN = re.compile(
+    r"(?:std::)?(?:string|string_view)|bool|float|double|auto|char|(?:std::)?u?int(?:8|16|32|64)?_t"
+    r"|(?:std::)?size_t|(?:un)?signed(?:int|long|short)*|u?int|(?:long|short)+(?:int)?|"
+)
 _SAME = frozenset({"c_str", "str", "data", "string", "value", "get"})
 _CASTS = frozenset({"static_cast", "const_cast", "reinterpret_cast", "dynamic_cast"})
 _NUMBERS = frozenset(
@@ -167,22 +171,8 @@ class Evaluator:
     def _qualified(self, node: Node, scope: Scope) -> Value | None:
         """Return the value of `Class::NAME` and `space::NAME`."""
         text = "".join(scope.file.syntax.word(node).split()).removeprefix("::")
-        outer, _, name = text.rpartition("::")
-        owner = self.unit.find_class(outer, scope) if outer else None
-        if owner is not None:
-            member = self.unit.member(owner, name)
-            return self.variable(member) if member is not None else None
-        found = [
-            variable
-            for each in self.unit.scopes()
-            if each.kind in ("namespace", "file")
-            and (not outer or each.qualified == outer or each.qualified.endswith(f"::{outer}")
-                 or outer.endswith(f"::{each.qualified}"))
-            for variable in each.variables.get(name, ())
-        ]  # fmt: skip
-        if found:
-            return self._agreed([self.variable(each) for each in found])
-        return None
+        found = self.unit.qualified(text, scope)
+        return self._agreed([self.variable(each) for each in found]) if found else None
 
     def _field(self, node: Node, scope: Scope) -> Value | None:
         holder = node.child_by_field_name("argument")
@@ -268,19 +258,19 @@ class Evaluator:
         return self._callers.parameters.read_by(call, self)
 
     def _returned(self, call: Call) -> Value | None:
-        """Return what a function without parameters always returns."""
-        functions = [
-            each for each in self.unit.functions.get(call.name, ()) if each.scope is not None
-        ]
-        if len(functions) != 1 or functions[0].parameters or call.arguments:
+        """Return what a function that does nothing else returns."""
+        function = self.unit.returning(call)
+        if function is None:
             return None
-        (function,) = functions
-        body = function.node.child_by_field_name("body")
-        statements = body.named_children if body is not None else []
-        if len(statements) != 1 or statements[0].type != "return_statement":
+        if not function.parameters:
+            return self.fold(function.returned, function.scope or function.place)
+        bindings = self.unit.bindings
+        if function in bindings:
             return None
-        inner = statements[0].named_children
-        return self.fold(inner[0], function.scope or function.place) if inner else None
+        self.unit.bindings = {**bindings, function: (call, {})}
+        found = self.fold(function.returned, function.scope or function.place)
+        self.unit.bindings = bindings
+        return found
 
     def variable(self, variable: Variable) -> Value | None:
         """Return the one value that a variable has wherever it can be asked for."""
@@ -317,12 +307,14 @@ class Evaluator:
 
     @bounded(None)
     def _variable(self, variable: Variable) -> Value | None:
+        if variable in self.unit.items:
+            item = self.unit.items[variable]
+            return item if isinstance(item, Value) else None
         if variable.kind == "parameter":
             function = self._function_of(variable)
             return self._given(variable, function) if function is not None else None
         if variable.kind == "loop":
-            item = self.unit.items.get(variable)
-            return item if isinstance(item, Value) else None
+            return None
         writes = self.unit.writes(variable)
         if not 0 < len(writes) <= MOST_WRITES or self.unit.is_changed_unseen(variable):
             return None
@@ -346,6 +338,8 @@ class Evaluator:
 
     def _written(self, write: Write, variable: Variable) -> Value | None:
         if write.value is not None and write.value.type == "initializer_list":
+            if not variable.is_list and not _PLAIN.fullmatch(variable.type):
+                return None
             listed = self._listed(write.value, write.scope)
             return _single(listed, variable)
         if write.value is not None:
@@ -355,15 +349,15 @@ class Evaluator:
             return None
         if not given:
             return Value("") if _STRING_TYPES.fullmatch(variable.type) else None
-        if "vector<" in variable.type:
+        if variable.is_list:
             items = [self.fold(each, write.scope) for each in given]
             known = [each for each in items if each is not None]
             if len(known) < len(items) or any(isinstance(each.value, tuple) for each in known):
                 return None
             values = [each.value for each in known if not isinstance(each.value, tuple)]
             return Value(tuple(values)).like(*known)
-        # A stream begins with a text, and goes on.
-        if len(given) != 1 or "stream" in variable.type:
+        # What is made of a text or a number is seldom that text or number.
+        if len(given) != 1 or not _PLAIN.fullmatch(variable.type):
             return None
         return self.fold(given[0], write.scope)
 
@@ -380,8 +374,9 @@ class Evaluator:
         default = self._callers.default_of(function, position)
         bound = self.unit.bindings.get(function)
         if bound is not None:
-            call, outer = bound
-            del outer
+            call, _ = bound
+            if call is None:
+                return None
             given = self._callers.given(call, function, position)
             if given is not None:
                 return self.fold(given, call.scope)
@@ -411,8 +406,7 @@ class Evaluator:
 
 
 def _single(listed: Value | None, variable: Variable) -> Value | None:
-    is_list = "vector<" in variable.type or "array<" in variable.type
-    if listed is None or is_list or not isinstance(listed.value, tuple):
+    if listed is None or variable.is_list or not isinstance(listed.value, tuple):
         return listed
     if not listed.value:
         return Value("") if _STRING_TYPES.fullmatch(variable.type) else None
