@@ -63,6 +63,7 @@ INTERFACE_WORDS = frozenset(
     | {"ADD_LINTER_TESTS"}
 )
 MESSAGE_WORDS = frozenset({"FILES", "DIRECTORY", "NOINSTALL", "BASE_DIR"})
+_COMPONENT_WORDS = frozenset({"PLUGIN", "EXECUTABLE", "EXECUTOR", "RESOURCE_INDEX"})
 CATKIN_INTERFACES = {"msg": "add_message_files", "srv": "add_service_files"}
 CATKIN_INTERFACES["action"] = "add_action_files"
 PROGRAM_CALLS = ("install", "catkin_install_python")
@@ -248,6 +249,20 @@ def executable_of(lists: CMakeLists, target: Entry) -> str:
         if target.what in values and "OUTPUT_NAME" in values[:-1]:
             return values[values.index("OUTPUT_NAME") + 1]
     return target.what
+
+
+def registered_components(lists: CMakeLists) -> Iterator[Entry]:
+    """Return the programs that are made of components (documentation of rclcpp_components)."""
+    for call in lists.named("rclcpp_components_register_node"):
+        for item in call.section("EXECUTABLE", _COMPONENT_WORDS):
+            yield Entry(item.value, item, call)
+
+
+def component_sources(lists: CMakeLists, component: Entry) -> list[str]:
+    """Return the sources of the library that a component is in."""
+    library = component.call.items[0].value
+    found = (sources_of(each) for each in targets(lists) if each.what == library)
+    return next(found, [])
 
 
 TOPICS = {

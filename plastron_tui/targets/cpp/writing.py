@@ -263,16 +263,33 @@ class CppWriting(Writing):
         return self.part_of(type_, kind, part)
 
     def unusable(self, interface: Interface) -> str | None:
-        """Return what of C++ is the name of a field or a part, None where nothing is."""
-        for word in (interface.name.package, interface.name.name):
-            if is_taken(word):
-                return f"`{interface.name}` has a name that is {_what(word)} of C++"
-        for section in interface.sections:
-            for field in section.fields:
-                if is_taken(field.name):
-                    name = f"`{interface.name}` has a field `{field.name}`"
-                    return f"{name}, which is {_what(field.name)} of C++"
+        """Return what of C++ is the name of an interface, a part of it or a field, None for none.
+
+        The generators write it all the same, into a header that no compiler takes.
+        """
+        seen, left = {interface.name}, [interface]
+        while left:
+            each = left.pop()
+            if (reason := _taken_name(each)) is not None:
+                return reason
+            for field in (field for section in each.sections for field in section.fields):
+                if field.type.message is not None and field.type.message not in seen:
+                    seen.add(field.type.message)
+                    part = self.catalog.find(field.type.message, InterfaceKind.MESSAGE)
+                    left += [part] if part is not None else []
         return None
+
+
+def _taken_name(interface: Interface) -> str | None:
+    """Return what of C++ is the name of an interface or a field, None where nothing is."""
+    for word in (interface.name.package, interface.name.name):
+        if is_taken(word):
+            return f"`{interface.name}` has a name that is {_what(word)} of C++"
+    for field in (field for section in interface.sections for field in section.fields):
+        if is_taken(field.name):
+            name = f"`{interface.name}` has a field `{field.name}`"
+            return f"{name}, which is {_what(field.name)} of C++"
+    return None
 
 
 def _what(word: str) -> str:
