@@ -12,24 +12,50 @@ from collections.abc import Callable, Sequence
 from .preprocessing import Define
 
 _ARGUMENTS = rb"\((?:[^()\n]|\((?:[^()\n]|\([^()\n]*\))*\))*\)"
-_BLANK = re.compile(
-    rb"""
+_VISIBLE = b"PUBLIC|LOCAL|EXPORT|IMPORT|API|DECL|INLINE|DEPRECATED"
+# What is looked for at all, and the macro.
+_BLANK = (
     # class FOO_PUBLIC Name
-    (?:(?<=class)|(?<=struct))\s+\b[A-Z][A-Z0-9_]{2,}\b(?:%(arguments)s)?(?=\s+[A-Za-z_][\w:]*\s*(?:final\b\s*)?[:{])
+    (
+        re.compile(rb"\b(?:class|struct)\s+[A-Z][A-Z0-9_]{2,}"),
+        re.compile(
+            rb"(?:(?<=\bclass)|(?<=\bstruct))\s+[A-Z][A-Z0-9_]{2,}\b(?:"
+            + _ARGUMENTS
+            + rb")?(?=\s+[A-Za-z_][\w:]*\s*(?:final\b\s*)?[:{])"
+        ),
+    ),
     # FOO_PUBLIC void function();
-    |\b[A-Z][A-Z0-9_]*_(?:PUBLIC|LOCAL|EXPORT|IMPORT|API|DECL|INLINE|DEPRECATED)\b(?!\s*[;,=+)])
-    # "%%" PRId64 "more"
-    |(?<=")\s*\bPRI[dioxXu](?:8|16|32|64|PTR|MAX|(?:LEAST|FAST)(?:8|16|32|64))\b
-    |\b(?:Q_OBJECT|Q_GADGET|Q_SLOTS|Q_EMIT|Q_INVOKABLE)\b
-    |\bQ_SIGNALS\s*:
-    |\bslots\b(?=\s*:)
-    |\b__attribute__\s*\(\((?:[^()]|\([^()]*\))*\)\)
-    |\[\s*\[\s*(?:maybe_unused|nodiscard|deprecated|noreturn|fallthrough|gnu::)[^\[\]]*\]\s*\]
-    |\b__declspec\s*\([^()]*\)
-    |\bEIGEN_MAKE_ALIGNED_OPERATOR_NEW\b\s*;?
-    """
-    % {b"arguments": _ARGUMENTS},
-    re.VERBOSE,
+    (
+        re.compile(rb"_(?:" + _VISIBLE + rb")\b"),
+        re.compile(rb"\b[A-Z][A-Z0-9_]*_(?:" + _VISIBLE + rb")\b(?!\s*[;,=+)])"),
+    ),
+    # "%" PRId64 "more"
+    (
+        re.compile(rb"PRI[dioxXu]"),
+        re.compile(rb'(?<=")\s*\bPRI[dioxXu](?:8|16|32|64|PTR|MAX|(?:LEAST|FAST)(?:8|16|32|64))\b'),
+    ),
+    (
+        re.compile(rb"Q_[A-Z]|slots"),
+        re.compile(
+            rb"\b(?:Q_OBJECT|Q_GADGET|Q_SLOTS|Q_EMIT|Q_INVOKABLE)\b|\bQ_SIGNALS\s*:"
+            rb"|\bslots\b(?=\s*:)"
+        ),
+    ),
+    (
+        re.compile(rb"__attribute__|__declspec"),
+        re.compile(rb"\b__attribute__\s*\(\((?:[^()]|\([^()]*\))*\)\)|\b__declspec\s*\([^()]*\)"),
+    ),
+    (
+        re.compile(rb"\[\s*\["),
+        re.compile(
+            rb"\[\s*\[\s*(?:maybe_unused|nodiscard|deprecated|noreturn|fallthrough|gnu::)"
+            rb"[^\[\]]*\]\s*\]"
+        ),
+    ),
+    (
+        re.compile(rb"EIGEN_MAKE_ALIGNED"),
+        re.compile(rb"\bEIGEN_MAKE_ALIGNED_OPERATOR_NEW\b\s*;?"),
+    ),
 )
 # A macro alone on its line, without a `;`, stands for a declaration.
 _ALONE = re.compile(
@@ -47,7 +73,9 @@ _SIGNALS = re.compile(rb"\bsignals(\s*:)")
 def mask_macros(code: bytearray) -> None:
     """Put blanks over the macros of a text that would not parse."""
     found = bytes(code)
-    found = _BLANK.sub(_blanks, found)
+    for sign, macro in _BLANK:
+        if sign.search(found) is not None:
+            found = macro.sub(_blanks, found)
     if b"OREACH" in found or b"foreach" in found:
         found = _mask_loops(found)
     if b"Q_OBJECT" in code:

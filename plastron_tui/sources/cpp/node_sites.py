@@ -114,11 +114,10 @@ def _made_nodes(analysis: Analysis) -> list[Call]:
     seen = set()
     for calls in analysis.callers.made.values():
         for call in calls:
-            key = id(call.scope.file), call.node.start_byte
-            is_made = call.arguments and call.node.type != "field_initializer"
-            if not is_made or key in seen:
+            if not analysis.types.may_be(call.name, ("Node", "LifecycleNode")):
                 continue
-            if call.name not in ("Node", "LifecycleNode"):
+            key = id(call.scope.file), call.node.start_byte
+            if not call.arguments or call.node.type == "field_initializer" or key in seen:
                 continue
             if analysis.receivers.plain(call.qualified, call.scope) in NODE_CLASSES:
                 seen.add(key)

@@ -335,7 +335,8 @@ class _Finder:
         seen: set[int] = set()
         for written, calls in self._a.callers.made.items():
             for call in calls:
-                if not call.arguments or call.node.start_byte in seen:
+                is_made = bool(call.arguments) and call.node.start_byte not in seen
+                if not is_made or not self._may_be_object(call, wanted):
                     continue
                 type_ = self._made_type(call, written)
                 name = type_.partition("<")[0]
@@ -345,6 +346,13 @@ class _Finder:
                 if found is not None:
                     seen.add(call.node.start_byte)
                     yield found
+
+    def _may_be_object(self, call: Call, wanted: set[str]) -> bool:
+        if call.name == "make_shared":
+            return True
+        return self._a.types.may_be(call.name, wanted) or self._a.types.may_be(
+            call.qualifier.partition("::")[0], wanted
+        )
 
     def _made_type(self, call: Call, written: str) -> str:
         """Return the whole type of what is made."""

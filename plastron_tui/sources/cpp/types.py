@@ -8,7 +8,7 @@ header `pkg/Name.h`, with `NamePtr` and `NameConstPtr`).
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Collection, Iterator
 from functools import cached_property
 
 from plastron_tui.ros.catalog import usual_distribution
@@ -55,6 +55,7 @@ KNOWN = {
 }
 """The namespaces of the classes of ROS that say what a node is, by short name."""
 
+_FIRST = re.compile(r"\w+")
 _NO_PACKAGES = frozenset(
     {"std", "boost", "cv", "ros", "Eigen", "message_filters", "rclcpp", "tf2", "YAML", "Json"}
 )
@@ -81,6 +82,15 @@ class Types:
         return found
 
     @cached_property
+    def _short(self) -> set[str]:
+        """The names that may stand for another type, or for a part of one."""
+        found = {*KNOWN, *self._unit.defines, *self._namespaces, *self._unit.classes}
+        for scope in self._unit.scopes():
+            found.update(scope.aliases)
+            found.update(scope.template_names)
+        return found
+
+    @cached_property
     def _included(self) -> dict[str, set[tuple[str, ...]]]:
         """The interfaces whose headers are included, by bare name in small letters."""
         found: dict[str, set[tuple[str, ...]]] = {}
@@ -101,6 +111,9 @@ class Types:
 
     def expand(self, text: str, scope: Scope) -> str:
         """Return a type with its aliases resolved."""
+        first = _FIRST.match(text)
+        if first is not None and first[0] not in self._short:
+            return text
         key = text, id(scope)
         if not self._unit.bindings and key in self._expanded:
             return self._expanded[key]
@@ -170,6 +183,18 @@ class Types:
                             return given[position], call.scope
                 return None
         return None
+
+    def may_be(self, name: str, wanted: Collection[str]) -> bool:
+        """Tell whether a short name is one of some, or may stand for one."""
+        return name in wanted or name in self._renamed
+
+    @cached_property
+    def _renamed(self) -> set[str]:
+        found = set(self._unit.defines)
+        for scope in self._unit.scopes():
+            found.update(scope.aliases)
+            found.update(scope.template_names)
+        return found
 
     def is_parameter(self, text: str, scope: Scope) -> bool:
         """Whether a type is, or begins with, a parameter of a template around it."""

@@ -80,6 +80,7 @@ class Unit:
         self.effort = Effort(sum(len(file.syntax.text) for file in self.files))
         self.bindings: dict[Function, tuple[Call | None, dict[Function, Call]]] = {}
         self.items: dict[Variable, Any] = {}
+        self._bases: dict[int, tuple[Scope, ...]] = {}
         self._class_of: dict[Function, Scope | None] = {}
         self._writes: dict[Variable, list[Write]] = {}
 
@@ -136,9 +137,10 @@ class Unit:
 
     def find_class(self, name: str, near: Scope | None = None) -> Scope | None:
         """Return the class of the files that a type names, None for none."""
-        plain = re.sub(r"<.*", "", name)
-        last = plain.rpartition("::")[2]
-        found = self.classes.get(last, [])
+        plain = name.partition("<")[0]
+        found = self.classes.get(plain.rpartition("::")[2])
+        if found is None:
+            return None
         if len(found) > 1 or "::" in plain:
             fitting = [each for each in found if f"::{each.qualified}".endswith(f"::{plain}")]
             if not fitting and "::" in plain:
@@ -174,8 +176,14 @@ class Unit:
             self._class_of[function] = found
         return self._class_of[function]
 
-    def bases(self, owner: Scope) -> Iterator[Scope]:
-        """Yield a class and those of the files that it derives from."""
+    def bases(self, owner: Scope) -> tuple[Scope, ...]:
+        """Return a class and those of the files that it derives from."""
+        found = self._bases.get(id(owner))
+        if found is None:
+            found = self._bases[id(owner)] = tuple(self._find_bases(owner))
+        return found
+
+    def _find_bases(self, owner: Scope) -> Iterator[Scope]:
         pending, seen = [owner], set[int]()
         while pending and len(seen) < MOST_BASES:
             each = pending.pop(0)
