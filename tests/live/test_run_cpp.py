@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import signal
 import sys
 from pathlib import Path
 
@@ -48,6 +49,6 @@ def test_a_program_is_built_started_and_loaded(ros1: Graph, tmp_path: Path) -> N
     assert "/words" in manager["publishers"]
     assert "/chatter" in manager["subscriptions"]
     assert "/words" in ros1.endpoints("echo")["subscriptions"]
-    assert run.interrupt() == 0, run.output
+    assert run.interrupt() == 128 + signal.SIGINT, run.output
     said = run.output.replace("\n", " ")
     assert "chatter: data: hello" in said
