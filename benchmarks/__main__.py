@@ -6,7 +6,7 @@ from importlib import import_module
 from plastron_tui import collector
 
 _PARTS = (
-    *("language", "process", "output", "source", "editor", "studio"),
+    *("language", "process", "output", "source", "cpp_source", "editor", "studio"),
     *("collector", "threads", "memory", "rates"),
 )
 

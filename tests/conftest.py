@@ -7,6 +7,7 @@ import pytest
 from cpp_builds import describe_rclcpp
 from hypothesis import settings
 from machine import IN_CI, be_quick, examples
+from rewriting import compile_share
 
 from plastron_tui.ros import installations
 
@@ -43,6 +44,13 @@ def pytest_configure(config: pytest.Config) -> None:
         "plastron", deadline=None, derandomize=IN_CI, max_examples=examples(100)
     )
     settings.load_profile("plastron")
+
+
+def pytest_sessionstart(session: pytest.Session) -> None:
+    given = getattr(session.config, "workerinput", None)
+    if given is not None:
+        worker = int(given["workerid"].removeprefix("gw"))
+        compile_share(session.config, worker, given["workercount"])
 
 
 @pytest.hookimpl(tryfirst=True)

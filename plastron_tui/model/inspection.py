@@ -5,13 +5,14 @@ from __future__ import annotations
 import json
 import math
 from collections.abc import Iterator
+from pathlib import PurePosixPath
 from typing import Any
 
 from plastron_tui.ros.qos import Qos
 from plastron_tui.ros.qos_words import text_of
 
 from .endpoint_details import ActionDetails, EndpointDetails, ParameterDetails, TimerDetails, Value
-from .source import EndpointKind, SourceEndpoint, SourceNode, SourceUnit
+from .source import EndpointKind, SourceEndpoint, SourceNode, SourceUnit, place_of
 
 
 def inspect_json(source: SourceUnit) -> dict[str, Any]:
@@ -19,19 +20,22 @@ def inspect_json(source: SourceUnit) -> dict[str, Any]:
     return {
         "file": str(source.path),
         "client_library": source.library,
-        "nodes": [_node(node) for node in source.nodes],
+        "nodes": [_node(node, source) for node in source.nodes],
     }
 
 
-def _node(node: SourceNode) -> dict[str, Any]:
+def _node(node: SourceNode, source: SourceUnit) -> dict[str, Any]:
     return {
         "name": node.name,
         **({"managed": True} if node.is_managed else {}),
-        **{kind.value: [_endpoint(found) for found in node.of_kind(kind)] for kind in EndpointKind},
+        **{
+            kind.value: [_endpoint(found, source) for found in node.of_kind(kind)]
+            for kind in EndpointKind
+        },
     }
 
 
-def _endpoint(endpoint: SourceEndpoint) -> dict[str, Any]:
+def _endpoint(endpoint: SourceEndpoint, source: SourceUnit) -> dict[str, Any]:
     found: dict[str, Any] = {}
     facts = endpoint.kind.facts
     if facts.named is not None:
@@ -60,7 +64,7 @@ def _endpoint(endpoint: SourceEndpoint) -> dict[str, Any]:
         found["guess"] = True
     found["line"] = endpoint.line
     if endpoint.file:
-        found["file"] = endpoint.file
+        found["file"] = _file(endpoint, source)
     return found
 
 
@@ -106,13 +110,18 @@ def inspect_text(source: SourceUnit) -> str:
     for node in source.nodes:
         managed = " (managed)" if node.is_managed else ""
         lines.append(f"  node {node.name or _unknown(node.expression)}{managed}")
-        rows = [_row(endpoint) for kind in EndpointKind for endpoint in node.of_kind(kind)]
+        rows = [_row(endpoint, source) for kind in EndpointKind for endpoint in node.of_kind(kind)]
         widths = [max(map(len, column), default=0) for column in zip(*rows, strict=True)]
         lines += ["    " + "  ".join(map(str.ljust, row, widths)).rstrip() for row in rows]
     return "\n".join(lines)
 
 
-def _row(endpoint: SourceEndpoint) -> tuple[str, str, str, str]:
+def _file(endpoint: SourceEndpoint, source: SourceUnit) -> str:
+    """Return the file that has a call site, from the folder of the main file."""
+    return place_of(PurePosixPath(source.path.name), endpoint.file).as_posix()
+
+
+def _row(endpoint: SourceEndpoint, source: SourceUnit) -> tuple[str, str, str, str]:
     type_ = str(endpoint.type) if endpoint.type is not None else endpoint.type_expression
     qos = "" if endpoint.qos is None else text_of(endpoint.qos)
     told = [
@@ -122,7 +131,7 @@ def _row(endpoint: SourceEndpoint) -> tuple[str, str, str, str]:
         *_told(endpoint.details),
         f"made in {endpoint.transition}" if endpoint.transition else "",
         "(a guess)" if endpoint.is_guess else "",
-        f"in {endpoint.file}" if endpoint.file else "",
+        f"in {_file(endpoint, source)}" if endpoint.file else "",
     ]
     return (
         f"line {endpoint.line}",

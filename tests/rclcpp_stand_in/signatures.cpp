@@ -129,6 +129,11 @@ void qualities()
     QoS(10).durability(rclcpp::DurabilityPolicy::TransientLocal).durability_volatile(),
     QoS(10).transient_local().deadline(100ms).lifespan(rclcpp::Duration::from_seconds(1.5)),
     QoS(10).liveliness(rclcpp::LivelinessPolicy::ManualByTopic).liveliness_lease_duration(1s),
+    QoS(10).history(RMW_QOS_POLICY_HISTORY_KEEP_LAST),
+    QoS(10).liveliness(RMW_QOS_POLICY_LIVELINESS_AUTOMATIC),
+    QoS(10).reliability(RMW_QOS_POLICY_RELIABILITY_BEST_EFFORT),
+    QoS(10).durability(RMW_QOS_POLICY_DURABILITY_VOLATILE).deadline(rmw_time_t{1, 2}),
+    QoS(10).lifespan(rmw_time_t{1, 2}).liveliness_lease_duration(rmw_time_t{1, 2}),
     rclcpp::SensorDataQoS().reliable(), QoS(10).avoid_ros_namespace_conventions(true)};
   const QoS & one = all[0];
   SAME(rclcpp::HistoryPolicy, one.history());
@@ -153,6 +158,8 @@ void qualities()
   RCLCPP_ ## severity ## _ONCE(logger, "once %d", 1); \
   RCLCPP_ ## severity ## _EXPRESSION(logger, name.empty(), "%d", 1); \
   RCLCPP_ ## severity ## _THROTTLE(logger, *node.get_clock(), 1000, "%d", 1); \
+  RCLCPP_ ## severity ## _SKIPFIRST(logger, "%d", 1); \
+  RCLCPP_ ## severity ## _SKIPFIRST_THROTTLE(logger, *node.get_clock(), 1000, "%d", 1); \
   RCLCPP_ ## severity ## _STREAM(logger, "a stream of " << name << 1); \
   RCLCPP_ ## severity ## _STREAM_ONCE(logger, name); \
   RCLCPP_ ## severity ## _STREAM_THROTTLE(logger, *node.get_clock(), 1000, "s" << 1)
@@ -346,6 +353,8 @@ public:
     SAME(rclcpp::QoS, publisher_->get_actual_qos());
     SAME(bool, publisher_->assert_liveliness());
     rclcpp::PublisherBase::SharedPtr publisher = publisher_;
+    publisher_ = rclcpp::create_publisher<String>(*this, "chatter", 10);
+    publisher_ = rclcpp::create_publisher<String>(shared_from_this(), "chatter", rclcpp::QoS(10));
 
     rclcpp::SubscriptionOptions options;
     options.callback_group = create_callback_group(rclcpp::CallbackGroupType::Reentrant);
@@ -360,7 +369,8 @@ public:
       create_subscription<String>("chatter", 10, std::bind(&Example::handle_pointer, this, _1)),
       create_subscription<String>(
         "chatter", 10, std::bind(&Example::handle_const_pointer, this, _1)),
-      create_subscription<String>("chatter", 10, std::bind(&Example::handle_unique, this, _1))};
+      create_subscription<String>("chatter", 10, std::bind(&Example::handle_unique, this, _1)),
+      rclcpp::create_subscription<String>(*this, "chatter", 10, [](const String &) {})};
     SAME(size_t, all[0]->get_publisher_count());
     SAME(const char *, all[0]->get_topic_name());
     SAME(rclcpp::QoS, all[0]->get_actual_qos());
@@ -436,7 +446,11 @@ public:
       create_wall_timer(std::chrono::duration<double>(0.5), [](rclcpp::TimerBase & timer) {
           timer.cancel();
         }),
-      create_timer(100ms, []() {}), create_timer(1s, []() {}, group)};
+      create_timer(100ms, []() {}), create_timer(1s, []() {}, group),
+      rclcpp::create_timer(this, get_clock(), 1s, []() {}),
+      rclcpp::create_timer(
+        shared_from_this(), get_clock(), rclcpp::Duration::from_seconds(0.5),
+        std::bind(&Example::services, this))};
     rclcpp::TimerBase & one = *all[0];
     one.cancel();
     one.reset();
@@ -455,6 +469,8 @@ void nodes()
   has_pointers<Node>();
   Node::SharedPtr node = std::make_shared<Node>("name", "/space");
   node = std::make_shared<Example>(rclcpp::NodeOptions());
+  node = Node::make_shared("name");
+  const Node::UniquePtr alone = Node::make_unique("name", "/space", rclcpp::NodeOptions());
   TAKE(const char * (Node::*)() const, Node::get_name);
   TAKE(const char * (Node::*)() const, Node::get_namespace);
   TAKE(const char * (Node::*)() const, Node::get_fully_qualified_name);
@@ -482,6 +498,9 @@ void executors(const Example::SharedPtr & node)
   const std::shared_future<int> future = promise.get_future().share();
   rclcpp::executors::SingleThreadedExecutor single;
   rclcpp::executors::MultiThreadedExecutor multi;
+  rclcpp::executors::SingleThreadedExecutor other{rclcpp::ExecutorOptions()};
+  rclcpp::executors::MultiThreadedExecutor many(rclcpp::ExecutorOptions(), 4);
+  SAME(size_t, many.get_number_of_threads());
   for (rclcpp::Executor * executor : {static_cast<rclcpp::Executor *>(&single),
       static_cast<rclcpp::Executor *>(&multi)})
   {

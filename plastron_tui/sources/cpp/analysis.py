@@ -117,7 +117,7 @@ class Analysis:
         self.types = Types(self.unit, self.ros_version)
         self.evaluator = Evaluator(self.unit, self.callers)
         self.holding = Holding(self.unit, self.types, self.callers)
-        self.fields = Fields(self.unit)
+        self.fields = self.evaluator.fields
         self.receivers = Receivers(self.unit, self.types, self.evaluator, self.callers)
         if self.ros_version == 2:
             self.callers.parameters.declare(self.evaluator)

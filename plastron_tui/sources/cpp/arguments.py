@@ -67,6 +67,10 @@ def arguments_of(listed: Node | None) -> list[Node]:
     for each in listed.named_children:
         if each.type == "parameter_declaration":
             inner = each.child_by_field_name("type")
+            declarator = each.child_by_field_name("declarator")
+            if declarator is not None and declarator.type == "abstract_function_declarator":
+                # `T it(getHandle());`: a call.
+                inner = None
             found.append(each if inner is None else inner)
         else:
             found.append(each)

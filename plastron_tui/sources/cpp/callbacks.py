@@ -103,9 +103,10 @@ def _named(unit: Unit, name: str, node: Node, scope: Scope, depth: int) -> Callb
             position = next(
                 (at for at, each in enumerate(function.parameters) if each is variable), None
             )
-            given = bound[0].argument(position) if position is not None else None
-            if given is not None:
-                return callback_of(unit, given, bound[0].scope, depth + 1)
+            call = bound[0]
+            given = call.argument(position) if call and position is not None else None
+            if call is not None and given is not None:
+                return callback_of(unit, given, call.scope, depth + 1)
         return Callback(None, (), _signature_types(variable.type, variable.scope, ""))
     return _of_functions(unit, name, "", scope)
 

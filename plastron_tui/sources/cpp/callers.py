@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from functools import cached_property
+from itertools import islice
 from typing import TYPE_CHECKING
 
 from tree_sitter import Node
 
 from .arguments import Call, arguments_of
-from .scopes import Function, Scope, type_text
+from .scopes import Function, Scope, Variable, type_text
 from .type_texts import template_arguments
 from .unit import Unit
 
@@ -44,7 +45,7 @@ class Callers:
                     for call in self._unit.calls.get(function.name, ())
                     if self._may_call(call, function, owner)
                 ]
-            self._found[function] = [each for each in found if self._fits(each, function)]
+            self._found[function] = [each for each in found if self.fits(each, function)]
         return self._found[function]
 
     def _may_call(self, call: Call, function: Function, owner: Scope | None) -> bool:
@@ -57,8 +58,8 @@ class Callers:
             ) or self._unit.derives_from(owner, of)  # fmt: skip
         return True
 
-    def _fits(self, call: Call, function: Function) -> bool:
-        """Whether a call gives as many arguments as a function takes."""
+    def fits(self, call: Call, function: Function) -> bool:
+        """Tell whether a call gives as many arguments as a function takes."""
         most = len(function.parameters)
         needed = sum(self.default_of(function, position) is None for position in range(most))
         return needed <= len(call.arguments) <= most
@@ -119,6 +120,8 @@ class Callers:
                             continue
                         if variable.is_pointer or variable.is_reference:
                             continue
+                        if variable.kind == "member" and self._is_initialized(variable, each):
+                            continue
                         if variable.value is None:
                             found.append(
                                 _making(
@@ -137,12 +140,19 @@ class Callers:
                 found.append(_making(node, text, given, scope, None))
         return found
 
+    def _is_initialized(self, member: Variable, owner: Scope) -> bool:
+        """Whether a constructor says what a member is made of."""
+        return any(
+            self._unit.class_of(scope) is owner
+            for _, _, scope in self._unit.initialized.get(member.name, ())
+        )
+
     def _makers(self, owner: Scope) -> list[Call]:
-        found = []
-        for call in self.made.get(owner.name, ()):
-            if self._unit.find_class(call.qualified, call.scope) is owner:
-                found.append(call)
-        return found[: MOST_CALLERS + 1]
+        made = self.made.get(owner.name, ())
+        found = (
+            each for each in made if self._unit.find_class(each.qualified, each.scope) is owner
+        )
+        return list(islice(found, MOST_CALLERS + 1))
 
 
 def _making(

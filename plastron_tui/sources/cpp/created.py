@@ -25,6 +25,7 @@ from .worlds import worlds
 if TYPE_CHECKING:
     from .sites import Found
 
+PARAMETER = EndpointKind.PARAMETER
 _ACTIONS = (EndpointKind.ACTION_SERVER, EndpointKind.ACTION_CLIENT)
 Bindings = tuple[tuple[Function, Call], ...]
 
@@ -132,12 +133,27 @@ def _name(analysis: Analysis, found: Found, node: Node | None) -> _Name:
             text = name_as_read(text, 1)
         name = prefix.joined(text)
     else:
-        name = text
+        name = _in_sub_node(analysis, found, text)
     if name is None:
         return _Name()
     if value.is_default:
         return _Name(None, name)
     return _Name(name, None, value.is_guess or prefix.is_guess)
+
+
+def _in_sub_node(analysis: Analysis, found: Found, name: str, depth: int = 0) -> str | None:
+    """Return a name as a part of a node has it, that `create_sub_node("arm")` makes."""
+    if found.handle is None or name.startswith(("/", "~")) or found.shape.kind is PARAMETER:
+        return name
+    held = analysis.holding.of(found.handle, found.scope)
+    while held is not None and held.call is not None and held.call.name == "create_sub_node":
+        space = analysis.evaluator.fold(held.call.argument(0), held.scope)
+        if space is None or space.text is None or space.is_default or depth > 8:
+            return None
+        name = f"{space.text}/{name}"
+        depth += 1
+        held = analysis.holding.of(held.call.receiver, held.scope)
+    return name
 
 
 def _in_namespace(analysis: Analysis, found: Found, name: str) -> str | None:

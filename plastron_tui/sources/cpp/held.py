@@ -12,7 +12,7 @@ from .arguments import Call, arguments_of, call_of
 from .callers import Callers
 from .scopes import Scope, Variable, type_text
 from .types import Types
-from .unit import Unit, last_name
+from .unit import Unit, bound_calls, last_name
 
 
 class Held(NamedTuple):
@@ -63,6 +63,10 @@ class Holding:
                 is_own = holder is not None and holder.type == "this" and owner is not None
                 member = self._unit.member(owner, name) if is_own and owner is not None else None
                 return Held(node, scope) if member is None else self.of_variable(member)
+            case "qualified_identifier":
+                text = "".join(scope.file.syntax.word(node).split()).removeprefix("::")
+                variables = self._unit.qualified(text, scope)
+                return self.of_variable(variables[0]) if len(variables) == 1 else Held(node, scope)
             case "parenthesized_expression":
                 inner = node.named_children
                 return self.of(inner[0], scope) if len(inner) == 1 else None
@@ -88,6 +92,9 @@ class Holding:
             return self.of(call.arguments[0], call.scope)
         if call.receiver is not None:
             return Held(call.node, call.scope, call=call)
+        function = self._unit.returning(call)
+        if function is not None and not function.parameters:
+            return self.of(function.returned, function.scope or function.place)
         text = self._types.expand(call.qualified, call.scope)
         if call.template is not None:
             text += "".join(call.scope.file.syntax.word(call.template).split())
@@ -136,7 +143,7 @@ class Holding:
         if position is None:
             return None
         bound = self._unit.bindings.get(function)
-        calls = [bound[0]] if bound is not None else self._callers.of(function)
+        calls = bound_calls(bound) if bound is not None else self._callers.of(function)
         if len(calls) == 1:
             given = calls[0].argument(position)
             if given is not None:

@@ -36,6 +36,30 @@ class Cpp(Language):
 
         return read_cpp(path, files, library)
 
+    def mentioned_library(self, text: bytes) -> str | None:
+        """Return the client library that a file mentions."""
+        from .mentioned import mentioned_library
+
+        return mentioned_library(text)
+
+    def is_worse(self, text: bytes, *others: bytes) -> bool:
+        """Tell whether a text parses at fewer places than each of the others."""
+        from .syntax import parse
+
+        return parse(text).errors > max((parse(other).errors for other in others), default=0)
+
+    def definitions(self, text: bytes, name: str) -> int:
+        """Count the functions and methods of a name that a C++ text defines."""
+        from .words import definitions
+
+        return definitions(text, name)
+
+    def mentions(self, text: bytes, name: str) -> bool:
+        """Tell whether C++ code has a name; strings and comments are no code."""
+        from .words import mentions
+
+        return mentions(text, name)
+
     def imports(self, text: bytes) -> frozenset[str]:
         """Return the headers that a text includes from folders: `std_msgs/msg/string.hpp`."""
         return included(text)

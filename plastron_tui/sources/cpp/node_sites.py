@@ -5,6 +5,8 @@ Source: `ros/init.h`, `nodelet/nodelet.h` of Noetic; `rclcpp/node.hpp` of Jazzy.
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 from tree_sitter import Node
 
 from .analysis import Analysis, NodeSite
@@ -81,12 +83,17 @@ def _named(
 
 def _of_ros2(analysis: Analysis) -> list[NodeSite]:
     unit, receivers = analysis.unit, analysis.receivers
-    owners = []
+    owners: list[Scope] = []
     used = {id(site.owner) for site in analysis.sites if site.owner is not None}
     for classes in unit.classes.values():
-        for owner in classes:
-            if receivers.is_node_class(owner) or id(owner) in used:
-                owners.append(owner)
+        owners += [each for each in classes if receivers.is_node_class(each) or id(each) in used]
+    # A class of a header is a part of those that derive from it.
+    owners = [
+        each
+        for each in owners
+        if not each.file.name
+        or not any(other is not each and unit.derives_from(other, each) for other in owners)
+    ]
     found = [_of_class(analysis, owner) for owner in owners]
     for call in _made_nodes(analysis):
         given = call.argument(0)
@@ -107,11 +114,10 @@ def _made_nodes(analysis: Analysis) -> list[Call]:
     seen = set()
     for calls in analysis.callers.made.values():
         for call in calls:
-            key = id(call.scope.file), call.node.start_byte
-            is_made = call.arguments and call.node.type != "field_initializer"
-            if not is_made or key in seen:
+            if not analysis.types.may_be(call.name, ("Node", "LifecycleNode")):
                 continue
-            if call.name not in ("Node", "LifecycleNode"):
+            key = id(call.scope.file), call.node.start_byte
+            if not call.arguments or call.node.type == "field_initializer" or key in seen:
                 continue
             if analysis.receivers.plain(call.qualified, call.scope) in NODE_CLASSES:
                 seen.add(key)
@@ -138,43 +144,64 @@ def _held_by(analysis: Analysis, call: Call) -> Variable | None:
 
 def _of_class(analysis: Analysis, owner: Scope) -> NodeSite:
     """Return a node class under the name that its constructor gives it."""
-    unit = analysis.unit
     managed = analysis.receivers.derives_from(owner, MANAGED_CLASSES)
-    named = [
-        _named(analysis, call, call.argument(0), owner) for call in _base_calls(analysis, owner)
-    ]
-    name, expression, place = None, "", owner.node
+    unit = analysis.unit
+    # What only heirs give a constructor is no name of the class itself.
+    unit.bindings = {
+        each: (None, {})
+        for each in unit.functions.get(owner.name, ())
+        if unit.class_of_function(each) is owner and _is_for_heirs(analysis, each)
+    }
+    named = _names(analysis, owner, 0)
+    unit.bindings = {}
+    name, expression = None, ""
     if named:
         first = named[0]
-        expression, place = first.expression, owner.node
+        expression = first.expression
         if all(each.name == first.name for each in named):
             name = first.name
-    del unit
-    return NodeSite(name, expression, place, owner.file, owner, None, managed)
+    return NodeSite(name, expression, owner.node, owner.file, owner, None, managed)
 
 
-def _base_calls(analysis: Analysis, owner: Scope, depth: int = 0) -> list[Call]:
-    """Return the initializers of a class's constructors that name its base class."""
+def _is_for_heirs(analysis: Analysis, constructor: Function) -> bool:
+    calls = analysis.callers.of(constructor)
+    owner = analysis.unit.class_of_function(constructor)
+    return bool(calls) and all(
+        each.node.type == "field_initializer" and analysis.unit.class_of(each.scope) is not owner
+        for each in calls
+    )
+
+
+def _names(analysis: Analysis, owner: Scope, depth: int) -> list[NodeSite]:
+    """Return the names that the constructors of a class give to the node that it is."""
     unit = analysis.unit
-    found = []
+    found: list[NodeSite] = []
     bases = {base.partition("<")[0].rpartition("::")[2]: base for base in owner.bases}
     for base in owner.bases:
         expanded = analysis.types.expand(base, owner).partition("<")[0]
         bases.setdefault(expanded.rpartition("::")[2], base)
     for last, base in bases.items():
         for node, given, scope in unit.initialized.get(last, ()):
-            of = unit.class_of(scope)
-            if of is not owner:
+            if unit.class_of(scope) is not owner:
                 continue
-            function = scope.enclosing("function")
+            call = Call(node, last, "", None, None, given, scope, None)
             own = unit.find_class(base, owner)
-            if own is not None and own is not owner and depth < 8:
-                # The base class of the files may name the node itself.
-                inner = _base_calls(analysis, own, depth + 1)
-                found += inner
-                continue
-            del function
-            found.append(Call(node, last, "", None, None, given, scope, None))
+            if own is None or own is owner:
+                found.append(_named(analysis, call, call.argument(0), owner))
+            elif depth < 8:
+                # The base class of the files names the node, with what it gets.
+                outer = unit.bindings
+                made: dict[Function, tuple[Call | None, dict[Function, Call]]] = {
+                    each: (call, {})
+                    for each in unit.functions.get(own.name, ())
+                    if unit.class_of_function(each) is own and analysis.callers.fits(call, each)
+                }
+                unit.bindings = {**outer, **made}
+                inner = _names(analysis, own, depth + 1)
+                unit.bindings = outer
+                syntax = scope.file.syntax
+                said = syntax.slice(given[0]) if given else ""
+                found += [replace(each, expression=said or each.expression) for each in inner]
     return found
 
 

@@ -12,14 +12,19 @@ from __future__ import annotations
 import re
 from typing import NamedTuple
 
-# Numbers are taken whole, so that the `'` between their digits begins no character.
-_TOKEN = re.compile(
-    rb"""(?P<comment>//(?:[^\n\\]|\\.)*|/\*.*?(?:\*/|\Z))
-    |(?P<raw>\b(?:u8|[uUL])?R"(?P<end>[^()\\\s]{0,16})\(.*?(?:\)(?P=end)"|\Z))
-    |(?P<string>"(?:[^"\\\n]|\\.)*")
-    |(?<![\w'])(?:\d(?:'?\w)*)
-    |'(?:[^'\\\n]|\\.)+'""",
-    re.DOTALL | re.VERBOSE,
+_COMMENT = rb"//(?:[^\n\\]|\\.)*|/\*.*?(?:\*/|\Z)"
+_STRING = rb'"(?:[^"\\\n]|\\.)*"'
+_CHARACTER = rb"'(?:[^'\\\n]|\\.)+'"
+_TOKEN = re.compile(b"|".join((_COMMENT, _STRING, _CHARACTER)), re.DOTALL)
+# The `'` between the digits of a number begins no character. Few texts have any, or raw strings.
+_RARE = re.compile(rb'\d\'[\dA-Fa-f]|R"')
+_RARE_TOKEN = re.compile(
+    _COMMENT
+    + rb'|\b(?:u8|[uUL])?R"(?P<end>[^()\\\s]{0,16})\(.*?(?:\)(?P=end)"|\Z)|'
+    + _STRING
+    + rb"|(?<![\dA-F])"
+    + _CHARACTER,
+    re.DOTALL,
 )
 _NOT_NEWLINE = re.compile(rb"[^\n]")
 _DIRECTIVE = re.compile(rb"^[ \t]*#[ \t]*(\w*)((?:[^\n\\]|\\.)*)", re.MULTILINE | re.DOTALL)
@@ -27,6 +32,7 @@ _INCLUDE = re.compile(rb"""[ \t]*(?:<([^<>\n]+)>|"([^"\n]+)")""")
 _DEFINE = re.compile(rb"[ \t]+(\w+)(\()?[ \t]*((?:[^\n\\]|\\.)*)", re.DOTALL)
 _NEVER = re.compile(rb"[ \t]*(?:0|false)[ \t]*\Z")
 _END_OF_LINE = re.compile(rb"\r(?!\n)")
+_SLASH = ord("/")
 # Deeper conditionals were made to break readers: each is counted in those around it.
 _DEEPEST = 32
 _ENDS = frozenset(b";}:")
@@ -85,11 +91,13 @@ def preprocess(text: bytes) -> Preprocessed:
     """Return a text as it can be parsed, with its includes and macros."""
     code = bytearray(_END_OF_LINE.sub(b"\n", text))
     bare = bytearray(code)
-    for token in _TOKEN.finditer(bytes(code)):
-        kind = token.lastgroup if token.lastgroup != "end" else "raw"
-        if kind == "comment":
-            blank(code, *token.span())
-        blank(bare, *token.span())
+    tokens = _TOKEN if _RARE.search(code) is None else _RARE_TOKEN
+    for token in tokens.finditer(bytes(code)):
+        start, end = token.span()
+        gap = _NOT_NEWLINE.sub(b" ", token[0])
+        bare[start:end] = gap
+        if code[start] == _SLASH:
+            code[start:end] = gap
     if text.startswith(b"\xef\xbb\xbf"):
         blank(code, 0, 3)
         blank(bare, 0, 3)

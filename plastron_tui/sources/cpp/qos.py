@@ -107,9 +107,10 @@ def _made_name(found: Found) -> str:
 
 def _may_be_overridden(found: Found) -> bool:
     """Whether parameters may change it when the node starts."""
-    code = found.call.scope.file.syntax.code
-    if b"QosOverridingOptions" not in code and b"qos_overriding_options" not in code:
+    syntax = found.call.scope.file.syntax
+    if not syntax.overrides_qos:
         return False
+    code = syntax.code
     last = found.arguments[-1]
     text = found.call.scope.file.syntax.word(last)
     name = last_name(last, found.call.scope) or text.partition("(")[0]
@@ -280,9 +281,11 @@ def _changed(analysis: Analysis, qos: Qos, variable: Variable, at: Node, depth: 
     """Return a profile as it is when a call is made, after what changes the variable with it."""
     steps: list[tuple[int, str, Node | list[Node], Scope]] = []
     for name in (*_WORDS, *_POLICIES, "keep_last", "keep_all", "best_available"):
-        for call in analysis.unit.calls.get(name, ()):
-            if call.receiver is not None and _is_it(analysis, call.receiver, variable, call.scope):
-                steps.append((call.node.start_byte, name, call.arguments, call.scope))
+        steps += [
+            (call.node.start_byte, name, call.arguments, call.scope)
+            for call in analysis.unit.calls.get(name, ())
+            if call.receiver is not None and _is_it(analysis, call.receiver, variable, call.scope)
+        ]
     for node, path, right, scope in analysis.fields.of(variable.name):
         if path in _POLICIES:
             left = node.child_by_field_name("left")

@@ -132,7 +132,7 @@ class ReadParameters:
             call = call_of(node, scope, scope.file.syntax)
             if call is not None and call.name == "ParameterValue" and len(call.arguments) == 1:
                 node = call.arguments[0]
-        return evaluator.fold(node, scope)
+        return evaluator.before(node, scope) if node is not None else None
 
 
 def _as_default(value: Value | None) -> Value | None:

@@ -10,6 +10,7 @@ from plastron_tui.model.source import FileSet, SourceUnit
 from plastron_tui.sources.base import ReadResult
 
 from .analysis import Analysis
+from .mentioned import is_component, is_nodelet
 from .node_sites import nodelets
 from .nodes import group
 from .sites import find_sites
@@ -29,8 +30,6 @@ _ROS2 = re.compile(
     rb'#[ \t]*include[ \t]*[<"](?:rclcpp|[\w/]+/(?:msg|srv|action)/\w+\.hpp)'
     rb"|\brclcpp(?:_\w+)?::|\bcreate_(?:publisher|subscription|service|client)[ \t]*<"
 )
-_COMPONENT = re.compile(rb"^[ \t]*RCLCPP_COMPONENTS_REGISTER_NODE(?:_WITH_\w+)?[ \t]*\(", re.M)
-
 LIBRARIES = {"roscpp": 1, "nodelet": 1, "rclcpp": 2, "component": 2}
 """The generations of ROS of the client libraries for C++."""
 
@@ -75,9 +74,10 @@ def _mentioned(files: FileSet) -> list[int]:
 def _library(analysis: Analysis) -> str:
     files = analysis.unit.files
     if analysis.ros_version == 1:
-        return "nodelet" if nodelets(analysis) else "roscpp"
-    is_component = any(_COMPONENT.search(file.syntax.code) for file in files[:1])
-    return "component" if is_component else "rclcpp"
+        says_so = any(is_nodelet(file.syntax.text) for file in files[:1])
+        return "nodelet" if says_so or nodelets(analysis) else "roscpp"
+    registers = any(map(is_component, (file.syntax.text for file in files[:1])))
+    return "component" if registers else "rclcpp"
 
 
 def _refuse(path: Path, code: Code, message: str) -> ReadResult:

@@ -18,7 +18,7 @@ from .callers import Callers
 from .scopes import Scope, Variable, type_text
 from .type_texts import template_arguments, without_pointer
 from .types import Types
-from .unit import Unit
+from .unit import Unit, bound_calls
 from .values import MOST_WRITES, Evaluator
 
 NODE_CLASSES = frozenset(
@@ -32,6 +32,7 @@ NODE_CLASSES = frozenset(
 MANAGED_CLASSES = frozenset({"rclcpp_lifecycle::LifecycleNode", "nav2_util::LifecycleNode"})
 NODELET = "nodelet::Nodelet"
 HANDLE = "ros::NodeHandle"
+TRANSPORT = "image_transport::ImageTransport"
 _NODELET_HANDLES = {
     "getNodeHandle": "",
     "getMTNodeHandle": "",
@@ -123,6 +124,8 @@ class Receivers:
             case "call_expression":
                 call = call_of(node, scope, syntax)
                 return self._type_of_call(call) if call is not None else ""
+            case "parameter_declaration":
+                return HANDLE if _parsed_call(node, scope) in _NODELET_HANDLES else ""
             case _:
                 return ""
 
@@ -269,6 +272,8 @@ class Receivers:
             case "call_expression":
                 call = call_of(node, scope, syntax)
                 return self._prefix_of_call(call) if call is not None else Prefix(None)
+            case "parameter_declaration":
+                return Prefix(_NODELET_HANDLES.get(_parsed_call(node, scope)))
             case _:
                 return Prefix(None)
 
@@ -279,7 +284,7 @@ class Receivers:
             return self.prefix(call.receiver, call.scope)
         if call.name in ("move", "ref", "cref") and len(call.arguments) == 1:
             return self.prefix(call.arguments[0], call.scope)
-        if self._type_of_call(call) == HANDLE and call.receiver is None:
+        if call.receiver is None and self._type_of_call(call) in (HANDLE, TRANSPORT):
             functions = self._unit.functions.get(call.name, ())
             if not functions:
                 return self._prefix_of(call.arguments, call.scope)
@@ -352,7 +357,7 @@ class Receivers:
         if position is None:
             return guess
         bound = self._unit.bindings.get(function)
-        calls = [bound[0]] if bound is not None else self._callers.of(function)
+        calls = bound_calls(bound) if bound is not None else self._callers.of(function)
         found = []
         for call in calls[:MOST_WRITES]:
             given = self._callers.given(call, function, position)
@@ -377,3 +382,9 @@ class Receivers:
         if given.type == "initializer_list":
             return self._prefix_of(arguments_of(given), scope)
         return self.prefix(given, scope)
+
+
+def _parsed_call(node: Node, scope: Scope) -> str:
+    """Return what a call calls that is parsed as a parameter, `getNodeHandle()`."""
+    type_node = node.child_by_field_name("type")
+    return scope.file.syntax.word(type_node) if type_node is not None else ""

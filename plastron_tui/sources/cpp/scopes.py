@@ -66,6 +66,19 @@ class Variable:
     is_reference: bool = False
 
     @property
+    def is_array(self) -> bool:
+        """Whether it is an array, which `char name[]` is as well."""
+        syntax = self.file.syntax
+        end = self.declarator.end_byte if self.declarator is not None else self.start
+        return syntax.code[end : end + 1] == b"["
+
+    @property
+    def is_list(self) -> bool:
+        """Whether it has several values."""
+        type_ = self.type
+        return "vector<" in type_ or "array<" in type_ or "list<" in type_ or self.is_array
+
+    @property
     def file(self) -> CppFile:
         """The file that declares it."""
         return self.scope.file
@@ -73,6 +86,8 @@ class Variable:
     @property
     def is_const(self) -> bool:
         """Whether it keeps its first value."""
+        if self.node.type == "enumerator":
+            return True
         syntax = self.file.syntax
         end = self.type_node.end_byte if self.type_node is not None else self.node.start_byte
         head = syntax.code[self.node.start_byte : end]
@@ -121,6 +136,16 @@ class Function:
             scope = self.scope or self.place
             self._parameters = list(_parameters(listed, scope)) if listed is not None else []
         return self._parameters
+
+    @property
+    def returned(self) -> Node | None:
+        """What it returns where it does nothing else."""
+        body = self.node.child_by_field_name("body")
+        statements = body.named_children if body is not None else []
+        if len(statements) != 1 or statements[0].type != "return_statement":
+            return None
+        inner = statements[0].named_children
+        return inner[0] if inner else None
 
     @property
     def class_name(self) -> str:

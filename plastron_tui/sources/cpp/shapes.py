@@ -58,7 +58,9 @@ METHODS: dict[str, tuple[Shape, ...]] = {
     "advertise": (
         Shape(K.PUBLISHER, on="handle", queue=1, latch=2),
         Shape(K.PUBLISHER, on="transport", type="", fixed=IMAGE, queue=1),
+        Shape(K.PUBLISHER, on="lazy", queue=1, latch=2),
     ),
+    "advertiseImage": (Shape(K.PUBLISHER, on="lazy", type="", fixed=IMAGE, queue=1, latch=2),),
     "subscribe": (
         Shape(K.SUBSCRIPTION, on="handle", type="callback", callback=2, queue=1),
         Shape(K.SUBSCRIPTION, on="transport", type="", fixed=IMAGE, callback=2, queue=1),
@@ -151,6 +153,16 @@ OBJECTS: dict[str, Shape] = {
     "actionlib::SimpleActionClient": Shape(K.ACTION_CLIENT, on="maybe"),
     "actionlib::ActionClient": Shape(K.ACTION_CLIENT, on="maybe"),
     "message_filters::Subscriber": Shape(K.SUBSCRIPTION, on="function", queue=1),
+    "image_transport::CameraSubscriber": Shape(
+        K.SUBSCRIPTION, on="function", type="", fixed=IMAGE, callback=1, queue=3, beside=_CAMERA
+    ),
+    "image_transport::CameraPublisher": Shape(
+        K.PUBLISHER, on="function", type="", fixed=IMAGE, queue=1, beside=_CAMERA
+    ),
+    "image_transport::Publisher": Shape(K.PUBLISHER, on="function", type="", fixed=IMAGE, queue=1),
+    "image_transport::Subscriber": Shape(
+        K.SUBSCRIPTION, on="function", type="", fixed=IMAGE, callback=1, queue=3
+    ),
     "image_transport::SubscriberFilter": Shape(
         K.SUBSCRIPTION, on="filter", type="", fixed=IMAGE, queue=1
     ),

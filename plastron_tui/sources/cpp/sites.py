@@ -101,7 +101,9 @@ class _Finder:
         self._unit = analysis.unit
         self._receivers = analysis.receivers
         self._ros = analysis.ros_version
-        self._wanted = {"handle"} if self._ros == 1 else {"node"}
+        self._wanted = {"handle", "lazy"} if self._ros == 1 else {"node"}
+        self._unsure: list[Found] = []
+        self._used: set[int] = set()
 
     def found(self) -> Iterator[Found]:
         """Yield the calls."""
@@ -109,6 +111,7 @@ class _Finder:
             for call in self._unit.calls.get(name, ()):
                 if (found := self._method(call, shapes)) is not None:
                     yield found
+        yield from (each for each in self._unsure if id(each.owner) in self._used)
         short = {name.rpartition("::")[2] for name in FUNCTIONS}
         for name in sorted(short):
             for call in self._unit.calls.get(name, ()):
@@ -118,7 +121,7 @@ class _Finder:
 
     def _method(self, call: Call, shapes: tuple[Shape, ...]) -> Found | None:
         scope = call.scope
-        if call.receiver is None:
+        if call.receiver is None or call.receiver.type == "this":
             return self._implicit(call, shapes)
         type_ = self._receivers.type_of(call.receiver, scope)
         for shape in shapes:
@@ -209,24 +212,40 @@ class _Finder:
                 if self._receivers.derives_from(owner, frozenset({HANDLE})):
                     return Found(call, shape, call.arguments, None, scope, owner)
                 continue
+            if shape.on == "lazy":
+                if (found := self._lazy(call, shape, owner)) is not None:
+                    return found
+                continue
             if call.qualifier and not self._is_base(call.qualifier, owner):
                 continue
-            if self._receivers.is_node_class(owner) or (
-                self._is_typed(shape, call) and self._may_be_node(owner, shape)
-            ):
-                return Found(call, shape, call.arguments, None, scope, owner)
+            found = Found(call, shape, call.arguments, None, scope, owner)
+            if self._receivers.is_node_class(owner):
+                return found
+            if not any(True for _ in self._unit.foreign_bases(owner)):
+                continue
+            # Of a class of another file: nothing but a node takes an interface type.
+            if shape.type != "" and self._is_typed(shape, call):
+                self._used.add(id(owner))
+                return found
+            if shape.type == "":
+                self._unsure.append(found)
         return None
+
+    def _lazy(self, call: Call, shape: Shape, owner: Scope) -> Found | None:
+        """Match `advertise<T>(nh, "topic", 1)` of nodelets that publish for who listens."""
+        given = call.arguments
+        if len(given) < 2 or not any(True for _ in self._unit.foreign_bases(owner)):
+            return None
+        inner = given[0].child_by_field_name("argument") or given[0]
+        type_ = self._receivers.type_of(given[0], call.scope)
+        if type_ != HANDLE and (type_ or not _HANDLE_NAME.fullmatch(last_name(inner, call.scope))):
+            return None
+        return Found(call, shape, given[1:], given[0], call.scope, owner)
 
     def _is_base(self, qualifier: str, owner: Scope) -> bool:
         last = qualifier.rpartition("::")[2]
         bases = [*owner.bases, *(each.name for each in self._unit.bases(owner))]
         return any(base.partition("<")[0].rpartition("::")[2] == last for base in bases)
-
-    def _may_be_node(self, owner: Scope, shape: Shape) -> bool:
-        """Whether a class derives from one of another file, which may be a node."""
-        if shape.type == "":
-            return False
-        return any(True for _ in self._unit.foreign_bases(owner))
 
     def _function(self, call: Call) -> Found | None:
         if call.receiver is not None:
@@ -247,8 +266,18 @@ class _Finder:
                 return None
             handle = call.arguments[0]
             owner = self._owner(handle, scope)
-            return Found(call, shape, call.arguments[1:], handle, scope, owner)
+            given = call.arguments[1:]
+            while given and self._is_part_of_node(given[0], scope):
+                given = given[1:]
+            return Found(call, shape, given, handle, scope, owner)
         return Found(call, shape, call.arguments, None, scope, self._unit.class_of(scope))
+
+    def _is_part_of_node(self, node: Node, scope: Scope) -> bool:
+        """Whether an argument is one of the interfaces of a node, which may stand for it."""
+        text = scope.file.syntax.word(node)
+        if "_interface" in text and node.type != "string_literal":
+            return True
+        return "::node_interfaces::" in self._receivers.type_of(node, scope)
 
     def _owner(self, handle: Node, scope: Scope) -> Scope | None:
         type_ = self._receivers.type_of(handle, scope)
@@ -264,6 +293,11 @@ class _Finder:
         if type_ not in _OPTIONS and "Options" not in type_:
             return None
         name = last_name(given, scope)
+        held = self._unit.lookup(name, scope, given.start_byte) if name else None
+        if type_ == "ros::TimerOptions" and held is not None and held.arguments:
+            return Call(
+                held.node, "TimerOptions", "ros", None, None, held.arguments, held.scope, None
+            )
         for maker in ("create", "init", "initByFullCallbackType"):
             for each in self._unit.calls.get(maker, ()):
                 if not each.type_nodes or each.scope.file is not scope.file:
@@ -301,7 +335,8 @@ class _Finder:
         seen: set[int] = set()
         for written, calls in self._a.callers.made.items():
             for call in calls:
-                if not call.arguments or call.node.start_byte in seen:
+                is_made = bool(call.arguments) and call.node.start_byte not in seen
+                if not is_made or not self._may_be_object(call, wanted):
                     continue
                 type_ = self._made_type(call, written)
                 name = type_.partition("<")[0]
@@ -311,6 +346,13 @@ class _Finder:
                 if found is not None:
                     seen.add(call.node.start_byte)
                     yield found
+
+    def _may_be_object(self, call: Call, wanted: set[str]) -> bool:
+        if call.name == "make_shared":
+            return True
+        return self._a.types.may_be(call.name, wanted) or self._a.types.may_be(
+            call.qualifier.partition("::")[0], wanted
+        )
 
     def _made_type(self, call: Call, written: str) -> str:
         """Return the whole type of what is made."""

@@ -159,6 +159,18 @@ def _add_declaration(node: Node, scope: Scope) -> None:
         _place(scope).variables.setdefault(found.name, []).append(found)
 
 
+def _add_enumerator(node: Node, scope: Scope) -> None:
+    name = node.child_by_field_name("name")
+    if name is None:
+        return
+    place = _place(scope)
+    kind = "member" if place.kind == "class" else "global"
+    word = scope.file.syntax.word(name)
+    value = node.child_by_field_name("value")
+    found = Variable(word, kind, None, node, scope, node.start_byte, value, None, name)
+    place.variables.setdefault(word, []).append(found)
+
+
 def _add_loop(node: Node, scope: Scope) -> None:
     """Note the variable of `for (auto x : list)`: its value is one of several."""
     syntax = scope.file.syntax
@@ -217,6 +229,7 @@ def _add_call(node: Node, scope: Scope) -> None:
 _HANDLERS: dict[str, Callable[[Node, Scope], None]] = {
     "declaration": _add_declaration,
     "loop": _add_loop,
+    "enumerator": _add_enumerator,
     "alias": _add_alias,
     "using": _add_using,
     "call": _add_call,

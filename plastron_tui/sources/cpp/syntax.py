@@ -9,7 +9,7 @@ from pathlib import Path
 import tree_sitter_cpp
 from tree_sitter import Language, Node, Parser, Query, QueryCursor, Tree
 
-from .macros import mask_macros
+from .macros import join_macros, mask_macros
 from .preprocessing import Define, Include, preprocess
 
 # A node within more others was made to break readers: a query takes the square of the depth.
@@ -44,6 +44,7 @@ class Syntax:
         errors: at how many places it does not parse.
         includes: the includes of the file.
         defines: its macros without arguments.
+        overrides_qos: whether it lets parameters change a quality of service.
     """
 
     text: bytes
@@ -53,6 +54,7 @@ class Syntax:
     errors: int
     includes: tuple[Include, ...]
     defines: tuple[Define, ...]
+    overrides_qos: bool
 
     @property
     def root(self) -> Node:
@@ -83,6 +85,7 @@ def parse(text: bytes) -> Syntax:
     prepared = preprocess(text)
     code = prepared.code
     mask_macros(code)
+    join_macros(code, prepared.defines, text)
     encoding = "utf-8"
     try:
         text.decode()
@@ -93,7 +96,9 @@ def parse(text: bytes) -> Syntax:
         source if encoding == "utf-8" else source.translate(_AS_LETTERS)
     )
     errors = count_errors(tree.root_node)
-    return Syntax(text, source, encoding, tree, errors, prepared.includes, prepared.defines)
+    overrides = b"QosOverridingOptions" in source or b"qos_overriding_options" in source
+    includes, defines = prepared.includes, prepared.defines
+    return Syntax(text, source, encoding, tree, errors, includes, defines, overrides)
 
 
 def count_errors(root: Node) -> int:

@@ -21,6 +21,8 @@ def transforms(analysis: Analysis) -> Iterator[Site]:
     seen: set[tuple[int, int]] = set()
     for calls in analysis.callers.made.values():
         for call in calls:
+            if not analysis.types.may_be(call.name, short):
+                continue
             type_ = analysis.receivers.plain(call.qualified, call.scope)
             name = type_.partition("<")[0]
             if name.rpartition("::")[2] not in short or name not in TRANSFORM_OBJECTS:

@@ -8,7 +8,7 @@ header `pkg/Name.h`, with `NamePtr` and `NameConstPtr`).
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Collection, Iterator
 from functools import cached_property
 
 from plastron_tui.ros.catalog import usual_distribution
@@ -55,6 +55,7 @@ KNOWN = {
 }
 """The namespaces of the classes of ROS that say what a node is, by short name."""
 
+_FIRST = re.compile(r"\w+")
 _NO_PACKAGES = frozenset(
     {"std", "boost", "cv", "ros", "Eigen", "message_filters", "rclcpp", "tf2", "YAML", "Json"}
 )
@@ -81,6 +82,15 @@ class Types:
         return found
 
     @cached_property
+    def _short(self) -> set[str]:
+        """The names that may stand for another type, or for a part of one."""
+        found = {*KNOWN, *self._unit.defines, *self._namespaces, *self._unit.classes}
+        for scope in self._unit.scopes():
+            found.update(scope.aliases)
+            found.update(scope.template_names)
+        return found
+
+    @cached_property
     def _included(self) -> dict[str, set[tuple[str, ...]]]:
         """The interfaces whose headers are included, by bare name in small letters."""
         found: dict[str, set[tuple[str, ...]]] = {}
@@ -101,6 +111,9 @@ class Types:
 
     def expand(self, text: str, scope: Scope) -> str:
         """Return a type with its aliases resolved."""
+        first = _FIRST.match(text)
+        if first is not None and first[0] not in self._short:
+            return text
         key = text, id(scope)
         if not self._unit.bindings and key in self._expanded:
             return self._expanded[key]
@@ -133,9 +146,7 @@ class Types:
                 if qualified is not None:
                     text = qualified + more + tail + bracket + rest
                     continue
-            if target is None or target == first or target.endswith("::" + first):
-                if target is not None and target != first:
-                    text = target + colons + others + bracket + rest
+            if target is None or target == first:
                 break
             if bracket and target.endswith(">"):
                 # The arguments of a template that is an alias are not put in.
@@ -164,12 +175,26 @@ class Types:
             if name in each.template_names:
                 position = each.template_names.index(name)
                 for function, (call, _) in self._unit.bindings.items():
+                    if call is None:
+                        continue
                     if function.place is each or function.place.parent is each:
                         given = _template_of(call)
                         if position < len(given):
                             return given[position], call.scope
                 return None
         return None
+
+    def may_be(self, name: str, wanted: Collection[str]) -> bool:
+        """Tell whether a short name is one of some, or may stand for one."""
+        return name in wanted or name in self._renamed
+
+    @cached_property
+    def _renamed(self) -> set[str]:
+        found = set(self._unit.defines)
+        for scope in self._unit.scopes():
+            found.update(scope.aliases)
+            found.update(scope.template_names)
+        return found
 
     def is_parameter(self, text: str, scope: Scope) -> bool:
         """Whether a type is, or begins with, a parameter of a template around it."""
@@ -188,7 +213,10 @@ class Types:
             for base in self._unit.bases(owner) if owner is not None else ():
                 if name in base.aliases:
                     return base.aliases[name]
-        return self._aliases.get(name)
+        if name in self._aliases:
+            return self._aliases[name]
+        texts = self._unit.defines.get(name, [])
+        return type_text(texts[0]) if len(set(texts)) == 1 and "(" not in texts[0] else None
 
     def interface(self, text: str, scope: Scope) -> InterfaceName | None:
         """Return the interface that a type is, or points to, None for none."""

@@ -18,6 +18,12 @@ MOST_BASES = 32
 _MUTATORS = ("append", "assign", "insert", "erase", "replace", "swap", "push_back", "clear")
 
 
+_CHANGE = re.compile(
+    rb"(?:>>\s*|(?<![&\w)\]])&\s*|\+\+\s*|--\s*)(?:this->)?([A-Za-z_]\w*)\b(?!\s*(?:::|\())"
+    rb"|\b([A-Za-z_]\w*)\s*(?:\+\+|--)"
+)
+
+
 class Write(NamedTuple):
     """What gives a variable a value.
 
@@ -43,6 +49,22 @@ PARAMETER_READERS = (
 )
 
 
+_CHANGES = re.compile(
+    r"get|read|load|parse|fetch|param|scan|printf|cpy|strcat|trim|lower|upper|replace|erase|swap"
+    r"|search|fill",
+    re.IGNORECASE,
+)
+NO_CHANGE = frozenset(
+    {
+        *PARAMETER_READERS,
+        *("setParam", "hasParam", "deleteParam", "set", "has", "printf", "get_node", "make_shared"),
+        *("declare_parameter", "declare_parameters", "has_parameter", "set_parameter", "getenv"),
+        *("declare_parameter_if_not_declared", "getMessage", "target_frame", "getChild"),
+    }
+)
+"""The functions that change nothing, whatever their names may say."""
+
+
 class Unit:
     """Files that are read together.
 
@@ -56,8 +78,9 @@ class Unit:
     def __init__(self, files: Iterable[CppFile]) -> None:
         self.files = list(files)
         self.effort = Effort(sum(len(file.syntax.text) for file in self.files))
-        self.bindings: dict[Function, tuple[Call, dict[Function, Call]]] = {}
+        self.bindings: dict[Function, tuple[Call | None, dict[Function, Call]]] = {}
         self.items: dict[Variable, Any] = {}
+        self._bases: dict[int, tuple[Scope, ...]] = {}
         self._class_of: dict[Function, Scope | None] = {}
         self._writes: dict[Variable, list[Write]] = {}
 
@@ -114,9 +137,10 @@ class Unit:
 
     def find_class(self, name: str, near: Scope | None = None) -> Scope | None:
         """Return the class of the files that a type names, None for none."""
-        plain = re.sub(r"<.*", "", name)
-        last = plain.rpartition("::")[2]
-        found = self.classes.get(last, [])
+        plain = name.partition("<")[0]
+        found = self.classes.get(plain.rpartition("::")[2])
+        if found is None:
+            return None
         if len(found) > 1 or "::" in plain:
             fitting = [each for each in found if f"::{each.qualified}".endswith(f"::{plain}")]
             if not fitting and "::" in plain:
@@ -152,8 +176,14 @@ class Unit:
             self._class_of[function] = found
         return self._class_of[function]
 
-    def bases(self, owner: Scope) -> Iterator[Scope]:
-        """Yield a class and those of the files that it derives from."""
+    def bases(self, owner: Scope) -> tuple[Scope, ...]:
+        """Return a class and those of the files that it derives from."""
+        found = self._bases.get(id(owner))
+        if found is None:
+            found = self._bases[id(owner)] = tuple(self._find_bases(owner))
+        return found
+
+    def _find_bases(self, owner: Scope) -> Iterator[Scope]:
         pending, seen = [owner], set[int]()
         while pending and len(seen) < MOST_BASES:
             each = pending.pop(0)
@@ -205,6 +235,31 @@ class Unit:
         others = self._globals.get(name, [])
         return others[0] if others else None
 
+    def qualified(self, text: str, scope: Scope) -> list[Variable]:
+        """Return the variables that `Class::NAME` or `space::NAME` may be."""
+        outer, _, name = text.rpartition("::")
+        owner = self.find_class(outer, scope) if outer else None
+        if owner is not None:
+            member = self.member(owner, name)
+            return [member] if member is not None else []
+        found = []
+        for each in self._globals.get(name, ()):
+            space = each.scope.qualified
+            if not outer or f"::{space}".endswith(f"::{outer}") or outer.endswith(f"::{space}"):
+                found.append(each)
+        return found
+
+    def returning(self, call: Call) -> Function | None:
+        """Return the function that a call calls, if all that it does is to return something."""
+        functions = [
+            each
+            for each in self.functions.get(call.name, ())
+            if each.scope is not None and len(each.parameters) == len(call.arguments)
+        ]
+        if len(functions) != 1 or functions[0].returned is None:
+            return None
+        return functions[0]
+
     def function_of(self, scope: Scope) -> Function | None:
         """Return the innermost function or lambda that a scope is in."""
         found = scope.enclosing("function", "lambda")
@@ -254,6 +309,16 @@ class Unit:
         return found
 
     @cached_property
+    def _made_anew(self) -> dict[str, list[Call]]:
+        """The calls that give pointers something new to point to, by the pointer's name."""
+        found: dict[str, list[Call]] = {}
+        for name in ("reset", "emplace"):
+            for call in self.calls.get(name, ()):
+                if call.receiver is not None and call.arguments:
+                    found.setdefault(last_name(call.receiver, call.scope), []).append(call)
+        return found
+
+    @cached_property
     def _mutated(self) -> set[str]:
         """The names of what methods change."""
         found = set()
@@ -263,20 +328,47 @@ class Unit:
                     found.add(last_name(call.receiver, call.scope))
         return found
 
+    @cached_property
+    def _changed(self) -> dict[str, list[tuple[CppFile, int]]]:
+        """Where something is counted up, read from a stream or handed out to be changed."""
+        found: dict[str, list[tuple[CppFile, int]]] = {}
+        for file in self.files:
+            for change in _CHANGE.finditer(file.syntax.code):
+                name = (change[1] or change[2]).decode("utf-8", "replace")
+                found.setdefault(name, []).append((file, change.start()))
+        return found
+
+    @cached_property
+    def _handed(self) -> dict[str, list[tuple[CppFile, int]]]:
+        """Where variables are handed to functions that change what they get."""
+        found: dict[str, list[tuple[CppFile, int]]] = {}
+        for file in self.files:
+            for call in file.calls:
+                if call.name in NO_CHANGE:
+                    continue
+                own = self.functions.get(call.name)
+                if own is None and not _CHANGES.search(call.name):
+                    continue
+                for position, given in enumerate(call.arguments):
+                    if given.type not in ("identifier", "field_expression"):
+                        continue
+                    if own is None or any(_changes(each, position) for each in own):
+                        name = last_name(given, call.scope)
+                        found.setdefault(name, []).append((file, given.start_byte))
+        return found
+
     def is_changed_unseen(self, variable: Variable) -> bool:
         """Whether something may change a variable that is neither an assignment nor a parameter."""
         if variable.is_const:
             return False
         if variable.name in self._mutated:
             return True
-        name = re.escape(variable.name.encode())
-        wanted = re.compile(
-            rb"(?:>>\s*|(?<![&\w)\]])&\s*)(?:this->)?" + name + rb"\b(?!\s*(?:::|\())"
-        )
+        changed = self._changed.get(variable.name, []) + self._handed.get(variable.name, [])
+        if variable.kind in ("member", "global"):
+            return bool(changed)
+        around = variable.scope.enclosing("function") or variable.scope
         return any(
-            wanted.search(file.syntax.code)
-            for file in self.files
-            if file is variable.file or variable.kind in ("member", "global")
+            file is variable.file and around.start <= at < around.end for file, at in changed
         )
 
     def writes(self, variable: Variable) -> list[Write]:
@@ -296,6 +388,17 @@ class Unit:
             operator = node.child_by_field_name("operator")
             is_plain = operator is None or operator.type == "="
             yield Write(node, node.child_by_field_name("right") if is_plain else None, at)
+        for call in self._made_anew.get(variable.name, ()):
+            receiver = call.receiver
+            if receiver is None:
+                continue
+            holder = receiver.child_by_field_name("argument")
+            if not self._is_it(variable, owner, holder, receiver, call.scope):
+                continue
+            if call.name == "emplace":
+                yield Write(call.node, None, call.scope, None, call.arguments)
+            else:
+                yield Write(call.node, call.arguments[0], call.scope)
         for call, given in self._read_into.get(variable.name, ()):
             holder = given.child_by_field_name("argument")
             if self._is_it(variable, owner, holder, given, call.scope):
@@ -304,7 +407,8 @@ class Unit:
             for defined in self._globals.get(variable.name, ()):
                 # `const std::string Names::TOPIC = "x";`
                 outer = self._outer_class(defined)
-                if outer is not None and self.derives_from(outer, owner):
+                is_set = defined.value is not None or defined.arguments is not None
+                if is_set and outer is not None and self.derives_from(outer, owner):
                     yield Write(defined.node, defined.value, defined.scope, None, defined.arguments)
             for node, listed, at in self.initialized.get(variable.name, ()):
                 of = self.class_of(at)
@@ -341,6 +445,19 @@ class Unit:
         while node.parent is not None and not node.type.endswith(("statement", "declaration")):
             node = node.parent
         return node
+
+
+def bound_calls(bound: tuple[Call | None, dict[Function, Call]]) -> list[Call]:
+    """Return the call that a function is bound to, none where it is one that nobody makes."""
+    return [bound[0]] if bound[0] is not None else []
+
+
+def _changes(function: Function, position: int) -> bool:
+    """Whether a function may change what it gets as an argument."""
+    if position >= len(function.parameters):
+        return False
+    parameter = function.parameters[position]
+    return parameter.is_reference and not parameter.is_const
 
 
 def _outer(qualified: str) -> str:

@@ -14,6 +14,7 @@ from tree_sitter import Node
 from plastron_tui.sources.work_limits import bounded
 
 from .arguments import Call, arguments_of, call_of
+from .fields import Fields
 from .literals import number_value, replaced, string_value
 from .scopes import Function, Scope, Variable
 from .unit import Unit, Write, last_name
@@ -23,6 +24,10 @@ if TYPE_CHECKING:
 
 MOST_WRITES = 16
 _STRING_TYPES = re.compile(r"(?:std::)?(?:string|string_view|basic_string)")
+_PLAIN = re.compile(
+    r"(?:std::)?(?:string|string_view)|bool|float|double|auto|char|(?:std::)?u?int(?:8|16|32|64)?_t"
+    r"|(?:std::)?size_t|(?:un)?signed(?:int|long|short)*|u?int|(?:long|short)+(?:int)?|"
+)
 _SAME = frozenset({"c_str", "str", "data", "string", "value", "get"})
 _CASTS = frozenset({"static_cast", "const_cast", "reinterpret_cast", "dynamic_cast"})
 _NUMBERS = frozenset(
@@ -69,6 +74,9 @@ class Evaluator:
         self.unit = unit
         self.effort = unit.effort
         self._callers = callers
+        self.fields = Fields(unit)
+        self._known: dict[Variable, Value | None] = {}
+        self._asked: set[Variable] = set()
 
     @bounded(None)
     def fold(self, node: Node | None, scope: Scope) -> Value | None:
@@ -163,22 +171,8 @@ class Evaluator:
     def _qualified(self, node: Node, scope: Scope) -> Value | None:
         """Return the value of `Class::NAME` and `space::NAME`."""
         text = "".join(scope.file.syntax.word(node).split()).removeprefix("::")
-        outer, _, name = text.rpartition("::")
-        owner = self.unit.find_class(outer, scope) if outer else None
-        if owner is not None:
-            member = self.unit.member(owner, name)
-            return self.variable(member) if member is not None else None
-        found = [
-            variable
-            for each in self.unit.scopes()
-            if each.kind in ("namespace", "file")
-            and (not outer or each.qualified == outer or each.qualified.endswith(f"::{outer}")
-                 or outer.endswith(f"::{each.qualified}"))
-            for variable in each.variables.get(name, ())
-        ]  # fmt: skip
-        if found:
-            return self._agreed([self.variable(each) for each in found])
-        return None
+        found = self.unit.qualified(text, scope)
+        return self._agreed([self.variable(each) for each in found]) if found else None
 
     def _field(self, node: Node, scope: Scope) -> Value | None:
         holder = node.child_by_field_name("argument")
@@ -195,7 +189,24 @@ class Evaluator:
             if variable is not None and variable.type not in ("", "auto"):
                 owner = self.unit.find_class(variable.type, scope)
         member = self.unit.member(owner, name) if owner is not None else None
+        if member is None and holder.type != "this":
+            return self._set_field(node, name, holder, scope)
         return self.variable(member) if member is not None else None
+
+    def _set_field(self, node: Node, name: str, holder: Node, scope: Scope) -> Value | None:
+        """Return what a field of a message is set to before, `descriptor.name = "x"`."""
+        held = last_name(holder, scope)
+        before = [
+            (value, place)
+            for assignment, path, value, place in self.fields.of(held)
+            if path == name
+            and place.file is scope.file
+            and place.enclosing("function") is scope.enclosing("function")
+            and assignment.start_byte < node.start_byte
+        ]
+        if not before or before[-1][1] not in scope.chain:
+            return None
+        return self.fold(*before[-1])
 
     def _binary(self, node: Node, scope: Scope) -> Value | None:
         left = self.fold(node.child_by_field_name("left"), scope)
@@ -247,32 +258,69 @@ class Evaluator:
         return self._callers.parameters.read_by(call, self)
 
     def _returned(self, call: Call) -> Value | None:
-        """Return what a function without parameters always returns."""
-        functions = [
-            each for each in self.unit.functions.get(call.name, ()) if each.scope is not None
-        ]
-        if len(functions) != 1 or functions[0].parameters or call.arguments:
+        """Return what a function that does nothing else returns."""
+        function = self.unit.returning(call)
+        if function is None:
             return None
-        (function,) = functions
-        body = function.node.child_by_field_name("body")
-        statements = body.named_children if body is not None else []
-        if len(statements) != 1 or statements[0].type != "return_statement":
+        if not function.parameters:
+            return self.fold(function.returned, function.scope or function.place)
+        bindings = self.unit.bindings
+        if function in bindings:
             return None
-        inner = statements[0].named_children
-        return self.fold(inner[0], function.scope or function.place) if inner else None
+        self.unit.bindings = {**bindings, function: (call, {})}
+        found = self.fold(function.returned, function.scope or function.place)
+        self.unit.bindings = bindings
+        return found
 
-    @bounded(None)
     def variable(self, variable: Variable) -> Value | None:
         """Return the one value that a variable has wherever it can be asked for."""
+        is_bound = bool(self.unit.bindings or self.unit.items)
+        if not is_bound and variable in self._known:
+            return self._known[variable]
+        if variable in self._asked:
+            return None
+        self._asked.add(variable)
+        found = self._variable(variable)
+        self._asked.discard(variable)
+        if not is_bound and not self._asked:
+            self._known[variable] = found
+        return found
+
+    def before(self, node: Node, scope: Scope) -> Value | None:
+        """Return what an expression is worth before what is just looked at.
+
+        In `rate = declare_parameter("rate", rate)` the default is what the variable was before.
+        """
+        name = last_name(node, scope)
+        variable = self.unit.lookup(name, scope, node.start_byte) if name else None
+        if variable is not None and variable in self._asked:
+            return self._initial(variable)
+        return self.fold(node, scope)
+
+    def _initial(self, variable: Variable) -> Value | None:
+        """Return what a variable is made with."""
+        writes = self.unit.writes(variable)
+        first = [each for each in writes if each.node.type == "field_initializer"] or [
+            each for each in writes if each.node.id == variable.node.id
+        ]
+        return self._written(first[0], variable) if len(first) == 1 else None
+
+    @bounded(None)
+    def _variable(self, variable: Variable) -> Value | None:
+        if variable in self.unit.items:
+            item = self.unit.items[variable]
+            return item if isinstance(item, Value) else None
         if variable.kind == "parameter":
             function = self._function_of(variable)
             return self._given(variable, function) if function is not None else None
         if variable.kind == "loop":
-            item = self.unit.items.get(variable)
-            return item if isinstance(item, Value) else None
+            return None
         writes = self.unit.writes(variable)
         if not 0 < len(writes) <= MOST_WRITES or self.unit.is_changed_unseen(variable):
             return None
+        # An initializer of the constructor takes the place of that of the declaration.
+        if any(each.node.type == "field_initializer" for each in writes):
+            writes = [each for each in writes if each.node.id != variable.node.id]
         plain = [each for each in writes if each.call is None]
         found = [self._written(each, variable) for each in plain]
         # What is empty before it gets its value is never meant.
@@ -290,6 +338,8 @@ class Evaluator:
 
     def _written(self, write: Write, variable: Variable) -> Value | None:
         if write.value is not None and write.value.type == "initializer_list":
+            if not variable.is_list and not _PLAIN.fullmatch(variable.type):
+                return None
             listed = self._listed(write.value, write.scope)
             return _single(listed, variable)
         if write.value is not None:
@@ -299,14 +349,17 @@ class Evaluator:
             return None
         if not given:
             return Value("") if _STRING_TYPES.fullmatch(variable.type) else None
-        if "vector<" in variable.type:
+        if variable.is_list:
             items = [self.fold(each, write.scope) for each in given]
             known = [each for each in items if each is not None]
             if len(known) < len(items) or any(isinstance(each.value, tuple) for each in known):
                 return None
             values = [each.value for each in known if not isinstance(each.value, tuple)]
             return Value(tuple(values)).like(*known)
-        return self.fold(given[0], write.scope) if len(given) == 1 else None
+        # What is made of a text or a number is seldom that text or number.
+        if len(given) != 1 or not _PLAIN.fullmatch(variable.type):
+            return None
+        return self.fold(given[0], write.scope)
 
     def _function_of(self, parameter: Variable) -> Function | None:
         return parameter.scope.function
@@ -321,8 +374,9 @@ class Evaluator:
         default = self._callers.default_of(function, position)
         bound = self.unit.bindings.get(function)
         if bound is not None:
-            call, outer = bound
-            del outer
+            call, _ = bound
+            if call is None:
+                return None
             given = self._callers.given(call, function, position)
             if given is not None:
                 return self.fold(given, call.scope)
@@ -352,8 +406,7 @@ class Evaluator:
 
 
 def _single(listed: Value | None, variable: Variable) -> Value | None:
-    is_list = "vector<" in variable.type or "array<" in variable.type
-    if listed is None or is_list or not isinstance(listed.value, tuple):
+    if listed is None or variable.is_list or not isinstance(listed.value, tuple):
         return listed
     if not listed.value:
         return Value("") if _STRING_TYPES.fullmatch(variable.type) else None

@@ -39,6 +39,10 @@ def _turns(analysis: Analysis, name: Node | None, scope: Scope) -> list[dict[Var
     for each in scope.chain:
         if each.kind in ("function", "lambda"):
             break
+        if each.node.type == "for_statement" and name is not None:
+            counted = _counted(analysis, each)
+            if counted:
+                return counted
         for variables in each.variables.values():
             for variable in variables:
                 if variable.kind != "loop" or name is None:
@@ -49,6 +53,37 @@ def _turns(analysis: Analysis, name: Node | None, scope: Scope) -> list[dict[Var
                         {variable: Value(item).like(listed)} for item in listed.value[:MOST_WORLDS]
                     ]
     return [{}]
+
+
+def _counted(analysis: Analysis, loop: Scope) -> list[dict[Variable, Value]]:
+    """Return the turns of `for (int i = 0; i < 3; i++)`, none where the ends are not known."""
+    names = [name for name, found in loop.variables.items() if len(found) == 1]
+    condition = loop.node.child_by_field_name("condition")
+    update = loop.node.child_by_field_name("update")
+    if len(names) != 1 or condition is None or update is None:
+        return []
+    variable = loop.variables[names[0]][0]
+    syntax = loop.file.syntax
+    text = "".join(syntax.word(update).split())
+    if text not in (f"{names[0]}++", f"++{names[0]}") or condition.type != "binary_expression":
+        return []
+    left, operator = (
+        condition.child_by_field_name("left"),
+        condition.child_by_field_name("operator"),
+    )
+    if left is None or operator is None or syntax.word(left) != names[0]:
+        return []
+    first = analysis.evaluator.fold(variable.value, loop)
+    last = analysis.evaluator.fold(condition.child_by_field_name("right"), loop)
+    if first is None or last is None or last.is_default or last.is_guess:
+        return []
+    start, stop = first.value, last.value
+    if type(start) is not int or type(stop) is not int or operator.type not in ("<", "<=", "!="):
+        return []
+    stop += operator.type == "<="
+    if not 0 < stop - start <= MOST_WORLDS:
+        return []
+    return [{variable: Value(number)} for number in range(start, stop)]
 
 
 def _calls(analysis: Analysis, scope: Scope, depth: int) -> Iterator[Bindings]:

@@ -9,7 +9,7 @@ from .dialect import Dialect
 from .rclcpp import DIALECT as RCLCPP
 from .target import CppTarget
 
-DIALECT = replace(RCLCPP, library="component", like="rclcpp", is_plugin=True)
+DIALECT = replace(RCLCPP, library="component", like="rclcpp", is_plugin=True, is_split=True)
 
 
 class ComponentTarget(CppTarget):

@@ -14,6 +14,7 @@ class Dialect:
         ros_version: 1 or 2.
         like: the client library whose templates serve where it has none of its own, "" for none.
         is_plugin: whether its nodes are loaded into a process of others.
+        is_split: whether its nodes have their class in a header, unless a project says otherwise.
         method_names: names that a method of a node must not have: those of its base class.
         attribute_names: names that the templates give to methods and attributes of their own.
         task_names: those of nodes with calls and actions besides.
@@ -29,6 +30,7 @@ class Dialect:
     ros_version: int
     like: str = ""
     is_plugin: bool = False
+    is_split: bool = False
     method_names: frozenset[str] = frozenset()
     attribute_names: frozenset[str] = frozenset()
     task_names: frozenset[str] = frozenset()

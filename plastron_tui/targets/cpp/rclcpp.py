@@ -34,12 +34,12 @@ _NODE_METHODS = """
 # What `rclcpp_lifecycle::LifecycleNode` has besides (Humble to Kilted), and the template's own
 # methods of a managed node.
 _MANAGED = """
-    CallbackReturn activate add_managed_entity add_timer_handle cleanup configure deactivate
-    destroy_endpoints destroy_timers end_tasks get_available_states get_available_transitions
-    get_current_state get_transition_graph is_active on_activate on_cleanup on_configure
-    on_deactivate on_error on_shutdown register_on_activate register_on_cleanup
-    register_on_configure register_on_deactivate register_on_error register_on_shutdown shutdown
-    trigger_transition
+    CallbackReturn accept_goal activate add_managed_entity add_timer_handle cleanup configure
+    deactivate destroy_endpoints destroy_timers end_tasks get_available_states
+    get_available_transitions get_current_state get_transition_graph is_active on_activate
+    on_cleanup on_configure on_deactivate on_error on_shutdown register_on_activate
+    register_on_cleanup register_on_configure register_on_deactivate register_on_error
+    register_on_shutdown shutdown trigger_transition
 """
 
 _TASK_NAMES = """

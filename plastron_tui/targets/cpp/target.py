@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import ClassVar
 
@@ -38,11 +38,16 @@ class CppTarget(Target):
 
     def __init__(self, template_folder: Path | None = None) -> None:
         self._template_folder = template_folder
+        self._layout = ""
+
+    def set_layouts(self, layouts: Mapping[str, str]) -> None:
+        """Let a project say whether new nodes have their class in a header of its own."""
+        self._layout = layouts.get(self.language.name, "")
 
     def is_split(self, node: Node) -> bool:
         """Tell whether a node has its class in a header of its own."""
         del node
-        return self.name == "component"
+        return self._layout == "split" or (not self._layout and self.dialect.is_split)
 
     def plugin_class(self, node: Node) -> str | None:
         """Return the class by which a process of others loads a node, None for a program."""

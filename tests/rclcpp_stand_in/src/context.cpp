@@ -297,15 +297,15 @@ QoS & QoS::durability(DurabilityPolicy policy)
   return *this;
 }
 
-QoS & QoS::deadline(const Duration & duration)
+QoS & QoS::deadline(rmw_time_t time)
 {
-  profile_.deadline = duration.to_rmw_time();
+  profile_.deadline = time;
   return *this;
 }
 
-QoS & QoS::lifespan(const Duration & duration)
+QoS & QoS::lifespan(rmw_time_t time)
 {
-  profile_.lifespan = duration.to_rmw_time();
+  profile_.lifespan = time;
   return *this;
 }
 
@@ -315,9 +315,9 @@ QoS & QoS::liveliness(LivelinessPolicy policy)
   return *this;
 }
 
-QoS & QoS::liveliness_lease_duration(const Duration & duration)
+QoS & QoS::liveliness_lease_duration(rmw_time_t time)
 {
-  profile_.liveliness_lease_duration = duration.to_rmw_time();
+  profile_.liveliness_lease_duration = time;
   return *this;
 }
 

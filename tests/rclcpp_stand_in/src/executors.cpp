@@ -213,11 +213,15 @@ FutureReturnCode Executor::spin_until(const std::function<bool()> & is_done, Nan
   return FutureReturnCode::SUCCESS;
 }
 
+size_t executors::MultiThreadedExecutor::get_number_of_threads()
+{
+  return threads_ != 0 ? threads_ : std::max(2U, std::thread::hardware_concurrency());
+}
+
 void executors::MultiThreadedExecutor::spin()
 {
   std::vector<std::thread> threads;
-  const unsigned count = std::max(2U, std::thread::hardware_concurrency());
-  while (threads.size() < count - 1) {
+  while (threads.size() + 1 < get_number_of_threads()) {
     threads.emplace_back([this] {work();});
   }
   work();

@@ -18,6 +18,7 @@
 (type_definition) @alias
 (namespace_alias_definition) @alias
 (using_declaration) @using
+(enumerator) @enumerator
 
 ; What is done with them.
 (assignment_expression) @assignment

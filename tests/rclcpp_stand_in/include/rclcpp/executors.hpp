@@ -17,13 +17,18 @@ namespace rclcpp
 
 enum class FutureReturnCode {SUCCESS, INTERRUPTED, TIMEOUT};
 
+struct ExecutorOptions
+{
+  Context::SharedPtr context;
+};
+
 // It looks 50 times a second whether ROS was shut down, or there is more to wait for.
 class Executor
 {
 public:
   RCLCPP_SMART_PTR_DEFINITIONS(Executor)
 
-  Executor() = default;
+  explicit Executor(const ExecutorOptions & = ExecutorOptions()) {}
   virtual ~Executor() = default;
   Executor(const Executor &) = delete;
   Executor & operator=(const Executor &) = delete;
@@ -72,6 +77,7 @@ class SingleThreadedExecutor : public Executor
 {
 public:
   RCLCPP_SMART_PTR_DEFINITIONS(SingleThreadedExecutor)
+  using Executor::Executor;
   void spin() override {work();}
 };
 
@@ -79,7 +85,15 @@ class MultiThreadedExecutor : public Executor
 {
 public:
   RCLCPP_SMART_PTR_DEFINITIONS(MultiThreadedExecutor)
+  // Without a number of threads there is one for each processor, and at least two.
+  explicit MultiThreadedExecutor(
+    const ExecutorOptions & options = ExecutorOptions(), size_t threads = 0)
+  : Executor(options), threads_(threads) {}
   void spin() override;
+  size_t get_number_of_threads();
+
+private:
+  size_t threads_;
 };
 
 }  // namespace executors

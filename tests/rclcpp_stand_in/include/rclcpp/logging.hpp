@@ -61,6 +61,11 @@ inline Logger get_logger(const std::string & name)
     RCLCPP_STAND_IN_CHECK(logger); \
     RCUTILS_LOG_DEBUG_ONCE_NAMED((logger).get_name(), __VA_ARGS__); \
   } while (0)
+#define RCLCPP_DEBUG_SKIPFIRST(logger, ...) \
+  do { \
+    RCLCPP_STAND_IN_CHECK(logger); \
+    RCUTILS_LOG_DEBUG_SKIPFIRST_NAMED((logger).get_name(), __VA_ARGS__); \
+  } while (0)
 #define RCLCPP_DEBUG_EXPRESSION(logger, expression, ...) \
   do { \
     RCLCPP_STAND_IN_CHECK(logger); \
@@ -74,6 +79,16 @@ inline Logger get_logger(const std::string & name)
         return RCUTILS_RET_OK; \
       }; \
     RCUTILS_LOG_DEBUG_THROTTLE_NAMED( \
+      rclcpp_stand_in_now, milliseconds, (logger).get_name(), __VA_ARGS__); \
+  } while (0)
+#define RCLCPP_DEBUG_SKIPFIRST_THROTTLE(logger, clock, milliseconds, ...) \
+  do { \
+    RCLCPP_STAND_IN_CHECK(logger); \
+    auto rclcpp_stand_in_now = [&c = clock](rcutils_time_point_value_t * now) -> rcutils_ret_t { \
+        *now = c.now().nanoseconds(); \
+        return RCUTILS_RET_OK; \
+      }; \
+    RCUTILS_LOG_DEBUG_SKIPFIRST_THROTTLE_NAMED( \
       rclcpp_stand_in_now, milliseconds, (logger).get_name(), __VA_ARGS__); \
   } while (0)
 #define RCLCPP_DEBUG_STREAM(logger, stream_arg) \
@@ -106,6 +121,11 @@ inline Logger get_logger(const std::string & name)
     RCLCPP_STAND_IN_CHECK(logger); \
     RCUTILS_LOG_INFO_ONCE_NAMED((logger).get_name(), __VA_ARGS__); \
   } while (0)
+#define RCLCPP_INFO_SKIPFIRST(logger, ...) \
+  do { \
+    RCLCPP_STAND_IN_CHECK(logger); \
+    RCUTILS_LOG_INFO_SKIPFIRST_NAMED((logger).get_name(), __VA_ARGS__); \
+  } while (0)
 #define RCLCPP_INFO_EXPRESSION(logger, expression, ...) \
   do { \
     RCLCPP_STAND_IN_CHECK(logger); \
@@ -119,6 +139,16 @@ inline Logger get_logger(const std::string & name)
         return RCUTILS_RET_OK; \
       }; \
     RCUTILS_LOG_INFO_THROTTLE_NAMED( \
+      rclcpp_stand_in_now, milliseconds, (logger).get_name(), __VA_ARGS__); \
+  } while (0)
+#define RCLCPP_INFO_SKIPFIRST_THROTTLE(logger, clock, milliseconds, ...) \
+  do { \
+    RCLCPP_STAND_IN_CHECK(logger); \
+    auto rclcpp_stand_in_now = [&c = clock](rcutils_time_point_value_t * now) -> rcutils_ret_t { \
+        *now = c.now().nanoseconds(); \
+        return RCUTILS_RET_OK; \
+      }; \
+    RCUTILS_LOG_INFO_SKIPFIRST_THROTTLE_NAMED( \
       rclcpp_stand_in_now, milliseconds, (logger).get_name(), __VA_ARGS__); \
   } while (0)
 #define RCLCPP_INFO_STREAM(logger, stream_arg) \
@@ -151,6 +181,11 @@ inline Logger get_logger(const std::string & name)
     RCLCPP_STAND_IN_CHECK(logger); \
     RCUTILS_LOG_WARN_ONCE_NAMED((logger).get_name(), __VA_ARGS__); \
   } while (0)
+#define RCLCPP_WARN_SKIPFIRST(logger, ...) \
+  do { \
+    RCLCPP_STAND_IN_CHECK(logger); \
+    RCUTILS_LOG_WARN_SKIPFIRST_NAMED((logger).get_name(), __VA_ARGS__); \
+  } while (0)
 #define RCLCPP_WARN_EXPRESSION(logger, expression, ...) \
   do { \
     RCLCPP_STAND_IN_CHECK(logger); \
@@ -164,6 +199,16 @@ inline Logger get_logger(const std::string & name)
         return RCUTILS_RET_OK; \
       }; \
     RCUTILS_LOG_WARN_THROTTLE_NAMED( \
+      rclcpp_stand_in_now, milliseconds, (logger).get_name(), __VA_ARGS__); \
+  } while (0)
+#define RCLCPP_WARN_SKIPFIRST_THROTTLE(logger, clock, milliseconds, ...) \
+  do { \
+    RCLCPP_STAND_IN_CHECK(logger); \
+    auto rclcpp_stand_in_now = [&c = clock](rcutils_time_point_value_t * now) -> rcutils_ret_t { \
+        *now = c.now().nanoseconds(); \
+        return RCUTILS_RET_OK; \
+      }; \
+    RCUTILS_LOG_WARN_SKIPFIRST_THROTTLE_NAMED( \
       rclcpp_stand_in_now, milliseconds, (logger).get_name(), __VA_ARGS__); \
   } while (0)
 #define RCLCPP_WARN_STREAM(logger, stream_arg) \
@@ -196,6 +241,11 @@ inline Logger get_logger(const std::string & name)
     RCLCPP_STAND_IN_CHECK(logger); \
     RCUTILS_LOG_ERROR_ONCE_NAMED((logger).get_name(), __VA_ARGS__); \
   } while (0)
+#define RCLCPP_ERROR_SKIPFIRST(logger, ...) \
+  do { \
+    RCLCPP_STAND_IN_CHECK(logger); \
+    RCUTILS_LOG_ERROR_SKIPFIRST_NAMED((logger).get_name(), __VA_ARGS__); \
+  } while (0)
 #define RCLCPP_ERROR_EXPRESSION(logger, expression, ...) \
   do { \
     RCLCPP_STAND_IN_CHECK(logger); \
@@ -209,6 +259,16 @@ inline Logger get_logger(const std::string & name)
         return RCUTILS_RET_OK; \
       }; \
     RCUTILS_LOG_ERROR_THROTTLE_NAMED( \
+      rclcpp_stand_in_now, milliseconds, (logger).get_name(), __VA_ARGS__); \
+  } while (0)
+#define RCLCPP_ERROR_SKIPFIRST_THROTTLE(logger, clock, milliseconds, ...) \
+  do { \
+    RCLCPP_STAND_IN_CHECK(logger); \
+    auto rclcpp_stand_in_now = [&c = clock](rcutils_time_point_value_t * now) -> rcutils_ret_t { \
+        *now = c.now().nanoseconds(); \
+        return RCUTILS_RET_OK; \
+      }; \
+    RCUTILS_LOG_ERROR_SKIPFIRST_THROTTLE_NAMED( \
       rclcpp_stand_in_now, milliseconds, (logger).get_name(), __VA_ARGS__); \
   } while (0)
 #define RCLCPP_ERROR_STREAM(logger, stream_arg) \
@@ -241,6 +301,11 @@ inline Logger get_logger(const std::string & name)
     RCLCPP_STAND_IN_CHECK(logger); \
     RCUTILS_LOG_FATAL_ONCE_NAMED((logger).get_name(), __VA_ARGS__); \
   } while (0)
+#define RCLCPP_FATAL_SKIPFIRST(logger, ...) \
+  do { \
+    RCLCPP_STAND_IN_CHECK(logger); \
+    RCUTILS_LOG_FATAL_SKIPFIRST_NAMED((logger).get_name(), __VA_ARGS__); \
+  } while (0)
 #define RCLCPP_FATAL_EXPRESSION(logger, expression, ...) \
   do { \
     RCLCPP_STAND_IN_CHECK(logger); \
@@ -254,6 +319,16 @@ inline Logger get_logger(const std::string & name)
         return RCUTILS_RET_OK; \
       }; \
     RCUTILS_LOG_FATAL_THROTTLE_NAMED( \
+      rclcpp_stand_in_now, milliseconds, (logger).get_name(), __VA_ARGS__); \
+  } while (0)
+#define RCLCPP_FATAL_SKIPFIRST_THROTTLE(logger, clock, milliseconds, ...) \
+  do { \
+    RCLCPP_STAND_IN_CHECK(logger); \
+    auto rclcpp_stand_in_now = [&c = clock](rcutils_time_point_value_t * now) -> rcutils_ret_t { \
+        *now = c.now().nanoseconds(); \
+        return RCUTILS_RET_OK; \
+      }; \
+    RCUTILS_LOG_FATAL_SKIPFIRST_THROTTLE_NAMED( \
       rclcpp_stand_in_now, milliseconds, (logger).get_name(), __VA_ARGS__); \
   } while (0)
 #define RCLCPP_FATAL_STREAM(logger, stream_arg) \

@@ -85,20 +85,42 @@ public:
   const rmw_qos_profile_t & get_rmw_qos_profile() const {return profile_;}
 
   QoS & history(HistoryPolicy policy);
+  QoS & history(rmw_qos_history_policy_t policy)
+  {
+    return history(static_cast<HistoryPolicy>(policy));
+  }
   QoS & keep_last(size_t depth);
   QoS & keep_all() {return history(HistoryPolicy::KeepAll);}
   QoS & reliability(ReliabilityPolicy policy);
+  QoS & reliability(rmw_qos_reliability_policy_t policy)
+  {
+    return reliability(static_cast<ReliabilityPolicy>(policy));
+  }
   QoS & reliable() {return reliability(ReliabilityPolicy::Reliable);}
   QoS & best_effort() {return reliability(ReliabilityPolicy::BestEffort);}
   QoS & reliability_best_available() {return reliability(ReliabilityPolicy::BestAvailable);}
   QoS & durability(DurabilityPolicy policy);
+  QoS & durability(rmw_qos_durability_policy_t policy)
+  {
+    return durability(static_cast<DurabilityPolicy>(policy));
+  }
   QoS & durability_volatile() {return durability(DurabilityPolicy::Volatile);}
   QoS & transient_local() {return durability(DurabilityPolicy::TransientLocal);}
   QoS & durability_best_available() {return durability(DurabilityPolicy::BestAvailable);}
-  QoS & deadline(const Duration & duration);
-  QoS & lifespan(const Duration & duration);
+  QoS & deadline(const Duration & duration) {return deadline(duration.to_rmw_time());}
+  QoS & deadline(rmw_time_t time);
+  QoS & lifespan(const Duration & duration) {return lifespan(duration.to_rmw_time());}
+  QoS & lifespan(rmw_time_t time);
   QoS & liveliness(LivelinessPolicy policy);
-  QoS & liveliness_lease_duration(const Duration & duration);
+  QoS & liveliness(rmw_qos_liveliness_policy_t policy)
+  {
+    return liveliness(static_cast<LivelinessPolicy>(policy));
+  }
+  QoS & liveliness_lease_duration(const Duration & duration)
+  {
+    return liveliness_lease_duration(duration.to_rmw_time());
+  }
+  QoS & liveliness_lease_duration(rmw_time_t time);
   QoS & avoid_ros_namespace_conventions(bool avoid);
 
   HistoryPolicy history() const {return static_cast<HistoryPolicy>(profile_.history);}

@@ -14,6 +14,7 @@
 #include <string>
 #include <vector>
 
+#include "rclcpp/create.hpp"
 #include "rclcpp/executors.hpp"
 #include "rclcpp/logging.hpp"
 #include "rclcpp/node.hpp"

@@ -6,18 +6,29 @@
 #include <chrono>
 #include <cstdint>
 #include <memory>
+#include <utility>
 
 #include "builtin_interfaces/msg/duration.hpp"
 #include "builtin_interfaces/msg/time.hpp"
 #include "rcl/time.h"
 #include "rmw/types.h"
 
-// The pointer types that each class of rclcpp has.
+// The types of pointers that each class of rclcpp has, and what makes them.
 #define RCLCPP_SMART_PTR_DEFINITIONS(...) \
   using SharedPtr = std::shared_ptr<__VA_ARGS__>; \
   using ConstSharedPtr = std::shared_ptr<const __VA_ARGS__>; \
   using WeakPtr = std::weak_ptr<__VA_ARGS__>; \
-  using UniquePtr = std::unique_ptr<__VA_ARGS__>;
+  using UniquePtr = std::unique_ptr<__VA_ARGS__>; \
+  template<class ... Args> \
+  static std::shared_ptr<__VA_ARGS__> make_shared(Args && ... args) \
+  { \
+    return std::make_shared<__VA_ARGS__>(std::forward<Args>(args)...); \
+  } \
+  template<class ... Args> \
+  static std::unique_ptr<__VA_ARGS__> make_unique(Args && ... args) \
+  { \
+    return std::make_unique<__VA_ARGS__>(std::forward<Args>(args)...); \
+  }
 
 namespace rclcpp
 {

@@ -4,7 +4,7 @@ CameraPipe::CameraPipe(ros::NodeHandle nh, ros::NodeHandle pnh) : it_(nh), priva
 {
   sub_ = it_.subscribe("image_raw", 1, &CameraPipe::imageCallback, this);
   pub_ = it_.advertise("image_small", 1);
-  debug_ = private_it_->advertise("debug", 1, true);
+  debug_ = private_it_.advertise("debug", 1, true);
 }
 
 void CameraPipe::imageCallback(const sensor_msgs::ImageConstPtr &image)

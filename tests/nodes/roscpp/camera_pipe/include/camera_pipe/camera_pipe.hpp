@@ -15,11 +15,7 @@ private:
   void imageCallback(const sensor_msgs::ImageConstPtr &image);
 
   image_transport::ImageTransport it_;
-  struct Wrapped {
-    explicit Wrapped(ros::NodeHandle &nh) : transport(nh) {}
-    image_transport::ImageTransport *operator->() { return &transport; }
-    image_transport::ImageTransport transport;
-  } private_it_;
+  image_transport::ImageTransport private_it_;
   image_transport::Subscriber sub_;
   image_transport::Publisher pub_, debug_;
 };
