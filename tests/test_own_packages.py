@@ -197,3 +197,43 @@ def test_what_compiles_nothing_takes_no_node_that_is_built(tmp_path: Path) -> No
     text = f"load_package 'demo' as demo\n{talker('rclcpp')}demo contains talker\n"
     program = Session(text.encode(), tmp_path / "robot.plastron", Options(), environ={})
     assert "edit-refused" in [each.code for each in program.diagnostics]
+
+
+@pytest.mark.parametrize("inner", ["", "made/"])
+def test_inside_a_package_nothing_new_is_begun(tmp_path: Path, inner: str) -> None:
+    (tmp_path / ".git").mkdir()
+    folder = tmp_path / "demo"
+    folder.mkdir()
+    (folder / "package.xml").write_text(PACKAGE_XML.format(tool="catkin"), encoding="utf-8")
+    (folder / "CMakeLists.txt").write_text(CATKIN, encoding="utf-8")
+    text = generated(talker("roscpp"), ears("nodelet"))
+
+    def run(text: str) -> list[str]:
+        options = Options(None, folder / inner)
+        program = Session(text.encode(), folder / "robot.plastron", options, environ={})
+        plan, diagnostics = program.plan()
+        return [each.code for each in (*diagnostics, *write(plan).diagnostics)]
+
+    assert run(text) == []
+    there = {each.relative_to(folder).as_posix() for each in folder.rglob("*") if each.is_file()}
+    assert there == {
+        "CMakeLists.txt",
+        "nodelet_plugins.xml",
+        "package.xml",
+        f"{inner}.plastron.json",
+        f"{inner}src/ears_sub1.cpp",
+        f"{inner}src/talker_pub.cpp",
+    }
+    lists = (folder / "CMakeLists.txt").read_text(encoding="utf-8")
+    assert f"add_executable(${{PROJECT_NAME}}_talker_pub {inner}src/talker_pub.cpp)" in lists
+    assert lists.startswith("project(demo)\nfind_package(catkin REQUIRED COMPONENTS nodelet ")
+    assert "demo::EarsNode" in (folder / "nodelet_plugins.xml").read_text(encoding="utf-8")
+    # A second run, and one with handwork in a node, have nothing to add.
+    source = folder / f"{inner}src/talker_pub.cpp"
+    by_hand = f"// By hand.\n{source.read_text(encoding='utf-8')}"
+    source.write_text(by_hand, encoding="utf-8")
+    run(text)
+    assert source.read_text(encoding="utf-8") == by_hand
+    assert (folder / "CMakeLists.txt").read_text(encoding="utf-8") == lists
+    # The other generation of ROS does not build here.
+    assert "other-ros" in run(generated(talker("rclcpp")))

@@ -9,13 +9,15 @@ import pytest
 from plastron_tui.sources.cmake.targets import NewTarget, add_target
 
 PATH = Path("CMakeLists.txt")
-ROSCPP = NewTarget("talker", "src/talker.cpp", False, ("roscpp",), ())
+ROSCPP = NewTarget("talker", "src/talker.cpp", "", ("roscpp",), ())
 NODELET = NewTarget(
-    "ears", "src/ears.cpp", True, ("nodelet",), (), "demo::Ears", False, "nodelet_plugins.xml"
+    "ears", "src/ears.cpp", "include", ("nodelet",), (), "demo::Ears", False, "nodelet_plugins.xml"
 )
-RCLCPP = NewTarget("talker", "src/talker.cpp", False, ("rclcpp",), ("rclcpp::rclcpp",))
+RCLCPP = NewTarget("talker", "src/talker.cpp", "", ("rclcpp",), ("rclcpp::rclcpp",))
 OWN_TYPES = RCLCPP._replace(has_own_types=True)
-COMPONENT = NewTarget("ears", "src/ears.cpp", True, ("rclcpp",), ("rclcpp::rclcpp",), "demo::Ears")
+COMPONENT = NewTarget(
+    "ears", "src/ears.cpp", "include", ("rclcpp",), ("rclcpp::rclcpp",), "demo::Ears"
+)
 
 BUILT = """\
 cmake_minimum_required(VERSION 3.0.2)
