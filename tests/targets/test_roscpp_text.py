@@ -167,7 +167,7 @@ WRITTEN = {
     "action": (
         "n provides_action 'count' of action_type Fibonacci calling work_on",
         'count_server_ = std::make_unique<CountServer>(nh_, "count", '
-        "[this](const actionlib_tutorials::FibonacciGoalConstPtr & goal) {work_on(goal);}, false);",
+        "boost::bind(&RobotNode::work_on, this, boost::placeholders::_1), false);",
         "count_server_->setSucceeded(actionlib_tutorials::FibonacciResult());",
         "node.end_goals();",
     ),
