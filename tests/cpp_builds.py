@@ -16,7 +16,7 @@ import sys
 import sysconfig
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 import pytest
@@ -96,6 +96,21 @@ class CppLibrary:
         with ThreadPoolExecutor(os.cpu_count()) as pool:
             for _ in pool.map(lambda source: _run([*command, str(source)]), sources):
                 pass
+
+    def beside(self, *overlays: Path) -> CppLibrary:
+        """Return it with the interface packages of overlays, each with `include` and `lib`."""
+        if self.name == "roscpp":
+            folders = [f"-isystem{each / 'include'}" for each in overlays]
+            return replace(self, compiling=(*self.compiling, *folders))
+        types = [name for each in overlays for name in _type_supports(each)]
+        paths = [*(str(each / "lib") for each in overlays), self.environ["LD_LIBRARY_PATH"]]
+        return replace(
+            self,
+            prefixes=(*overlays, *self.prefixes),
+            compiling=(*self.compiling, *_header_folders(overlays)),
+            linking=(*self.linking, *types),
+            environ={**self.environ, "LD_LIBRARY_PATH": os.pathsep.join(paths)},
+        )
 
     def building(self, environ: Mapping[str, str]) -> dict[str, str]:
         """Return the environment of a build by whose tools it is found."""

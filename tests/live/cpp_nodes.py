@@ -1,11 +1,11 @@
-"""Nodes of ROS 1 in C++, as programs of their own and in a manager."""
+"""Nodes in C++, as programs of their own and in a manager."""
 
 from __future__ import annotations
 
 import json
 import re
-from collections.abc import Collection
-from dataclasses import dataclass
+from collections.abc import Collection, Mapping
+from dataclasses import dataclass, field
 from pathlib import Path
 from xml.etree import ElementTree
 
@@ -33,14 +33,16 @@ class CppGraph(Graph):
 
     Attributes:
         wanted: the topics and services by which a node has set up all that it is to have.
+        program_env: the variables that the programs have besides.
     """
 
     wanted: Collection[str] = ()
+    program_env: Mapping[str, str] = field(default_factory=dict)
 
     def run(self, node: Path) -> CppProcess:
         """Start a program."""
         log = self.folder / f"{next(self._numbers)}-{node.name}.log"
-        process = CppProcess([node], self.env, log)
+        process = CppProcess([node], {**self.env, **self.program_env}, log)
         self.started.append(process)
         return process
 

@@ -14,8 +14,8 @@ from plastron_tui.diagnostics import codes
 from plastron_tui.model.workspace import Home
 from plastron_tui.ros.catalog import Catalog
 from plastron_tui.session import Options, Session
+from plastron_tui.sources.base import Rendered
 from plastron_tui.targets import find_target
-from plastron_tui.targets.base import Rendered
 
 LIBRARIES = ["rclcpp", "component"]
 FOLDERS = (Path(__file__).parents[1] / "programs", Path(__file__).parents[2] / "examples")

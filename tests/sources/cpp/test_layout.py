@@ -22,7 +22,8 @@ BROKEN = {
     ),
     "a call whose bracket is too late": (
         '  the_very_long_name_ = create_publisher<some::long_type::Name>("out", 10, a, b);',
-        '  the_very_long_name_ =\n    create_publisher<some::long_type::Name>(\n    "out", 10, a, b);',
+        "  the_very_long_name_ =\n    create_publisher<some::long_type::Name>(\n"
+        '    "out", 10, a, b);',
     ),
     "a string": (
         '  log("words that go on and on, until there is no room for more");',
