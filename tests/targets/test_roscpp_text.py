@@ -177,6 +177,12 @@ WRITTEN = {
         'if (wait_for_action(*count_client_, "count")) { actionlib_tutorials::FibonacciGoal goal; '
         'goal.order = 5; send_goal(*count_client_, "count", goal); }',
     ),
+    "names that only digits tell apart": (
+        "n sends_goal to 'a1' of action_type Fibonacci with input order=5\n"
+        "n sends_goal to 'a_1' of action_type Fibonacci with input order=5",
+        "using A1Client = ",
+        "using A_1Client = ",
+    ),
     "two names that are one in C++": (
         "n has_parameter 'a_b' of parameter_type int with default 1\n"
         "n has_parameter 'a/b' of parameter_type int with default 2\n"
