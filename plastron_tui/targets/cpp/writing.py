@@ -13,7 +13,7 @@ from plastron_tui.ros.parameters import ParameterType
 from plastron_tui.ros.qos import Qos
 from plastron_tui.sources.cpp import interface_types, literals, naming
 from plastron_tui.sources.cpp.computed import Computing, Functions
-from plastron_tui.sources.cpp.keywords import is_keyword
+from plastron_tui.sources.cpp.keywords import is_keyword, is_taken
 from plastron_tui.sources.cpp.qos_code import latch, profile
 from plastron_tui.targets.planning.writing import Writing
 
@@ -42,8 +42,11 @@ class CppWriting(Writing):
 
     def __init__(self, node: Node, catalog: Catalog, dialect: Dialect, given: set[str]) -> None:
         """Begin a node in which the names in `given` are taken."""
-        scope = naming.Scope({*dialect.attribute_names, *dialect.method_names, *given})
-        super().__init__(node, catalog, dialect.ros_version, scope, "server")
+        # An attribute is called as a method may be, with an underscore behind it.
+        taken = {*given, *(name.removesuffix("_") for name in given)}
+        scope = naming.Scope(taken | dialect.names)
+        serving = "goal" if dialect.ros_version == 2 else "server"
+        super().__init__(node, catalog, dialect.ros_version, scope, serving)
         self.dialect = dialect
         self.headers: set[str] = set()
         self.functions = Functions()
@@ -86,8 +89,14 @@ class CppWriting(Writing):
         return literals.scalar(value)
 
     def period(self, rate: str | float) -> str:
-        """Write the seconds between two turns of what is done at a rate."""
-        return f"1.0 / {rate if isinstance(rate, str) else literals.real(float(rate))}"
+        """Write the seconds between two turns of what is done at a rate; in ROS 2, a duration."""
+        seconds = f"1.0 / {rate if isinstance(rate, str) else literals.real(float(rate))}"
+        if not self.is_ros2:
+            return seconds
+        milliseconds = 0 if isinstance(rate, str) else round(1000 / rate)
+        if milliseconds and 1000 / milliseconds == rate:
+            return f"std::chrono::milliseconds({milliseconds})"
+        return f"std::chrono::duration<double>({seconds})"
 
     def follow_rate(self) -> None:
         """Leave it to the template, which sees the timers that follow."""
@@ -254,13 +263,34 @@ class CppWriting(Writing):
         return self.part_of(type_, kind, part)
 
     def unusable(self, interface: Interface) -> str | None:
-        """Return which keyword of C++ is the name of a field or a part, None where none is."""
-        for word in (interface.name.package, interface.name.name):
-            if is_keyword(word):
-                return f"`{interface.name}` has a name that is a keyword of C++"
-        for section in interface.sections:
-            for field in section.fields:
-                if is_keyword(field.name):
-                    name = f"`{interface.name}` has a field `{field.name}`"
-                    return f"{name}, which is a keyword of C++"
+        """Return what of C++ is the name of an interface, a part of it or a field, None for none.
+
+        The generators write it all the same, into a header that no compiler takes.
+        """
+        seen, left = {interface.name}, [interface]
+        while left:
+            each = left.pop()
+            if (reason := _taken_name(each)) is not None:
+                return reason
+            for field in (field for section in each.sections for field in section.fields):
+                if field.type.message is not None and field.type.message not in seen:
+                    seen.add(field.type.message)
+                    part = self.catalog.find(field.type.message, InterfaceKind.MESSAGE)
+                    left += [part] if part is not None else []
         return None
+
+
+def _taken_name(interface: Interface) -> str | None:
+    """Return what of C++ is the name of an interface or a field, None where nothing is."""
+    for word in (interface.name.package, interface.name.name):
+        if is_taken(word):
+            return f"`{interface.name}` has a name that is {_what(word)} of C++"
+    for field in (field for section in interface.sections for field in section.fields):
+        if is_taken(field.name):
+            name = f"`{interface.name}` has a field `{field.name}`"
+            return f"{name}, which is {_what(field.name)} of C++"
+    return None
+
+
+def _what(word: str) -> str:
+    return "a keyword" if is_keyword(word) else "a macro"
