@@ -15,11 +15,15 @@ import signal
 import sys
 import traceback
 from collections.abc import Mapping, Sequence
+from contextlib import redirect_stderr, redirect_stdout
 from importlib import import_module
+from io import StringIO
 from pathlib import Path
+from tempfile import TemporaryDirectory
 from typing import Any
 
 from plastron_tui.cli.entry import run
+from plastron_tui.cli.group import cli
 from plastron_tui.ros import installations
 
 _PATIENCE = 120
@@ -28,6 +32,8 @@ _PATIENCE = 120
 
 def main() -> None:
     """Answer each line with the status of what was run."""
+    with TemporaryDirectory() as folder:
+        _warm_up(Path(folder))
     for line in sys.stdin:
         asked = json.loads(line)
         names = Path(asked["imported"])
@@ -39,6 +45,18 @@ def main() -> None:
         if names.exists():
             _import(names.read_text().split())
         print(json.dumps(status), flush=True)
+
+
+def _warm_up(folder: Path) -> None:
+    """Parse and write a program, so that the copies find compiled what is compiled once."""
+    home, program = Path.cwd(), folder / "a.plastron"
+    program.write_text("create_node 'a' as a\ngenerate_node a\n")
+    os.chdir(folder)
+    said = StringIO()
+    with redirect_stdout(said), redirect_stderr(said):
+        for arguments in (["fmt", "--check"], ["generate", "--target", "rospy"]):
+            cli.main([*arguments, program.name], standalone_mode=False)
+    os.chdir(home)
 
 
 def _import(names: Sequence[str]) -> None:
