@@ -9,7 +9,7 @@ from xmlrpc.client import ServerProxy
 
 import pytest
 from cpp_nodes import MANAGER, CppGraph, CppProcess, nodelet_of, plugin_environ
-from graph import Graph
+from graph import Graph, is_rate, rate
 from machine import wait_until
 from processes import PROGRAMS, Process
 from roscpp_builds import compile_node, generate_cpp, headers, locked
@@ -206,6 +206,9 @@ def test_a_nodelet_in_a_manager(manager: CppGraph, programs: Programs) -> None:
             master.setParam("/test", f"/cruiser/{name}", value)
     host.wait_to_print("gear is not an integer from -1 to 5")
     assert values(manager.listen(TYPES, 0.5)) == GOOD
+    master.setParam("/test", "/cruiser/rate", 50.0)
+    topic = {"/cmd_vel": TYPES["/cmd_vel"]}
+    wait_until(lambda: is_rate(rate(manager.listen(topic, 2)["/cmd_vel"]), 50), "the new rate", 60)
     peer(manager, "answer", 0.1)
     host.wait_to_print("/ready: ", count=2)
     sender = send(manager)

@@ -167,7 +167,7 @@ WRITTEN = {
     "action": (
         "n provides_action 'count' of action_type Fibonacci calling work_on",
         'count_server_ = std::make_unique<CountServer>(nh_, "count", '
-        "[this](const actionlib_tutorials::FibonacciGoalConstPtr & goal) {work_on(goal);}, false);",
+        "boost::bind(&RobotNode::work_on, this, boost::placeholders::_1), false);",
         "count_server_->setSucceeded(actionlib_tutorials::FibonacciResult());",
         "node.end_goals();",
     ),
@@ -176,6 +176,12 @@ WRITTEN = {
         'count_client_ = std::make_unique<CountClient>(nh_, "count");',
         'if (wait_for_action(*count_client_, "count")) { actionlib_tutorials::FibonacciGoal goal; '
         'goal.order = 5; send_goal(*count_client_, "count", goal); }',
+    ),
+    "names that only digits tell apart": (
+        "n sends_goal to 'a1' of action_type Fibonacci with input order=5\n"
+        "n sends_goal to 'a_1' of action_type Fibonacci with input order=5",
+        "using A1Client = ",
+        "using A_1Client = ",
     ),
     "two names that are one in C++": (
         "n has_parameter 'a_b' of parameter_type int with default 1\n"

@@ -13,8 +13,7 @@ from plastron_tui.model.source import EndpointKind
 
 from .analysis import Analysis, Site
 from .callbacks import callback_of
-from .scopes import Scope
-from .unit import last_name
+from .scopes import Scope, last_name
 
 _OPTIONS = {
     "goal_response_callback": "accepted",

@@ -21,7 +21,7 @@ def transforms(analysis: Analysis) -> Iterator[Site]:
     seen: set[tuple[int, int]] = set()
     for calls in analysis.callers.made.values():
         for call in calls:
-            if not analysis.types.may_be(call.name, short):
+            if call.scope.file.is_beside or not analysis.types.may_be(call.name, short):
                 continue
             type_ = analysis.receivers.plain(call.qualified, call.scope)
             name = type_.partition("<")[0]
