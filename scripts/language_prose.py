@@ -329,8 +329,8 @@ The ending is chosen when the node is first written, and stays: with a second su
 `ears_sub1.py` is still `ears_sub1.py`. With `file_names: plain` in `plastron.yaml` new files have no
 ending: `ears.py`.
 
-`load NAME` looks for `NAME.py`, then `NAME.cpp`, in the output folder, the program's folder and the
-working folder; `load 'path/to/file.py'` starts at the program's folder. A file outside of the
+`load NAME` looks for `NAME.py`, then `NAME.cpp`, in the output folder, its folder `src`, the program's
+folder and the working folder; `load 'path/to/file.py'` starts at the program's folder. A file outside of the
 project (the repository, else the folder of `plastron.yaml`, else the program's) is read once you
 [trust the project](commands.md#plastron-trust). A loaded node keeps its file's name, and goes into
 the output folder, with `--in-place` over the file it came from: what no statement asked to change
