@@ -4,8 +4,10 @@ import gc
 import signal
 
 import pytest
+from cpp_builds import describe_rclcpp
 from hypothesis import settings
 from machine import IN_CI, be_quick, examples
+from rewriting import compile_share
 
 from plastron_tui.ros import installations
 
@@ -28,6 +30,10 @@ def the_ros_that_is_here(request: pytest.FixtureRequest, monkeypatch: pytest.Mon
             monkeypatch.delenv(name, raising=False)
 
 
+def pytest_report_header() -> str:
+    return f"C++ nodes of ROS 2: compiled with {describe_rclcpp()}"
+
+
 # How long an example takes says more about the machine than about the code. CI tries the same
 # examples each time, so that what it says is about the change; new ones are tried at home.
 # Without `long` tests each property is tried on fewer examples; with them only, on all.
@@ -38,6 +44,13 @@ def pytest_configure(config: pytest.Config) -> None:
         "plastron", deadline=None, derandomize=IN_CI, max_examples=examples(100)
     )
     settings.load_profile("plastron")
+
+
+def pytest_sessionstart(session: pytest.Session) -> None:
+    given = getattr(session.config, "workerinput", None)
+    if given is not None:
+        worker = int(given["workerid"].removeprefix("gw"))
+        compile_share(session.config, worker, given["workercount"])
 
 
 @pytest.hookimpl(tryfirst=True)

@@ -10,6 +10,7 @@ import sys
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 
+from cpp_builds import CppLibrary
 from machine import find_ros, skip_or_fail
 
 from plastron_tui.runtime.build_tools import Workspace, find_builder
@@ -42,8 +43,10 @@ def skip_without(*programs: str, path: str) -> None:
             skip_or_fail(f"there is no `{program}`")
 
 
-def complete_ros2(folder: Path) -> dict[str, str]:
+def complete_ros2(folder: Path, library: CppLibrary | None = None) -> dict[str, str]:
     """Return the environment of a ROS 2 in which `colcon build` builds interface packages.
+
+    With a client library of C++ it also builds nodes of that.
 
     The wheels lack some of what an installed ROS has; `plastron run` knows what, and writes it.
     Here it is in the folder, and what CMake is told of it is in colcon's file of defaults.
@@ -56,9 +59,10 @@ def complete_ros2(folder: Path) -> dict[str, str]:
     arguments = {"cmake-args": ["--no-warn-unused-cli", *settings]}
     defaults.write_text(json.dumps({"build": arguments}), encoding="utf-8")
     kept = ("AMENT_PREFIX_PATH", "CMAKE_PREFIX_PATH", "CMAKE_GENERATOR")
-    return {
+    environ = {
         **{name: step.environ[name] for name in kept},
         "PATH": f"{SCRIPTS}:{SYSTEM}",
         "COLCON_HOME": str(folder),
         "COLCON_DEFAULTS_FILE": str(defaults),
     }
+    return environ if library is None else library.building(environ)

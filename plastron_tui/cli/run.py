@@ -31,7 +31,6 @@ if TYPE_CHECKING:
     from plastron_tui.ros.parameter_values import Assignment
     from plastron_tui.ros.run_names import Remap
     from plastron_tui.runtime.build_progress import ProgressLine
-    from plastron_tui.runtime.builds import BuiltPackage
     from plastron_tui.runtime.environment import Environment, Found
     from plastron_tui.runtime.launch import NodeFile
 
@@ -237,6 +236,8 @@ def _complete(
     from plastron_tui.runtime.builds import overlay
     from plastron_tui.runtime.interface_packages import complete
 
+    from .run_built import own_packages
+
     version = environment.ros_version
     own, refused = own_packages(session, nodes, version)
     if refused:
@@ -258,30 +259,6 @@ def _complete(
     if missing:
         return environment, missing
     return overlay(environment, own, line.tell)
-
-
-def own_packages(
-    session: Session, nodes: Sequence[Node], version: int
-) -> tuple[list[BuiltPackage], list[Diagnostic]]:
-    """Return the packages of the program's own types that nodes use, or why there are none."""
-    from plastron_tui.runtime.builds import BuiltPackage
-
-    packages = []
-    refused: list[Diagnostic] = []
-    for name, rendered in session.own_packages(nodes, version).items():
-        if rendered.files is None:
-            refused += rendered.diagnostics
-            continue
-        files = {path: file.text for path, file in rendered.files.items()}
-        spans = {
-            f"{type_.kind.value}/{type_.name}.{type_.kind.value}": {0: type_.span}
-            for type_ in session.workspace.types.values()
-            if (definition := type_.definitions.get(version)) is not None
-            and definition.interface.name.package == name
-        }
-        executables = {path for path, file in rendered.files.items() if file.is_executable}
-        packages.append(BuiltPackage(name, files, frozenset(executables), spans))
-    return packages, refused
 
 
 def _tell(line: str) -> None:

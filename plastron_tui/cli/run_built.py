@@ -5,6 +5,7 @@ from __future__ import annotations
 import sys
 from collections.abc import Mapping, Sequence
 from pathlib import Path
+from posixpath import normpath
 from typing import TYPE_CHECKING
 
 from plastron_tui.diagnostics import Diagnostic, codes
@@ -12,6 +13,7 @@ from plastron_tui.diagnostics.terminal import drawn_on
 
 if TYPE_CHECKING:
     from plastron_tui.generating.generation import Generated
+    from plastron_tui.model.workspace import Node
     from plastron_tui.project.run_setup import RunSetup
     from plastron_tui.runtime.build_output import Spans
     from plastron_tui.runtime.builds import BuiltPackage
@@ -121,6 +123,8 @@ def _packages(session: Session, nodes: Sequence[Generated]) -> list[BuiltPackage
         home, path = each.generation.node.home, each.path(session.output)
         assert home is not None and path is not None, "it was written"
         folder = session.output if home.is_output else session.output / home.package
+        if home.above is not None:
+            folder = Path(normpath(session.output / home.above))
         inner = path.relative_to(folder).as_posix()
         spans.setdefault((home.package, folder), {})[inner] = {0: each.generation.span}
     return [read_package(name, folder, those) for (name, folder), those in spans.items()]
@@ -136,8 +140,6 @@ def _beside(
     from plastron_tui.ros.interfaces import InterfaceKind
     from plastron_tui.runtime.build_needs import built_with, missing_for_build, not_found
     from plastron_tui.runtime.interface_packages import table_package
-
-    from .run import own_packages
 
     version = environment.ros_version
     own, refused = own_packages(session, [each.generation.node for each in nodes], version)
@@ -163,6 +165,30 @@ def _beside(
         else:
             beside.insert(0, table_package(environment, each, definitions))
     return (beside, []) if not left else ([], [not_found(environment, left)])
+
+
+def own_packages(
+    session: Session, nodes: Sequence[Node], version: int
+) -> tuple[list[BuiltPackage], list[Diagnostic]]:
+    """Return the packages of the program's own types that nodes use, or why there are none."""
+    from plastron_tui.runtime.builds import BuiltPackage
+
+    packages = []
+    refused: list[Diagnostic] = []
+    for name, rendered in session.own_packages(nodes, version).items():
+        if rendered.files is None:
+            refused += rendered.diagnostics
+            continue
+        files = {path: file.text for path, file in rendered.files.items()}
+        spans = {
+            f"{type_.kind.value}/{type_.name}.{type_.kind.value}": {0: type_.span}
+            for type_ in session.workspace.types.values()
+            if (definition := type_.definitions.get(version)) is not None
+            and definition.interface.name.package == name
+        }
+        executables = {path for path, file in rendered.files.items() if file.is_executable}
+        packages.append(BuiltPackage(name, files, frozenset(executables), spans))
+    return packages, refused
 
 
 def _no_loader(environment: Environment, name: str) -> Diagnostic:

@@ -6,7 +6,7 @@ import os
 from collections.abc import Iterator
 from dataclasses import replace
 from pathlib import Path
-from typing import NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 from plastron_tui.diagnostics import Diagnostic
 from plastron_tui.model.launches import Launch, LaunchSource
@@ -17,13 +17,17 @@ from plastron_tui.ros.launch import Include, StartedNode, items_of
 from plastron_tui.ros.launch_text import Kind, Substitution
 from plastron_tui.sources.launch.edits import add, remove
 from plastron_tui.sources.launch.xml_reader import read_launch_xml
-from plastron_tui.targets.launch.program import FindExecutable, request_of
+from plastron_tui.targets.launch.program import ExecutableName, FindExecutable, request_of
 from plastron_tui.targets.packages.spec import PackageFile
 
 from .destination import Writing
 from .file_names import is_same_path
 from .launch_layers import Version, in_place
 from .text_files import Folder, text_files
+
+if TYPE_CHECKING:
+    from plastron_tui.model.workspace import Node
+    from plastron_tui.targets.base import Target
 
 
 class EditedLaunch(NamedTuple):
@@ -124,3 +128,37 @@ def packages_of(source: LaunchSource) -> Iterator[str]:
         for part in each.file.parts:
             if isinstance(part, Substitution) and part.kind is Kind.PACKAGE:
                 yield from filter(None, (part.argument.literal,))
+
+
+def executable_of(node: Node, target: Target | None) -> ExecutableName:
+    """Return what starts a node of a package: in ROS 1 a script is the file itself."""
+    assert node.home is not None, "it is in a package"
+    package, name = node.home.package, node.home.executable
+    plugin = None if target is None else target.plugin_class(node)
+    if target is None or target.ros_version == 2:
+        return ExecutableName(package, name, plugin or "")
+    if plugin is not None:
+        return ExecutableName(package, "", f"{package}/{plugin.rpartition('::')[2]}")
+    is_built = target.language.is_built
+    return ExecutableName(
+        package, name if is_built else f"{node.home.stem}{target.language.suffix}"
+    )
+
+
+def needs_of_launch(launch: Launch, version: int) -> frozenset[str]:
+    """Return the packages whose nodes or files a launch file starts."""
+    starts = launch.starts.values()
+    homes = (None if each.node is None else each.node.home for each in starts)
+    loader = "nodelet" if version == 1 else "rclcpp_components"
+    is_loading = any(
+        each.container is not None or (version == 1 and each.is_loaded) for each in starts
+    )
+    return frozenset(
+        {
+            *(each.package for each in starts if each.package),
+            *(each.package for each in homes if each is not None),
+            *(each.package for each in launch.includes.values()),
+            *(() if launch.source is None else packages_of(launch.source)),
+            *((loader,) if is_loading else ()),
+        }
+    )

@@ -27,18 +27,19 @@ from plastron_tui.sources.packages import (
     Needs,
     add_definition,
     add_launch,
-    add_node,
     finds_scripts,
     named_elsewhere,
     remove_executable,
     remove_launch,
 )
-from plastron_tui.targets.packages.dependencies import dependencies_of, needs_of_definitions
-from plastron_tui.targets.packages.spec import BuildType, PackagedLaunch, PackagedNode, PackageSpec
+from plastron_tui.targets.packages.dependencies import needs_of_definitions
+from plastron_tui.targets.packages.spec import PackagedLaunch, PackageSpec
 
 from .launch_files import is_within, name_within
+from .loaded_nodes import with_node
 from .loaded_notes import file_stays, script_elsewhere
 from .own_definitions import own_definitions
+from .package_spec import packaged_node
 from .text_files import entry_of
 
 if TYPE_CHECKING:
@@ -201,22 +202,16 @@ class _Change:
             help_ = "name it otherwise: `contains … as 'other_name'`"
             self.found.append(self._taken(file, contained.span, help_))
             return
-        library = self.libraries[generated.generation.library]
-        name = file.rpartition("/")[2]
-        node = PackagedNode(
-            contained.name,
-            name.removesuffix(library.target.language.suffix),
-            text,
-            generated.generation.node,
-            library.target.language,
-            library.target.name,
-            contained.span,
-        )
-        keys, unknown = self._keys(node, library)
-        self.found += unknown
+        node = packaged_node(contained.name, generated, self.libraries, contained.span)
         before = self.texts
-        changed = add_node(self.source, before, contained.name, file, keys)
-        if self._take(changed, contained.span) and not finds_scripts(self.source):
+        packages = _packages(self.libraries[node.library])
+        changed, unknown = with_node(self.source, before, node, file, packages)
+        self.found += unknown
+        if (
+            self._take(changed, contained.span)
+            and not node.is_built
+            and not finds_scripts(self.source)
+        ):
             self.found.append(script_elsewhere(self.source, contained))
         is_new = self._begins_to_install(before, file)
         for each in generated.files.output_files():
@@ -297,20 +292,6 @@ class _Change:
             help_ = "write over it with `--in-place`, as the run did that made it"
         return Diagnostic(codes.ALREADY_CONTAINED, message, span, help=help_)
 
-    def _keys(
-        self, node: PackagedNode, library: Library
-    ) -> tuple[list[str], tuple[Diagnostic, ...]]:
-        """Return what a node needs to run, as a new package would say it."""
-        spec = PackageSpec(
-            self.source.name,
-            self.source.ros_version,
-            nodes=(node,),
-            packages=_packages(library),
-            build_type=BuildType.AMENT_PYTHON,
-        )
-        dependencies, unknown = dependencies_of(spec)
-        return [each.key for each in dependencies if each.tag == "exec_depend"], unknown
-
     def _take(self, changed: Changed, span: Span) -> bool:
         self.found += [
             each if each.file is not None or each.span is not None else each._replace(span=span)
@@ -366,7 +347,7 @@ class _Change:
         """Return the files that were there and are changed."""
         found = []
         for name, text in self.texts.items():
-            before = self.source.texts[name]
+            before = self.source.texts.get(name)
             is_over = self._is_in_place(name)
             # What an earlier run changed is as it was before when nothing of it is left. What it
             # copied has a base.

@@ -31,7 +31,14 @@ from plastron_tui.targets.packages.spec import (
     interfaces_name,
 )
 
-from .launch_files import edited_launch, is_within, launch_output, name_within, packages_of
+from .launch_files import (
+    edited_launch,
+    executable_of,
+    is_within,
+    launch_output,
+    name_within,
+    needs_of_launch,
+)
 from .loaded_types import refused_types
 from .own_definitions import Packaged, own_definitions, rendered_definitions, used_packages
 from .own_package import own_specs
@@ -341,14 +348,8 @@ class ProgramPackages:
         if isinstance(name_and_text, Diagnostic):
             return name_and_text
         name, text = name_and_text
-        homes = (None if each.node is None else each.node.home for each in launch.starts.values())
-        needs = {
-            *(each.package for each in launch.starts.values() if each.package),
-            *(each.package for each in homes if each is not None),
-            *(each.package for each in launch.includes.values()),
-            *(() if launch.source is None else packages_of(launch.source)),
-        }
-        return PackagedLaunch(name, text, frozenset(needs), is_open=_is_open(launch))
+        needs = needs_of_launch(launch, version)
+        return PackagedLaunch(name, text, needs, is_open=_is_open(launch))
 
     def _name_and_text(self, launch: Launch, version: int) -> tuple[str, bytes] | Diagnostic:
         if launch.source is not None:
@@ -378,14 +379,8 @@ class ProgramPackages:
         return None
 
     def _executable(self, node: Node) -> ExecutableName:
-        """Tell what starts a node: in ROS 1 it is the file itself."""
-        assert node.home is not None
         library = self._libraries.get(node.library or "") or self._default
-        if library is None or library.target.ros_version == 2:
-            return ExecutableName(node.home.package, node.home.executable)
-        return ExecutableName(
-            node.home.package, f"{node.home.stem}{library.target.language.suffix}"
-        )
+        return executable_of(node, None if library is None else library.target)
 
 
 def _configs(package: Package) -> tuple[PackagedFile, ...]:

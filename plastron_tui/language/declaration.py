@@ -10,7 +10,7 @@ from __future__ import annotations
 import dataclasses
 import re
 from collections.abc import Callable, Iterable, Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from itertools import count, groupby
 from typing import TYPE_CHECKING, Any, TypeAlias, TypeVar
 
@@ -83,6 +83,8 @@ class Declaration:
         about: one sentence for somebody who does not know that word.
         undoes: the statement that it takes back.
         writes_file: whether it writes a node of the program to its file.
+        slots: the slots, in the order of the sentence.
+        clauses: the clauses, those within others too.
     """
 
     type: type[Statement]
@@ -95,21 +97,19 @@ class Declaration:
     about: str = ""
     undoes: StatementType | None = None
     writes_file: bool = False
+    # Asked for at each look at each statement: found once.
+    slots: tuple[Slot, ...] = field(init=False, repr=False, compare=False)
+    clauses: tuple[Clause, ...] = field(init=False, repr=False, compare=False)
+
+    def __post_init__(self) -> None:
+        """Find the slots and clauses."""
+        object.__setattr__(self, "slots", tuple(_slots_of(self.elements)))
+        object.__setattr__(self, "clauses", tuple(_clauses_of(self.elements)))
 
     @property
     def keyword(self) -> str:
         """The word that only this statement has."""
         return next(element for element in self.elements if isinstance(element, str))
-
-    @property
-    def slots(self) -> tuple[Slot, ...]:
-        """The slots, in the order of the sentence."""
-        return tuple(_slots_of(self.elements))
-
-    @property
-    def clauses(self) -> tuple[Clause, ...]:
-        """The clauses, those within others too."""
-        return tuple(_clauses_of(self.elements))
 
     @property
     def usage(self) -> str:

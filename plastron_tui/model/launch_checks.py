@@ -38,7 +38,7 @@ def unwritable(
                 start.where,
                 help=_remedy(variable, packages),
             )
-        if ros_version == 1 and start.container is not None:
+        if ros_version == 1 and start.container is not None and not start.is_loaded:
             message = "a launch file of ROS 1 has no containers of components"
             where = start.container_where
             help_ = f"leave out `inside '{start.container}'`: it runs in a process of its own"

@@ -101,7 +101,13 @@ def _start(run: Run, launch: Launch, statement: st.Starts) -> Start:
         tuple(
             _child_span(statement, each.syntax, "parameter") for each in statement.settings or ()
         ),
+        node is not None and _is_loaded(run, node),
     )
+
+
+def _is_loaded(run: Run, node: Node) -> bool:
+    library = run.setting.libraries.get(node.library or run.setting.library)
+    return library is not None and library.is_loaded
 
 
 def _check_names(run: Run, launch: Launch, statement: st.Starts, version: int) -> None:
@@ -121,8 +127,13 @@ def _check_component(run: Run, statement: st.Starts, node: Node | None, executab
     if node is not None:
         library = run.setting.libraries.get(node.library or run.setting.library)
         language = _PYTHON if library is None else library.language
-        if language == _PYTHON:
-            message = f"`{node.variable}` is a node in Python, and a container has those in C++"
+        if not _is_loaded(run, node):
+            message = f"`{node.variable}` is a node in {language}, and a container has components"
+            if library is not None and library.is_built:
+                kinds = [each for each in run.setting.libraries.values() if each.is_loaded]
+                fit = [each.name for each in kinds if each.ros_version == library.ros_version]
+                what = " or ".join(f"`{each}`" for each in fit)
+                message = f"`{node.variable}` is a node of `{library.name}`, not of {what}"
             fix = write("", _clause(statement, "container"))
             raise Mistake(
                 Diagnostic(codes.NOT_A_COMPONENT, message, where, help=leave_out, fix=fix)

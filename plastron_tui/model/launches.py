@@ -124,6 +124,7 @@ class Start(NamedTuple):
         container_where: its container, there; None for none.
         remaps_where: the names that it remaps, there.
         settings_where: the parameters that it sets, there.
+        is_loaded: whether it is a node of the program that another process loads.
     """
 
     node: Node | None
@@ -140,6 +141,7 @@ class Start(NamedTuple):
     container_where: Span | None = None
     remaps_where: tuple[Span, ...] = ()
     settings_where: tuple[Span, ...] = ()
+    is_loaded: bool = False
 
     @property
     def run_name(self) -> str:

@@ -18,6 +18,7 @@ class ClientLibrary(NamedTuple):
     =======
         is_written: whether nodes can be generated for it.
         is_built: whether a package has to build its nodes before they can be started.
+        is_loaded: whether another process loads its nodes: nodelets, components.
     >>>>>>> h/packages
     """
 
@@ -26,6 +27,7 @@ class ClientLibrary(NamedTuple):
     language: str
     is_keyword: Callable[[str], bool]
     is_built: bool = False
+    is_loaded: bool = False
 
 
 Libraries = Mapping[str, ClientLibrary]

@@ -8,7 +8,7 @@ from plastron_tui.diagnostics import Diagnostic, Label, codes, either
 from plastron_tui.language import statements as st
 
 from .mistake import Mistake
-from .packages import Package
+from .packages import BUILT_FOLDER, Package
 from .workspace import Home
 
 if TYPE_CHECKING:
@@ -55,16 +55,22 @@ def home_in(run: Run, statement: st.Contains, package: Package, node: Node, name
     if source is None:
         return Home(package.name, name)
     _check_version(run, statement, source, node)
-    folder = source.node_folder
+    has_to_be_built = is_built(run, node)
+    folder = BUILT_FOLDER if has_to_be_built else source.node_folder
+    if has_to_be_built:
+        _check_builder(statement, source)
     if folder is None:
         message = f"`{source.name}` has no folder of Python modules that its `setup.py` installs"
         help_ = f"make a folder `{source.name}` with an `__init__.py`, and name it in `packages`"
         where = statement.span_of("package")
         raise Mistake(Diagnostic(codes.EDIT_REFUSED, message, where, help=help_))
-    file = f"{folder}/{name.replace('-', '_').replace('.', '_')}.py".lstrip("/")
+    home = Home(package.name, name, folder)
+    stem = f"{folder}/{home.stem}".lstrip("/")
     key = source.executable(name)
-    if key is not None and key not in package.removed and source.executables[key].file != file:
-        there = source.executables[key]
+    there = None if key is None else source.executables[key]
+    files = () if there is None else (*there.sources, there.file or "")
+    is_own = any(each.rpartition(".")[0] == stem for each in files)
+    if there is not None and key not in package.removed and not is_own:
         slot = "item" if statement.executable is None else "executable"
         raise Mistake(
             Diagnostic(
@@ -75,7 +81,23 @@ def home_in(run: Run, statement: st.Contains, package: Package, node: Node, name
                 help="name it otherwise: `contains … as 'other_name'`",
             )
         )
-    return Home(package.name, name, folder)
+    return home
+
+
+def is_built(run: Run, node: Node) -> bool:
+    """Tell whether a package has to build a node before it can be started."""
+    library = node.library or run.setting.library
+    libraries = run.setting.libraries
+    return library in libraries and libraries[library].is_built
+
+
+def _check_builder(statement: st.Contains, source: PackageSource) -> None:
+    """Check that a package has a build that compiles."""
+    if source.build_type == "ament_python":
+        message = f"`{source.name}` is a package of `ament_python`, which compiles nothing"
+        help_ = "put the node into a package of `ament_cmake`"
+        where = statement.span_of("package")
+        raise Mistake(Diagnostic(codes.EDIT_REFUSED, message, where, help=help_))
 
 
 def _check_version(run: Run, statement: st.Contains, source: PackageSource, node: Node) -> None:

@@ -19,12 +19,14 @@ class InstalledExecutable(NamedTuple):
         where: the file of the package that says so.
         line: the line there, from 1.
         target: the function that is called, `MODULE:FUNCTION`; "" where a file is started.
+        sources: what it is built from, by paths in the package.
     """
 
     file: str | None
     where: str
     line: int
     target: str = ""
+    sources: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)

@@ -19,7 +19,7 @@ from plastron_tui.ros.packages import (
 )
 
 from .launches import Launch
-from .load_package import home_in
+from .load_package import home_in, is_built
 from .mistake import Mistake
 from .packages import SCRIPTS_FOLDER, Contained, Package, PackageGeneration, nodes_folder
 from .run import Run
@@ -310,21 +310,14 @@ def generate_package(run: Run, statement: st.GeneratePackage) -> None:
 
 def _home(run: Run, package: Package, contained: Contained, node: Node) -> Home | None:
     """Return where a node of a package is, which all that the package contains decides."""
-    if package.source is not None or _is_built(run, node) or run.checks.version_of(node) == 1:
+    if package.source is not None or is_built(run, node) or run.checks.version_of(node) == 1:
         return node.home
     others = (each.item for each in package.contents.values())
-    if any(isinstance(each, Node) and _is_built(run, each) for each in others):
+    if any(isinstance(each, Node) and is_built(run, each) for each in others):
         return Home(package.name, contained.name, SCRIPTS_FOLDER)
     if _has_types(run, package):
         return Home(package.name, contained.name, nodes_folder(package.name))
     return node.home
-
-
-def _is_built(run: Run, node: Node) -> bool:
-    """Tell whether a package has to build a node before it can be started."""
-    library = node.library or run.setting.library
-    libraries = run.setting.libraries
-    return library in libraries and libraries[library].is_built
 
 
 def _has_types(run: Run, package: Package) -> bool:

@@ -36,6 +36,10 @@ SCRIPTS_FOLDER = "scripts"
 """The folder of the nodes that a package installs as they are, where it builds others."""
 
 
+BUILT_FOLDER = "src"
+"""The folder of the nodes that a package builds."""
+
+
 def nodes_folder(package: str) -> str:
     """Return where the nodes of a ROS 2 package are that builds its own types too.
 

@@ -174,6 +174,8 @@ class Configuration:
             from plastron_tui.targets import find_target
 
             target = find_target(name, self.project.templates)
+            if target is not None:
+                target.set_layouts(self.project.layouts)
             self._libraries[name] = (
                 None if target is None else Library(target, self.catalog(target.ros_version))
             )

@@ -32,8 +32,9 @@ MOST_MISTAKES = 20
 _Node = Any
 """A node of PyYAML's tree: its `id` says whether it is a scalar, a sequence or a mapping."""
 
-_KEYS = ("target", "distribution", "output", "file_names", "templates", "types", "launch")
+_KEYS = ("target", "distribution", "output", "file_names", "templates", "types", "launch", "cpp")
 _LAUNCH = ("xml", "python")
+_CPP = ("single", "split")
 _FILE_NAMES = ("ending", "plain")
 _TEXT, _NULL = "tag:yaml.org,2002:str", "tag:yaml.org,2002:null"
 
@@ -52,6 +53,8 @@ class Project(NamedTuple):
         types: folders with `.msg`, `.srv` and `.action` files.
         launch: what new launch files of ROS 2 are written in: `python`; `xml`, as where nothing
             is said.
+        cpp: whether a new node in C++ has its class in a header: `split`, or `single`; None for
+            what is usual for its client library.
     """
 
     file: Path | None = None
@@ -62,6 +65,12 @@ class Project(NamedTuple):
     templates: Path | None = None
     types: tuple[Path, ...] = ()
     launch: str | None = None
+    cpp: str | None = None
+
+    @property
+    def layouts(self) -> dict[str, str]:
+        """How many files a new node has in languages that leave it open, by language."""
+        return {} if self.cpp is None else {"cpp": self.cpp}
 
 
 def find_project(
@@ -120,6 +129,7 @@ def read_project(
         reader.templates(values.get("templates")),
         tuple(reader.folders("types", values.get("types"))),
         reader.choice("launch", values.get("launch"), _LAUNCH),
+        reader.choice("cpp", values.get("cpp"), _CPP),
     )
     reader.check_agreement(project, values.get("distribution"), libraries)
     return project, reader.found()

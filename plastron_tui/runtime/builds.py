@@ -315,6 +315,8 @@ def _keep(made: Mapping[str, Path], kept: Path) -> None:
         for name, folder in made.items():
             if folder.is_dir():
                 shutil.copytree(folder, whole / name, symlinks=True)
+        # catkin takes no folder without it for one that packages are installed in.
+        (whole / ".catkin").touch()
         try:
             whole.rename(kept)
         except OSError:

@@ -8,8 +8,8 @@ from __future__ import annotations
 
 import os
 import sys
-from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import NamedTuple
 
@@ -54,6 +54,10 @@ class Packages:
     prefixes: tuple[Path, ...]
     root: Path
 
+    def with_overlays(self, overlays: Iterable[Path]) -> Packages:
+        """Return the same with folders in front in which packages are built."""
+        return replace(self, prefixes=(*overlays, *self.prefixes))
+
     def share(self, package: str) -> str | None:
         """Return the folder that has a package's files, None where the package is not here.
 
@@ -82,7 +86,9 @@ class Packages:
             path = prefix / "lib" / package / name
             if path.is_file() and os.access(path, os.X_OK):
                 return Command((str(path),), tuple(_variables(prefix)))
-        return None
+        # What a package has yet to build is known by its name.
+        known = read_executables(self.sources[package]) if package in self.sources else {}
+        return Command((name,)) if name in known and known[name].sources else None
 
     def names(self, package: str, python: Path) -> list[str]:
         """Return the executables that a package is known to have."""

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 import shlex
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
 from typing import NamedTuple
@@ -21,9 +21,9 @@ from plastron_tui.sources.launch.unresolved import wrong_arguments
 
 from .build_output import Progress
 from .environment import Environment, missing_package, missing_packages
-from .launch import NodeFile
+from .launch import Loaded, NodeFile
 from .launch_packages import Packages, find_packages
-from .source_interfaces import with_interfaces
+from .source_interfaces import with_built
 
 _ARGUMENTS = ("args", "ros_args")
 
@@ -64,41 +64,91 @@ def prepare(
         wrong = [each for each in resolved.unresolved if each.is_wrong]
         if wrong:
             return Prepared((), tuple(_told(each.message, each.file, each.place) for each in wrong))
-        return _built(
-            _roslaunch(file, arguments, environment, packages, resolved),
-            packages, resolved, environment, tell, environ,
-        )  # fmt: skip
+        prepared = _roslaunch(file, arguments, environment, packages, resolved)
+        if not prepared.nodes:
+            return prepared
+        return _built(prepared.nodes[0], packages, resolved, environment, tell, environ)
     found = [*wrong_arguments(launch, file, arguments)]
     found += (_told(each.message, each.file, each.place) for each in resolved.unresolved)
-    nodes = []
-    for started in resolved.started:
-        made = _node(started, environment, packages)
-        if isinstance(made, Diagnostic):
-            found.append(made)
-        else:
-            nodes.append(made)
-    if not nodes and not found:
+    if not resolved.started and not found:
         found.append(_told("the launch file starts no node", str(file), None))
-    is_wrong = any(each.severity is Severity.ERROR for each in found)
-    prepared = Prepared(() if is_wrong else tuple(nodes), tuple(found))
-    return _built(prepared, packages, resolved, environment, tell, environ)
+    nodes, problems = _nodes(resolved.started, environment, packages)
+    found += problems
+    if any(each.severity is Severity.ERROR for each in found):
+        return Prepared((), tuple(found))
+    started = [each.package for each in resolved.started]
+    built, problems = with_built(environment, packages.sources, started, tell, environ)
+    if not problems:
+        # What is built is known by its name alone before.
+        nodes, problems = _nodes(resolved.started, built, packages.with_overlays(built.overlays))
+    return Prepared(() if problems else tuple(nodes), (*found, *problems))
+
+
+def _nodes(
+    started: Sequence[Started], environment: Environment, packages: Packages
+) -> tuple[list[NodeFile], list[Diagnostic]]:
+    """Return the processes of nodes, components with their containers, and why others are none."""
+    found: list[Diagnostic] = []
+    nodes: dict[str | None, NodeFile] = {}
+    for at, each in enumerate(started):
+        if each.container is None:
+            made = _node(each, environment, packages)
+            if isinstance(made, Diagnostic):
+                found.append(made)
+            else:
+                nodes[each.full_name or f"{at}"] = made
+    containers = {each.full_name for each in started if each.container is None}
+    for each in started:
+        if each.container is None:
+            continue
+        container = nodes.get(each.container)
+        if each.container not in containers:
+            message = f"`{each.executable}` is a component, and the file does not start "
+            message += f"its container `{each.container}`"
+            help_ = "a component is C++ code that its container loads: start both in one file, "
+            help_ += "or this one with `ros2 launch`"
+            found.append(_told(message, each.file, each.place)._replace(help=help_))
+        elif each.files or each.others:
+            what = "a parameter file" if each.files else f"`{each.others[0][0]}`"
+            message = f"`run` loads no component with {what}: start the file with `ros2 launch`"
+            found.append(_told(message, each.file, each.place))
+        elif container is not None:
+            name = each.name or each.executable.rpartition("::")[2]
+            arguments = ros_arguments_of(each)
+            load = Loaded(name, each.package, each.executable, arguments)
+            nodes[each.container] = replace(container, loads=(*container.loads, load))
+    # A container finds the libraries of components by the index of their packages.
+    index = tuple(("AMENT_PREFIX_PATH", each) for each in environment.overlays)
+    for full_name, node in nodes.items():
+        if node.loads:
+            nodes[full_name] = replace(node, folders=(*index, *node.folders))
+    return list(nodes.values()), found
 
 
 def _built(
-    prepared: Prepared,
+    node: NodeFile,
     packages: Packages,
     resolved: Resolved,
     environment: Environment,
     tell: Callable[[Progress], object],
     environ: Mapping[str, str],
 ) -> Prepared:
-    """Return processes that have the interface packages which their nodes need."""
-    if not prepared.nodes:
-        return prepared
+    """Return the process of roslaunch that finds the packages which its nodes need built."""
     started = [each.package for each in resolved.started]
-    built, problems = with_interfaces(environment, packages.sources, started, tell, environ)
-    nodes = () if problems else tuple(replace(x, environment=built) for x in prepared.nodes)
-    return Prepared(nodes, (*prepared.diagnostics, *problems))
+    started += (name for each in resolved.started for name in _loaded_by(each))
+    built, problems = with_built(environment, packages.sources, started, tell, environ)
+    folders = tuple(("CMAKE_PREFIX_PATH", each) for each in built.overlays)
+    node = replace(node, environment=built, folders=(*node.folders, *folders))
+    return Prepared(() if problems else (node,), tuple(problems))
+
+
+def _loaded_by(started: Started) -> Iterator[str]:
+    """Yield the package of the nodelet that a node loads: `load PACKAGE/CLASS MANAGER`."""
+    if started.package == "nodelet":
+        for key, value in started.others:
+            words = value.split() if key == "args" else []
+            if words[:1] in (["load"], ["standalone"]) and len(words) > 1:
+                yield words[1].partition("/")[0]
 
 
 def _resolved(
@@ -126,11 +176,6 @@ def _node(started: Started, environment: Environment, packages: Packages) -> Nod
     def wrong(message: str, help_: str | None = None) -> Diagnostic:
         return _told(message, started.file, started.place)._replace(help=help_)
 
-    if started.container is not None:
-        return wrong(
-            f"`{started.executable}` is a component, and `run` starts no containers",
-            "a component is C++ code that its container loads: start the file with `ros2 launch`",
-        )
     label = f"{started.package}/{started.executable}"
     executable = packages.executable(started.package, started.executable, environment.python)
     if executable is None:

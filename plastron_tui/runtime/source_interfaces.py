@@ -1,4 +1,4 @@
-"""Interface packages among the sources around a launch file: what its nodes need is built.
+"""Packages among the sources around a launch file that its nodes need, and that are built.
 
 Source: REP 149, for the dependencies of a package.
 """
@@ -13,24 +13,28 @@ from plastron_tui.diagnostics import Diagnostic
 from plastron_tui.regular_files import read_regular
 from plastron_tui.sources.xml.document import read_xml
 
+from .build_needs import missing_for_build, not_found
 from .build_output import Progress
 from .builds import BuiltPackage, overlay
 from .environment import Environment, missing_packages
 
 _LARGEST = 2_000_000
 _MOST_FILES = 1000
+_COMPILING = (b"add_executable", b"add_library")
 _KINDS = ("msg", "srv", "action")
 _DEPENDS = frozenset(("depend", "build_depend", "build_export_depend", "exec_depend", "run_depend"))
 
 
-def with_interfaces(
+def with_built(
     environment: Environment,
     sources: Mapping[str, Path],
     started: Iterable[str],
     tell: Callable[[Progress], object],
     environ: Mapping[str, str] = os.environ,
 ) -> tuple[Environment, list[Diagnostic]]:
-    """Return an environment with the interface packages that nodes need, and what it lacks.
+    """Return an environment with the packages that nodes need built, and what it lacks.
+
+    Those are the ones with interface types, and those that compile something.
 
     Args:
         environment: what is to run the nodes.
@@ -39,11 +43,22 @@ def with_interfaces(
         tell: is told how far a build is.
         environ: the environment variables.
     """
-    needed = [name for name in _needed(sources, started) if _has_interfaces(sources[name])]
-    if not needed:
+    reached = _needed(sources, started)
+    needed = [name for name in reached if _has_interfaces(sources[name])]
+    compiled = frozenset(name for name in reached if _compiles(sources[name]))
+    if not needed and not compiled:
         return environment, []
-    missing = frozenset(missing_packages(environment, needed, environ))
-    packages = [_package(name, sources[name]) for name in needed if name in missing]
+    built = compiled | frozenset(missing_packages(environment, needed, environ))
+    packages = [
+        _package(name, sources[name], is_compiled=name in compiled)
+        for name in reached
+        if name in built
+    ]
+    needs = (need for name in compiled for need in _depends(sources[name]))
+    others = [need for need in needs if need not in built]
+    missing = missing_for_build(environment, others, (), environ)
+    if missing:
+        return environment, [not_found(environment, missing)]
     return overlay(environment, packages, tell, environ)
 
 
@@ -76,7 +91,16 @@ def _has_interfaces(folder: Path) -> bool:
     return any(True for kind in _KINDS for _ in (folder / kind).glob(f"*.{kind}"))
 
 
-def _package(name: str, folder: Path) -> BuiltPackage:
+def _compiles(folder: Path) -> bool:
+    """Tell whether a package builds programs or libraries."""
+    try:
+        text = read_regular(folder / "CMakeLists.txt", _LARGEST).lower()
+    except (OSError, ValueError):
+        return False
+    return any(word in text for word in _COMPILING)
+
+
+def _package(name: str, folder: Path, *, is_compiled: bool) -> BuiltPackage:
     files = {}
     executables = set()
     for path in _files(folder):
@@ -86,7 +110,7 @@ def _package(name: str, folder: Path) -> BuiltPackage:
             continue
         if os.access(path, os.X_OK):
             executables.add(path.relative_to(folder).as_posix())
-    return BuiltPackage(name, files, frozenset(executables))
+    return BuiltPackage(name, files, frozenset(executables), is_compiled=is_compiled)
 
 
 def _files(folder: Path) -> Iterator[Path]:

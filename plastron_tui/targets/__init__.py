@@ -23,20 +23,30 @@ if TYPE_CHECKING:
 
 
 class _Own(NamedTuple):
-    """A client library of Plastron's own, and where its target is."""
+    """A client library of Plastron's own, and where its target is.
+
+    Attributes:
+        ros_version: the generation of ROS that it is for.
+        language: the language of its nodes.
+        target: the module and the class that write them.
+        is_loaded: whether another process loads its nodes.
+    """
 
     ros_version: int
     language: str
     target: str
+    is_loaded: bool = False
 
+
+_CPP = "plastron_tui.targets.cpp"
 
 _OWN = {
     "rospy": _Own(1, "python", "plastron_tui.targets.python.rospy:RospyTarget"),
     "rclpy": _Own(2, "python", "plastron_tui.targets.python.rclpy:RclpyTarget"),
-    "roscpp": _Own(1, "cpp", "plastron_tui.targets.cpp.roscpp:RoscppTarget"),
-    "nodelet": _Own(1, "cpp", "plastron_tui.targets.cpp.nodelet:NodeletTarget"),
-    "rclcpp": _Own(2, "cpp", "plastron_tui.targets.cpp.rclcpp:RclcppTarget"),
-    "component": _Own(2, "cpp", "plastron_tui.targets.cpp.component:ComponentTarget"),
+    "roscpp": _Own(1, "cpp", f"{_CPP}.roscpp:RoscppTarget"),
+    "nodelet": _Own(1, "cpp", f"{_CPP}.nodelet:NodeletTarget", is_loaded=True),
+    "rclcpp": _Own(2, "cpp", f"{_CPP}.rclcpp:RclcppTarget"),
+    "component": _Own(2, "cpp", f"{_CPP}.component:ComponentTarget", is_loaded=True),
 }
 
 
@@ -53,6 +63,7 @@ class _Libraries(Libraries):
                 language.title,
                 language.is_keyword,
                 language.is_built,
+                own.is_loaded,
             )
         target = find_target(name)
         if target is None:

@@ -7,7 +7,7 @@ diagnostic, never an exception.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import ClassVar
 
@@ -57,6 +57,14 @@ class Target:
         """Return the class that another process loads a node as; None for one with its own."""
         del node
         return None
+
+    def set_layouts(self, layouts: Mapping[str, str]) -> None:
+        """Let a project say how many files a new node has.
+
+        Args:
+            layouts: `single` or `split`, by the name of a language that leaves it open.
+        """
+        del layouts
 
     def packaged(self, home: Home, name: str) -> str:
         """Return where a node's file is in a folder of packages, by the file's name."""

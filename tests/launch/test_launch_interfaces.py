@@ -45,7 +45,7 @@ def _built(
     monkeypatch.setattr(source_interfaces, "overlay", overlay)
     monkeypatch.setattr(source_interfaces, "missing_packages", missing)
     sources = find_packages(root / "rover/launch/a.launch.xml", ENVIRONMENT, {}).sources
-    source_interfaces.with_interfaces(ENVIRONMENT, sources, started, lambda _: None, {})
+    source_interfaces.with_built(ENVIRONMENT, sources, started, lambda _: None, {})
     return built
 
 

@@ -172,7 +172,7 @@ def test_yaml_and_python_start_the_same(project: Path) -> None:
         (
             '<load_composable_node target="c"><composable_node pkg="demo" plugin="demo::A"/>'
             "</load_composable_node>",
-            "`demo::A` is a component, and `run` starts no containers",
+            "`demo::A` is a component, and the file does not start its container `c`",
         ),
         (
             '<include file="/etc/passwd"/>',

@@ -67,6 +67,15 @@ class Graph:
         process.wait_to_print("all is set up")
         return process
 
+    def run_program(
+        self, program: Path, *arguments: str, environ: Mapping[str, str] | None = None
+    ) -> Process:
+        """Start a node that is a program, with variables of its own."""
+        log = self.folder / f"{next(self._numbers)}-{program.name}.log"
+        process = Process([program, *arguments], {**self.env, **(environ or {})}, log)
+        self.started.append(process)
+        return process
+
     def run_with(self, script: Path, *arguments: str) -> Process:
         """Start a script of the test's own, which runs a node in its own way."""
         return self._start([self.python, "-u", script, *arguments], script.stem)

@@ -9,6 +9,7 @@ from xmlrpc.client import ServerProxy
 
 import rosgraph
 import rospy
+import rosservice
 
 
 def load(module, type_name):
@@ -79,6 +80,37 @@ def endpoints(node):
     print(json.dumps(found))
 
 
+def describe(node):
+    """Tell what a node has, as far as the master and the node's services tell it."""
+    master = ServerProxy(rosgraph.get_master_uri())
+    _, _, (publishers, subscribers, services) = master.getSystemState("/probe")
+    types = dict(master.getTopicTypes("/probe")[2])
+
+    def topics(entries):
+        return {
+            name: {"type": types.get(name, "*"), "queue": None, "latch": None}
+            for name, nodes in entries
+            if "/" + node in nodes and name != "/rosout"
+        }
+
+    own = [name for name, nodes in services if "/" + node in nodes]
+    kinds = {name: rosservice.get_service_type(name) for name in own}
+    print(
+        json.dumps(
+            {
+                "nodes": ["/" + node],
+                "publishers": topics(publishers),
+                "subscriptions": topics(subscribers),
+                "services": {
+                    name: {"type": type_}
+                    for name, type_ in kinds.items()
+                    if type_ is not None and not type_.startswith("roscpp/")
+                },
+            }
+        )
+    )
+
+
 if __name__ == "__main__":
     command, *arguments = sys.argv[1:]
     if command == "listen":
@@ -87,5 +119,7 @@ if __name__ == "__main__":
         call(arguments[0], arguments[1], json.loads(arguments[2]))
     elif command == "set":
         set_parameter(arguments[0], arguments[1], json.loads(arguments[2]))
+    elif command == "describe":
+        describe(arguments[0])
     else:
         endpoints(arguments[0])

@@ -107,6 +107,42 @@ def endpoints(node, executor, name):
     print(json.dumps({kind: sorted(n for n, _ in ask(name, "/")) for kind, ask in look.items()}))
 
 
+def describe(node, executor, name):
+    """Tell what a node has, as far as the graph tells it."""
+    wait_for_node(node, executor, name)
+    inner = ("rcl_interfaces/", "lifecycle_msgs/", "type_description_interfaces/")
+    looks = {
+        "publishers": node.get_publishers_info_by_topic,
+        "subscriptions": node.get_subscriptions_info_by_topic,
+    }
+    found = {
+        kind: {
+            topic: about(each)
+            for topic, _ in node.get_topic_names_and_types()
+            for each in look(topic)
+            if each.node_name == name and not each.topic_type.startswith(inner)
+        }
+        for kind, look in looks.items()
+    }
+    services = node.get_service_names_and_types_by_node(name, "/")
+    found["services"] = {
+        service: {"type": type_.replace("/srv/", "/")}
+        for service, [type_] in services
+        if not type_.startswith(inner)
+    }
+    print(json.dumps({"nodes": ["/" + name], **found}))
+
+
+def about(endpoint):
+    qos = endpoint.qos_profile
+    return {
+        "type": endpoint.topic_type.replace("/msg/", "/"),
+        "queue": None,
+        "latch": qos.durability == DurabilityPolicy.TRANSIENT_LOCAL,
+        "best_effort": qos.reliability == ReliabilityPolicy.BEST_EFFORT,
+    }
+
+
 def own_endpoints(node, name):
     """Return how many endpoints a node has of each name, without those that every node has."""
     inner = ("/" + name + "/", "/rosout", "/parameter_events")
@@ -160,6 +196,8 @@ def main():
         set_parameter(node, executor, arguments[0], arguments[1], json.loads(arguments[2]))
     elif command == "lifecycle":
         lifecycle(node, executor, arguments[0], json.loads(arguments[1]))
+    elif command == "describe":
+        describe(node, executor, arguments[0])
     else:
         endpoints(node, executor, arguments[0])
 

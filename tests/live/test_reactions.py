@@ -9,7 +9,7 @@ import pytest
 from graph import Graph
 from played_nodes import HEADER, scan, vector
 from processes import generate_one
-from traffic import call, plain, record, send
+from traffic import Traffic, call, plain, record, send
 
 pytestmark = pytest.mark.live
 
@@ -52,7 +52,11 @@ STEPS = [
 @pytest.mark.long
 def test_what_follows_from_a_message_is_sent_and_nothing_else(graph: Graph, tmp_path: Path) -> None:
     """A field that is not there, and a value that the message cannot hold, end no node."""
-    traffic = record(graph, generate_one("reflex", tmp_path, graph.target), STEPS, {})
+    assert_reflexes(record(graph, generate_one("reflex", tmp_path, graph.target), STEPS, {}))
+
+
+def assert_reflexes(traffic: Traffic) -> None:
+    """A node has sent what follows from the steps, and nothing else."""
     heard = plain(dict(traffic.heard))
     assert [each["data"] for each in heard.pop("/bytes")] == [[127, -128]]
     assert [repr(each["data"]) for each in heard.pop("/near")] == ["nan", "inf", "0.5"]

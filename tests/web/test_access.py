@@ -176,17 +176,18 @@ SOCKETS = [
     ("name", "status", "origin", "cookie"), SOCKETS, ids=lambda part: str(part)
 )
 async def test_a_web_socket(name: str, status: int, origin: str, cookie: str) -> None:
-    async with serving() as server, aiohttp.ClientSession() as session:
+    is_let_in = status == 101
+    async with serving(is_shown=is_let_in) as server, aiohttp.ClientSession() as session:
         access = server.access
         keys = {"port": str(server.port), "token": access.token, "cookie": access.cookie}
         headers = {"Origin": filled(origin, keys), "Cookie": filled(cookie, keys)}
         given = {name: value for name, value in headers.items() if value}
         address = f"ws://127.0.0.1:{server.port}/ws"
-        if status == 403:
+        if not is_let_in:
             for query in ("", f"?token={access.token}"):
                 with pytest.raises(aiohttp.WSServerHandshakeError) as refused:
                     await session.ws_connect(address + query, headers=given)
-                assert refused.value.status == 403
+                assert refused.value.status == status
             return
         async with session.ws_connect(address, headers=given) as socket:
             assert await socket.receive_bytes()
@@ -196,7 +197,7 @@ async def test_a_web_socket(name: str, status: int, origin: str, cookie: str) ->
 async def test_the_terminal_is_the_browsers(term: str, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("TERM", term)
     monkeypatch.delenv("COLORTERM", raising=False)
-    async with serving() as server, aiohttp.ClientSession() as session:
+    async with serving(is_shown=True) as server, aiohttp.ClientSession() as session:
         own = f"http://127.0.0.1:{server.port}"
         headers = {"Origin": own, "Cookie": f"{server.access.cookie_name}={server.access.cookie}"}
         async with session.ws_connect(f"{own}/ws", headers=headers) as socket:

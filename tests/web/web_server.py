@@ -28,8 +28,15 @@ sys.stdin.buffer.read(1)
 
 
 @asynccontextmanager
-async def serving(host: str = "127.0.0.1") -> AsyncIterator[StudioServer]:
-    """Serve at a port that is free; the address listened on is that of loopback in any case."""
+async def serving(
+    host: str = "127.0.0.1", *, is_shown: bool = False
+) -> AsyncIterator[StudioServer]:
+    """Serve at a port that is free; the address listened on is that of loopback in any case.
+
+    Args:
+        host: the address that the server takes for its own.
+        is_shown: whether a page opens its socket, for which a process is started.
+    """
     port = free_port()
     server = StudioServer([sys.executable, "-c", ECHO_TERMINAL], host, port)
     runner = web.AppRunner(server.application(), access_log=None)
@@ -40,5 +47,6 @@ async def serving(host: str = "127.0.0.1") -> AsyncIterator[StudioServer]:
     finally:
         await runner.cleanup()
         # textual-serve leaves the pipes of its processes to the collector, which is too late
-        # when the loop is closed.
-        gc.collect()
+        # when the loop is closed. After thousands of tests it has far to walk.
+        if is_shown:
+            gc.collect()

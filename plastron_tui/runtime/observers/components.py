@@ -40,6 +40,8 @@ def _request(component: dict[str, Any]) -> Any:
         if word == "-p":
             parameter = Parameter(name=name, value=get_parameter_value(value))
             request.parameters.append(parameter)
+        elif name == "__node":
+            request.node_name = value
         elif name == "__ns":
             request.node_namespace = value
         else:

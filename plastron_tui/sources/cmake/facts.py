@@ -63,6 +63,7 @@ INTERFACE_WORDS = frozenset(
     | {"ADD_LINTER_TESTS"}
 )
 MESSAGE_WORDS = frozenset({"FILES", "DIRECTORY", "NOINSTALL", "BASE_DIR"})
+_COMPONENT_WORDS = frozenset({"PLUGIN", "EXECUTABLE", "EXECUTOR", "RESOURCE_INDEX"})
 CATKIN_INTERFACES = {"msg": "add_message_files", "srv": "add_service_files"}
 CATKIN_INTERFACES["action"] = "add_action_files"
 PROGRAM_CALLS = ("install", "catkin_install_python")
@@ -234,6 +235,34 @@ def targets(lists: CMakeLists) -> Iterator[Entry]:
     for call in lists.named("add_executable", "add_library", "ament_auto_add_executable"):
         if call.items:
             yield Entry(call.items[0].value, call.items[0], call)
+
+
+def sources_of(target: Entry) -> list[str]:
+    """Return the sources of a target, by their paths from the package's folder."""
+    return [in_package(each.value) for each in target.call.items[1:]]
+
+
+def executable_of(lists: CMakeLists, target: Entry) -> str:
+    """Return the name of the program that a target is, which a property may give it."""
+    for call in lists.named("set_target_properties"):
+        values = [each.value for each in call.items]
+        if target.what in values and "OUTPUT_NAME" in values[:-1]:
+            return values[values.index("OUTPUT_NAME") + 1]
+    return target.what
+
+
+def registered_components(lists: CMakeLists) -> Iterator[Entry]:
+    """Return the programs that are made of components (documentation of rclcpp_components)."""
+    for call in lists.named("rclcpp_components_register_node"):
+        for item in call.section("EXECUTABLE", _COMPONENT_WORDS):
+            yield Entry(item.value, item, call)
+
+
+def component_sources(lists: CMakeLists, component: Entry) -> list[str]:
+    """Return the sources of the library that a component is in."""
+    library = component.call.items[0].value
+    found = (sources_of(each) for each in targets(lists) if each.what == library)
+    return next(found, [])
 
 
 TOPICS = {

@@ -14,9 +14,21 @@ _WORDS = """
     using virtual void volatile wchar_t while xor xor_eq
 """
 
+# What ISO C has for macros in the headers that every node includes, and GCC of its own accord
+# (`-std=gnu++17`): a name of the same spelling is another text to the compiler.
+_MACROS = """
+    EOF INFINITY NAN NULL assert errno linux offsetof stderr stdin stdout unix
+"""
+
 _KEYWORDS = frozenset(_WORDS.split())
+_TAKEN = _KEYWORDS | frozenset(_MACROS.split())
 
 
 def is_keyword(word: str) -> bool:
     """Tell whether a word is a keyword, or an alternative spelling of an operator."""
     return word in _KEYWORDS
+
+
+def is_taken(word: str) -> bool:
+    """Tell whether a word is a keyword or a macro, and so the name of nothing else."""
+    return word in _TAKEN

@@ -23,6 +23,10 @@ _TOKEN = re.compile(
 )
 _PIECE = re.compile(r"(?:\\(?:[0-7]{1,3}|.)|[^\\ ])*(?: +|$)")
 
+_ATOM = re.compile(r"\\(?:[0-7]{1,3}|.)|.")
+_DECLARATION = re.compile(r"(?P<type>[\w:<>, ]*[\w>]) (?P<name>\w+;)")
+_CONDITION = re.compile(r"\s*(?:if|for|while|switch) \(")
+
 
 @dataclass(slots=True)
 class _Group:
@@ -31,6 +35,11 @@ class _Group:
     opening: str
     items: list[list[_Part]]
     closing: str
+
+    @property
+    def is_breakable(self) -> bool:
+        """Whether a line may break in it: not before an index, or what a lambda captures."""
+        return self.items != [[]] and self.opening != "["
 
     def __str__(self) -> str:
         return f"{self.opening}{', '.join(map(_flat, self.items))}{self.closing}"
@@ -47,8 +56,16 @@ def fit(source: str, limit: int = LINE_LENGTH) -> str:
             lines.append(line)
         else:
             margin = line[: len(line) - len(line.lstrip())]
-            lines += _broken(_scan(line.lstrip()), margin, limit)
+            lines += _brace_apart(_broken(_scan(line.lstrip()), margin, limit), margin)
     return "\n".join(lines)
+
+
+def _brace_apart(lines: list[str], margin: str) -> list[str]:
+    """Open the block of a condition that takes several lines on a line of its own."""
+    *before, last = lines
+    if before and _CONDITION.match(before[0]) and last.endswith(") {"):
+        return [*before, last.removesuffix(" {"), f"{margin}{{"]
+    return lines
 
 
 def _scan(text: str) -> list[_Part]:
@@ -83,9 +100,13 @@ def _broken(parts: list[_Part], margin: str, limit: int) -> list[str]:
     at = _where(parts, margin, limit)
     if at is None:
         return _without_brackets(parts, margin, limit)
+    return _opened(parts, at, margin, margin + _INDENT, limit)
+
+
+def _opened(parts: list[_Part], at: int, margin: str, inner: str, limit: int) -> list[str]:
+    """Return a line up to a bracket, and those of what is in it, each with its margin."""
     group = parts[at]
     assert isinstance(group, _Group)
-    inner = margin + _INDENT
     head = margin + _flat(parts[:at]) + group.opening
     tail = group.closing + _flat(parts[at + 1 :])
     return [head, *_filled(group.items, tail, inner, limit)]
@@ -95,7 +116,7 @@ def _where(parts: list[_Part], margin: str, limit: int) -> int | None:
     """Return which bracket is broken: the last that begins in time, of those with anything in."""
     found, before = None, width(margin)
     for index, part in enumerate(parts):
-        if isinstance(part, _Group) and part.items != [[]] and before < limit:
+        if isinstance(part, _Group) and part.is_breakable and before < limit:
             longest = found is None or width(str(part)) > width(str(parts[found]))
             found = index if longest else found
         before += width(str(part))
@@ -119,30 +140,71 @@ def _filled(items: list[list[_Part]], tail: str, margin: str, limit: int) -> lis
         current = margin + text
         if width(current) > limit:
             parts = [*items[index], "," if index < len(items) - 1 else tail]
-            *done, current = _broken(parts, margin, limit)
+            *done, current = _chain(parts, margin, limit) or _broken(parts, margin, limit)
             lines += done
     return [*lines, current]
 
 
+def _chain(parts: list[_Part], margin: str, limit: int) -> list[str]:
+    """Break an argument before one of the calls that it chains; return nothing if it has none."""
+    for at in range(len(parts) - 1, 0, -1):
+        part, head = parts[at], margin + _flat(parts[:at])
+        is_call = (
+            isinstance(part, str) and part.startswith(".") and isinstance(parts[at - 1], _Group)
+        )
+        if is_call and width(head) <= limit:
+            rest = parts[at:]
+            if width(margin + _flat(rest)) <= limit:
+                return [head, margin + _flat(rest)]
+            return [head, *(_chain(rest, margin, limit) or _broken(rest, margin, limit))]
+    return []
+
+
 def _without_brackets(parts: list[_Part], margin: str, limit: int) -> list[str]:
-    """Break a string into several, or a stream before its operators; else leave it."""
+    """Break a stream, an assignment, a string or a declaration; else leave it."""
     if " << " in parts:
         at = len(parts) - 1 - parts[::-1].index(" << ")
         rest = margin + _INDENT + _flat(parts[at:]).lstrip()
         return [*_broken(parts[:at], margin, limit), rest]
+    if "=" in parts[1:-2]:
+        at = parts.index("=") + 1
+        return [margin + _flat(parts[:at]), *_assigned(parts[at + 1 :], margin, limit)]
+    if not margin and " " in parts and any(isinstance(part, _Group) for part in parts):
+        at = parts.index(" ")
+        return [_flat(parts[:at]), *_broken(parts[at + 1 :], margin, limit)]
     first, rest = parts[0], _flat(parts[1:])
     if isinstance(first, str) and first.startswith('"') and first.endswith('"'):
         return _split_string(first, rest, margin, limit)
-    return [margin + _flat(parts)]
+    text = _flat(parts)
+    if (declaration := _DECLARATION.fullmatch(text)) is not None:
+        return [margin + declaration["type"], margin + _INDENT + declaration["name"]]
+    return [margin + text]
+
+
+def _assigned(parts: list[_Part], margin: str, limit: int) -> list[str]:
+    """Return the lines of a value, behind a line that ends with `=`.
+
+    ament_uncrustify counts what is in its brackets from the beginning of the statement.
+    """
+    inner = margin + _INDENT
+    at = _where(parts, inner, limit)
+    if at is None or width(inner + _flat(parts)) <= limit:
+        return _broken(parts, inner, limit)
+    return _opened(parts, at, inner, inner, limit)
 
 
 def _split_string(literal: str, tail: str, margin: str, limit: int) -> list[str]:
+    """Split a string at its spaces, and a word that is too long for a line anywhere."""
     lines, current = [], ""
-    for piece in (match.group() for match in _PIECE.finditer(literal[1:-1]) if match.group()):
+    for piece in _PIECE.findall(literal[1:-1]):
         if current and width(f'{margin}"{current}{piece}"{tail}') > limit:
             lines.append(f'{margin}"{current}"')
             current = ""
-        current += piece
+        for atom in _ATOM.findall(piece):
+            if current and width(f'{margin}"{current}{atom}"{tail}') > limit:
+                lines.append(f'{margin}"{current}"')
+                current = ""
+            current += atom
     return [*lines, f'{margin}"{current}"{tail}']
 
 

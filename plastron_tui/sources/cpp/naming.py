@@ -8,7 +8,7 @@ from collections.abc import Iterable
 from plastron_tui.sources import naming
 from plastron_tui.sources.naming import capitals, class_name, label, words
 
-from .keywords import is_keyword
+from .keywords import is_taken
 
 __all__ = ["Scope", "capitals", "class_name", "is_name", "label", "words"]
 
@@ -19,7 +19,7 @@ class Scope(naming.Scope):
     """The names of one scope of a C++ file, each given once."""
 
     def __init__(self, taken: Iterable[str] = ()) -> None:
-        super().__init__(taken, is_keyword)
+        super().__init__(taken, is_taken)
 
 
 def is_name(text: str) -> bool:
@@ -28,4 +28,4 @@ def is_name(text: str) -> bool:
     Those are what has two underscores together, or begins with one ([lex.name] of ISO C++).
     """
     is_own = "__" in text or text.startswith("_")
-    return bool(_NAME.fullmatch(text)) and not is_own and not is_keyword(text)
+    return bool(_NAME.fullmatch(text)) and not is_own and not is_taken(text)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from .built import add_built_node
 from .changing import Changed, Needs, add_launch, add_node, remove_executable, remove_launch
 from .definitions import add_definition
 from .reading import PACKAGE_XML, PackageFiles, finds_scripts, named_elsewhere, read_package_files
@@ -11,6 +12,7 @@ __all__ = [
     "Changed",
     "Needs",
     "PackageFiles",
+    "add_built_node",
     "add_definition",
     "add_launch",
     "add_node",

@@ -73,8 +73,8 @@ def add_node(
 
         built = CMAKE_LISTS
         edited = add_program(texts[built], source.folder / built, file)
-    after = _with(texts, built, edited)
-    return after if after.texts is None else _add_dependencies(source, after.texts, keys)
+    after = with_edit(texts, built, edited)
+    return after if after.texts is None else add_dependencies(source, after.texts, keys)
 
 
 def add_launch(
@@ -92,13 +92,15 @@ def add_launch(
         from plastron_tui.sources.setup_py.data_files import add_data_file
 
         path = source.folder / SETUP_PY
-        after = _with(texts, SETUP_PY, add_data_file(texts[SETUP_PY], path, _folder(file), file))
+        after = with_edit(
+            texts, SETUP_PY, add_data_file(texts[SETUP_PY], path, _folder(file), file)
+        )
     else:
         from plastron_tui.sources.cmake.shares import add_shared
 
         path = source.folder / CMAKE_LISTS
-        after = _with(texts, CMAKE_LISTS, add_shared(texts[CMAKE_LISTS], path, file))
-    return after if after.texts is None else _add_dependencies(source, after.texts, keys)
+        after = with_edit(texts, CMAKE_LISTS, add_shared(texts[CMAKE_LISTS], path, file))
+    return after if after.texts is None else add_dependencies(source, after.texts, keys)
 
 
 def remove_launch(
@@ -127,7 +129,7 @@ def remove_launch(
         path = source.folder / SETUP_PY
         if not is_installed_elsewhere:
             edited = remove_data_file(texts[SETUP_PY], path, _folder(file), file)
-            after = _with(texts, SETUP_PY, edited)
+            after = with_edit(texts, SETUP_PY, edited)
     elif not is_installed_elsewhere:
         from plastron_tui.sources.cmake.shares import remove_shared
 
@@ -135,7 +137,7 @@ def remove_launch(
         top = file.partition("/")[0]
         is_shared = any(each.startswith(f"{top}/") for each in source.names - {file})
         edited = remove_shared(texts[CMAKE_LISTS], path, file, keep_folder=is_shared)
-        after = _with(texts, CMAKE_LISTS, edited)
+        after = with_edit(texts, CMAKE_LISTS, edited)
     if after.texts is None or not source.is_whole:
         return after
     others = {name: each for name, each in after.texts.items() if name not in (file, PACKAGE_XML)}
@@ -218,7 +220,7 @@ def _uninstalled(source: PackageSource, texts: Mapping[str, bytes], executable: 
         from plastron_tui.sources.cmake.programs import remove_program
 
         edited = remove_program(texts[CMAKE_LISTS], path, known.file)
-    after = _with(texts, known.where, edited)
+    after = with_edit(texts, known.where, edited)
     if after.texts is None:
         return after
     if after.texts[known.where] == texts[known.where]:
@@ -228,15 +230,27 @@ def _uninstalled(source: PackageSource, texts: Mapping[str, bytes], executable: 
     return after
 
 
-def _with(texts: Mapping[str, bytes], name: str, edited: Edited) -> Changed:
+def with_edit(texts: Mapping[str, bytes], name: str, edited: Edited) -> Changed:
+    """Return a package with another text of one of its files."""
     if edited.text is None:
         return Changed(None, edited.diagnostics)
     return Changed({**texts, name: edited.text}, edited.diagnostics)
 
 
-def _add_dependencies(
-    source: PackageSource, texts: Mapping[str, bytes], keys: Iterable[str]
+def add_dependencies(
+    source: PackageSource,
+    texts: Mapping[str, bytes],
+    keys: Iterable[str],
+    needs: Iterable[str] = ("exec",),
 ) -> Changed:
+    """Let a package depend on others, as far as it does not yet.
+
+    Args:
+        source: the package.
+        texts: what its files hold by now.
+        keys: packages and rosdep keys.
+        needs: what they are there for, as REP 149 has it.
+    """
     from plastron_tui.sources.xml.dependencies import add_dependency
     from plastron_tui.sources.xml.package_xml import read_package
 
@@ -247,7 +261,7 @@ def _add_dependencies(
     for key in keys:
         if key == source.name:
             continue
-        edit = add_dependency(package, key, {"exec"}, source.ros_version)
+        edit = add_dependency(package, key, needs, source.ros_version)
         if edit.package is None:
             return Changed(None, edit.diagnostics)
         package = edit.package

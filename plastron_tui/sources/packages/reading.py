@@ -173,7 +173,14 @@ def _scripts(files: PackageFiles, setup: SetupFile) -> tuple[tuple[ConsoleScript
 
 def _cmake_parts(files: PackageFiles) -> _Parts:
     from plastron_tui.sources.cmake.changing import build_type_of
-    from plastron_tui.sources.cmake.facts import programs, targets
+    from plastron_tui.sources.cmake.facts import (
+        component_sources,
+        executable_of,
+        programs,
+        registered_components,
+        sources_of,
+        targets,
+    )
     from plastron_tui.sources.cmake.reader import read_cmake
 
     text, path = _text(files, CMAKE_LISTS), files.folder / CMAKE_LISTS
@@ -185,7 +192,14 @@ def _cmake_parts(files: PackageFiles) -> _Parts:
     for target in targets(lists):
         if target.call.command.name != "add_library":
             line = line_number(text, target.call.command.start)
-            executables[target.what] = InstalledExecutable(None, CMAKE_LISTS, line)
+            sources = tuple(sources_of(target))
+            name = executable_of(lists, target)
+            executables[name] = InstalledExecutable(None, CMAKE_LISTS, line, sources=sources)
+    for each in registered_components(lists):
+        line = line_number(text, each.call.command.start)
+        executables[each.what] = InstalledExecutable(
+            None, CMAKE_LISTS, line, sources=tuple(component_sources(lists, each))
+        )
     for entry in programs(lists):
         if entry.destination != f"lib/{lists.name}":
             continue

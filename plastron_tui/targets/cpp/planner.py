@@ -6,7 +6,7 @@ from collections import Counter
 from typing import NamedTuple
 
 from plastron_tui.diagnostics import Diagnostic, codes
-from plastron_tui.model.kinds import callback_of
+from plastron_tui.model.kinds import ActionClient, ActionServer, Client, callback_of
 from plastron_tui.model.workspace import Node
 from plastron_tui.ros.catalog import Catalog
 from plastron_tui.sources.cpp import literals, naming
@@ -55,7 +55,8 @@ def _overloaded(plan: NodePlan) -> frozenset[str]:
     """Return the names of several methods: `&Class::name` does not say which of them."""
     names = Counter(each.name for each in (*plan.callbacks, *plan.handlers))
     names.update(each.method for each in plan.timers)
-    names.update(each.method for each in plan.action_servers)
+    for server in plan.action_servers:
+        names.update((server.method, f"accept_{server.attribute}", f"run_{server.attribute}"))
     return frozenset(name for name, count in names.items() if count > 1)
 
 
@@ -77,12 +78,19 @@ def _check_names(writing: CppWriting) -> None:
     """Refuse what the program calls its functions where that can be no method."""
     dialect, node = writing.dialect, writing.node
     reserved = dialect.method_names | dialect.attribute_names | {naming.class_name(node.name)}
+    managed = dialect.managed_names if node.is_managed else frozenset()
+    has_tasks = any(node.of(ActionServer)) or any(node.of(ActionClient)) or any(node.of(Client))
+    tasks = dialect.task_names if has_tasks else frozenset()
     for each in node.endpoints.values():
         name, span = callback_of(each), each.span
         if name is None:
             continue
         if not naming.is_name(name):
             writing.refuse(codes.INVALID_FUNCTION, f"`{name}` cannot be a name in C++", span)
-        if name in reserved:
-            message = f"`{name}` is a method that every {dialect.library} node has"
-            writing.refuse(codes.INVALID_FUNCTION, message, span, f"write `on_{name}`, say")
+        # An attribute is called as a method may be, with an underscore behind it.
+        plain = name.removesuffix("_")
+        if plain in reserved | managed | tasks:
+            kind = "managed " if plain in managed else ""
+            which = " with calls or actions" if plain in tasks else ""
+            message = f"`{name}` is a name that every {kind}{dialect.library} node{which} has"
+            writing.refuse(codes.INVALID_FUNCTION, message, span, f"write `on_my_{plain}`, say")

@@ -5,15 +5,16 @@ from __future__ import annotations
 from plastron_tui.diagnostics import Span
 from plastron_tui.model.kinds import Parameter
 from plastron_tui.model.kinds.ranges import EVERY_FLOAT, EVERY_INTEGER, Interval, limits_of
-from plastron_tui.model.values import Computed, MessageValue, Value
+from plastron_tui.model.values import MessageValue
 from plastron_tui.model.workspace import Node
 from plastron_tui.ros.catalog import Catalog
-from plastron_tui.ros.interfaces import Field, FieldType, Interface, InterfaceKind, InterfaceName
+from plastron_tui.ros.interfaces import Field, Interface, InterfaceKind, InterfaceName
 from plastron_tui.ros.parameters import ParameterType
 from plastron_tui.ros.qos import Qos
 from plastron_tui.sources.cpp import interface_types, literals, naming
 from plastron_tui.sources.cpp.computed import Computing, Functions
-from plastron_tui.sources.cpp.keywords import is_keyword
+from plastron_tui.sources.cpp.keywords import is_keyword, is_taken
+from plastron_tui.sources.cpp.messages import Filling
 from plastron_tui.sources.cpp.qos_code import latch, profile
 from plastron_tui.targets.planning.writing import Writing
 
@@ -42,8 +43,11 @@ class CppWriting(Writing):
 
     def __init__(self, node: Node, catalog: Catalog, dialect: Dialect, given: set[str]) -> None:
         """Begin a node in which the names in `given` are taken."""
-        scope = naming.Scope({*dialect.attribute_names, *dialect.method_names, *given})
-        super().__init__(node, catalog, dialect.ros_version, scope, "server")
+        # An attribute is called as a method may be, with an underscore behind it.
+        taken = {*given, *(name.removesuffix("_") for name in given)}
+        scope = naming.Scope(taken | dialect.names)
+        serving = "goal" if dialect.ros_version == 2 else "server"
+        super().__init__(node, catalog, dialect.ros_version, scope, serving)
         self.dialect = dialect
         self.headers: set[str] = set()
         self.functions = Functions()
@@ -86,8 +90,14 @@ class CppWriting(Writing):
         return literals.scalar(value)
 
     def period(self, rate: str | float) -> str:
-        """Write the seconds between two turns of what is done at a rate."""
-        return f"1.0 / {rate if isinstance(rate, str) else literals.real(float(rate))}"
+        """Write the seconds between two turns of what is done at a rate; in ROS 2, a duration."""
+        seconds = f"1.0 / {rate if isinstance(rate, str) else literals.real(float(rate))}"
+        if not self.is_ros2:
+            return seconds
+        milliseconds = 0 if isinstance(rate, str) else round(1000 / rate)
+        if milliseconds and 1000 / milliseconds == rate:
+            return f"std::chrono::milliseconds({milliseconds})"
+        return f"std::chrono::duration<double>({seconds})"
 
     def follow_rate(self) -> None:
         """Leave it to the template, which sees the timers that follow."""
@@ -102,7 +112,7 @@ class CppWriting(Writing):
         """Write what makes a message that is called `message`."""
         interface = self.find(value.type, InterfaceKind.MESSAGE, span)
         class_ = self.class_of(interface.name, InterfaceKind.MESSAGE)
-        lines = self._fields(interface, interface.fields, value, span, "message.", received)
+        lines = self._lines(interface, interface.fields, value, span, "message.", received)
         return "\n".join((f"{class_} message;", *lines))
 
     def request(self, type_: InterfaceName, value: MessageValue, span: Span | None) -> str:
@@ -113,13 +123,13 @@ class CppWriting(Writing):
             first, holder = f"auto request = std::make_shared<{class_}::Request>();", "request->"
         else:
             first, holder = f"{class_} call;", "call.request."
-        return "\n".join((first, *self._fields(interface, interface.fields, value, span, holder)))
+        return "\n".join((first, *self._lines(interface, interface.fields, value, span, holder)))
 
     def goal(self, type_: InterfaceName, value: MessageValue, span: Span | None) -> str:
         """Write what makes a goal that is called `goal`."""
         interface = self.find(type_, InterfaceKind.ACTION, span)
         class_ = self.part_of(type_, InterfaceKind.ACTION, "Goal")
-        lines = self._fields(interface, interface.fields, value, span, "goal.")
+        lines = self._lines(interface, interface.fields, value, span, "goal.")
         return "\n".join((f"{class_} goal;", *lines))
 
     def empty_response(self, type_: InterfaceName) -> str:
@@ -133,9 +143,9 @@ class CppWriting(Writing):
         self._heard = interface.fields
         holder = "response->" if self.is_ros2 else "response."
         fields = interface.response.fields
-        return "\n".join(self._fields(interface, fields, value, span, holder, "request"))
+        return "\n".join(self._lines(interface, fields, value, span, holder, "request"))
 
-    def _fields(
+    def _lines(
         self,
         interface: Interface,
         fields: tuple[Field, ...],
@@ -145,46 +155,8 @@ class CppWriting(Writing):
         received: str = "received",
     ) -> list[str]:
         """Write what sets the fields of a message that has a value; `holder` ends with its dot."""
-        lines: list[str] = []
-        for name, each in value.fields.items():
-            field = self.checked_field(interface, fields, name, span)
-            lines += self._set(f"{holder}{name}", field.type, each, span, received)
-        return lines
-
-    def _set(
-        self, target: str, type_: FieldType, value: Value, span: Span | None, received: str
-    ) -> list[str]:
-        if isinstance(value, Computed):
-            return self.computing.set(target, value, received, self._heard)
-        if isinstance(value, MessageValue):
-            interface = self.find(value.type, InterfaceKind.MESSAGE, span)
-            return self._fields(interface, interface.fields, value, span, f"{target}.", received)
-        if not isinstance(value, tuple):
-            return [f"{target} = {self._scalar(type_, value)};"]
-        if not type_.is_array:
-            return [f"{target} = {self._scalar(type_, value)};"]
-        is_plain = not any(isinstance(each, (MessageValue, Computed)) for each in value)
-        if is_plain:
-            listed = ", ".join(self._scalar(type_.element, each) for each in value)
-            return [f"{target} = {f'{{{{{listed}}}}}' if type_.length else f'{{{listed}}}'};"]
-        lines = [] if type_.length else [f"{target}.resize({len(value)});"]
-        for index, each in enumerate(value):
-            lines += self._set(f"{target}[{index}]", type_.element, each, span, received)
-        return lines
-
-    def _scalar(self, type_: FieldType, value: Value) -> str:
-        if isinstance(value, tuple):
-            seconds, nanoseconds = value
-            assert isinstance(seconds, int)
-            assert isinstance(nanoseconds, int)
-            class_ = f"ros::{type_.name.capitalize()}"
-            return f"{class_}({literals.integer(seconds)}, {literals.integer(nanoseconds)})"
-        assert isinstance(value, (bool, int, float, str))
-        if isinstance(value, str) and type_.name == "wstring":
-            return literals.wide(value)
-        if isinstance(value, int) and type_.name in {"float32", "float64"}:
-            return literals.real(float(value))
-        return literals.scalar(value)
+        filling = Filling(self, self.computing, span, received, self._heard)
+        return filling.lines(interface, fields, value, holder)
 
     def parameter(self, name: str) -> str:
         """Write the value that a parameter of the node has."""
@@ -254,13 +226,34 @@ class CppWriting(Writing):
         return self.part_of(type_, kind, part)
 
     def unusable(self, interface: Interface) -> str | None:
-        """Return which keyword of C++ is the name of a field or a part, None where none is."""
-        for word in (interface.name.package, interface.name.name):
-            if is_keyword(word):
-                return f"`{interface.name}` has a name that is a keyword of C++"
-        for section in interface.sections:
-            for field in section.fields:
-                if is_keyword(field.name):
-                    name = f"`{interface.name}` has a field `{field.name}`"
-                    return f"{name}, which is a keyword of C++"
+        """Return what of C++ is the name of an interface, a part of it or a field, None for none.
+
+        The generators write it all the same, into a header that no compiler takes.
+        """
+        seen, left = {interface.name}, [interface]
+        while left:
+            each = left.pop()
+            if (reason := _taken_name(each)) is not None:
+                return reason
+            for field in (field for section in each.sections for field in section.fields):
+                if field.type.message is not None and field.type.message not in seen:
+                    seen.add(field.type.message)
+                    part = self.catalog.find(field.type.message, InterfaceKind.MESSAGE)
+                    left += [part] if part is not None else []
         return None
+
+
+def _taken_name(interface: Interface) -> str | None:
+    """Return what of C++ is the name of an interface or a field, None where nothing is."""
+    for word in (interface.name.package, interface.name.name):
+        if is_taken(word):
+            return f"`{interface.name}` has a name that is {_what(word)} of C++"
+    for field in (field for section in interface.sections for field in section.fields):
+        if is_taken(field.name):
+            name = f"`{interface.name}` has a field `{field.name}`"
+            return f"{name}, which is {_what(field.name)} of C++"
+    return None
+
+
+def _what(word: str) -> str:
+    return "a keyword" if is_keyword(word) else "a macro"

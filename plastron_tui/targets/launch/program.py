@@ -20,18 +20,27 @@ from plastron_tui.ros.launch import (
     Remapping,
     StartedNode,
 )
-from plastron_tui.ros.launch_text import Substitution, package_file, text, with_arguments
+from plastron_tui.ros.launch_text import Substitution, Text, package_file, text, with_arguments
 from plastron_tui.ros.names import name_as_written, parameter_name
 from plastron_tui.ros.parameter_values import yaml_text
 from plastron_tui.ros.parameters import ParameterType, Setting, as_setting
 
 
 class ExecutableName(NamedTuple):
-    """What a node of the program is started by: its package, and its name there."""
+    """What a node of the program is started by: its package, and its name there.
+
+    Attributes:
+        package: the package.
+        name: the executable; "" for a node that has none.
+        plugin: what another process loads it by, "" for a node that none loads.
+    """
 
     package: str
     name: str
+    plugin: str = ""
 
+
+_NODELET = "nodelet"
 
 FindExecutable = Callable[[Node], ExecutableName]
 
@@ -80,6 +89,11 @@ def _started(launch: Launch, ros_version: int, find: FindExecutable) -> list[Ite
         node = _node(start, ros_version, find)
         if start.container is None:
             found.append(node)
+        elif ros_version == 1:
+            if start.container not in containers:
+                found.append(_manager(start.container))
+            containers.setdefault(start.container, len(found))
+            found.append(node)
         elif start.container in containers:
             at = containers[start.container]
             held = found[at]
@@ -89,6 +103,18 @@ def _started(launch: Launch, ros_version: int, find: FindExecutable) -> list[Ite
             containers[start.container] = len(found)
             found.append(Container(_container(start.container), None, (node,)))
     return found
+
+
+def _manager(name: str) -> StartedNode:
+    """Return what loads nodelets into its process (the wiki page "nodelet")."""
+    namespace, _, base = name.strip("/").rpartition("/")
+    return StartedNode(
+        text(_NODELET),
+        text(_NODELET),
+        text(base),
+        text(namespace) if namespace else None,
+        others=(("args", text("manager")), ("output", text("screen"))),
+    )
 
 
 def _container(name: str) -> StartedNode:
@@ -114,9 +140,20 @@ def _node(start: Start, ros_version: int, find: FindExecutable) -> StartedNode:
         file = start.parameters
         parameters.append(ParameterFile(package_file(file.package, file.inner)))
     parameters += [_parameter(start, key, value, ros_version) for key, value in start.settings]
+    package, executable = own.package, own.name
+    screen = ("output", text("screen"))
+    others: tuple[tuple[str, Text], ...] = () if start.container is not None else (screen,)
+    if own.plugin and ros_version == 1:
+        package = executable = _NODELET
+        words = f"standalone {own.plugin}"
+        if start.container is not None:
+            words = f"load {own.plugin} /{start.container.strip('/')}"
+        others = (("args", text(words)), screen)
+    elif own.plugin and start.container is not None:
+        executable = own.plugin
     return StartedNode(
-        text(own.package),
-        text(own.name),
+        text(package),
+        text(executable),
         with_arguments(name) if name is not None else None,
         with_arguments(start.namespace) if start.namespace is not None else None,
         tuple(
@@ -127,7 +164,7 @@ def _node(start: Start, ros_version: int, find: FindExecutable) -> StartedNode:
             for old, new in start.remaps
         ),
         tuple(parameters),
-        (("output", text("screen")),) if start.container is None else (),
+        others,
     )
 
 

@@ -7,8 +7,7 @@ from plastron_tui.ros.package_keys import key_of_header, key_of_module
 
 from .spec import PackagedNode, PackageSpec, interfaces_name
 
-
-# Nodelets are looked for in the packages alone that depend on `nodelet` (the wiki page "pluginlib").
+# Nodelets are looked for in packages alone that depend on `nodelet` (the wiki page "pluginlib").
 _LOADED_BY = {1: {"nodelet", "pluginlib"}, 2: {"rclcpp_components"}}
 
 

@@ -12,6 +12,7 @@ from dataclasses import replace
 from pathlib import PurePosixPath
 from posixpath import normpath
 
+from plastron_tui.model.packages import BUILT_FOLDER
 from plastron_tui.ros.interfaces import InterfaceKind
 from plastron_tui.ros.package_keys import PROPRIETARY, find_license, find_own_license, licenses
 from plastron_tui.targets.templates import render_template
@@ -34,9 +35,6 @@ from .spec import (
 
 _WITH_TYPES = "rosidl_interface_packages"
 """The group of the packages of ROS 2 that build types (REP 149; rosidl_default_generators)."""
-
-SOURCE_FOLDER = "src"
-"""The folder of the nodes that a package builds."""
 
 _CONSOLE_MAIN = "main"
 """The function of a node's file that starts it; rclpy's and rospy's templates have it."""
@@ -96,7 +94,7 @@ def render_package(spec: PackageSpec) -> RenderedPackage:
 
 def node_path(spec: PackageSpec, node: PackagedNode) -> str:
     """Return where the file of a node stands in its package."""
-    folder = SOURCE_FOLDER if node.is_built else spec.modules
+    folder = BUILT_FOLDER if node.is_built else spec.modules
     return str(PurePosixPath(folder, node.file))
 
 

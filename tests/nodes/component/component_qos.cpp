@@ -21,7 +21,7 @@ public:
     c_ = create_publisher<Temp>("c", all);
     d_ = create_publisher<Temp>("d", from);
     e_ = create_publisher<Temp>("e", rclcpp::QoS(rclcpp::KeepLast(6)).reliable().transient_local());
-    f_ = create_publisher<Temp>("f", {rclcpp::KeepLast(11)});
+    f_ = create_publisher<Temp>("f", rclcpp::QoS{rclcpp::KeepLast(11)});
     g_ = create_publisher<Temp>("g", sensorQos(3));
   }
 

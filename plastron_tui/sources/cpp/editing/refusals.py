@@ -2,7 +2,13 @@
 
 from __future__ import annotations
 
-from plastron_tui.diagnostics import Diagnostic, Span, codes
+from collections.abc import Sequence
+
+from plastron_tui.diagnostics import Diagnostic, Span, codes, listed
+from plastron_tui.model.source import Remove, Rename, Update
+
+from ..analysis import Analysis
+from ..scopes import CppFile
 
 
 class RefusedError(Exception):
@@ -11,3 +17,25 @@ class RefusedError(Exception):
     def __init__(self, message: str, span: Span | None = None, remedy: str | None = None) -> None:
         super().__init__(message)
         self.diagnostic = Diagnostic(codes.EDIT_REFUSED, message, span, help=remedy)
+
+
+def not_there(analysis: Analysis, change: Remove | Rename | Update) -> RefusedError:
+    """Say that the files have no such endpoint."""
+    del analysis
+    return RefusedError(f"the file has no {change.kind.word} `{change.name}`", change.span)
+
+
+def in_use(change: Remove, used: Sequence[tuple[CppFile, int]]) -> RefusedError:
+    """Say where an endpoint is used that is to go."""
+    places = dict.fromkeys(
+        f"{line}" if not file.name else f"{line} of `{file.name.rpartition('/')[2]}`"
+        for file, line in sorted(used, key=lambda each: (each[0].name, each[1]))
+    )
+    is_one = len(places) == 1
+    name = change.kind.written(change.name)
+    message = f"the {change.kind.word} `{name}` is used in line{'' if is_one else 's'} "
+    message += listed(places)
+    remedy = f"change {'this line' if is_one else 'these lines'} in the file first"
+    refusal = RefusedError(message)
+    refusal.diagnostic = Diagnostic(codes.ENDPOINT_IN_USE, message, change.span, help=remedy)
+    return refusal

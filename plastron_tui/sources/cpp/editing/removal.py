@@ -1,18 +1,200 @@
-"""Taking an endpoint out of a unit."""
+"""Taking an endpoint out of a unit: what creates it, holds it, publishes on it, and hears it."""
 
 from __future__ import annotations
 
-from plastron_tui.model.source import Remove
+from collections.abc import Iterable
 
-from ..analysis import Analysis
+from tree_sitter import Node
+
+from plastron_tui.diagnostics import Diagnostic, codes, listed
+from plastron_tui.model.source import EndpointKind, Remove
+
+from ..analysis import Analysis, Site
+from ..scopes import CppFile, Function, Scope, Variable
+from .creation import Creation, creation_of
+from .deletions import Deletions
+from .leftovers import functions_of, has_uses, is_idle, is_stub, remove_function, unused_includes
+from .origins import uses_of
 from .plans import Plan
-from .refusals import RefusedError
+from .refusals import RefusedError, in_use, not_there
+from .statements import calls_method, emptied, local_of, only_sets, statement_of
+from .units import sites_of
+
+_SENDING = frozenset({"publish"})
+_ENDING = frozenset(
+    {"shutdown", "reset", "cancel", "stop", "on_activate", "on_deactivate", "start", "spin"}
+)
 
 
 def plan_removal(analysis: Analysis, change: Remove) -> Plan:
-    """Plan a change.
+    """Plan the removal of an endpoint.
 
     Raises:
-        RefusedError: it cannot be made.
+        RefusedError: the files have none such, or use it in another way.
     """
-    raise RefusedError("plastron cannot take endpoints out of C++ files yet")
+    sites = sites_of(analysis, change)
+    if not sites:
+        raise not_there(analysis, change)
+    removal = _Removal(analysis, change)
+    for site in sites:
+        removal.take(site)
+    if removal.used:
+        raise in_use(change, removal.used)
+    return removal.finish()
+
+
+class _Removal:
+    """A removal on its way.
+
+    Attributes:
+        used: where the endpoint is used in another way, as file and line.
+    """
+
+    def __init__(self, analysis: Analysis, change: Remove) -> None:
+        self._analysis = analysis
+        self._change = change
+        self._gone = Deletions()
+        self._plan = Plan()
+        self.used: list[tuple[CppFile, int]] = []
+
+    def take(self, site: Site) -> None:
+        """Take one call site out, with what holds it and what only served it."""
+        if site in self._plan.lost:
+            return
+        if any(each.call is site.call and each is not site for each in self._analysis.sites):
+            message = f"line {site.endpoint.line} creates it among others"
+            raise RefusedError(message, self._change.span, "change the line by hand")
+        self._plan.lost.append(site)
+        creation = creation_of(self._analysis, site)
+        if creation is None:
+            message = f"line {site.endpoint.line} does more than to create it"
+            raise RefusedError(message, self._change.span, "change the line by hand")
+        creation.delete(self._gone)
+        if creation.variable is not None:
+            self._take_variable(creation, site)
+
+    def _take_variable(self, creation: Creation, site: Site) -> None:
+        variable = creation.variable
+        assert variable is not None
+        if site.endpoint.kind is EndpointKind.PARAMETER:
+            self._keep_value(variable)
+            return
+        others = [
+            each
+            for each in self._analysis.sites
+            if each not in self._plan.lost and _holder(self._analysis, each) is variable
+        ]
+        if others:
+            return
+        left: list[tuple[CppFile, Node, Scope]] = []
+        for file, node, scope in uses_of(self._analysis, variable):
+            if self._gone.covers(file, node.start_byte):
+                continue
+            if not self._take_use(file, node, scope):
+                left.append((file, node, scope))
+        self._take_guards(left)
+        creation.delete_declaration(self._gone)
+
+    def _keep_value(self, variable: Variable) -> None:
+        """Note where the value of a parameter is used, which a removal leaves unset."""
+        for file, node, _ in uses_of(self._analysis, variable):
+            if not self._gone.covers(file, node.start_byte):
+                self.used.append((file, node.start_point.row + 1))
+
+    def _take_use(self, file: CppFile, node: Node, scope: Scope) -> bool:
+        """Take out a statement that does nothing but use the endpoint."""
+        statement = statement_of(node)
+        if statement is None or statement.type != "expression_statement":
+            return False
+        syntax = file.syntax
+        if calls_method(statement, node, syntax, _SENDING):
+            self._gone.statement(file, statement)
+            self._take_message(file, statement, scope)
+            return True
+        if calls_method(statement, node, syntax, _ENDING) or only_sets(statement, node):
+            self._gone.statement(file, statement)
+            return True
+        return False
+
+    def _take_message(self, file: CppFile, statement: Node, scope: Scope) -> None:
+        """Take out the local variable that was published, where nothing else uses it."""
+        message = local_of(self._analysis, statement, scope)
+        if message is None:
+            return
+        setting = []
+        for used_file, node, _ in uses_of(self._analysis, message):
+            if self._gone.covers(used_file, node.start_byte):
+                continue
+            inner = statement_of(node)
+            if inner is None or not only_sets(inner, node):
+                return
+            setting.append(inner)
+        for each in setting:
+            self._gone.statement(file, each)
+        self._gone.statement(file, message.node)
+
+    def _take_guards(self, left: Iterable[tuple[CppFile, Node, Scope]]) -> None:
+        """Take out what only asked about the endpoint before it was used."""
+        for file, node, _ in left:
+            block = emptied(node, file, self._gone)
+            if block is not None:
+                self._gone.statement(file, block)
+            else:
+                self.used.append((file, node.start_point.row + 1))
+
+    def finish(self) -> Plan:
+        """Take out the callbacks and includes that nothing needs any more, and return the plan."""
+        self._take_idle()
+        uncalled = []
+        for site in list(self._plan.lost):
+            for functions in functions_of(self._analysis, site):
+                if self._is_gone(functions) or has_uses(self._analysis, functions, self._gone):
+                    continue
+                if all(is_stub(each) for each in functions if each.scope is not None):
+                    for each in functions:
+                        remove_function(each, self._gone)
+                elif functions not in uncalled:
+                    uncalled.append(functions)
+        for file, start, end in unused_includes(self._analysis, self._plan.lost, self._gone):
+            self._gone.part(file, start, end)
+        for file in self._gone.files:
+            if file.is_beside:
+                message = "a part of it is in a file of another node"
+                raise RefusedError(message, self._change.span, "change that file first")
+            self._plan.splices[file.name] += self._gone.splices(file)
+        self._tell(uncalled)
+        return self._plan
+
+    def _take_idle(self) -> None:
+        """Take out the timers whose functions have nothing left to do."""
+        for site in self._analysis.sites:
+            is_timer = site.endpoint.kind is EndpointKind.TIMER
+            if not is_timer or site in self._plan.lost:
+                continue
+            for functions in functions_of(self._analysis, site):
+                if any(is_idle(each, self._gone) for each in functions):
+                    self.take(site)
+                    if not has_uses(self._analysis, functions, self._gone):
+                        for each in functions:
+                            remove_function(each, self._gone)
+
+    def _is_gone(self, functions: list[Function]) -> bool:
+        return all(self._gone.covers(each.file, each.node.start_byte) for each in functions)
+
+    def _tell(self, uncalled: list[list[Function]]) -> None:
+        if not uncalled:
+            return
+        names = listed(
+            f"`{each[0].name}` (line {each[0].node.start_point.row + 1})" for each in uncalled
+        )
+        message = f"nothing in the file calls {names} any more"
+        it = "it if it is" if len(uncalled) == 1 else "them if they are"
+        note = Diagnostic(
+            codes.UNCALLED_FUNCTION, message, self._change.span, help=f"remove {it} of no other use"
+        )
+        self._plan.notes.append(note)
+
+
+def _holder(analysis: Analysis, site: Site) -> Variable | None:
+    found = creation_of(analysis, site)
+    return None if found is None else found.variable

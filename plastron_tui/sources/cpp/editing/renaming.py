@@ -1,14 +1,24 @@
-"""Giving endpoints of a unit other names."""
+"""Giving endpoints of a unit other names: the texts that decide them say the new ones."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 
+from tree_sitter import Node
+
+from plastron_tui.diagnostics import Diagnostic, codes
 from plastron_tui.model.source import Rename
+from plastron_tui.ros.names import name_as_read, name_as_written
 
-from ..analysis import Analysis
+from .. import literals
+from ..analysis import Analysis, Site
+from ..scopes import Scope
+from .origins import Origin, name_argument, origin_of, uses_of
 from .plans import Plan
-from .refusals import RefusedError
+from .refusals import RefusedError, not_there
+from .units import key_of, labels_of, sites_of
+
+_TELLING = ("LOG", "INFO", "WARN", "ERROR", "DEBUG", "FATAL", "print", "cout", "cerr")
 
 
 def plan_renames(analysis: Analysis, changes: Sequence[Rename]) -> Plan:
@@ -17,4 +27,116 @@ def plan_renames(analysis: Analysis, changes: Sequence[Rename]) -> Plan:
     Raises:
         RefusedError: one cannot be made.
     """
-    raise RefusedError("plastron cannot rename endpoints of C++ files yet", changes[0].span)
+    plan = Plan()
+    labels = labels_of(analysis)
+    wanted: dict[Site, Rename] = {}
+    for change in changes:
+        sites = sites_of(analysis, change)
+        if not sites:
+            raise not_there(analysis, change)
+        wanted.update(dict.fromkeys(sites, change))
+    written: dict[tuple[str, int, int], str] = {}
+    for site, change in wanted.items():
+        origin = _origin(analysis, site, change, wanted)
+        text = _new_text(analysis, site, change, origin)
+        place = origin.file.name, origin.start, origin.end
+        if written.setdefault(place, text) != text:
+            raise _not_alone(site, change)
+        plan.lost.append(site)
+        kind, name, type_, callback = key_of(site.endpoint)
+        is_default = site.endpoint.name is None
+        new = name if is_default and origin.variables else change.to
+        plan.added.append((labels.get(site, ""), (kind, new, type_, callback)))
+        if site.endpoint.name is None or site.endpoint.is_guess:
+            message = f"the name `{change.name}` in line {site.endpoint.line} is a default, "
+            message += "for which others may give another name"
+            plan.notes.append(Diagnostic(codes.GUESSED_NAME, message, change.span))
+    for (name, start, end), text in written.items():
+        file = next(each for each in analysis.unit.files if each.name == name)
+        plan.replace(file, start, end, text)
+    return plan
+
+
+def _origin(analysis: Analysis, site: Site, change: Rename, wanted: dict[Site, Rename]) -> Origin:
+    """Return the text to change: what decides the name, or the argument of the call itself."""
+    found = origin_of(analysis, site)
+    if found is not None and not found.file.is_beside:
+        same = [each for each, other in wanted.items() if other.to == change.to]
+        if all(_serves(analysis, variable_uses, same) for variable_uses in _uses(analysis, found)):
+            return found
+    given = name_argument(site)
+    is_alone = sum(each.call is site.call for each in analysis.sites) == 1
+    if given is None or site.endpoint.name is None or site.bindings or not is_alone:
+        raise _not_alone(site, change)
+    return Origin(site.file, given.start_byte, given.end_byte)
+
+
+def _uses(analysis: Analysis, origin: Origin) -> Iterable[list[tuple[Node, Scope]]]:
+    for variable in origin.variables:
+        yield [(node, scope) for _, node, scope in uses_of(analysis, variable)]
+
+
+def _serves(analysis: Analysis, uses: Sequence[tuple[Node, Scope]], sites: Sequence[Site]) -> bool:
+    """Tell whether uses of a variable name endpoints that are renamed alike, or only tell them."""
+    for node, scope in uses:
+        if any(site.file is scope.file and _is_in(node, name_argument(site)) for site in sites):
+            continue
+        if any(
+            site.file is scope.file and _is_in(node, name_argument(site)) for site in analysis.sites
+        ):
+            return False
+        if not _only_tells(node, scope):
+            return False
+    return True
+
+
+def _is_in(node: Node, outer: Node | None) -> bool:
+    return outer is not None and outer.start_byte <= node.start_byte < outer.end_byte
+
+
+def _only_tells(node: Node, scope: Scope) -> bool:
+    """Tell whether a use writes a variable, hands it on to one that does, or logs it."""
+    syntax = scope.file.syntax
+    inner: Node | None = node
+    for _ in range(12):
+        if inner is None:
+            return False
+        if inner.type in ("assignment_expression", "field_initializer", "init_declarator"):
+            return True
+        if inner.type == "call_expression":
+            called = inner.child_by_field_name("function")
+            name = "" if called is None else syntax.word(called)
+            if any(each in name for each in _TELLING) or "param" in name:
+                return True
+        if inner.type.endswith("statement"):
+            text = syntax.word(inner).lstrip()
+            return text.startswith(("std::cout", "std::cerr", "cout", "cerr"))
+        inner = inner.parent
+    return False
+
+
+def _new_text(analysis: Analysis, site: Site, change: Rename, origin: Origin) -> str:
+    """Return the literal that says a new name, in the namespace that the call adds to it."""
+    version = analysis.ros_version
+    known = site.endpoint.name or site.endpoint.default or ""
+    text = origin.file.syntax.between(origin.start, origin.end)
+    said = literals.string_value(text)
+    if said is None:
+        return literals.quoted(name_as_written(change.to, version))
+    prefix = ""
+    if known not in (said, name_as_read(said, version)):
+        if not known.endswith(said):
+            raise _not_alone(site, change)
+        prefix = known[: len(known) - len(said)]
+    if not change.to.startswith(prefix):
+        message = f"line {site.endpoint.line} puts the name into `{prefix.rstrip('/')}`"
+        raise RefusedError(message, change.span, f"give it a name that begins with `{prefix}`")
+    bare = change.to[len(prefix) :]
+    return literals.quoted(bare if prefix else name_as_written(bare, version))
+
+
+def _not_alone(site: Site, change: Rename) -> RefusedError:
+    endpoint = site.endpoint
+    kind, line = endpoint.kind.word, endpoint.line
+    message = f"line {line} does not say the name of the {kind} `{change.name}` itself"
+    return RefusedError(message, change.span, f"change by hand what `{endpoint.expression}` is")

@@ -1,0 +1,145 @@
+"""How a call that creates an endpoint stands in its file, and what holds what it creates."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from tree_sitter import Node
+
+from ..analysis import Analysis, Site
+from ..scopes import CppFile, Variable, last_name
+from .deletions import Deletions
+
+_WRAPPING = frozenset(
+    {"argument_list", "call_expression", "new_expression", "parenthesized_expression"}
+)
+
+
+@dataclass(frozen=True, slots=True)
+class Creation:
+    """What creates an endpoint.
+
+    Attributes:
+        file: the file that has it.
+        node: the statement, declaration or initializer.
+        variable: what holds the endpoint, None where nothing of the files does.
+    """
+
+    file: CppFile
+    node: Node
+    variable: Variable | None
+
+    def delete(self, gone: Deletions) -> None:
+        """Take it out."""
+        if self.node.type == "field_initializer":
+            _delete_item(self.file, self.node, gone)
+        elif self.variable is not None and self.node.id == self.variable.node.id:
+            _delete_declarator(self.variable, gone)
+        else:
+            gone.statement(self.file, self.node)
+
+    def delete_declaration(self, gone: Deletions) -> None:
+        """Take out the declaration of what held the endpoint."""
+        if self.variable is not None and self.node.id != self.variable.node.id:
+            _delete_declarator(self.variable, gone)
+
+
+def creation_of(analysis: Analysis, site: Site) -> Creation | None:
+    """Return what creates an endpoint, None where the statement does more."""
+    file, scope = site.file, site.call.scope
+    node: Node | None = site.call.node
+    while node is not None:
+        parent = node.parent
+        if node.type in ("declaration", "field_declaration"):
+            return Creation(file, node, _declared(file, node, site))
+        if node.type == "field_initializer":
+            name = node.named_children[0]
+            written = file.syntax.word(name)
+            owner = analysis.unit.class_of(scope)
+            member = None if owner is None else analysis.unit.member(owner, written)
+            return None if member is None else Creation(file, node, member)
+        if node.type == "assignment_expression":
+            left = node.child_by_field_name("left")
+            name_text = "" if left is None else last_name(left, scope)
+            variable = analysis.unit.lookup(name_text, scope, node.start_byte)
+            if parent is None or parent.type != "expression_statement":
+                return None
+            return Creation(file, parent, variable)
+        if node.type == "expression_statement":
+            return Creation(file, node, _set_by(analysis, site))
+        if (
+            node is not site.call.node
+            and node.type not in _WRAPPING
+            and (node.type not in ("init_declarator", "initializer_list", "field_expression"))
+        ):
+            return None
+        node = parent
+    return None
+
+
+def _declared(file: CppFile, node: Node, site: Site) -> Variable | None:
+    """Return the variable of a declaration that a call gives its value."""
+    at = site.call.node.start_byte
+    found = None
+    for scope in file.scopes:
+        for variables in scope.variables.values():
+            for variable in variables:
+                if variable.node.id == node.id and (variable.start <= at or at == node.start_byte):
+                    found = variable if found is None or variable.start > found.start else found
+    return found
+
+
+def _set_by(analysis: Analysis, site: Site) -> Variable | None:
+    """Return the variable of `x.reset(new T(…))` or `read("name", x)` or `x.subscribe(nh, …)`."""
+    scope = site.call.scope
+    call = site.call.node
+    parent = call.parent
+    if parent is not None and parent.type == "argument_list" and parent.parent is not None:
+        outer = parent.parent.child_by_field_name("function")
+        if outer is not None and outer.type == "field_expression":
+            field = outer.child_by_field_name("field")
+            holder = outer.child_by_field_name("argument")
+            if field is not None and scope.file.syntax.word(field) == "reset":
+                name = "" if holder is None else last_name(holder, scope)
+                return analysis.unit.lookup(name, scope, call.start_byte)
+        return None
+    given = site.call.argument(1)
+    if site.shape.type == "" and given is not None and site.call.name.startswith(("get", "param")):
+        name = last_name(given, scope)
+        return analysis.unit.lookup(name, scope, call.start_byte) if name else None
+    return None
+
+
+def _delete_declarator(variable: Variable, gone: Deletions) -> None:
+    """Take out a declaration, or one of the names that it declares."""
+    node, file = variable.node, variable.file
+    declarators = node.children_by_field_name("declarator")
+    if len(declarators) < 2:
+        gone.statement(file, node)
+        return
+    index = next(
+        at
+        for at, each in enumerate(declarators)
+        if each.start_byte <= variable.start < each.end_byte
+    )
+    own = declarators[index]
+    if index:
+        gone.part(file, declarators[index - 1].end_byte, own.end_byte)
+    else:
+        gone.part(file, own.start_byte, declarators[1].start_byte)
+
+
+def _delete_item(file: CppFile, node: Node, gone: Deletions) -> None:
+    """Take out an initializer of a constructor, with its comma; the `:` goes with the last."""
+    outer = node.parent
+    assert outer is not None, "an initializer is in a list"
+    items = [each for each in outer.named_children if each.type == "field_initializer"]
+    index = next(at for at, each in enumerate(items) if each.id == node.id)
+    if len(items) == 1:
+        before = outer.prev_sibling
+        start = outer.start_byte if before is None else before.end_byte
+        gone.part(file, start, outer.end_byte)
+    elif index:
+        gone.part(file, items[index - 1].end_byte, node.end_byte)
+    else:
+        gone.part(file, node.start_byte, items[1].start_byte)

@@ -1,0 +1,132 @@
+"""Putting a node into a package that exists and has to build it.
+
+Sources: the wiki pages "nodelet" and "pluginlib/PluginFormat": package.xml names the files that
+describe the classes of a package's libraries, in an `<export>` for the package that loads them.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from typing import TYPE_CHECKING, NamedTuple
+
+from plastron_tui.model.package_source import PackageSource
+
+from .changing import Changed, add_dependencies, with_edit
+from .reading import CMAKE_LISTS, PACKAGE_XML
+
+if TYPE_CHECKING:
+    from plastron_tui.sources.cmake.targets import NewTarget
+    from plastron_tui.sources.xml.plugins import PluginClass
+
+_LOADER = "nodelet"
+_USUAL_FILE = "nodelet_plugins.xml"
+_NEEDS = ("build", "exec")
+_PREFIX = "${prefix}/"
+
+
+def add_built_node(
+    source: PackageSource,
+    texts: Mapping[str, bytes],
+    target: NewTarget,
+    keys: Iterable[str],
+    plugin: PluginClass | None = None,
+) -> Changed:
+    """Let a package build a node, and depend on what it is built with.
+
+    Args:
+        source: the package.
+        texts: what its files hold by now.
+        target: the node, as CMake knows it.
+        keys: the packages and rosdep keys that it is built with, and runs with.
+        plugin: what a file of the package tells of its class, in ROS 1; None for a program.
+    """
+    from plastron_tui.sources.cmake.targets import add_target
+
+    after = Changed(dict(texts))
+    if plugin is not None:
+        described = _described(source, texts, target, plugin)
+        after, target = described.changed, target._replace(plugins_file=described.file)
+    if after.texts is None:
+        return after
+    edited = add_target(after.texts[CMAKE_LISTS], source.folder / CMAKE_LISTS, target)
+    after = with_edit(after.texts, CMAKE_LISTS, edited)
+    if after.texts is None:
+        return after
+    return add_dependencies(source, after.texts, keys, _NEEDS)
+
+
+class _Described(NamedTuple):
+    """A package that describes a plugin, and the file that does."""
+
+    changed: Changed
+    file: str = ""
+
+
+def _described(
+    source: PackageSource, texts: Mapping[str, bytes], target: NewTarget, plugin: PluginClass
+) -> _Described:
+    """Describe a class in a file that can have it, or else in a new one."""
+    from plastron_tui.sources.cmake.reader import read_cmake
+    from plastron_tui.sources.cmake.targets import target_of
+    from plastron_tui.sources.xml.package_xml import read_package
+    from plastron_tui.sources.xml.plugins import add_class, read_plugins
+
+    lists, found = read_cmake(texts[CMAKE_LISTS], source.folder / CMAKE_LISTS)
+    if lists is None:
+        return _Described(Changed(None, found))
+    package, found = read_package(texts[PACKAGE_XML], source.folder / PACKAGE_XML)
+    if package is None:
+        return _Described(Changed(None, found))
+    library = f"lib/lib{target_of(lists, target)}".replace("${PROJECT_NAME}", lists.name or "")
+    exported = [
+        (each.get("plugin") or "").removeprefix(_PREFIX)
+        for export in package.document.root.named("export")
+        for each in export.named(_LOADER)
+    ]
+    for file in (each for each in exported if each in texts):
+        plugins, _ = read_plugins(texts[file], source.folder / file)
+        if plugins is None:
+            continue
+        for known in plugins.libraries:
+            # One that was described before stays as it is.
+            if any(each.type == plugin.type for each, _ in known.classes):
+                return _Described(Changed(dict(texts)), file)
+        edit = add_class(plugins, library, plugin)
+        if edit.plugins is not None:
+            changed = {**texts, file: edit.plugins.document.text}
+            return _Described(Changed(changed), file)
+    is_free = _USUAL_FILE not in source.names
+    file = _USUAL_FILE if is_free else f"{target.stem}_{_USUAL_FILE}"
+    return _new_file(source, texts, file, library, plugin)
+
+
+def _new_file(
+    source: PackageSource, texts: Mapping[str, bytes], file: str, library: str, plugin: PluginClass
+) -> _Described:
+    from plastron_tui.sources.xml.edits import insert_last
+    from plastron_tui.sources.xml.new_element import NewElement
+    from plastron_tui.sources.xml.package_xml import read_package
+    from plastron_tui.sources.xml.plugins import add_class, read_plugins
+
+    path = source.folder / PACKAGE_XML
+    package, found = read_package(texts[PACKAGE_XML], path)
+    empty = b"<class_libraries>\n</class_libraries>\n"
+    plugins, _ = read_plugins(empty, source.folder / file)
+    if package is None or plugins is None:
+        return _Described(Changed(None, found))
+    made = add_class(plugins, library, plugin)
+    if made.plugins is None:
+        return _Described(Changed(None, made.diagnostics))
+    tag = NewElement(_LOADER, (("plugin", f"{_PREFIX}{file}"),))
+    exports = package.document.root.named("export")
+    edit = (
+        insert_last(package.document, exports[-1], tag)
+        if exports
+        else insert_last(
+            package.document, package.document.root, NewElement("export", children=(tag,))
+        )
+    )
+    if edit.document is None:
+        return _Described(Changed(None, edit.diagnostics))
+    changed = {**texts, PACKAGE_XML: edit.document.text, file: made.plugins.document.text}
+    return _Described(Changed(changed), file)

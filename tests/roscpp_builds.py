@@ -1,0 +1,108 @@
+"""Nodes of ROS 1 in C++, compiled against the headers of Debian."""
+
+from __future__ import annotations
+
+import fcntl
+import subprocess
+import sys
+from collections.abc import Iterable, Iterator, Mapping
+from contextlib import contextmanager
+from pathlib import Path
+
+from machine import skip_or_fail
+
+from plastron_tui.ros.catalog import Catalog
+
+INCLUDE = Path("/usr/include")
+SHARE = Path("/usr/share")
+GENERATOR = Path("/usr/lib/gencpp/gen_cpp.py")
+ACTION_GENERATOR = Path("/usr/lib/actionlib_msgs/genaction.py")
+PYTHON = Path("/usr/bin/python3")
+PACKAGES = ("actionlib_tutorials", "beginner_tutorials")
+INSTALL = (
+    "ROS 1 for C++ is missing: apt-get install --no-install-recommends libroscpp-dev "
+    "libactionlib-dev libnodeletlib-dev libstd-srvs-dev libsensor-msgs-dev python3-gencpp g++"
+)
+WARNINGS = ("-Wall", "-Wextra", "-Wpedantic", "-Werror")
+# Those of plugins are in folders of their own, for Debian has them of ROS 2 as well.
+SYSTEM = ("pluginlib", "class_loader", "rcpputils", "rcutils")
+LIBRARIES = (
+    *("-lroscpp", "-lrosconsole", "-lroscpp_serialization", "-lrostime", "-lxmlrpcpp"),
+    *("-lactionlib", "-lboost_thread", "-lboost_system", "-lpthread"),
+)
+PLUGIN = ("-shared", "-fPIC", "-lnodeletlib", "-lclass_loader")
+
+
+@contextmanager
+def locked(folder: Path) -> Iterator[None]:
+    """Let one worker at a time make what is in a folder."""
+    folder.mkdir(parents=True, exist_ok=True)
+    with (folder / "lock").open("w") as lock:
+        fcntl.flock(lock, fcntl.LOCK_EX)
+        yield
+
+
+def _generated(folder: Path, package: str, definitions: Mapping[str, Mapping[str, str]]) -> None:
+    """Write the headers of a package that Debian has not."""
+    sources: list[Path] = []
+    for kind, texts in definitions.items():
+        for name, text in texts.items():
+            file = folder / "definitions" / package / kind / f"{name}.{kind}"
+            file.parent.mkdir(parents=True, exist_ok=True)
+            file.write_text(text)
+            sources.append(file)
+            if kind == "action":
+                messages = folder / "definitions" / package / "msg"
+                _run(PYTHON, ACTION_GENERATOR, file, "-o", messages)
+    messages = folder / "definitions" / package / "msg"
+    sources = [each for each in sources if each.suffix != ".action"]
+    sources += messages.glob("*.msg") if messages.is_dir() else ()
+    known = [f"-I{name}:{SHARE / name / 'msg'}" for name in ("std_msgs", "actionlib_msgs")]
+    for source in dict.fromkeys(sources):
+        arguments = ("-p", package, "-o", folder / package, "-e", SHARE / "gencpp")
+        _run(PYTHON, GENERATOR, source, f"-I{package}:{messages}", *known, *arguments)
+
+
+def headers(cache: Path) -> Path:
+    """Return a folder with the headers of types that nodes are tested with and Debian has not."""
+    if not all(map(Path.is_file, (GENERATOR, ACTION_GENERATOR, INCLUDE / "nodelet/nodelet.h"))):
+        skip_or_fail(INSTALL)
+    folder = cache / "include"
+    with locked(folder):
+        if not (folder / "made").exists():
+            for package in PACKAGES:
+                definitions = Catalog("noetic").table_package(package)
+                assert definitions is not None
+                _generated(folder, package, definitions)
+            (folder / "made").touch()
+    return folder
+
+
+def compile_node(
+    source: Path, made: Path, include: Iterable[Path], *, standard: str, is_plugin: bool = False
+) -> Path:
+    """Compile a node's file without a warning, to a program or to a library."""
+    includes = [f"-isystem{INCLUDE / each}" for each in SYSTEM]
+    includes += [f"-I{each}" for each in include]
+    more = PLUGIN if is_plugin else ()
+    command = ("g++", f"-std={standard}", *WARNINGS, *includes, source, "-o", made)
+    _run(*command, *LIBRARIES, *more)
+    return made
+
+
+def _run(*command: str | Path) -> None:
+    done = subprocess.run(
+        list(map(str, command)), capture_output=True, text=True, timeout=300, check=False
+    )
+    assert done.returncode == 0, done.stdout + done.stderr
+
+
+def generate_cpp(program: str, folder: Path) -> Path:
+    """Generate a program that has one node in C++, and return its main file."""
+    folder.mkdir(parents=True, exist_ok=True)
+    file = folder / "program.plastron"
+    file.write_text(program)
+    plastron = Path(sys.executable).with_name("plastron")
+    _run(plastron, "generate", file, "-o", folder / "output")
+    [made] = folder.glob("output/**/*.cpp")
+    return made
