@@ -159,6 +159,8 @@ class Callers:
             for node, given, scope in initializers:
                 owner = self._unit.class_of(scope)
                 member = self._unit.member(owner, name) if owner is not None else None
+                if member is not None and member.is_pointer:
+                    continue
                 text = member.type if member is not None else name
                 found.append(_making(node, text, given, scope, None))
         return found

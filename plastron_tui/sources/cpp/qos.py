@@ -198,6 +198,10 @@ def _made(analysis: Analysis, held: Held, depth: int) -> Qos | None:
         return PROFILES.get(found[1].lower()) if found is not None else None
     if held.type in _CLASSES:
         return _initialized(analysis, _CLASSES[held.type], given, scope)
+    if held.type == "rclcpp::QoSInitialization" and len(given) == 2:
+        history = _policy(analysis, "history", given[0], scope)
+        number = _policy(analysis, "depth", given[1], scope)
+        return DEFAULT._replace(history=history, depth=number)  # type: ignore[arg-type]
     if held.type in ("rclcpp::QoS", "rclcpp::QoSInitialization::from_rmw"):
         if not given:
             return None

@@ -235,9 +235,14 @@ class Receivers:
 
     def derives_from(self, owner: Scope, names: frozenset[str]) -> bool:
         """Whether a class derives from one of some of other packages."""
-        return any(
-            self._types.expand(base, owner).partition("<")[0] in names
+        found = (
+            self._types.expand(base, owner).partition("<")[0]
             for base in self._unit.foreign_bases(owner)
+        )
+        # Packages have lifecycle nodes of their own, and call them so.
+        is_managed = names is MANAGED_CLASSES
+        return any(
+            each in names or (is_managed and each.endswith("::LifecycleNode")) for each in found
         )
 
     @bounded(Prefix(None))
@@ -319,6 +324,9 @@ class Receivers:
         if variable.kind == "loop":
             return Prefix(None)
         writes = self._unit.writes(variable)
+        if len(writes) > 1:
+            # A pointer is empty before it gets something to point to.
+            writes = [each for each in writes if each.arguments or each.value is not None]
         found = []
         for write in writes[:MOST_WRITES]:
             if write.arguments is not None:

@@ -165,9 +165,13 @@ class Types:
 
     def _spaces(self, scope: Scope) -> set[str]:
         found = {name for each in scope.chain for name in each.usings}
-        for file in self._unit.files:
-            found.update(file.root.usings)
-        return found
+        return found | self._used_outside
+
+    @cached_property
+    def _used_outside(self) -> set[str]:
+        """The namespaces whose names are used outside of classes and functions."""
+        outside = (each for each in self._unit.scopes() if each.kind in ("file", "namespace"))
+        return {name for each in outside for name in each.usings}
 
     def _bound(self, name: str, scope: Scope) -> tuple[str, Scope] | None:
         """Return what a template parameter is in the call that is looked at."""

@@ -301,7 +301,7 @@ class Evaluator:
             item = self.unit.items[variable]
             return item if isinstance(item, Value) else None
         if variable.kind == "parameter":
-            function = self._function_of(variable)
+            function = variable.scope.function
             return self._given(variable, function) if function is not None else None
         if variable.kind == "loop":
             return None
@@ -350,9 +350,6 @@ class Evaluator:
         if len(given) != 1 or not _PLAIN.fullmatch(variable.type):
             return None
         return self.fold(given[0], write.scope)
-
-    def _function_of(self, parameter: Variable) -> Function | None:
-        return parameter.scope.function
 
     def _given(self, parameter: Variable, function: Function) -> Value | None:
         """Return what a parameter is given, by all calls alike."""
