@@ -24,7 +24,6 @@ WHERE_SAID = frozenset(
 
 AWAITED = {
     "component/split_registration": "a header of the package that is included by its bare name",
-    "rclcpp/more_quality": "a QoSInitialization with policies of rmw",
     "rclcpp/nodes_of_main": "a name for an inherited constructor",
     "rclcpp/parameter_names": "an object whose members a list in braces gives",
     "roscpp/object_callbacks": "the argument of a function template",
