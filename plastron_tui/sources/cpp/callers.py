@@ -38,7 +38,7 @@ class Callers:
         if function not in self._found:
             owner = self._unit.class_of_function(function)
             if owner is not None and owner.name == function.name:
-                found = self._makers(owner)
+                found = self.makers(owner)
             else:
                 found = [
                     call
@@ -172,7 +172,8 @@ class Callers:
             for _, _, scope in self._unit.initialized.get(member.name, ())
         )
 
-    def _makers(self, owner: Scope) -> list[Call]:
+    def makers(self, owner: Scope) -> list[Call]:
+        """Return what makes objects of a class."""
         made = self.made.get(owner.name, ())
         found = (
             each for each in made if self._unit.find_class(each.qualified, each.scope) is owner

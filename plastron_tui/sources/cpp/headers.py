@@ -133,6 +133,11 @@ def _roots(folder: str) -> list[str]:
     )
     chain = above[: package + 1] if package is not None else above[:3]
     roots = []
+    for each in chain[-1:] if package is not None else ():
+        # A folder that the package's CMakeLists.txt adds: `include/NAME`.
+        with suppress(OSError), os.scandir(os.path.join(each, "include")) as inner:  # noqa: PTH118
+            folders = sorted(entry.path for entry in inner if entry.is_dir())
+            roots += folders[:_MOST_ABOVE]
     for each in chain:
         roots += [os.path.join(each, "include"), os.path.join(each, "src"), each]  # noqa: PTH118
     return roots

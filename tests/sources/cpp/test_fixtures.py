@@ -23,8 +23,6 @@ WHERE_SAID = frozenset(
 """What is compared only where the JSON says it."""
 
 AWAITED = {
-    "component/split_registration": "a header of the package that is included by its bare name",
-    "rclcpp/nodes_of_main": "a name for an inherited constructor",
     "rclcpp/parameter_names": "an object whose members a list in braces gives",
     "roscpp/object_callbacks": "the argument of a function template",
 }
