@@ -298,8 +298,18 @@ yourself, and name it there.
 
 ## Client libraries
 
-A node is written for a client library: `rospy` in ROS 1, `rclpy` in ROS 2. (`roscpp`, `rclcpp` and
-`nodelet` are words of the language, but Plastron does not write them yet: `unsupported-target`.)
+A node is written for a client library:
+
+| | ROS 1 | ROS 2 |
+|---|---|---|
+| Python, a program of its own | `rospy` | `rclpy` |
+| C++, a program of its own | `roscpp` | `rclcpp` |
+| C++, loaded into a process of others | `nodelet` | `component` |
+
+All statements mean the same for each of them. Nodes in C++ have to be built: their output folder is a
+package (`docs/commands.md`, "run"). A node is not brought from one language to another, nor from `roscpp`
+to `rclcpp`: `unsupported-target`.
+
 Another distribution adds a client library with an entry point in the group `plastron.targets`: its
 name, and a subclass of `plastron_tui.targets.base.Target` of that `name`, with the `ros_version`
 that it is for, its `language` (a `plastron_tui.sources.base.Language`), and the `api_version` that it

@@ -157,10 +157,8 @@ def test_parameters(cpp: CppGraph, programs: dict[str, Path]) -> None:
     for name, value in GOOD.items():
         assert cpp.set_parameter("cruiser", name, value) is None
     wait_until(lambda: values(cpp.listen(TYPES, 0.1)) == GOOD, "the new values", 60)
-    for name, bad in BAD.items():
-        # rclcpp takes what is no number within any limits.
-        for value in (each for each in bad if each == each):
-            assert cpp.set_parameter("cruiser", name, value), (name, value)
+    for name, (bad, *_) in BAD.items():
+        assert cpp.set_parameter("cruiser", name, bad), (name, bad)
     assert values(cpp.listen(TYPES, 0.5)) == GOOD
     assert cpp.set_parameter("cruiser", "rate", float("nan")) == "a rate is a number"
     assert cpp.set_parameter("cruiser", "rate", 50.0) is None

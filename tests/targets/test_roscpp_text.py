@@ -212,7 +212,9 @@ def test_what_is_written_in_a_nodelet(case: str) -> None:
     assert source.endswith("PLUGINLIB_EXPORT_CLASS(robot::RobotNode, nodelet::Nodelet)")
     assert not any(word in source for word in ("ROS_INFO", "ros::spin", "nh_.", "main(", "exit_"))
     # What goes on in threads has an end when the nodelet is unloaded, and not only with ROS.
-    assert ("is_ending_ = true;" in source) == ("std::async" in source or "SimpleAction" in source)
+    goes_on = "std::async" in source or "SimpleAction" in source
+    for end in ("is_ending_ = true;", "std::atomic<bool> is_ending_{false};", "override { is_end"):
+        assert (end in source) == goes_on
     assert source.count("ros::ok()") == source.count("is_running() const")
 
 

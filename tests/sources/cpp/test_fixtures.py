@@ -27,7 +27,7 @@ AWAITED = {
     "rclcpp/foreign_lifecycle": "a lifecycle node whose base is of another package",
     "rclcpp/more_quality": "a QoSInitialization with policies of rmw",
     "rclcpp/nodes_of_main": "a name for an inherited constructor",
-    "rclcpp/parameter_names": "the value that a variable has in that line",
+    "rclcpp/parameter_names": "an object whose members a list in braces gives",
     "rclcpp/rclcpp_shop": "a package that is called as one of ROS begins",
     "roscpp/actionlib_watch": "a package that is called as one of ROS begins",
     "roscpp/empty_pointers": "a pointer that is null in the list of initializers",
