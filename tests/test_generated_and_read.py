@@ -30,7 +30,14 @@ from plastron_tui.session import Options, Session
 from plastron_tui.targets import find_target
 
 HERE = Path("robot.plastron")
-LEFT_OUT = {"rospy": {codes.NOT_IN_ROS_1}, "rclpy": set()}
+LANGUAGES = {"roscpp": "rospy", "nodelet": "rospy"}
+"""The library of the same generation of ROS by which random programs are made."""
+LEFT_OUT = {
+    "rospy": {codes.NOT_IN_ROS_1},
+    "rclpy": set(),
+    "roscpp": {codes.NOT_IN_ROS_1},
+    "nodelet": {codes.NOT_IN_ROS_1},
+}
 
 
 def test_every_kind_is_tried() -> None:
@@ -100,11 +107,12 @@ def check_read(node: Node, read: SourceNode, library: str) -> None:
     assert {key for key in found if key[0] in kinds} <= node.endpoints.keys()
 
 
-@pytest.mark.parametrize("library", ["rospy", "rclpy"])
+@pytest.mark.parametrize("library", LEFT_OUT)
 @settings(max_examples=examples(200), deadline=None)
 @given(data=st.data())
 def test_generated_is_read_again(library: str, data: st.DataObject) -> None:
-    text = data.draw(random_programs(library))
+    language = LANGUAGES.get(library, library)
+    text = data.draw(random_programs(language))
     session = Session(text.encode(), HERE, Options(library), environ={})
     assert {found.code for found in session.diagnostics} <= LEFT_OUT[library], text
     (generation,) = session.workspace.generations
@@ -112,8 +120,11 @@ def test_generated_is_read_again(library: str, data: st.DataObject) -> None:
     assert target is not None
     rendered = target.render(generation.node, session.catalog(target.ros_version))
     assert rendered.files is not None, text
-    compile(rendered.files.main, "node.py", "exec")
-    source = target.read(Path("node.py"), rendered.files).source
+    if library == language:
+        compile(rendered.files.main, "node.py", "exec")
+    source = target.read(Path(f"node{target.language.suffix}"), rendered.files).source
     assert source is not None
     (read,) = source.nodes
-    check_read(generation.node, read, library)
+    # What a nodelet is called, who loads it says.
+    named = read if library != "nodelet" else read._replace(name=generation.node.name)
+    check_read(generation.node, named, language)

@@ -5,6 +5,7 @@ from __future__ import annotations
 import sys
 from collections.abc import Mapping, Sequence
 from pathlib import Path
+from posixpath import normpath
 from typing import TYPE_CHECKING
 
 from plastron_tui.diagnostics import Diagnostic, codes
@@ -122,6 +123,8 @@ def _packages(session: Session, nodes: Sequence[Generated]) -> list[BuiltPackage
         home, path = each.generation.node.home, each.path(session.output)
         assert home is not None and path is not None, "it was written"
         folder = session.output if home.is_output else session.output / home.package
+        if home.above is not None:
+            folder = Path(normpath(session.output / home.above))
         inner = path.relative_to(folder).as_posix()
         spans.setdefault((home.package, folder), {})[inner] = {0: each.generation.span}
     return [read_package(name, folder, those) for (name, folder), those in spans.items()]

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from pathlib import PurePosixPath
 from typing import TYPE_CHECKING
 
 from plastron_tui.diagnostics import Diagnostic
@@ -62,7 +63,7 @@ def _built(
     target = NewTarget(
         node.executable,
         file,
-        built.has_header,
+        "/".join((*PurePosixPath(file).parts[:-2], "include")) if built.has_header else "",
         built.packages,
         built.linked,
         node.plugin,

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from pathlib import PurePath
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NamedTuple
 
 from plastron_tui.model.packages import SCRIPTS_FOLDER
 from plastron_tui.model.workspace import Generation, Home, Workspace
@@ -44,6 +44,18 @@ def package_name(program: str) -> str:
     return f"{name}_nodes" if is_taken else name
 
 
+class Around(NamedTuple):
+    """A package that the output folder is, or is in.
+
+    Attributes:
+        name: its name.
+        above: where it is from the output folder: `.`, `..`.
+    """
+
+    name: str
+    above: str
+
+
 class OwnPackages:
     """Where the nodes of a program are that are in none of the packages that it names."""
 
@@ -55,6 +67,7 @@ class OwnPackages:
         target_of: Callable[[str], Target | None],
         *,
         in_place: bool,
+        around: Callable[[], Around | None] = lambda: None,
     ) -> None:
         """Set what it follows from.
 
@@ -64,6 +77,8 @@ class OwnPackages:
             workspace: what the program built, None while it is interpreted.
             target_of: gives the target of a client library.
             in_place: whether a loaded node is written over the file that it came from.
+            around: finds the package that the output folder is, or is in, unless the program has
+                made it.
         """
         self._target_of = target_of
         self._in_place = in_place
@@ -73,6 +88,7 @@ class OwnPackages:
         self._versions = frozenset(versions)
         is_alone = workspace is None or not (workspace.written_packages or workspace.types)
         self._is_output = len(versions) < 2 and is_alone
+        self._around = around() if versions else None
 
     def _is_free(self, generation: Generation) -> bool:
         """Tell whether a node is in no package, and is not written where it comes from."""
@@ -88,6 +104,14 @@ class OwnPackages:
         if not is_built and version not in self._versions:
             return generation
         node = generation.node.snapshot()
+        around = self._around
+        if around is not None and is_built:
+            node.home = Home(
+                around.name, node.name, is_own=True, is_output=True, above=around.above
+            )
+            return generation._replace(node=node)
+        if around is not None:
+            return generation
         name = self._name if len(self._versions) < 2 else f"{self._name}_ros{version}"
         folder = None if is_built else SCRIPTS_FOLDER
         node.home = Home(name, node.name, folder, is_own=True, is_output=self._is_output)
@@ -112,7 +136,7 @@ def own_specs(
     packages: dict[tuple[str, str], dict[tuple[str, str], Generation]] = {}
     for each in generations:
         home = each.node.home
-        if home is not None and home.is_own:
+        if home is not None and home.is_own and home.above is None:
             place = "" if home.is_output else home.package, home.package
             packages.setdefault(place, {})[each.node.variable, each.library] = each
     for (folder, name), asked in packages.items():

@@ -52,6 +52,8 @@ class Home(NamedTuple):
         is_own: whether it is the package of the program itself, which no statement makes: the
             files of its nodes are called as those of nodes in no package.
         is_output: whether the output folder is the package, not a folder of it by its name.
+        above: where the package is from the output folder, where it was there before: `.` for the
+            output folder, `..` for the one that that is in; None for a package that is written.
     """
 
     package: str
@@ -59,6 +61,7 @@ class Home(NamedTuple):
     folder: str | None = None
     is_own: bool = False
     is_output: bool = False
+    above: str | None = None
 
     @property
     def stem(self) -> str:

@@ -19,7 +19,6 @@ if TYPE_CHECKING:
     from plastron_tui.generating.destination import Writing
     from plastron_tui.generating.file_names import FileNames
     from plastron_tui.generating.generation import Generated
-    from plastron_tui.generating.own_package import OwnPackages
     from plastron_tui.generating.program_packages import ProgramPackages
     from plastron_tui.model.own_types import OwnInterfaces
     from plastron_tui.model.packages import Package
@@ -28,7 +27,8 @@ if TYPE_CHECKING:
     from plastron_tui.output.manifest import Manifest, Reading
     from plastron_tui.output.patch_stack import Author
     from plastron_tui.output.plan import FilePlan, OutputFile
-    from plastron_tui.targets.base import Target
+
+    from .package_around import BuiltPlaces
 
 
 class Planner:
@@ -63,25 +63,17 @@ class Planner:
         self._asked = generations
 
     @cached_property
-    def _own_packages(self) -> OwnPackages:
-        from plastron_tui.generating.own_package import OwnPackages
+    def _places(self) -> BuiltPlaces:
+        from .package_around import BuiltPlaces
 
-        return OwnPackages(
-            self._author.name,
-            self._asked,
-            self._workspace,
-            self._target,
-            in_place=self._configuration.options.in_place,
-        )
-
-    def _target(self, name: str) -> Target | None:
-        library = self._library(name)
-        return None if library is None else library.target
+        configuration, name = self._configuration, self._author.name
+        known, _ = self._manifest(configuration.output)
+        return BuiltPlaces(configuration, name, self._asked, self._workspace, self._library, known)
 
     @cached_property
     def _generations(self) -> tuple[Generation, ...]:
         """All that is generated, each in the package that it has to be in."""
-        return tuple(self._own_packages.placed(each) for each in self._asked)
+        return tuple(self._places.placed(each) for each in self._asked)
 
     def generated(self) -> tuple[Generated, ...]:
         """Make the files of all that is generated.
@@ -104,7 +96,7 @@ class Planner:
         """Make the file of one `generate_node`."""
         from plastron_tui.generating.generation import Manifests
 
-        placed = self._own_packages.placed(generation)
+        placed = self._places.placed(generation)
         return self._generate(placed, Manifests(self._manifest), self._generations)
 
     def rendered(self, generation: Generation) -> tuple[Path, FileSet, str] | None:
@@ -114,7 +106,7 @@ class Planner:
         """
         from plastron_tui.output.manifest import Manifest
 
-        generation = self._own_packages.placed(generation)
+        generation = self._places.placed(generation)
         made = self._generate(generation, lambda _: Manifest())
         path = made.path(self._configuration.output)
         if made.files is None or path is None:
@@ -247,6 +239,7 @@ class Planner:
         configuration = self._configuration
         packages = self._packages(workspace, made, manifest)
         made_of = packages.made()
+        around = self._places.files_around(made)
         in_place = configuration.options.in_place
         force = configuration.options.force
         folder = Folder(configuration.output, manifest, self._author.name, force)
@@ -257,7 +250,9 @@ class Planner:
         notes += self._leading_out(files)
         types = workspace.types.values() if workspace.is_written else ()
         files += loaded_definitions(types, in_place=in_place)
-        return [*files, *launches], [*made_of.diagnostics, *notes, *refused]
+        found = [*made_of.diagnostics, *notes, *refused, *around.diagnostics]
+        found += self._leading_out(around.files)
+        return [*files, *launches, *around.files], found
 
     def _packages(
         self, workspace: Workspace, made: Sequence[Generated], manifest: Manifest

@@ -34,10 +34,22 @@ _GENPY = Path("/usr/lib/genpy")
 
 _MENDS = "plastron_mends.cmake"
 
-# The wheels name the Python and numpy folders of the machine that built them, which CMake
-# refuses where they are not there: each target of that kind is given those of this machine,
+# The wheels name folders of the machine that built them, which CMake refuses where they are not
+# there: each target of that kind is given the Python and numpy of this machine, or loses them,
 # after the package has found all that it needs.
 _MENDS_TEXT = """\
+function(plastron_mend_target target)
+  get_target_property(folders ${target} INTERFACE_INCLUDE_DIRECTORIES)
+  set(kept "")
+  foreach(folder IN LISTS folders)
+    if(folder MATCHES "[$]<" OR EXISTS "${folder}")
+      list(APPEND kept "${folder}")
+    endif()
+  endforeach()
+  if(folders)
+    set_property(TARGET ${target} PROPERTY INTERFACE_INCLUDE_DIRECTORIES "${kept}")
+  endif()
+endfunction()
 function(plastron_mend)
   get_property(targets DIRECTORY PROPERTY IMPORTED_TARGETS)
   foreach(target IN LISTS targets)
@@ -45,6 +57,8 @@ function(plastron_mend)
       set_property(
         TARGET ${target}
         PROPERTY INTERFACE_INCLUDE_DIRECTORIES "$CACHE{PLASTRON_INCLUDES}")
+    else()
+      plastron_mend_target(${target})
     endif()
   endforeach()
 endfunction()

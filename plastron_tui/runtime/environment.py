@@ -183,6 +183,8 @@ def node_environ(
             own[variable] = os.pathsep.join(filter(None, parts))
     own["PYTHONUNBUFFERED"] = "1"
     if environment.ros_version == 1:
+        # rosconsole, whose lines would come in blocks.
+        own["ROSCONSOLE_STDOUT_LINE_BUFFERED"] = "1"
         if master_uri is not None:
             own["ROS_MASTER_URI"] = master_uri
         if not network:

@@ -119,9 +119,9 @@ def _nodes(
             nodes[each.container] = replace(container, loads=(*container.loads, load))
     # A container finds the libraries of components by the index of their packages.
     index = tuple(("AMENT_PREFIX_PATH", each) for each in environment.overlays)
-    for name, node in nodes.items():
+    for full_name, node in nodes.items():
         if node.loads:
-            nodes[name] = replace(node, folders=(*index, *node.folders))
+            nodes[full_name] = replace(node, folders=(*index, *node.folders))
     return list(nodes.values()), found
 
 

@@ -7,31 +7,13 @@ import re
 from collections.abc import Collection, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
+from xml.etree import ElementTree
 
 from graph import Graph
 from machine import wait_until
 from processes import Process
 
 MANAGER = Path("/usr/lib/nodelet/nodelet")
-PACKAGE = """\
-<?xml version="1.0"?>
-<package format="2">
-  <name>made_nodelets</name>
-  <version>0.0.0</version>
-  <description>Nodelets that a test made</description>
-  <maintainer email="nobody@example.com">nobody</maintainer>
-  <license>Apache-2.0</license>
-  <exec_depend>nodelet</exec_depend>
-  <export>
-    <nodelet plugin="${prefix}/nodelets.xml"/>
-  </export>
-</package>
-"""
-PLUGINS = """\
-<library path="{library}">
-  <class name="{name}" type="{name}" base_class_type="nodelet::Nodelet"/>
-</library>
-"""
 
 
 class CppProcess(Process):
@@ -92,11 +74,15 @@ PAINTED = re.compile("\x1b\\[[0-9]*m")
 KINDS = ("publishers", "subscriptions", "services")
 
 
-def plugin_path(folder: Path, library: Path, class_name: str) -> str:
-    """Write a package that exports a nodelet, and return where packages are found."""
-    package = folder / "made_nodelets"
-    package.mkdir(parents=True)
-    (package / "package.xml").write_text(PACKAGE)
-    path = library.with_suffix("")
-    (package / "nodelets.xml").write_text(PLUGINS.format(library=path, name=class_name))
-    return f"{folder}:/usr/share"
+def nodelet_of(package: Path) -> tuple[str, str]:
+    """Return the library and the name of the one nodelet that a package exports."""
+    library = ElementTree.parse(package / "nodelet_plugins.xml").getroot().find("library")
+    assert library is not None
+    class_ = library.find("class")
+    assert class_ is not None
+    return Path(library.attrib["path"]).name, class_.attrib["name"]
+
+
+def plugin_environ(package: Path, prefix: Path) -> dict[str, str]:
+    """Return by what a manager finds the nodelets of a package; its libraries are in `lib`."""
+    return {"ROS_PACKAGE_PATH": f"{package}:/usr/share", "CMAKE_PREFIX_PATH": str(prefix)}

@@ -167,7 +167,7 @@ WRITTEN = {
     "action": (
         "n provides_action 'count' of action_type Fibonacci calling work_on",
         'count_server_ = std::make_unique<CountServer>(nh_, "count", '
-        "[this](const actionlib_tutorials::FibonacciGoalConstPtr & goal) {work_on(goal);}, false);",
+        "boost::bind(&RobotNode::work_on, this, boost::placeholders::_1), false);",
         "count_server_->setSucceeded(actionlib_tutorials::FibonacciResult());",
         "node.end_goals();",
     ),
@@ -176,6 +176,12 @@ WRITTEN = {
         'count_client_ = std::make_unique<CountClient>(nh_, "count");',
         'if (wait_for_action(*count_client_, "count")) { actionlib_tutorials::FibonacciGoal goal; '
         'goal.order = 5; send_goal(*count_client_, "count", goal); }',
+    ),
+    "names that only digits tell apart": (
+        "n sends_goal to 'a1' of action_type Fibonacci with input order=5\n"
+        "n sends_goal to 'a_1' of action_type Fibonacci with input order=5",
+        "using A1Client = ",
+        "using A_1Client = ",
     ),
     "two names that are one in C++": (
         "n has_parameter 'a_b' of parameter_type int with default 1\n"
@@ -206,7 +212,9 @@ def test_what_is_written_in_a_nodelet(case: str) -> None:
     assert source.endswith("PLUGINLIB_EXPORT_CLASS(robot::RobotNode, nodelet::Nodelet)")
     assert not any(word in source for word in ("ROS_INFO", "ros::spin", "nh_.", "main(", "exit_"))
     # What goes on in threads has an end when the nodelet is unloaded, and not only with ROS.
-    assert ("is_ending_ = true;" in source) == ("std::async" in source or "SimpleAction" in source)
+    goes_on = "std::async" in source or "SimpleAction" in source
+    for end in ("is_ending_ = true;", "std::atomic<bool> is_ending_{false};", "override { is_end"):
+        assert (end in source) == goes_on
     assert source.count("ros::ok()") == source.count("is_running() const")
 
 

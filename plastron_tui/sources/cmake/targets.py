@@ -58,7 +58,7 @@ class NewTarget(NamedTuple):
     Attributes:
         executable: what one starts it by.
         source: its source, by its path from the package's folder.
-        has_header: whether it has a header in the folder `include`.
+        headers: the folder of its headers, by its path in the package; "" for none.
         packages: the packages that it is built with.
         linked: their targets that it is linked to, in ROS 2.
         plugin: the class that it is loaded as, None for a program.
@@ -68,7 +68,7 @@ class NewTarget(NamedTuple):
 
     executable: str
     source: str
-    has_header: bool
+    headers: str
     packages: tuple[str, ...]
     linked: tuple[str, ...]
     plugin: str | None = None
@@ -167,7 +167,7 @@ def _with_headers(lists: CMakeLists, new: NewTarget) -> bytes:
     there = {each.value for call in lists.named("include_directories") for each in call.items}
     there |= {_first_word(lists, each.command) for each in lists.named("include_directories")}
     written = text.replace(b" ", b"")
-    words = ["include"] if new.has_header and "include" not in there else []
+    words = [new.headers] if new.headers and new.headers not in there else []
     words += [] if _HEADERS.encode() in written else [_HEADERS]
     if not words:
         return text
@@ -272,13 +272,13 @@ def _compiled(lists: CMakeLists, _: NewTarget) -> tuple[str, str, list[str]] | N
 
 
 def _headed(lists: CMakeLists, new: NewTarget) -> tuple[str, str, list[str]] | None:
-    if build_type_of(lists) == CATKIN or not new.has_header:
+    if build_type_of(lists) == CATKIN or not new.headers:
         return None
     return (
         "target_include_directories",
         "PUBLIC",
         [
-            "$<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}/include>",
+            f"$<BUILD_INTERFACE:${{CMAKE_CURRENT_SOURCE_DIR}}/{new.headers}>",
             "$<INSTALL_INTERFACE:include/${PROJECT_NAME}>",
         ],
     )

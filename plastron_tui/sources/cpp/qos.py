@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import math
 import re
+from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from tree_sitter import Node
@@ -17,12 +18,11 @@ from plastron_tui.ros.qos import BEST_AVAILABLE, DEFAULT, PROFILES, SYSTEM_DEFAU
 
 from .durations import seconds
 from .held import Held
-from .scopes import Scope, Variable
-from .unit import last_name
+from .scopes import Scope, Variable, last_name
 
 if TYPE_CHECKING:
     from .analysis import Analysis
-    from .sites import Found
+    from .found import Found
 
 _MOST_DEEP = 24
 _MOST_CHANGES = 32
@@ -180,7 +180,7 @@ def profile(analysis: Analysis, node: Node | None, scope: Scope, depth: int = 0)
     found = _made(analysis, held, depth)
     if found is not None:
         for variable in held.variables:
-            found = _changed(analysis, found, variable, node, depth)
+            found = _changed(analysis, found, variable, node)
     return found
 
 
@@ -277,43 +277,46 @@ def _policy(analysis: Analysis, name: str, node: Node, scope: Scope) -> object:
     return _VALUES.get(found[1].replace("_", "").lower()) if found is not None else None
 
 
-def _changed(analysis: Analysis, qos: Qos, variable: Variable, at: Node, depth: int) -> Qos:
+_Step = tuple[int, str, list[Node], Scope]
+
+
+def _changed(analysis: Analysis, qos: Qos, variable: Variable, at: Node) -> Qos:
     """Return a profile as it is when a call is made, after what changes the variable with it."""
-    steps: list[tuple[int, str, Node | list[Node], Scope]] = []
-    for name in (*_WORDS, *_POLICIES, "keep_last", "keep_all", "best_available"):
-        steps += [
-            (call.node.start_byte, name, call.arguments, call.scope)
-            for call in analysis.unit.calls.get(name, ())
-            if call.receiver is not None and _is_it(analysis, call.receiver, variable, call.scope)
-        ]
-    for node, path, right, scope in analysis.fields.of(variable.name):
-        if path in _POLICIES:
-            left = node.child_by_field_name("left")
-            root = left.child_by_field_name("argument") if left is not None else None
-            if root is not None and _is_it(analysis, root, variable, scope):
-                steps.append((node.start_byte, path, [right], scope))
-    for start, name, given, scope in sorted(steps, key=lambda step: step[0])[:_MOST_CHANGES]:
-        listed = given if isinstance(given, list) else [given]
-        changed = _step(analysis, qos, name, listed, scope)
+    steps = analysis.qos_steps.get(variable)
+    if steps is None:
+        steps = analysis.qos_steps[variable] = sorted(
+            _steps(analysis, variable), key=lambda step: step[0]
+        )
+    if len(steps) > _MOST_CHANGES:
+        return Qos()
+    for start, name, given, scope in steps:
+        changed = _step(analysis, qos, name, given, scope)
         if changed is None:
             continue
         # What only may run before the call leaves known what is the same with and without it.
-        is_here = scope.enclosing("function") is _function(analysis, at, variable)
+        is_here = scope.enclosing("function") is variable.scope.enclosing("function")
         is_sure = variable.kind == "local" and (scope is variable.scope or _covers(scope, at))
         if is_here and start > at.start_byte and variable.kind == "local":
             continue
         qos = changed if is_sure or not is_here else qos.common(changed)
-    del depth
     return qos
+
+
+def _steps(analysis: Analysis, variable: Variable) -> Iterator[_Step]:
+    """Yield what changes the profile of a variable."""
+    for name in (*_WORDS, *_POLICIES, "keep_last", "keep_all", "best_available"):
+        for call in analysis.unit.calls.get(name, ()):
+            if call.receiver is not None and _is_it(analysis, call.receiver, variable, call.scope):
+                yield call.node.start_byte, name, call.arguments, call.scope
+    for node, path, right, scope in analysis.fields.of(variable.name):
+        left = node.child_by_field_name("left") if path in _POLICIES else None
+        root = left.child_by_field_name("argument") if left is not None else None
+        if root is not None and _is_it(analysis, root, variable, scope):
+            yield node.start_byte, path, [right], scope
 
 
 def _covers(scope: Scope, at: Node) -> bool:
     return scope.start <= at.start_byte < scope.end
-
-
-def _function(analysis: Analysis, at: Node, variable: Variable) -> Scope | None:
-    del analysis, at
-    return variable.scope.enclosing("function")
 
 
 def _is_it(analysis: Analysis, node: Node, variable: Variable, scope: Scope) -> bool:

@@ -5,6 +5,7 @@ Source: `ros/node_handle.h`, `ros/param.h` of Noetic; `rclcpp/node.hpp` of Jazzy
 
 from __future__ import annotations
 
+import re
 from functools import cached_property
 from typing import NamedTuple
 
@@ -13,7 +14,8 @@ from tree_sitter import Node
 from .arguments import Call, call_of
 from .scopes import Scope
 from .unit import Unit
-from .values import Evaluator, Value
+from .value import Value
+from .values import Evaluator
 
 AS_VALUE = {
     "as_string": "string",
@@ -27,6 +29,10 @@ AS_VALUE = {
     "as_string_array": "string_list",
 }
 """The methods of `rclcpp::Parameter` that give its value, and the type that each is of."""
+
+_UNLESS_SET = re.compile(r"\(!(?:\w|\.|->|\(\))*hasParam\(.*\)\)")
+_FEW = 3
+"""How far above a call the condition may be under which it is made: block, statement."""
 
 _VALUES = frozenset({*AS_VALUE, "get", "get_value", "get_parameter_value"})
 
@@ -61,12 +67,31 @@ def parameter_call(call: Call) -> ParameterCall:
             return ParameterCall(call.argument(1), type=type_)
         case "getParam" | "getParamCached" | "get" | "getCached" | "get_parameter":
             return ParameterCall(into=call.argument(1), type=type_)
+        case "setParam" if _is_unless_set(call):
+            return ParameterCall(call.argument(1))
         case "setParam" | "set" | "set_parameter":
             return ParameterCall(value=call.argument(1))
         case "declare_parameter":
             return ParameterCall(call.argument(1), type=type_, descriptor=call.argument(2))
         case _:
             return ParameterCall()
+
+
+def _is_unless_set(call: Call) -> bool:
+    """Tell whether a parameter is set where nobody has set it: `if (!nh.hasParam(name))`."""
+    syntax = call.scope.file.syntax
+    name = call.argument(0)
+    above = call.node.parent
+    for _ in range(_FEW):
+        if above is None or name is None:
+            return False
+        if above.type == "if_statement":
+            condition = above.child_by_field_name("condition")
+            text = "" if condition is None else "".join(syntax.slice(condition).split())
+            own = "".join(syntax.slice(name).split())
+            return bool(_UNLESS_SET.fullmatch(text)) and text.endswith(f"hasParam({own}))")
+        above = above.parent
+    return False
 
 
 class ReadParameters:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
@@ -10,10 +11,11 @@ import tree_sitter_cpp
 from tree_sitter import Language, Node, Parser, Query, QueryCursor, Tree
 
 from .macros import join_macros, mask_macros
-from .preprocessing import Define, Include, preprocess
+from .preprocessing import Define, Include, blank, preprocess
 
 # A node within more others was made to break readers: a query takes the square of the depth.
 _DEEPEST = 1_000
+_WIDEST_ERROR = 2_000
 # A byte that is not UTF-8 ends a string or a comment for tree-sitter.
 _AS_LETTERS = bytes(byte if byte < 0x80 else ord("x") for byte in range(256))
 
@@ -91,14 +93,32 @@ def parse(text: bytes) -> Syntax:
         text.decode()
     except UnicodeDecodeError:
         encoding = "latin-1"
-    source = bytes(code)
-    tree = Parser(language()).parse(
-        source if encoding == "utf-8" else source.translate(_AS_LETTERS)
-    )
+    parser = Parser(language())
+    for _ in range(3):
+        source = bytes(code)
+        tree = parser.parse(source if encoding == "utf-8" else source.translate(_AS_LETTERS))
+        wide = list(_wide_errors(tree.root_node))
+        if not wide:
+            break
+        for start, end in wide:
+            blank(code, start, end)
+    else:
+        tree = parser.parse(b"")
     errors = count_errors(tree.root_node)
     overrides = b"QosOverridingOptions" in source or b"qos_overriding_options" in source
     includes, defines = prepared.includes, prepared.defines
     return Syntax(text, source, encoding, tree, errors, includes, defines, overrides)
+
+
+def _wide_errors(root: Node) -> Iterator[tuple[int, int]]:
+    """Yield where what does not parse is so long that a query would take the square of it."""
+    stack = [root] if root.has_error else []
+    while stack:
+        node = stack.pop()
+        if node.is_error and node.child_count > _WIDEST_ERROR:
+            yield node.start_byte, node.end_byte
+        else:
+            stack.extend(child for child in node.children if child.has_error)
 
 
 def count_errors(root: Node) -> int:

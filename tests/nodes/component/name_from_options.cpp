@@ -18,9 +18,9 @@ public:
     for (const auto & [name, depth] : std::map<std::string, int>{{"x", 1}, {"y", 2}}) {
       more_[name] = create_publisher<std_msgs::msg::UInt64>(name, depth);
     }
-    timer_ = create_wall_timer(kPeriod, [this, n = uint64_t{0}]() mutable {
+    timer_ = create_wall_timer(kPeriod, [this]() {
         std_msgs::msg::UInt64 m;
-        m.data = n++;
+        m.data = n_++;
         out_->publish(m);
       });
   }
@@ -28,6 +28,7 @@ public:
   : NamedByCaller(std::getenv("NODE_NAME") ? std::getenv("NODE_NAME") : "named", options) {}
 
 private:
+  uint64_t n_ = 0;
   rclcpp::Publisher<std_msgs::msg::UInt64>::SharedPtr out_;
   std::map<std::string, rclcpp::Publisher<std_msgs::msg::UInt64>::SharedPtr> more_;
   rclcpp::TimerBase::SharedPtr timer_;

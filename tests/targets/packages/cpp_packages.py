@@ -257,15 +257,27 @@ def ros1_package(folder: Path) -> PackageSpec:
     return with_types(_spec(nodes, 1))
 
 
-def ros2_package(folder: Path, *, has_component: bool) -> PackageSpec:
+def ros2_package(folder: Path) -> PackageSpec:
     """Return a package with types, a program in two files, a script, and a component."""
-    nodes = [
+    nodes = (
         _node("talker", "rclcpp", _TALKER_2, _HEADER_2),
+        _node("relay", "component", _RELAY_2, _RELAY_HEADER_2, "demo::Relay"),
         *nodes_of(PYTHON, "rclpy", folder),
-    ]
-    if has_component:
-        nodes.append(_node("relay", "component", _RELAY_2, _RELAY_HEADER_2, "demo::Relay"))
-    return replace(with_types(_spec(tuple(nodes), 2)), builds_types=True)
+    )
+    return replace(with_types(_spec(nodes, 2)), builds_types=True)
+
+
+def plain_package(folder: Path) -> PackageSpec:
+    """Return a package of ROS 2 with a program in two files and a script, and nothing else."""
+
+    def plain(text: str) -> str:
+        found = text.replace("demo/msg/level.hpp", "std_msgs/msg/float64.hpp")
+        return found.replace("demo::msg::Level", "std_msgs::msg::Float64").replace(
+            ".value", ".data"
+        )
+
+    talker = _node("talker", "rclcpp", plain(_TALKER_2), plain(_HEADER_2))
+    return _spec((talker, *nodes_of(PYTHON, "rclpy", folder)), 2)
 
 
 def _spec(nodes: tuple[PackagedNode, ...], version: int) -> PackageSpec:

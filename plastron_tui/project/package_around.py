@@ -1,0 +1,139 @@
+"""The packages of nodes that have to be built: the one around them, or one of the program's own."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable, Sequence
+from functools import cached_property
+from pathlib import Path
+from typing import TYPE_CHECKING, NamedTuple
+
+from plastron_tui.diagnostics import Diagnostic
+from plastron_tui.generating.own_package import Around, OwnPackages
+from plastron_tui.model.package_source import LoadedPackage
+from plastron_tui.model.workspace import Generation, Workspace
+from plastron_tui.output.plan import OutputFile
+from plastron_tui.sources.packages.reading import PACKAGE_XML
+from plastron_tui.targets import LIBRARIES
+
+from .configuration import Configuration
+from .package_reader import PackageReader
+
+if TYPE_CHECKING:
+    from plastron_tui.boundary import Boundary
+    from plastron_tui.generating.apply_changes import Library
+    from plastron_tui.generating.generation import Generated
+    from plastron_tui.output.manifest import Manifest
+    from plastron_tui.targets.base import Target
+
+
+class FoundPackage(NamedTuple):
+    """A package that was found, and what reading it gave."""
+
+    folder: Path
+    read: LoadedPackage
+
+
+def find_package_around(
+    output: Path, boundary: Boundary, manifest: Manifest, ros_version: int
+) -> FoundPackage | None:
+    """Return the package that an output folder is, or is in; None where there is none.
+
+    Args:
+        output: the output folder, which need not be there.
+        boundary: the program's project; a package beyond it is somebody else's.
+        manifest: what is remembered of the output folder: a package that was written there is none
+            that was there before.
+        ros_version: what a package counts for that is for both generations of ROS.
+    """
+    output = Path.cwd() / output
+    for folder in (output, *output.parents):
+        if not boundary.allows(folder):
+            return None
+        if (folder / PACKAGE_XML).is_file():
+            if folder == output and PACKAGE_XML in manifest:
+                return None
+            read = PackageReader(folder, boundary, {})
+            return FoundPackage(folder, read(str(folder), ros_version))
+    return None
+
+
+class FilesAround(NamedTuple):
+    """The files of a package around nodes, as they change, and what there is to say."""
+
+    files: list[OutputFile]
+    diagnostics: list[Diagnostic]
+
+
+class BuiltPlaces:
+    """Where the nodes of a program are that have to be built."""
+
+    def __init__(
+        self,
+        configuration: Configuration,
+        program: str,
+        asked: Sequence[Generation],
+        workspace: Workspace | None,
+        library_of: Callable[[str], Library | None],
+        manifest: Manifest,
+    ) -> None:
+        """Set what the places follow from.
+
+        Args:
+            configuration: what holds for the program.
+            program: the name of its file.
+            asked: all that it generates.
+            workspace: what it built, None while it is interpreted.
+            library_of: gives a client library by its name, None for one that nothing writes.
+            manifest: what is remembered of the output folder.
+        """
+        self._configuration = configuration
+        self._library_of = library_of
+        self._manifest = manifest
+        self._own = OwnPackages(
+            program,
+            asked,
+            workspace,
+            self._target,
+            in_place=configuration.options.in_place,
+            around=self._around,
+        )
+
+    def placed(self, generation: Generation) -> Generation:
+        """Return what is asked for, with the package that the node has to be in."""
+        return self._own.placed(generation)
+
+    def files_around(self, made: Sequence[Generated]) -> FilesAround:
+        """Return the files of the package around that change for the nodes in it."""
+        homes = [(each.generation, each.generation.node.home) for each in made]
+        inside = [each for each, home in homes if home is not None and home.above]
+        if self._found is None or not inside:
+            return FilesAround([], [])
+        source = self._found.read.source
+        if source is None:
+            told = [each._replace(span=inside[0].span) for each in self._found.read.diagnostics]
+            return FilesAround([], told)
+        from plastron_tui.generating.package_around import package_files_around
+
+        libraries = {name: found for name in LIBRARIES if (found := self._library_of(name))}
+        output = self._configuration.output
+        return FilesAround(*package_files_around(source, made, libraries, output))
+
+    def _target(self, name: str) -> Target | None:
+        library = self._library_of(name)
+        return None if library is None else library.target
+
+    def _around(self) -> Around | None:
+        if self._found is None:
+            return None
+        folder, read = self._found
+        above = os.path.relpath(folder, self._configuration.output)
+        name = folder.name if read.source is None else read.source.name
+        return Around(name, above.replace(os.sep, "/"))
+
+    @cached_property
+    def _found(self) -> FoundPackage | None:
+        configuration = self._configuration
+        output, boundary = configuration.output, configuration.boundary
+        version = configuration.ros.ros_version
+        return find_package_around(output, boundary, self._manifest, version)
