@@ -298,8 +298,18 @@ yourself, and name it there.
 
 ## Client libraries
 
-A node is written for a client library: `rospy` in ROS 1, `rclpy` in ROS 2. (`roscpp`, `rclcpp` and
-`nodelet` are words of the language, but Plastron does not write them yet: `unsupported-target`.)
+A node is written for a client library:
+
+| | ROS 1 | ROS 2 |
+|---|---|---|
+| Python, a program of its own | `rospy` | `rclpy` |
+| C++, a program of its own | `roscpp` | `rclcpp` |
+| C++, loaded into a process of others | `nodelet` | `component` |
+
+All statements mean the same for each of them. Nodes in C++ have to be built: their output folder is a
+package (`docs/commands.md`, "run"). A node is not brought from one language to another, nor from `roscpp`
+to `rclcpp`: `unsupported-target`.
+
 Another distribution adds a client library with an entry point in the group `plastron.targets`: its
 name, and a subclass of `plastron_tui.targets.base.Target` of that `name`, with the `ros_version`
 that it is for, its `language` (a `plastron_tui.sources.base.Language`), and the `api_version` that it
@@ -329,8 +339,8 @@ The ending is chosen when the node is first written, and stays: with a second su
 `ears_sub1.py` is still `ears_sub1.py`. With `file_names: plain` in `plastron.yaml` new files have no
 ending: `ears.py`.
 
-`load NAME` looks for `NAME.py`, then `NAME.cpp`, in the output folder, the program's folder and the
-working folder; `load 'path/to/file.py'` starts at the program's folder. A file outside of the
+`load NAME` looks for `NAME.py`, then `NAME.cpp`, in the output folder, its folder `src`, the program's
+folder and the working folder; `load 'path/to/file.py'` starts at the program's folder. A file outside of the
 project (the repository, else the folder of `plastron.yaml`, else the program's) is read once you
 [trust the project](commands.md#plastron-trust). A loaded node keeps its file's name, and goes into
 the output folder, with `--in-place` over the file it came from: what no statement asked to change

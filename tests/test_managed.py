@@ -64,14 +64,21 @@ def test_a_file_as_a_program_creates_managed_nodes(session: Session) -> None:
 @pytest.mark.parametrize(
     ("line", "told"),
     [
-        ('{"node": "/a", "passed": ["configure"], "error": null}', ("/a", ("configure",), None)),
-        ('{"node": "/a", "passed": [], "error": "why"}', ("/a", (), "why")),
+        (
+            '{"node": "/a", "passed": ["configure"], "error": null}',
+            ("/a", ("configure",), None, "active"),
+        ),
+        ('{"node": "/a", "passed": [], "error": "why"}', ("/a", (), "why", "active")),
+        (
+            '{"node": "/a", "passed": [], "error": null, "wanted": "loaded"}',
+            ("/a", (), None, "loaded"),
+        ),
         ("[INFO] a log of the client library", None),
         ('{"node": "/a"}', None),
         ('"text"', None),
         ("[" * 100_000, None),
     ],
-    ids=["active", "failed", "log", "other", "text", "deep"],
+    ids=["active", "failed", "loaded", "log", "other", "text", "deep"],
 )
 def test_what_is_told_of_an_activation(line: str, told: object) -> None:
     assert activation_of(line) == told

@@ -58,7 +58,8 @@ class NodeFiles:
         )
         for name, text in others:
             yield OutputFile(
-                name_of(self.name, name),
+                # What is written elsewhere may lie above the main file.
+                name_of(self.name, name if self.path is None else name.replace("../", "")),
                 text,
                 is_executable=False,
                 merged_from=None if self.merged_from is None else self.merged_from.get(name),

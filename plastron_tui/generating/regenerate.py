@@ -62,7 +62,10 @@ class Derivation:
         home = self.work.nodes[0].home
         if home is not None and not writing.in_place:
             name = target.packaged(home, name)
-        is_elsewhere = writing.in_place and not is_ported and path.parent != writing.output
+        # A header lies in another folder than the source that it belongs to.
+        leads_out = any(each.startswith("../") for each in made.files.names)
+        is_elsewhere = writing.in_place and not is_ported
+        is_elsewhere = is_elsewhere and (leads_out or path.parent != writing.output)
         shown = path if is_elsewhere else writing.output / name
         place = find_place(shown, writing.author, writing.manifests)
         layer = self._layer(place, made.files)

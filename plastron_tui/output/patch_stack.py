@@ -62,6 +62,10 @@ class Layer:
         """The size of its texts, in bytes."""
         return len(_joined(self.original)) + len(_joined(self.written))
 
+    def is_of(self, files: FileSet) -> bool:
+        """Tell whether it is of no other files than those that a set has."""
+        return {*self.original.names, *self.written.names} <= {*files.names}
+
     def shows_in(self, files: FileSet) -> bool:
         """Tell whether files have any of the lines that the program wrote, or lack its cuts."""
         if self.origin is not None:
@@ -125,7 +129,8 @@ def live_layers(
     """Return the layers that files still show.
 
     Files that show nothing of a program's work were put back to what they were, by version
-    control perhaps, or are others: what they hold is an original again.
+    control perhaps, or are others: what they hold is an original again. What is remembered of
+    files that the main one does not lead to counts for nothing.
 
     Args:
         layers: what is remembered.
@@ -133,6 +138,8 @@ def live_layers(
         shows: tells whether files have any endpoint as the program left it, not as it found it.
     """
     if files is None:
+        return ()
+    if not all(layer.is_of(files) for layer in layers):
         return ()
     if layers and (layers[-1].written == files or layers[-1].left == digest_of(files)):
         return layers
@@ -232,10 +239,21 @@ def _cut(texts: bytes, data: Mapping[str, Any], name: str) -> tuple[FileSet, Fil
     return (original, written) if is_whole else None
 
 
+_MOST_ABOVE = 4
+"""How far above its source a header may lie."""
+
+
 def _is_within(name: str) -> bool:
-    """Tell whether a name stays in the folder of its set: a manifest may be anybody's."""
+    """Tell whether a name may be that of a file of a set: a manifest may be anybody's.
+
+    It leads to none that the main file does not lead to as well: see `live_layers`.
+    """
     path = PurePosixPath(name)
-    return bool(path.parts) and not path.is_absolute() and ".." not in path.parts
+    above = 0
+    while above < len(path.parts) and path.parts[above] == "..":
+        above += 1
+    inner = path.parts[above:]
+    return bool(inner) and not path.is_absolute() and ".." not in inner and above <= _MOST_ABOVE
 
 
 def _main_name(name: str) -> str:

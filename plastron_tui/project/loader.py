@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, NamedTuple, TypeAlias
 from plastron_tui.diagnostics import Code, Diagnostic, codes
 from plastron_tui.diagnostics.suggest import nearest
 from plastron_tui.model.context import Loaded, LoadRequest
+from plastron_tui.model.packages import BUILT_FOLDER
 from plastron_tui.model.source import LARGEST_FILE
 from plastron_tui.model.workspace import Generation
 from plastron_tui.output.own_files import MANIFEST, is_own_name, settled
@@ -95,9 +96,10 @@ class FilesRead:
 class NodeLoader:
     """Reads node files for one interpretation of a program, each file only once.
 
-    A bare name is looked for in what the program generates, in the output folder, in the
-    program's folder and in the working folder; a path is relative to the program's folder. What
-    is found outside of the project is not read unless the project is trusted.
+    A bare name is looked for in what the program generates, in the output folder and the folder
+    of nodes there that are built, in the program's folder and in the working folder; a path is
+    relative to the program's folder. What is found outside of the project is not read unless the
+    project is trusted.
 
     A file that the program itself made on an earlier run stands for what the program started
     from then, with what was changed by hand since.
@@ -211,7 +213,8 @@ class NodeLoader:
         if request.is_path:
             yield self._folder / os.path.expanduser(request.source)  # noqa: PTH111
             return
-        for folder in dict.fromkeys((self._output, self._folder, Path.cwd())):
+        built = self._output / BUILT_FOLDER
+        for folder in dict.fromkeys((self._output, built, self._folder, Path.cwd())):
             for suffix in _suffixes():
                 yield folder / f"{request.source}{suffix}"
 

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, NamedTuple
 
 from plastron_tui.diagnostics import Diagnostic
 from plastron_tui.generating.own_package import Around, OwnPackages
-from plastron_tui.model.package_source import PackageSource
+from plastron_tui.model.package_source import LoadedPackage
 from plastron_tui.model.workspace import Generation, Workspace
 from plastron_tui.output.plan import OutputFile
 from plastron_tui.sources.packages.reading import PACKAGE_XML
@@ -27,9 +27,16 @@ if TYPE_CHECKING:
     from plastron_tui.targets.base import Target
 
 
+class FoundPackage(NamedTuple):
+    """A package that was found, and what reading it gave."""
+
+    folder: Path
+    read: LoadedPackage
+
+
 def find_package_around(
     output: Path, boundary: Boundary, manifest: Manifest, ros_version: int
-) -> PackageSource | None:
+) -> FoundPackage | None:
     """Return the package that an output folder is, or is in; None where there is none.
 
     Args:
@@ -47,7 +54,7 @@ def find_package_around(
             if folder == output and PACKAGE_XML in manifest:
                 return None
             read = PackageReader(folder, boundary, {})
-            return read(str(folder), ros_version).source
+            return FoundPackage(folder, read(str(folder), ros_version))
     return None
 
 
@@ -98,10 +105,14 @@ class BuiltPlaces:
 
     def files_around(self, made: Sequence[Generated]) -> FilesAround:
         """Return the files of the package around that change for the nodes in it."""
-        homes = (each.generation.node.home for each in made)
-        source = self._source if any(x is not None and x.above for x in homes) else None
-        if source is None:
+        homes = [(each.generation, each.generation.node.home) for each in made]
+        inside = [each for each, home in homes if home is not None and home.above]
+        if self._found is None or not inside:
             return FilesAround([], [])
+        source = self._found.read.source
+        if source is None:
+            told = [each._replace(span=inside[0].span) for each in self._found.read.diagnostics]
+            return FilesAround([], told)
         from plastron_tui.generating.package_around import package_files_around
 
         libraries = {name: found for name in LIBRARIES if (found := self._library_of(name))}
@@ -113,14 +124,15 @@ class BuiltPlaces:
         return None if library is None else library.target
 
     def _around(self) -> Around | None:
-        source = self._source
-        if source is None:
+        if self._found is None:
             return None
-        above = os.path.relpath(source.folder, self._configuration.output)
-        return Around(source.name, above.replace(os.sep, "/"))
+        folder, read = self._found
+        above = os.path.relpath(folder, self._configuration.output)
+        name = folder.name if read.source is None else read.source.name
+        return Around(name, above.replace(os.sep, "/"))
 
     @cached_property
-    def _source(self) -> PackageSource | None:
+    def _found(self) -> FoundPackage | None:
         configuration = self._configuration
         output, boundary = configuration.output, configuration.boundary
         version = configuration.ros.ros_version

@@ -104,7 +104,7 @@ def _dashed(package: str) -> str:
 
 _DEBIAN_HEADERS = {
     "dynamic_reconfigure": ("libdynamic-reconfigure-config-init-mutex-dev",),
-    "nodelet": ("libnodelet-dev", "libnodeletlib-dev"),
+    "nodelet": ("libnodeletlib-dev",),
     "pluginlib": ("pluginlib-dev",),
 }
 """The packages of Debian with what code is built with, where their names follow no rule."""

@@ -8,7 +8,8 @@ import signal
 import subprocess
 import sys
 import traceback
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from contextlib import contextmanager
 from pathlib import Path
 from tempfile import TemporaryFile
 
@@ -22,10 +23,63 @@ _PATIENCE = 120
 """Seconds after which a command is ended; none takes more than one."""
 
 
+class Copies:
+    """Runs plastron in copies of a process that has its modules."""
+
+    def __init__(self, server: subprocess.Popen[str], folder: Path) -> None:
+        self._server = server
+        self._files = {name: folder / name for name in ("stdin", "stdout", "stderr", "imported")}
+
+    def run(
+        self,
+        arguments: Sequence[str],
+        folder: Path,
+        stdin: bytes,
+        environ: Mapping[str, str],
+        *,
+        is_debian: bool,
+    ) -> subprocess.CompletedProcess[bytes]:
+        """Run a command line.
+
+        Args:
+            arguments: of the command line.
+            folder: the working folder.
+            stdin: its input.
+            environ: what its environment has besides that of this process.
+            is_debian: whether the ROS that is here is Debian's ROS 1, whatever is installed.
+        """
+        assert self._server.stdin is not None
+        assert self._server.stdout is not None
+        files = self._files
+        for name, data in (("stdin", stdin), ("stdout", b""), ("stderr", b"")):
+            files[name].write_bytes(data)
+        asked = {
+            "arguments": arguments,
+            "folder": str(folder),
+            "environ": {**os.environ, **environ},
+            "is_debian": is_debian,
+            **{name: str(file) for name, file in files.items()},
+        }
+        print(json.dumps(asked), file=self._server.stdin, flush=True)
+        status = json.loads(self._server.stdout.readline())
+        out, err = files["stdout"].read_bytes(), files["stderr"].read_bytes()
+        return subprocess.CompletedProcess(["plastron", *arguments], status, out, err)
+
+
+@contextmanager
+def copies(folder: Path) -> Iterator[Copies]:
+    """Start the process that is copied; its files are in a folder of its own."""
+    command = [sys.executable, str(Path(__file__).with_name("copied.py"))]
+    pipe = subprocess.PIPE
+    with subprocess.Popen(command, text=True, stdin=pipe, stdout=pipe, cwd=folder) as server:
+        yield Copies(server, folder)
+        # The end of its input is the end of it.
+
+
 def run_in_copy(
     arguments: Sequence[str], folder: Path, stdin: bytes, environ: Mapping[str, str]
 ) -> subprocess.CompletedProcess[bytes]:
-    """Run plastron in a copy of this process, which has its modules: most of its time is theirs."""
+    """Run plastron in a copy of this process, with what a test has patched in it."""
     with TemporaryFile() as given, TemporaryFile() as out, TemporaryFile() as err:
         given.write(stdin)
         given.seek(0)

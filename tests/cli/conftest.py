@@ -2,10 +2,11 @@ from __future__ import annotations
 
 import os
 import subprocess
+from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
-from command_line import Run, run_in_copy
+from command_line import Copies, Run, copies, run_in_copy
 
 
 @pytest.fixture
@@ -19,9 +20,20 @@ def here(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     return tmp_path
 
 
+@pytest.fixture(scope="session")
+def copied(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Copies]:
+    """The process that plastron is run in copies of, for all tests."""
+    with copies(tmp_path_factory.mktemp("copies")) as made:
+        yield made
+
+
 @pytest.fixture
-def run(here: Path) -> Run:
-    """Run plastron as a process in the working folder; it comes out with no traceback."""
+def run(here: Path, copied: Copies, request: pytest.FixtureRequest) -> Run:
+    """Run plastron as a process in the working folder; it comes out with no traceback.
+
+    The process has nothing of what a test has patched; see `run_patched`.
+    """
+    is_debian = request.node.get_closest_marker("live") is None
 
     def run(
         *arguments: str | Path,
@@ -29,8 +41,25 @@ def run(here: Path) -> Run:
         env: dict[str, str] | None = None,
         cwd: Path = here,
     ) -> subprocess.CompletedProcess[bytes]:
-        result = run_in_copy([os.fspath(each) for each in arguments], cwd, stdin, env or {})
-        assert b"Traceback" not in result.stderr, result.stderr.decode()
-        return result
+        given = [os.fspath(each) for each in arguments]
+        return _without_traceback(copied.run(given, cwd, stdin, env or {}, is_debian=is_debian))
 
     return run
+
+
+@pytest.fixture
+def run_patched(here: Path) -> Run:
+    """Run plastron in a copy of this process, with what the test has patched."""
+
+    def run(*arguments: str | Path, stdin: bytes = b"") -> subprocess.CompletedProcess[bytes]:
+        given = [os.fspath(each) for each in arguments]
+        return _without_traceback(run_in_copy(given, here, stdin, {}))
+
+    return run
+
+
+def _without_traceback(
+    result: subprocess.CompletedProcess[bytes],
+) -> subprocess.CompletedProcess[bytes]:
+    assert b"Traceback" not in result.stderr, result.stderr.decode()
+    return result

@@ -17,8 +17,9 @@ from plastron_tui.session import Options, Session
 
 @pytest.mark.parametrize("name", mostly_long(CASES, list(CASES)[::3]))
 def test_all_commands_are_for_the_same_ros(
-    name: str, run: Run, here: Path, monkeypatch: pytest.MonkeyPatch
+    name: str, run_patched: Run, here: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
+    run = run_patched
     case = CASES[name]
     case.set_up(here, monkeypatch)
     monkeypatch.setattr(environment, "find_environments", lambda: Found(()))

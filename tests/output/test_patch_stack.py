@@ -78,7 +78,8 @@ OF_TWO = replace(LAYER, original=FileSet((("{}.py", b"a"), ("{}.yaml", b"b"))))
     [
         [], [[]], [[], []], [[["{}.py", 1]]], [[["{}.py", 2]], [["{}.py", 9], ["x", 2]]],
         [[["{}.py", -1]], [["{}.py", 12]]], [[[5, 2]], [["{}.py", 10]]], [5, 6], "ab",
-        [[["../a.py", 2]], [["{}.py", 10]]], [[["/a.py", 2]], [["{}.py", 10]]],
+        [[["../../../../../a.py", 2]], [["{}.py", 10]]], [[["a/../../b.py", 2]], [["{}.py", 10]]],
+        [[["..", 2]], [["{}.py", 10]]], [[["/a.py", 2]], [["{}.py", 10]]],
         [[["{}.py", 1, 1]], []], [[["{}.py", 1]], [["{}.py", 1]], [["{}.py", 10]]],
     ],
 )  # fmt: skip
@@ -86,6 +87,14 @@ def test_broken_layer_of_sets(sizes: Any) -> None:
     data = layer_json(OF_TWO, "a.py")
     assert read_layer(data, "a.py") == OF_TWO
     assert read_layer({**data, "sizes": sizes}, "a.py") is None
+
+
+def test_what_is_remembered_of_other_files_counts_for_nothing() -> None:
+    """A manifest may be anybody's, and name any file: the main file's own words lead to others."""
+    foreign = replace(OF_TWO, written=FileSet((("{}.py", b"a"), ("../../secret", b"b"))))
+    present = FileSet((("{}.py", b"a"), ("{}.yaml", b"b")))
+    assert live_layers((OF_TWO,), present, lambda *_: True) == (OF_TWO,)
+    assert live_layers((foreign,), present, lambda *_: True) == ()
 
 
 def test_texts_that_unpack_to_too_much_are_broken() -> None:

@@ -263,6 +263,14 @@ HUMBLE = Environment(Origin.SOURCED, 2, "humble", NOWHERE)
 ROS1 = Environment(Origin.DEBIAN, 1, "noetic", NOWHERE)
 
 
+def at_once(environment: Environment) -> dict[str, str]:
+    """Return the variables by which the lines of a node come as soon as it prints them."""
+    own = {"PYTHONUNBUFFERED": "1"}
+    if environment.ros_version == 1:
+        own["ROSCONSOLE_STDOUT_LINE_BUFFERED"] = "1"
+    return own
+
+
 @pytest.mark.parametrize(
     ("environment", "environ", "expected"),
     [
@@ -288,14 +296,14 @@ def test_nodes_speak_on_this_machine_only(
     environment: Environment, environ: dict[str, str], expected: dict[str, str]
 ) -> None:
     own = node_environ(environment, environ, master_uri="http://127.0.0.1:4242")
-    assert own == {"PYTHONUNBUFFERED": "1", **expected}
+    assert own == {**at_once(environment), **expected}
 
 
 @pytest.mark.parametrize("environment", [EXTRA, HUMBLE, ROS1])
 def test_the_network_is_the_user_s(environment: Environment) -> None:
     environ = {"ROS_STATIC_PEERS": "10.0.0.1", "ROS_HOSTNAME": "robot", "ROS_IP": "10.0.0.2"}
     own = node_environ(environment, environ, network=True)
-    assert own == {"PYTHONUNBUFFERED": "1", **environ}
+    assert own == {**at_once(environment), **environ}
 
 
 def test_the_wheels_hook_does_not_reach_another_python(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -13,8 +13,8 @@ from plastron_tui.model.source import EndpointKind
 
 from .analysis import Analysis, Site
 from .callbacks import callback_of
-from .scopes import Scope
-from .unit import last_name
+from .holders import holder_of
+from .scopes import Scope, last_name
 
 _OPTIONS = {
     "goal_response_callback": "accepted",
@@ -57,30 +57,8 @@ def _client2(analysis: Analysis, site: Site) -> ActionDetails:
 
 def _held(analysis: Analysis, site: Site) -> str:
     """Return the name of the variable that has what a call site makes, "" for none."""
-    node = site.call.node
-    syntax = site.file.syntax
-    if node.type == "field_initializer" and node.named_child_count:
-        return syntax.word(node.named_children[0])
-    for scope in site.call.scope.chain:
-        for variables in scope.variables.values():
-            for variable in variables:
-                if variable.node.id == node.id:
-                    return variable.name
-    parent: Node | None = node
-    for _ in range(6):
-        parent = parent.parent if parent is not None else None
-        if parent is None:
-            break
-        if parent.type == "assignment_expression":
-            left = parent.child_by_field_name("left")
-            return last_name(left, site.call.scope) if left is not None else ""
-        if parent.type == "call_expression":
-            function = parent.child_by_field_name("function")
-            if function is not None and function.type == "field_expression":
-                holder = function.child_by_field_name("argument")
-                return last_name(holder, site.call.scope) if holder is not None else ""
-    del analysis
-    return ""
+    variable = holder_of(analysis, site)
+    return variable.name if variable is not None else ""
 
 
 def _called_on(analysis: Analysis, name: str, method: str, position: int) -> str | None:

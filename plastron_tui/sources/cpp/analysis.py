@@ -97,6 +97,7 @@ class Analysis:
         holding: what their variables hold.
         fields: what the fields of their variables are set to.
         qos_steps: what changes the profiles of their variables, as far as it was looked for.
+        calls_found: how many calls create endpoints.
         sites: the calls that create endpoints, in the order of the files.
         nodes: what makes the nodes.
     """
@@ -110,6 +111,7 @@ class Analysis:
     holding: Holding = field(init=False)
     fields: Fields = field(init=False)
     qos_steps: dict[Variable, Any] = field(default_factory=dict)
+    calls_found: int = 0
     sites: list[Site] = field(default_factory=list)
     nodes: list[NodeSite] = field(default_factory=list)
 

@@ -92,7 +92,7 @@ class Callers:
 
     def _all_made(self) -> list[Call]:
         found: list[Call] = []
-        for file in self._unit.files:
+        for file in self._unit.all_files:
             syntax = file.syntax
             for call in file.calls:
                 if call.name in _MAKERS and call.type_nodes:

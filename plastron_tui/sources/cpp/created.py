@@ -10,7 +10,6 @@ from tree_sitter import Node
 from plastron_tui.diagnostics import Span
 from plastron_tui.model.source import EndpointKind, SourceEndpoint
 from plastron_tui.ros.interfaces import InterfaceName
-from plastron_tui.ros.names import name_as_read
 
 from .analysis import Analysis
 from .arguments import Call
@@ -23,7 +22,7 @@ from .shapes import Shape
 from .worlds import worlds
 
 if TYPE_CHECKING:
-    from .sites import Found
+    from .found import Found
 
 PARAMETER = EndpointKind.PARAMETER
 _ACTIONS = (EndpointKind.ACTION_SERVER, EndpointKind.ACTION_CLIENT)
@@ -129,8 +128,6 @@ def _name(analysis: Analysis, found: Found, node: Node | None) -> _Name:
     prefix = Prefix("")
     if analysis.ros_version == 1:
         prefix = _prefix(analysis, found)
-        if found.handle is None:
-            text = name_as_read(text, 1)
         name = prefix.joined(text)
     else:
         name = _in_sub_node(analysis, found, text)

@@ -16,7 +16,7 @@ from .arguments import call_of
 from .held import Held
 from .literals import number_value
 from .scopes import Scope
-from .values import Value
+from .value import Value
 
 _UNITS = {
     "nanoseconds": 1e-9,

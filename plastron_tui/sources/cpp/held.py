@@ -10,9 +10,9 @@ from plastron_tui.sources.work_limits import bounded
 
 from .arguments import Call, arguments_of, call_of
 from .callers import Callers
-from .scopes import Scope, Variable, type_text
+from .scopes import Scope, Variable, last_name, type_text
 from .types import Types
-from .unit import Unit, bound_calls, last_name
+from .unit import Unit, bound_calls
 
 
 class Held(NamedTuple):

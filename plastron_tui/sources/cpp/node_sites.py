@@ -46,7 +46,8 @@ def _of_ros1(analysis: Analysis) -> list[NodeSite]:
     found: list[NodeSite] = []
     for call in analysis.unit.calls.get("init", ()):
         name = analysis.types.expand(call.qualified, call.scope)
-        if call.receiver is None and name == "ros::init" and len(call.arguments) > 1:
+        is_own = call.receiver is None and not call.scope.file.is_beside
+        if is_own and name == "ros::init" and len(call.arguments) > 1:
             at = 2 if len(call.arguments) > 2 and call.arguments[0].type == "identifier" else 1
             given = call.argument(at)
             found.append(_named(analysis, call, given))
@@ -105,8 +106,7 @@ def _of_ros2(analysis: Analysis) -> list[NodeSite]:
         )
     order = {id(file): at for at, file in enumerate(unit.files)}
     found.sort(key=lambda each: (order[id(each.file)], each.place.start_byte))
-    # What only the header of a unit declares is a node of the unit all the same.
-    return [each for each in found if not each.file.is_beside or each.owner is not None]
+    return found
 
 
 def _made_nodes(analysis: Analysis) -> list[Call]:
@@ -117,6 +117,8 @@ def _made_nodes(analysis: Analysis) -> list[Call]:
             if not analysis.types.may_be(call.name, ("Node", "LifecycleNode")):
                 continue
             key = id(call.scope.file), call.node.start_byte
+            if call.scope.file.is_beside:
+                continue
             if not call.arguments or call.node.type == "field_initializer" or key in seen:
                 continue
             if analysis.receivers.plain(call.qualified, call.scope) in NODE_CLASSES:

@@ -18,10 +18,9 @@ from .analysis import Analysis, Site
 from .arguments import call_of
 from .listed_parameters import value_of
 from .read_parameters import AS_VALUE, ParameterCall, parameter_call
-from .scopes import Scope, type_text
+from .scopes import Scope, last_name, type_text
 from .type_texts import template_arguments
-from .unit import last_name
-from .values import Value
+from .value import Value
 
 _SCALARS = {
     "bool": "bool",

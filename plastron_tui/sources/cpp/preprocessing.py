@@ -125,7 +125,7 @@ def preprocess(text: bytes) -> Preprocessed:
         blank(code, start, end)
         blank(bare, start, end)
     # What is never compiled names nothing.
-    never = bytearray(len(code))
+    never = bytearray(len(code) + 1)
     for gone in dead:
         never[gone.start : gone.end] = b"x" * (gone.end - gone.start)
     return Preprocessed(

@@ -18,12 +18,11 @@ from plastron_tui.ros.qos import BEST_AVAILABLE, DEFAULT, PROFILES, SYSTEM_DEFAU
 
 from .durations import seconds
 from .held import Held
-from .scopes import Scope, Variable
-from .unit import last_name
+from .scopes import Scope, Variable, last_name
 
 if TYPE_CHECKING:
     from .analysis import Analysis
-    from .sites import Found
+    from .found import Found
 
 _MOST_DEEP = 24
 _MOST_CHANGES = 32

@@ -14,7 +14,8 @@ from tree_sitter import Node
 from .arguments import Call, call_of
 from .scopes import Scope
 from .unit import Unit
-from .values import Evaluator, Value
+from .value import Value
+from .values import Evaluator
 
 AS_VALUE = {
     "as_string": "string",

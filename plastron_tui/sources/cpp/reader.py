@@ -10,10 +10,11 @@ from plastron_tui.model.source import FileSet, SourceUnit
 from plastron_tui.sources.base import ReadResult
 
 from .analysis import Analysis
+from .beside import sources_beside
 from .mentioned import is_component, is_nodelet
 from .node_sites import nodelets
 from .nodes import group
-from .sites import find_sites
+from .sites import MOST_SITES, find_sites
 from .structure import outline
 from .syntax import parse
 from .unit import Unit
@@ -49,10 +50,14 @@ def read_cpp(path: Path, files: FileSet, library: str | None = None) -> ReadResu
         for at, (name, each) in enumerate(files.texts)
         if len(each) <= MOST_BYTES and b"\x00" not in each
     ]
-    analyses = [analyze(Unit(outlines), version) for version in versions]
-    best = max(analyses, key=lambda analysis: len(analysis.sites))
+    others, paths = sources_beside(path, outlines)
+    analyses = [analyze(Unit(outlines, others), version) for version in versions]
+    best = max(analyses, key=lambda analysis: analysis.calls_found)
+    if best.calls_found > MOST_SITES:
+        problem = f"the file creates more than {MOST_SITES} endpoints, and is not read"
+        return _refuse(path, codes.FILE_TOO_LARGE, problem)
     source = SourceUnit(path, files, _library(best), group(best))
-    return ReadResult(source)
+    return ReadResult(source, beside=paths)
 
 
 def analyze(unit: Unit, ros_version: int) -> Analysis:

@@ -296,3 +296,13 @@ def declared(
             inner = named[-1] if named and kind.endswith("declarator") else None
         declarator = inner
     return "", None, function, pointer, reference
+
+
+def last_name(node: Node, scope: Scope) -> str:
+    """Return the last name of `a`, `this->a`, `b.a`, "" for what is none."""
+    if node.type == "field_expression":
+        inner = node.child_by_field_name("field")
+        node = inner if inner is not None else node
+    if node.type in ("identifier", "field_identifier"):
+        return scope.file.syntax.word(node)
+    return ""

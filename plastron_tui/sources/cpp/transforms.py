@@ -6,7 +6,8 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from plastron_tui.diagnostics import Span
-from plastron_tui.model.source import SourceEndpoint
+from plastron_tui.model.source import EndpointKind, SourceEndpoint
+from plastron_tui.ros.qos import DEFAULT
 
 from .analysis import Site
 from .shapes import TRANSFORM_OBJECTS, TRANSFORMS, Shape
@@ -15,13 +16,23 @@ if TYPE_CHECKING:
     from .analysis import Analysis
 
 
+_MOVING = DEFAULT._replace(depth=100)
+_QOS = {
+    (EndpointKind.SUBSCRIPTION, "/tf"): _MOVING,
+    (EndpointKind.SUBSCRIPTION, "/tf_static"): _MOVING._replace(durability="transient_local"),
+    (EndpointKind.PUBLISHER, "/tf"): _MOVING,
+    (EndpointKind.PUBLISHER, "/tf_static"): DEFAULT._replace(depth=1, durability="transient_local"),
+}
+"""What `tf2_ros/qos.hpp` of Jazzy gives those that say nothing else."""
+
+
 def transforms(analysis: Analysis) -> Iterator[Site]:
     """Yield the objects, one endpoint for each topic; each is made once."""
     short = {name.rpartition("::")[2] for name in TRANSFORM_OBJECTS}
     seen: set[tuple[int, int]] = set()
     for calls in analysis.callers.made.values():
         for call in calls:
-            if not analysis.types.may_be(call.name, short):
+            if call.scope.file.is_beside or not analysis.types.may_be(call.name, short):
                 continue
             type_ = analysis.receivers.plain(call.qualified, call.scope)
             name = type_.partition("<")[0]
@@ -42,6 +53,7 @@ def transforms(analysis: Analysis) -> Iterator[Site]:
                     line=place.start_point.row + 1,
                     type=TRANSFORMS,
                     file=call.scope.file.name,
+                    qos=_QOS[kind, topic] if analysis.ros_version == 2 else None,
                 )
                 owner = analysis.unit.class_of(call.scope)
                 yield Site(endpoint, call, Shape(kind), call.arguments, owner)

@@ -7,17 +7,20 @@ what two places give differently.
 from __future__ import annotations
 
 import re
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING
 
 from tree_sitter import Node
 
 from plastron_tui.sources.work_limits import bounded
 
-from .arguments import Call, arguments_of, call_of
+from .arguments import Call, call_of
 from .fields import Fields
+from .flow import reaching_write
 from .literals import number_value, replaced, string_value
-from .scopes import Function, Scope, Variable
-from .unit import Unit, Write, last_name
+from .scopes import Function, Scope, Variable, last_name
+from .unit import Unit
+from .value import Value, calculated
+from .writes import Write
 
 if TYPE_CHECKING:
     from .callers import Callers
@@ -33,38 +36,6 @@ _CASTS = frozenset({"static_cast", "const_cast", "reinterpret_cast", "dynamic_ca
 _NUMBERS = frozenset(
     {"int", "double", "float", "unsigned", "size_t", "long", "uint32_t", "int32_t"}
 )
-
-
-class Value(NamedTuple):
-    """What an expression is worth.
-
-    Attributes:
-        value: the value; a list is a tuple.
-        is_default: whether it is only where nobody sets a parameter of ROS otherwise.
-        is_guess: whether it is the default of what a caller elsewhere may give otherwise.
-    """
-
-    value: bool | int | float | str | tuple[bool | int | float | str, ...]
-    is_default: bool = False
-    is_guess: bool = False
-
-    def like(self, *others: Value) -> Value:
-        """Return the value as unsure as others that it was made of."""
-        return self._replace(
-            is_default=self.is_default or any(each.is_default for each in others),
-            is_guess=self.is_guess or any(each.is_guess for each in others),
-        )
-
-    @property
-    def text(self) -> str | None:
-        """The value where it is a string."""
-        return self.value if isinstance(self.value, str) else None
-
-    @property
-    def number(self) -> int | float | None:
-        """The value where it is a number."""
-        is_number = isinstance(self.value, int | float) and not isinstance(self.value, bool)
-        return self.value if is_number and isinstance(self.value, int | float) else None
 
 
 class Evaluator:
@@ -159,9 +130,25 @@ class Evaluator:
 
     def _named(self, name: str, node: Node, scope: Scope) -> Value | None:
         variable = self.unit.lookup(name, scope, node.start_byte)
-        if variable is not None:
-            return self.variable(variable)
-        return self._defined(name)
+        if variable is None:
+            return self._defined(name)
+        if variable.kind == "local" and variable not in self.unit.items:
+            writes = self.unit.writes(variable)
+            if 1 < len(writes) <= MOST_WRITES:
+                reaching = reaching_write(writes, node, scope)
+                if reaching is not None:
+                    return self._reached(reaching, variable)
+        return self.variable(variable)
+
+    def _reached(self, writes: list[Write], variable: Variable) -> Value | None:
+        """Return the value of a local variable after what was last written to it."""
+        if self.unit.is_changed_unseen(variable):
+            return None
+        *earlier, last = writes
+        if last.call is None:
+            return self._written(last, variable)
+        before = self._reached(earlier, variable) if earlier else None
+        return self._callers.parameters.read_into(last.call, self, before)
 
     def _defined(self, name: str) -> Value | None:
         """Return the value of a macro."""
@@ -221,7 +208,7 @@ class Evaluator:
         one, other = left.number, right.number
         if one is None or other is None:
             return None
-        result = _calculated(operator.type, one, other)
+        result = calculated(operator.type, one, other)
         return None if result is None else Value(result).like(left, right)
 
     def _unary(self, node: Node, scope: Scope) -> Value | None:
@@ -411,26 +398,3 @@ def _single(listed: Value | None, variable: Variable) -> Value | None:
     if not listed.value:
         return Value("") if _STRING_TYPES.fullmatch(variable.type) else None
     return listed._replace(value=listed.value[0]) if len(listed.value) == 1 else None
-
-
-def _calculated(operator: str, one: int | float, other: int | float) -> int | float | None:
-    try:
-        match operator:
-            case "+":
-                return one + other
-            case "-":
-                return one - other
-            case "*":
-                return one * other
-            case "/" if isinstance(one, int) and isinstance(other, int):
-                quotient = abs(one) // abs(other)
-                return quotient if (one < 0) == (other < 0) else -quotient
-            case "/":
-                return one / other
-            case _:
-                return None
-    except (ZeroDivisionError, OverflowError):
-        return None
-
-
-__all__ = ["Evaluator", "Value", "arguments_of"]

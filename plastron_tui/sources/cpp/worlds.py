@@ -9,11 +9,11 @@ from tree_sitter import Node
 
 from .arguments import Call
 from .scopes import Function, Scope, Variable
-from .values import Value
+from .value import Value
 
 if TYPE_CHECKING:
     from .analysis import Analysis
-    from .sites import Found
+    from .found import Found
 
 MOST_WORLDS = 64
 _MOST_DEEP = 3

@@ -43,8 +43,8 @@ _MANAGED = """
 """
 
 _TASK_NAMES = """
-    call end_goals exit_status fail goal_mutex goes_on is_answered is_current is_done is_ending
-    is_served send_goal start wait_until_served work work_task
+    call end_goals exit_status fail goal_mutex goes_on has_failed is_answered is_current is_done
+    is_ending is_served send_goal start wait_until_served work work_task
 """
 
 DIALECT = Dialect(

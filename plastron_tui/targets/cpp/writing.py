@@ -5,15 +5,16 @@ from __future__ import annotations
 from plastron_tui.diagnostics import Span
 from plastron_tui.model.kinds import Parameter
 from plastron_tui.model.kinds.ranges import EVERY_FLOAT, EVERY_INTEGER, Interval, limits_of
-from plastron_tui.model.values import Computed, MessageValue, Value
+from plastron_tui.model.values import MessageValue
 from plastron_tui.model.workspace import Node
 from plastron_tui.ros.catalog import Catalog
-from plastron_tui.ros.interfaces import Field, FieldType, Interface, InterfaceKind, InterfaceName
+from plastron_tui.ros.interfaces import Field, Interface, InterfaceKind, InterfaceName
 from plastron_tui.ros.parameters import ParameterType
 from plastron_tui.ros.qos import Qos
 from plastron_tui.sources.cpp import interface_types, literals, naming
 from plastron_tui.sources.cpp.computed import Computing, Functions
 from plastron_tui.sources.cpp.keywords import is_keyword, is_taken
+from plastron_tui.sources.cpp.messages import Filling
 from plastron_tui.sources.cpp.qos_code import latch, profile
 from plastron_tui.targets.planning.writing import Writing
 
@@ -111,7 +112,7 @@ class CppWriting(Writing):
         """Write what makes a message that is called `message`."""
         interface = self.find(value.type, InterfaceKind.MESSAGE, span)
         class_ = self.class_of(interface.name, InterfaceKind.MESSAGE)
-        lines = self._fields(interface, interface.fields, value, span, "message.", received)
+        lines = self._lines(interface, interface.fields, value, span, "message.", received)
         return "\n".join((f"{class_} message;", *lines))
 
     def request(self, type_: InterfaceName, value: MessageValue, span: Span | None) -> str:
@@ -122,13 +123,13 @@ class CppWriting(Writing):
             first, holder = f"auto request = std::make_shared<{class_}::Request>();", "request->"
         else:
             first, holder = f"{class_} call;", "call.request."
-        return "\n".join((first, *self._fields(interface, interface.fields, value, span, holder)))
+        return "\n".join((first, *self._lines(interface, interface.fields, value, span, holder)))
 
     def goal(self, type_: InterfaceName, value: MessageValue, span: Span | None) -> str:
         """Write what makes a goal that is called `goal`."""
         interface = self.find(type_, InterfaceKind.ACTION, span)
         class_ = self.part_of(type_, InterfaceKind.ACTION, "Goal")
-        lines = self._fields(interface, interface.fields, value, span, "goal.")
+        lines = self._lines(interface, interface.fields, value, span, "goal.")
         return "\n".join((f"{class_} goal;", *lines))
 
     def empty_response(self, type_: InterfaceName) -> str:
@@ -142,9 +143,9 @@ class CppWriting(Writing):
         self._heard = interface.fields
         holder = "response->" if self.is_ros2 else "response."
         fields = interface.response.fields
-        return "\n".join(self._fields(interface, fields, value, span, holder, "request"))
+        return "\n".join(self._lines(interface, fields, value, span, holder, "request"))
 
-    def _fields(
+    def _lines(
         self,
         interface: Interface,
         fields: tuple[Field, ...],
@@ -154,46 +155,8 @@ class CppWriting(Writing):
         received: str = "received",
     ) -> list[str]:
         """Write what sets the fields of a message that has a value; `holder` ends with its dot."""
-        lines: list[str] = []
-        for name, each in value.fields.items():
-            field = self.checked_field(interface, fields, name, span)
-            lines += self._set(f"{holder}{name}", field.type, each, span, received)
-        return lines
-
-    def _set(
-        self, target: str, type_: FieldType, value: Value, span: Span | None, received: str
-    ) -> list[str]:
-        if isinstance(value, Computed):
-            return self.computing.set(target, value, received, self._heard)
-        if isinstance(value, MessageValue):
-            interface = self.find(value.type, InterfaceKind.MESSAGE, span)
-            return self._fields(interface, interface.fields, value, span, f"{target}.", received)
-        if not isinstance(value, tuple):
-            return [f"{target} = {self._scalar(type_, value)};"]
-        if not type_.is_array:
-            return [f"{target} = {self._scalar(type_, value)};"]
-        is_plain = not any(isinstance(each, (MessageValue, Computed)) for each in value)
-        if is_plain:
-            listed = ", ".join(self._scalar(type_.element, each) for each in value)
-            return [f"{target} = {f'{{{{{listed}}}}}' if type_.length else f'{{{listed}}}'};"]
-        lines = [] if type_.length else [f"{target}.resize({len(value)});"]
-        for index, each in enumerate(value):
-            lines += self._set(f"{target}[{index}]", type_.element, each, span, received)
-        return lines
-
-    def _scalar(self, type_: FieldType, value: Value) -> str:
-        if isinstance(value, tuple):
-            seconds, nanoseconds = value
-            assert isinstance(seconds, int)
-            assert isinstance(nanoseconds, int)
-            class_ = f"ros::{type_.name.capitalize()}"
-            return f"{class_}({literals.integer(seconds)}, {literals.integer(nanoseconds)})"
-        assert isinstance(value, (bool, int, float, str))
-        if isinstance(value, str) and type_.name == "wstring":
-            return literals.wide(value)
-        if isinstance(value, int) and type_.name in {"float32", "float64"}:
-            return literals.real(float(value))
-        return literals.scalar(value)
+        filling = Filling(self, self.computing, span, received, self._heard)
+        return filling.lines(interface, fields, value, holder)
 
     def parameter(self, name: str) -> str:
         """Write the value that a parameter of the node has."""

@@ -12,10 +12,10 @@ public:
   {
     std::function<void(Int32::SharedPtr)> function = std::bind(&Overloads::number, this, std::placeholders::_1, 3);
     a_ = create_subscription<Int32>("a", 1, function);
-    b_ = create_subscription<Int32>("b", 1, std::bind(&Overloads::number, this, std::placeholders::_1, 4));
+    b_ = create_subscription<Int32>("b", 1, std::function<void(Int32::SharedPtr)>(std::bind(&Overloads::number, this, std::placeholders::_1, 4)));
     c_ = create_subscription<Int32>("c", 1, &Overloads::fixed);
     d_ = create_subscription<sensor_msgs::msg::Joy>("d", 1, std::bind(static_cast<void (Overloads::*)(sensor_msgs::msg::Joy::SharedPtr)>(&Overloads::joy), this, std::placeholders::_1));
-    e_ = create_service<std_srvs::srv::Empty>("e", [this](auto request, auto response) { empty(request, response); });
+    e_ = create_service<std_srvs::srv::Empty>("e", [this](std_srvs::srv::Empty::Request::SharedPtr request, std_srvs::srv::Empty::Response::SharedPtr response) { empty(request, response); });
     f_ = create_subscription<Int32>("f", 1, Handler{this});
   }
 

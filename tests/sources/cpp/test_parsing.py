@@ -43,6 +43,48 @@ def test_no_offset_moves(text: str) -> None:
     assert code.count(b"\n") >= data.count(b"\n")
 
 
+WORDS = (
+    *("nh.advertise<", "std_msgs::String", ">(", '"a"', ", 1", ")", ";", "{", "}", "class A", ": "),
+    *("public rclcpp::Node", "create_publisher<", "std::bind(", "&A::f", "void f(", "T t", "= "),
+    *(
+        "for (auto t : ",
+        "ros::NodeHandle nh",
+        "using T = ",
+        "template<class T> ",
+        "if (x) ",
+        "[&](",
+    ),
+    *(
+        "declare_parameter(",
+        "nh.param(",
+        "return ",
+        "A::",
+        "#define T ",
+        "\n",
+        "rclcpp::QoS(",
+        "+ ",
+    ),
+    *(
+        "A() : Node(",
+        "1s",
+        "enum {",
+        "nh.subscribe(",
+        "new ",
+        "std::make_shared<",
+        "while (x) ",
+        "t",
+    ),
+)
+
+
+@given(st.lists(st.sampled_from(WORDS), max_size=60).map(" ".join))
+def test_whatever_a_text_is_it_is_read_or_refused(text: str) -> None:
+    files = FileSet.single(".cpp", f"#include <ros/ros.h>\n{text}".encode())
+    for library in ("roscpp", "rclcpp"):
+        result = find_language("cpp").read(Path("x.cpp"), files, library)
+        assert result.source is not None or result.diagnostics
+
+
 PARSED = [
     "class FOO_PUBLIC A : public B {};",
     "class FOO_PUBLIC A final { Q_OBJECT\npublic slots:\n  void f();\nsignals:\n  void g(); };",

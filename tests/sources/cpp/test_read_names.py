@@ -5,6 +5,8 @@ from __future__ import annotations
 import pytest
 from reading import ROS1, in_main, read
 
+from plastron_tui.model.kinds import EndpointKind
+
 USE = "nh.advertise<std_msgs::String>(t, 1);"
 
 CONSTANTS = [
@@ -74,6 +76,26 @@ def test_a_variable_has_the_one_value_that_it_gets(made: str, names: list[str] |
     found = [each for each in in_main(made + USE, head) if each.startswith("publisher")]
     expected = [""] if names is None else [f" {name}" for name in names]
     assert found == [f"publisher{name} std_msgs/String" for name in expected]
+
+
+FLOW = [
+    (f't = "a"; {USE} t = "b"; {USE}', ["a", "b"]),
+    (f't = "a"; if (x) {{ t = "b"; {USE} }} {USE}', ["b", None]),
+    (f't = "a"; if (x) {{ {USE} }} else {{ t = "b"; }}', ["a"]),
+    (f't = "a"; while (x) {{ {USE} t = "b"; }}', [None]),
+    (f'while (x) {{ t = "a"; {USE} t = "b"; }}', ["a"]),
+    (f't = "a"; t = t + "/b"; {USE}', ["a/b"]),
+    (f't = "a"; auto f = [&]() {{ {USE} }}; t = "b";', [None]),
+    (f'nh.param("p", t, std::string("a")); {USE} t = "b"; {USE}', [None, "b"]),
+    (f't = "a"; if (x) t = "b"; {USE}', [None]),
+]
+
+
+@pytest.mark.parametrize(("body", "names"), FLOW)
+def test_a_line_sees_the_value_that_a_variable_has_there(body: str, names: list[str]) -> None:
+    source = read(f"{ROS1}int main() {{ ros::NodeHandle nh; std::string t; {body} }}")
+    found = [each.name for each in source.endpoints if each.kind is EndpointKind.PUBLISHER]
+    assert found == names
 
 
 CALLED = [

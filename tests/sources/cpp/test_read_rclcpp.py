@@ -204,6 +204,12 @@ def test_what_only_looks_like_one_is_none(body: str) -> None:
     assert in_node(body) == []
 
 
+def test_a_class_that_is_declared_elsewhere_is_a_node_as_it_creates_what_has_a_type() -> None:
+    text = f'void A::f() {{ create_publisher<{S}>("a", 1); declare_parameter("b", 1); }}'
+    assert endpoints(ROS2 + text) == [f"publisher a {STRING}", "parameter b"]
+    assert endpoints(ROS2 + 'void A::f() { declare_parameter("b", 1); }') == []
+
+
 def test_a_header_has_a_part_of_a_node() -> None:
     header = (
         "class A : public rclcpp::Node {\n"

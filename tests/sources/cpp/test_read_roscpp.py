@@ -22,6 +22,7 @@ CALLS = [
     ("nh.createTimer(ros::Duration(1), tick);", ["timer tick"]),
     ('nh.param("a", x, 1);', ["parameter a"]),
     ('ros::param::get("~a", x);', ["parameter ~/a"]),
+    ('ros::param::get("~/a", x);', ["parameter ~/a"]),
     ('std_srvs::Empty s; ros::service::call("a", s);', ["client a std_srvs/Empty"]),
     (
         'ros::topic::waitForMessage<std_msgs::String>("a", nh);',

@@ -7,8 +7,7 @@ from dataclasses import dataclass
 from tree_sitter import Node
 
 from ..analysis import Analysis, Site
-from ..scopes import CppFile, Variable
-from ..unit import last_name
+from ..scopes import CppFile, Variable, last_name
 from .deletions import Deletions
 
 _WRAPPING = frozenset(

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Sequence
 
 from plastron_tui.diagnostics import Diagnostic, codes
@@ -126,10 +127,14 @@ class _Edits:
             return "leave a file that parses worse"
         if endpoints_of(self.analysis) != +self.expected:
             return "change other endpoints than the ones asked for"
-        if _names(self._before) != _names(self.analysis):
+        if not _has_same_nodes(self._before, self.analysis):
             return "change the nodes of the file"
         return None
 
 
-def _names(analysis: Analysis) -> list[tuple[str | None, str | None]]:
-    return [(node.name, node.class_name) for node in group(analysis)]
+def _has_same_nodes(before: Analysis, after: Analysis) -> bool:
+    """Whether the nodes are the same; one that nothing shows any more may be gone."""
+    missing = Counter(node.name for node in group(before))
+    missing.subtract(node.name for node in group(after))
+    is_fewer = len(after.sites) < len(before.sites)
+    return all(count == 0 or (count > 0 and is_fewer) for count in missing.values())

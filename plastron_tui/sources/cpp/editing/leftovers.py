@@ -43,16 +43,21 @@ def functions_of(analysis: Analysis, site: Site) -> Iterator[list[Function]]:
 
 
 def has_uses(analysis: Analysis, functions: Sequence[Function], gone: Deletions) -> bool:
-    """Tell whether anything that stays names a function."""
+    """Tell whether anything that stays names a function, but for itself."""
     name = functions[0].name
     own = {(each.file.name, each.declarator.start_byte) for each in functions}
+    bodies = [(each.file, each.node.start_byte, each.node.end_byte) for each in functions]
     pattern = re.compile(rb"(?<![A-Za-z0-9_])" + re.escape(name.encode()) + rb"(?!\w)")
     for file in analysis.unit.files:
         for found in pattern.finditer(file.syntax.code):
             if gone.covers(file, found.start()):
                 continue
             node = file.syntax.root.named_descendant_for_byte_range(found.start(), found.end())
-            if node is not None and not _is_declarator(node, file, own):
+            if node is None or not node.type.endswith("identifier"):
+                continue
+            if any(each is file and start <= found.start() < end for each, start, end in bodies):
+                continue
+            if not _is_declarator(node, file, own):
                 return True
     return False
 

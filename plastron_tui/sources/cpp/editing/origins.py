@@ -10,8 +10,7 @@ from tree_sitter import Node
 
 from ..analysis import Analysis, Site
 from ..arguments import call_of
-from ..scopes import CppFile, Scope, Variable
-from ..unit import last_name
+from ..scopes import CppFile, Scope, Variable, last_name
 
 _SAME = frozenset({"c_str", "str", "data", "string", "get", "string_view"})
 _MOST_STEPS = 16

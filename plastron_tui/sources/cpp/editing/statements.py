@@ -5,9 +5,8 @@ from __future__ import annotations
 from tree_sitter import Node
 
 from ..analysis import Analysis
-from ..scopes import CppFile, Scope, Variable
+from ..scopes import CppFile, Scope, Variable, last_name
 from ..syntax import Syntax
-from ..unit import last_name
 from .deletions import Deletions
 
 _BLOCKS = frozenset(

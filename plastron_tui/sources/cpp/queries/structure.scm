@@ -7,6 +7,8 @@
 (compound_statement) @scope
 (for_statement) @scope
 (for_range_loop) @scope
+(while_statement) @scope
+(do_statement) @scope
 (if_statement) @scope
 (template_declaration) @scope
 

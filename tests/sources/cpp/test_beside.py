@@ -1,0 +1,52 @@
+"""What another source of a package says of a node that a file is read for."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+from reading import ROS1
+
+from plastron_tui.project.loader import with_others
+from plastron_tui.sources import find_language
+
+HEADER = """#pragma once
+#include <ros/ros.h>
+class A {
+ public:
+  A(ros::NodeHandle nh, const std::string& topic);
+  void setup();
+  ros::NodeHandle nh_;
+  std::string topic_, other_;
+};
+"""
+SOURCE = f"""{ROS1}#include "a.hpp"
+A::A(ros::NodeHandle nh, const std::string& topic) : nh_(nh), topic_(topic) {{
+  nh_.advertise<std_msgs::String>(topic_, 1);
+  nh_.advertise<std_msgs::String>(other_, 1);
+}}
+"""
+SETUP = '#include "a.hpp"\nvoid A::setup() { other_ = "c"; nh_.subscribe(1); }\n'
+MAIN = '#include "a.hpp"\nint main() { A a(ros::NodeHandle("n"), "b"); }\n'
+STRANGER = 'const std::string topic = "z"; struct B { B(); void setup() { other_ = "d"; } };\n'
+
+
+@pytest.mark.parametrize(
+    ("files", "names", "beside"),
+    [
+        ({}, [None, None], []),
+        ({"main.cpp": MAIN}, ["n/b", None], ["main.cpp"]),
+        ({"main.cpp": MAIN, "setup.cpp": SETUP}, ["n/b", "n/c"], ["main.cpp", "setup.cpp"]),
+        ({"main.cpp": MAIN, "other.cpp": STRANGER}, ["n/b", None], ["main.cpp"]),
+    ],
+)
+def test_other_sources_say_what_members_are(
+    tmp_path: Path, files: dict[str, str], names: list[str | None], beside: list[str]
+) -> None:
+    for name, text in {"a.hpp": HEADER, "a.cpp": SOURCE, **files}.items():
+        (tmp_path / name).write_text(text)
+    path = tmp_path / "a.cpp"
+    result = find_language("cpp").read(path, with_others(path, path.read_bytes()))
+    assert result.source is not None
+    assert [each.name for each in result.source.endpoints] == names
+    assert [each.name for each in result.beside] == beside
