@@ -64,7 +64,9 @@ def plan_addition(analysis: Analysis, change: Add, catalog: Catalog) -> Plan:
     endpoint = change.endpoint
     kind = kind_of(type(endpoint))
     nodes = group(analysis)
-    label = change.node if change.node is not None else nodes[0].label if nodes else ""
+    if len(nodes) < 2:
+        change = change._replace(node=None)
+    label = change.node if change.node is not None else nodes[0].label if analysis.nodes else ""
     place = find_place(analysis, change, kind)
     interfaces = Interfaces(catalog, analysis.ros_version)
     sites = sites_of_node(analysis, change.node)

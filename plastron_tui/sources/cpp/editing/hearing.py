@@ -100,7 +100,8 @@ def _with_callbacks(added: Addition, kind: EndpointKind) -> list[Site]:
     """Return the call sites of a kind that call a function, the one beside the place first."""
     found = [each for each in added.like(kind) if each.callback.functions]
     model = added.model(kind)
-    return sorted(found[::-1], key=lambda each: each is not model)
+    found.reverse()
+    return sorted(found, key=lambda each: each is not model)
 
 
 def bound(added: Addition, name: str, arguments: int) -> tuple[list[str], bool]:
