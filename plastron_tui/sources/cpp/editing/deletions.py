@@ -58,8 +58,22 @@ def _lines_of(text: bytes, start: int, end: int) -> tuple[int, int]:
     first, last = line_start(text, start), line_end(text, max(start, end - 1))
     behind = _COMMENT.match(text, end, last)
     if text[first:start].strip() or behind is None or behind.end() != last:
-        return start, end
+        return _with_blanks(text, start, end)
     return _comment_above(text, first, last), last
+
+
+def _with_blanks(text: bytes, start: int, end: int) -> tuple[int, int]:
+    """Take the blanks beside a statement that shares its line with others."""
+    before, behind = start, end
+    while text[before - 1 : before] in (b" ", b"\t"):
+        before -= 1
+    while text[behind : behind + 1] in (b" ", b"\t"):
+        behind += 1
+    if before == line_start(text, start):
+        return start, behind
+    if text[before - 1 : before] == b"{" and text[behind : behind + 1] == b"}":
+        return before, behind
+    return before, end
 
 
 def _comment_above(text: bytes, first: int, last: int) -> int:

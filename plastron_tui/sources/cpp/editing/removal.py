@@ -8,17 +8,18 @@ from tree_sitter import Node
 
 from plastron_tui.diagnostics import Diagnostic, codes, listed
 from plastron_tui.model.source import EndpointKind, Remove
+from plastron_tui.sources.splices import line_number
 
 from ..analysis import Analysis, Site
 from ..scopes import CppFile, Function, Scope, Variable
 from .creation import Creation, creation_of
 from .deletions import Deletions
 from .leftovers import functions_of, has_uses, is_idle, is_stub, remove_function, unused_includes
-from .origins import uses_of
 from .plans import Plan
 from .refusals import RefusedError, in_use, not_there
 from .statements import calls_method, emptied, local_of, only_sets, statement_of
 from .units import sites_of
+from .uses import macro_uses, uses_of
 
 _SENDING = frozenset({"publish"})
 _ENDING = frozenset(
@@ -93,7 +94,12 @@ class _Removal:
             if not self._take_use(file, node, scope):
                 left.append((file, node, scope))
         self._take_guards(left)
+        self._note_macros(variable)
         creation.delete_declaration(self._gone)
+
+    def _note_macros(self, variable: Variable) -> None:
+        for file, start in macro_uses(self._analysis, variable.name):
+            self.used.append((file, line_number(file.syntax.text, start)))
 
     def _keep_value(self, variable: Variable) -> None:
         """Note where the value of a parameter is used, which a removal leaves unset."""
