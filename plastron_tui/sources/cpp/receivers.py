@@ -108,7 +108,7 @@ class Receivers:
                 variable = self._unit.lookup(name, scope, node.start_byte)
                 return self.type_of_variable(variable) if variable is not None else ""
             case "field_expression":
-                member = self._member(node, scope)
+                member = self.member(node, scope)
                 return self.type_of_variable(member) if member is not None else ""
             case "pointer_expression" | "parenthesized_expression" | "cast_expression":
                 inner = node.child_by_field_name("argument") or node.child_by_field_name("value")
@@ -129,7 +129,8 @@ class Receivers:
             case _:
                 return ""
 
-    def _member(self, node: Node, scope: Scope) -> Variable | None:
+    def member(self, node: Node, scope: Scope) -> Variable | None:
+        """Return the member that `a.b` or `a->b` names, None where the type of `a` is not known."""
         holder = node.child_by_field_name("argument")
         inner = node.child_by_field_name("field")
         if holder is None or inner is None:
@@ -259,7 +260,7 @@ class Receivers:
                     return Prefix("~" if _PRIVATE.fullmatch(name) else "", True)
                 return self._prefix_of_variable(variable)
             case "field_expression":
-                member = self._member(node, scope)
+                member = self.member(node, scope)
                 if member is None:
                     inner = node.child_by_field_name("field")
                     name = syntax.word(inner) if inner is not None else ""
