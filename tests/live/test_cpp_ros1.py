@@ -196,7 +196,7 @@ def test_a_nodelet_in_a_manager(manager: CppGraph, programs: Programs) -> None:
     # With a bond, a manager that ends while one breaks unloads by way of what it has not any more.
     loading = ("load", class_, "manager", "--no-bond", "__name:=cruiser")
     host = nodelet(manager, "manager", "__name:=manager")
-    assert nodelet(manager, *loading).wait(60) == 0
+    loaded = nodelet(manager, *loading)
     manager.described("manager")
     master = ServerProxy(manager.env["ROS_MASTER_URI"])
     for name, value in GOOD.items():
@@ -214,9 +214,9 @@ def test_a_nodelet_in_a_manager(manager: CppGraph, programs: Programs) -> None:
     host.wait_to_print("/ready: ", count=2)
     sender = send(manager)
     wait_until(lambda: told(sender, "feedback"), "a feedback")
-    assert nodelet(manager, "unload", "cruiser", "manager").wait(60) == 0
+    end(loaded)
     assert outcomes(sender) == {0: "aborted"}
     called = host.output.count("/ready: ")
-    assert nodelet(manager, *loading).wait(60) == 0
+    nodelet(manager, *loading)
     host.wait_to_print("/ready: ", count=called + 2)
     end(host)
