@@ -18,13 +18,17 @@ from plastron_tui.ros.catalog import Catalog, moved
 from plastron_tui.sources.base import Rendered
 
 from ..analysis import Analysis
+from ..beside import sources_beside
 from ..nodes import group
+from ..scopes import CppFile
+from ..structure import outline
+from ..syntax import parse
 from .addition import plan_addition
 from .plans import Plan, with_splices
 from .refusals import RefusedError
 from .removal import plan_removal
 from .renaming import plan_renames
-from .units import Found, analyze_files, endpoints_of
+from .units import Found, analyze_files, endpoints_of, outlines_of
 from .updating import NotInPlaceError, plan_update
 
 
@@ -78,7 +82,10 @@ class _Edits:
         self._source = source
         self._catalog = catalog
         self.files = source.files
-        self.analysis = self._before = analyze_files(source.files, source.library)
+        outlines = outlines_of(source.files)
+        self._beside, _ = sources_beside(source.path, outlines)
+        self._before = analyze_files(outlines, source.library, self._beside)
+        self.analysis = self._before
         self.expected: Found = endpoints_of(self.analysis)
         self.notes: list[Diagnostic] = []
 
@@ -118,7 +125,18 @@ class _Edits:
         self.expected.subtract(endpoints_of(self.analysis, plan.lost))
         self.expected.update(plan.added)
         self.notes += plan.notes
-        self.analysis = analyze_files(self.files, self._source.library)
+        outlines = self._outlines()
+        self.analysis = analyze_files(outlines, self._source.library, self._beside)
+
+    def _outlines(self) -> list[CppFile]:
+        """Return the files as they are now; what did not change is not parsed again."""
+        before = {file.name: file for file in self.analysis.unit.files}
+        found = []
+        for at, (name, text) in enumerate(self.files.texts):
+            own = "" if at == 0 else name
+            is_same = before[own].syntax.text == text
+            found.append(before[own] if is_same else outline(own, parse(text)))
+        return found
 
     def problem(self) -> str | None:
         """Return what is wrong with the changed files, None where nothing is."""

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
 from typing import NamedTuple
 
 from tree_sitter import Node
@@ -157,26 +156,3 @@ def _macro(analysis: Analysis, name: str) -> Origin | None:
     start = found[0].start + len(text[: len(text) - len(text.lstrip())])
     is_text = re.fullmatch(r'"(?:[^"\\]|\\.)*"', stripped) is not None
     return found[0]._replace(start=start, end=start + len(stripped.encode())) if is_text else None
-
-
-def uses_of(analysis: Analysis, variable: Variable) -> Iterator[tuple[CppFile, Node, Scope]]:
-    """Yield the places that name a variable, but for its declaration."""
-    own = variable.declarator.start_byte if variable.declarator is not None else -1
-    pattern = re.compile(rb"(?<![A-Za-z0-9_])" + re.escape(variable.name.encode()) + rb"(?!\w)")
-    for file in analysis.unit.files:
-        code = file.syntax.code
-        for found in pattern.finditer(code):
-            if file is variable.file and found.start() == own:
-                continue
-            node = file.syntax.root.named_descendant_for_byte_range(found.start(), found.end())
-            if node is None or node.type not in ("identifier", "field_identifier"):
-                continue
-            scope = scope_at(file, found.start())
-            if analysis.unit.lookup(variable.name, scope, found.start()) is variable:
-                yield file, node, scope
-
-
-def scope_at(file: CppFile, offset: int) -> Scope:
-    """Return the innermost scope that an offset is in."""
-    inside = (scope for scope in file.scopes if scope.start <= offset < scope.end)
-    return max(inside, key=lambda scope: (scope.start, -scope.end), default=file.root)

@@ -13,10 +13,11 @@ from plastron_tui.ros.names import name_as_read, name_as_written
 from .. import literals
 from ..analysis import Analysis, Site
 from ..scopes import Scope
-from .origins import Origin, name_argument, origin_of, uses_of
+from .origins import Origin, name_argument, origin_of
 from .plans import Plan
 from .refusals import RefusedError, not_there
 from .units import key_of, labels_of, sites_of
+from .uses import uses_of
 
 _TELLING = ("LOG", "INFO", "WARN", "ERROR", "DEBUG", "FATAL", "print", "cout", "cerr")
 
@@ -68,7 +69,23 @@ def _origin(analysis: Analysis, site: Site, change: Rename, wanted: dict[Site, R
     is_alone = sum(each.call is site.call for each in analysis.sites) == 1
     if given is None or site.endpoint.name is None or site.bindings or not is_alone:
         raise _not_alone(site, change)
+    if _depends_on_parameter(analysis, given, site.place):
+        raise _not_alone(site, change)
     return Origin(site.file, given.start_byte, given.end_byte)
+
+
+def _depends_on_parameter(analysis: Analysis, node: Node, scope: Scope) -> bool:
+    """Whether callers of a function decide what an expression is."""
+    stack = [node]
+    while stack:
+        each = stack.pop()
+        stack += each.named_children
+        if each.type == "identifier":
+            name = scope.file.syntax.word(each)
+            found = analysis.unit.lookup(name, scope, each.start_byte)
+            if found is not None and found.kind in ("parameter", "loop"):
+                return True
+    return False
 
 
 def _uses(analysis: Analysis, origin: Origin) -> Iterable[list[tuple[Node, Scope]]]:

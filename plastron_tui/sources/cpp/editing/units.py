@@ -10,6 +10,7 @@ from plastron_tui.model.source import EndpointKind, FileSet, Remove, Rename, Sou
 from ..analysis import Analysis, Site
 from ..nodes import group, owned_sites
 from ..reader import LIBRARIES, analyze
+from ..scopes import CppFile
 from ..structure import outline
 from ..syntax import parse
 from ..unit import Unit
@@ -20,11 +21,23 @@ Found = Counter[tuple[str, Key]]
 """The endpoints of a unit, each with the label of its node."""
 
 
-def analyze_files(files: FileSet, library: str) -> Analysis:
-    """Return what is known of the files of a unit of a client library."""
+def outlines_of(files: FileSet) -> list[CppFile]:
+    """Return the files of a unit, parsed."""
     texts = [("" if at == 0 else name, text) for at, (name, text) in enumerate(files.texts)]
-    unit = Unit(outline(name, parse(text)) for name, text in texts)
-    analysis = analyze(unit, LIBRARIES[library])
+    return [outline(name, parse(text)) for name, text in texts]
+
+
+def analyze_files(
+    files: Iterable[CppFile], library: str, beside: Iterable[CppFile] = ()
+) -> Analysis:
+    """Return what is known of the files of a unit of a client library.
+
+    Args:
+        files: the files, the main one first.
+        library: the client library.
+        beside: other files that say what these leave open, see `sources_beside`.
+    """
+    analysis = analyze(Unit(files, beside), LIBRARIES[library])
     group(analysis)
     return analysis
 
