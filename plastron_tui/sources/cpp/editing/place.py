@@ -85,7 +85,7 @@ def find_place(analysis: Analysis, change: Add, kind: EndpointKind) -> Place:
         id(each.node) for site in analysis.sites for each in site.callback.functions if each.scope
     }
     for at, site in enumerate(sites_of_node(analysis, change.node)):
-        place = _beside(analysis, site)
+        place = beside(analysis, site)
         if place is None or id(place.function.node) in callbacks or site.bindings:
             continue
         if any(place.function.node.id == each.node.id for each in _called_back(analysis)):
@@ -137,7 +137,7 @@ def _rank(analysis: Analysis, function: Function, depth: int = 0) -> int | None:
     return _rank(analysis, outer, depth + 1)
 
 
-def _beside(analysis: Analysis, site: Site) -> Place | None:
+def beside(analysis: Analysis, site: Site) -> Place | None:
     """Return the place behind the statement of a call, None where that is none to add at."""
     if site.shape.on in ("", "filter", "lazy"):
         return None
