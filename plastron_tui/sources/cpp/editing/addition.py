@@ -23,6 +23,7 @@ from plastron_tui.ros.catalog import Catalog
 from plastron_tui.ros.interfaces import Interface
 from plastron_tui.ros.names import name_as_written
 from plastron_tui.ros.qos import DEFAULT, Qos
+from plastron_tui.ros.qos_words import WORDS
 from plastron_tui.sources import naming
 
 from .. import literals
@@ -228,7 +229,7 @@ def _queue(added: Addition) -> str:
     is_publisher = added.kind is K.PUBLISHER
     sent = added.endpoint.publications if isinstance(added.endpoint, Publisher) else ()
     if any(each.is_once for each in sent):
-        qos = (qos or Qos())._replace(durability="transient_local")
+        qos = (qos or Qos()).over(WORDS["latched"].says)
     if isinstance(qos, Qos) and qos.known:
         return profile(qos) if added.is_ros2 else latch(qos, is_publisher=is_publisher)
     found = set()

@@ -10,6 +10,7 @@ from collections import defaultdict
 
 from plastron_tui.diagnostics import codes
 from plastron_tui.model.kinds import Client, Rate, Request
+from plastron_tui.model.source import EndpointKind
 from plastron_tui.ros.interfaces import InterfaceKind, InterfaceName
 
 from ..guarded import Conditions
@@ -17,6 +18,7 @@ from .adding import Addition
 from .computing import computing_for
 from .interfaces import refuse
 from .logging import log_line
+from .manner import Naming, variable_naming
 from .members import declare, is_local
 from .sending import Sender
 from .timers import capture, node_captures, period_of, run_at, timer_name
@@ -38,8 +40,6 @@ def add_requests(added: Addition, client: Client, sender: Sender, type_: Interfa
         _call(added, sender, type_, once, None, handle)
     for rate, requests in by_rate.items():
         _call(added, sender, type_, requests, rate, handle)
-    if not added.is_ros2:
-        _start_thread(added, handle)
 
 
 def _call(
@@ -154,38 +154,26 @@ def _own_thread(added: Addition) -> str:
 
     What is declared last goes first: the thread has ended before its queue goes.
     """
-    names = {}
-    for part in ("queue", "spinner", "nh"):
-        name = f"{added.topic}_{part}"
-        end = "_" if sender_end(added) else ""
-        names[part] = added.free(f"{name}{end}", end)
+    is_member = added.owner is not None
+    like = variable_naming(added.analysis, EndpointKind.TIMER, added.sites, is_member=is_member)
+    queue, spinner, handle = (
+        added.free(Naming(like.casing, "", part, like.start, like.end).name(added.topic), like.end)
+        for part in ("queue", "spinner", "nh")
+    )
     file = added.place.file
     if is_local(added):
-        added.lines.append(f"ros::CallbackQueue {names['queue']};")
-        added.lines.append(f"ros::AsyncSpinner {names['spinner']}(1, &{names['queue']});")
-        added.lines.append(f"ros::NodeHandle {names['nh']};")
-    elif added.owner is not None:
-        declare(added, f"ros::CallbackQueue {names['queue']};")
-        declare(added, f"ros::AsyncSpinner {names['spinner']}{{1, &{names['queue']}}};")
-        file = declare(added, f"ros::NodeHandle {names['nh']};")
+        added.lines.append(f"ros::CallbackQueue {queue};")
+        added.lines.append(f"ros::AsyncSpinner {spinner}(1, &{queue});")
+        added.lines.append(f"ros::NodeHandle {handle};")
+    elif is_member:
+        declare(added, f"ros::CallbackQueue {queue};")
+        declare(added, f"ros::AsyncSpinner {spinner}{{1, &{queue}}};")
+        file = declare(added, f"ros::NodeHandle {handle};")
     else:
         message = f"`{added.place.function.name}` has no place for a thread that calls"
         remedy = "call it by hand, or let a node that is a class do so"
         refuse(codes.EDIT_REFUSED, f"{message} `{added.endpoint.name}`", added.span, remedy)
     added.include(file, "ros/callback_queue.h")
-    added.lines.append(f"{names['nh']}.setCallbackQueue(&{names['queue']});")
-    return f"{names['nh']}."
-
-
-def _start_thread(added: Addition, handle: str) -> None:
-    spinner = handle[:-1].removesuffix("_")
-    spinner = f"{spinner.removesuffix('nh')}spinner{'_' if handle.endswith('_.') else ''}"
+    added.lines.append(f"{handle}.setCallbackQueue(&{queue});")
     added.lines.append(f"{spinner}.start();")
-
-
-def sender_end(added: Addition) -> bool:
-    """Tell whether the members of the class end with an underscore."""
-    if added.owner is None:
-        return False
-    names = list(added.owner.variables)
-    return not names or sum(name.endswith("_") for name in names) * 2 >= len(names)
+    return f"{handle}."
