@@ -6,24 +6,34 @@ import re
 
 from plastron_tui.diagnostics import codes
 from plastron_tui.model.kinds import (
+    ActionClient,
+    ActionServer,
     Client,
+    Parameter,
     Publisher,
     Service,
-    Subscription,
+    Timer,
     callback_of,
+    is_sending,
     kind_of,
 )
 from plastron_tui.model.source import Add, EndpointKind
+from plastron_tui.model.values import MessageValue
 from plastron_tui.ros.catalog import Catalog
-from plastron_tui.ros.interfaces import Interface, InterfaceKind
+from plastron_tui.ros.interfaces import Interface
 from plastron_tui.ros.names import name_as_written
 from plastron_tui.ros.qos import DEFAULT, Qos
+from plastron_tui.ros.qos_words import WORDS
+from plastron_tui.sources import naming
 
 from .. import literals
-from ..analysis import Analysis
+from ..analysis import Analysis, Site
 from ..nodes import group
 from ..qos_code import latch, profile
+from .actions import request_action, serve_action
 from .adding import Addition
+from .calling import add_requests
+from .computing import computing_for
 from .functions import write_function
 from .hearing import (
     bound,
@@ -34,11 +44,13 @@ from .hearing import (
 )
 from .interfaces import Interfaces, refuse
 from .logging import log_line
-from .manner import callback_naming, identifiers
+from .manner import callback_naming, held_by, identifiers
 from .members import hold, is_local, type_of
-from .place import find_place, handle_for, sites_of_node
+from .parameters import declare_parameter
+from .place import beside, find_place, handle_for, sites_of_node
 from .plans import Plan
-from .refusals import RefusedError
+from .sending import Sender, add_publishing
+from .timers import create_timer, event_parameter, period_of, timer_name
 
 K = EndpointKind
 
@@ -74,14 +86,79 @@ def plan_addition(analysis: Analysis, change: Add, catalog: Catalog) -> Plan:
         analysis, kind, endpoint, place, interfaces, sites, identifiers(analysis), label
     )
     match endpoint:
-        case Publisher() | Subscription() | Service() | Client():
-            _create(added)
+        case Parameter():
+            declare_parameter(added, endpoint)
+        case Timer():
+            _repeat(added, endpoint)
+        case ActionServer():
+            serve_action(added, endpoint, _interface(added))
+        case ActionClient():
+            request_action(added, endpoint, _interface(added))
         case _:
-            message = f"plastron cannot add a {kind.word} to a C++ file yet"
-            raise RefusedError(message, endpoint.span)
+            _add(added)
     added.put_at_place()
     added.include_types(place.file)
     return added.plan
+
+
+def _add(added: Addition) -> None:
+    """Create a part of a topic or service, or use the one that is there, and send through it."""
+    endpoint = added.endpoint
+    present = [
+        site
+        for site in added.sites
+        if site.endpoint.kind is added.kind and site.endpoint.name == endpoint.name
+    ]
+    if present and is_sending(endpoint):
+        sender = _present(added, present)
+    else:
+        variable = _create(added)
+        sender = Sender(variable, added.is_ros2, is_local(added))
+    match endpoint:
+        case Publisher():
+            add_publishing(added, endpoint, sender)
+        case Client():
+            add_requests(added, endpoint, sender, _interface(added).name)
+
+
+def _present(added: Addition, present: list[Site]) -> Sender:
+    """Return what the files have to send with."""
+    endpoint = added.endpoint
+    once = isinstance(endpoint, Publisher) and any(each.is_once for each in endpoint.publications)
+    for site in reversed(present):
+        variable = held_by(added.analysis, site)
+        if variable is None or (variable.kind == "local" and site is not added.place.beside):
+            place = beside(added.analysis, site)
+            if variable is None or place is None:
+                continue
+            added.place = place
+        qos = site.endpoint.qos
+        if once and (qos is None or qos.durability != "transient_local"):
+            how = "transient_local" if added.is_ros2 else "latched"
+            line = site.endpoint.line
+            message = (
+                f"the publisher of `{endpoint.name}` in line {line} keeps no message for those"
+            )
+            remedy = f"make it {how} by hand, or let the node stop publishing to it first"
+            refuse(codes.EDIT_REFUSED, f"{message} who listen later", added.span, remedy)
+        written = variable.type
+        is_pointer = variable.is_pointer or "Ptr" in written or "ptr<" in written
+        is_pointer = is_pointer or (written == "auto" and added.is_ros2)
+        return Sender(variable.name, is_pointer, variable.kind == "local")
+    lines = ", ".join(str(site.endpoint.line) for site in present)
+    message = f"no variable of the file holds `{endpoint.name}`, created in line {lines}"
+    return refuse(codes.EDIT_REFUSED, message, added.span)
+
+
+def _repeat(added: Addition, timer: Timer) -> None:
+    """Call a function at a rate."""
+    if existing(added, timer.name) is None:
+        body = [log_line(added, f"{naming.label(timer.name, 'a timer')} ticks", "")]
+        write_function(added, timer.name, event_parameter(added), body)
+    words = naming.words(timer.name)
+    period = period_of(added, timer.rate or 1.0)
+    variable = timer_name(added, words)
+    create_timer(added, variable, period, timer.name)
 
 
 def _interface(added: Addition) -> Interface:
@@ -150,6 +227,9 @@ def _queue(added: Addition) -> str:
         return ""
     qos = getattr(added.endpoint, "qos", None)
     is_publisher = added.kind is K.PUBLISHER
+    sent = added.endpoint.publications if isinstance(added.endpoint, Publisher) else ()
+    if any(each.is_once for each in sent):
+        qos = (qos or Qos()).over(WORDS["latched"].says)
     if isinstance(qos, Qos) and qos.known:
         return profile(qos) if added.is_ros2 else latch(qos, is_publisher=is_publisher)
     found = set()
@@ -170,8 +250,8 @@ def _callback(added: Addition, interface: Interface, class_: str) -> str:
             remedy = "leave out `answering`, and fill in the response by hand in its function"
             refuse(codes.EDIT_REFUSED, f"{message} is there", added.span, remedy)
         return wanted
-    naming = callback_naming(added.analysis, added.kind, added.sites)
-    name = wanted or added.free(naming.name(added.topic), naming.end)
+    manner = callback_naming(added.analysis, added.kind, added.sites)
+    name = wanted or added.free(manner.name(added.topic), manner.end)
     added.taken.add(name)
     if added.kind is K.SUBSCRIPTION:
         parameter = message_parameter(added, class_)
@@ -181,6 +261,12 @@ def _callback(added: Addition, interface: Interface, class_: str) -> str:
         request, response = service_parameters(added, class_)
         value = f"to_yaml({request.value})" if added.is_ros2 else request.value
         body = [log_line(added, added.prose, value)]
+        if isinstance(added.endpoint, Service) and added.endpoint.answer is not None:
+            body += _answer(
+                added, interface, added.endpoint.answer, request.holder, response.holder
+            )
+        elif added.is_ros2:
+            body.append(f"(void){response.name};")
         if not added.is_ros2:
             body.append("return true;")
         file = write_function(
@@ -194,4 +280,15 @@ def _callback(added: Addition, interface: Interface, class_: str) -> str:
     return name
 
 
-__all__ = ["InterfaceKind", "plan_addition"]
+def _answer(
+    added: Addition, interface: Interface, answer: MessageValue, request: str, response: str
+) -> list[str]:
+    """Return the lines that fill an answer; what no field can hold leaves it as it is."""
+    computing, conditions = computing_for(added, added.span)
+    fields = interface.response.fields
+    lines = added.interfaces.fill(
+        interface, fields, answer, response, computing, added.span, request, interface.fields
+    )
+    if not conditions:
+        return lines
+    return added.style(added.place.file).block(f"if ({conditions.text})", lines)

@@ -26,9 +26,17 @@ def add_include(plan: Plan, file: CppFile, header: str, ros_version: int) -> Non
     """Include a header, beside those that are like it."""
     includes = _unconditional(file)
     is_standard = "/" not in header
-    like = [each for each in includes if _is_like(each.path, header)]
+    like = [each for each in includes if _is_like(each, header)]
     if not like:
         like = [each for each in includes if ("/" in each.path) != is_standard]
+    if is_standard and not any("/" not in each.path and each.is_angled for each in includes):
+        first = next((each for each in includes if "/" in each.path), None)
+        if ros_version == 2 and first is not None:
+            # The style of ROS 2 has them before those of packages.
+            newline = "\r\n" if b"\r\n" in file.syntax.text[:4096] else "\n"
+            text = f"#include <{header}>{newline}{newline}"
+            plan.replace(file, first.start, first.start, text)
+            return
     near = like or includes
     newline = "\r\n" if b"\r\n" in file.syntax.text[:4096] else "\n"
     if not near:
@@ -61,10 +69,11 @@ def _written(header: str, is_angled: bool) -> str:
     return f"#include <{header}>" if is_angled else f'#include "{header}"'
 
 
-def _is_like(path: str, header: str) -> bool:
+def _is_like(include: Include, header: str) -> bool:
+    path = include.path
     if _INTERFACE.fullmatch(header) is not None:
         return _INTERFACE.fullmatch(path) is not None
-    return ("/" in path) == ("/" in header)
+    return ("/" in path) == ("/" in header) and (include.is_angled or "/" in path)
 
 
 def _runs(file: CppFile, includes: list[Include]) -> list[list[Include]]:

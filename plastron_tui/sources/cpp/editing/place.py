@@ -13,7 +13,8 @@ from plastron_tui.model.source import Add, EndpointKind
 from ..analysis import Analysis, NodeSite, Site
 from ..nodes import group, main_class
 from ..receivers import HANDLE, MANAGED_CLASSES, joined
-from ..scopes import CppFile, Function, Scope, Variable
+from ..scopes import CppFile, Function, Scope, Variable, last_name
+from .manner import held_by
 from .refusals import RefusedError
 from .units import labels_of
 
@@ -85,7 +86,7 @@ def find_place(analysis: Analysis, change: Add, kind: EndpointKind) -> Place:
         id(each.node) for site in analysis.sites for each in site.callback.functions if each.scope
     }
     for at, site in enumerate(sites_of_node(analysis, change.node)):
-        place = _beside(analysis, site)
+        place = beside(analysis, site)
         if place is None or id(place.function.node) in callbacks or site.bindings:
             continue
         if any(place.function.node.id == each.node.id for each in _called_back(analysis)):
@@ -137,7 +138,7 @@ def _rank(analysis: Analysis, function: Function, depth: int = 0) -> int | None:
     return _rank(analysis, outer, depth + 1)
 
 
-def _beside(analysis: Analysis, site: Site) -> Place | None:
+def beside(analysis: Analysis, site: Site) -> Place | None:
     """Return the place behind the statement of a call, None where that is none to add at."""
     if site.shape.on in ("", "filter", "lazy"):
         return None
@@ -152,12 +153,27 @@ def _beside(analysis: Analysis, site: Site) -> Place | None:
     after, block = _statement(site.call.node, body)
     if after is not None and _leaves(after):
         return None
+    after = _with_uses(analysis, site, after)
     owner = analysis.unit.class_of_function(function)
     node = node_prefix(analysis, site) if analysis.ros_version == 2 else ""
     is_own_node = owner is None or node is not None
     if not is_own_node or (node is None):
         return None
     return Place(site.file, function, block, after, owner, node, site)
+
+
+def _with_uses(analysis: Analysis, site: Site, after: Node | None) -> Node | None:
+    """Return the last statement of a run that begins what was created: `server_->start();`."""
+    variable = held_by(analysis, site)
+    if after is None or variable is None:
+        return after
+    word = site.file.syntax.word
+    begins = re.compile(rf"(?:this->)?{re.escape(variable.name)}(?:->|\.)")
+    while (following := after.next_named_sibling) is not None:
+        if following.type != "expression_statement" or not begins.match(word(following)):
+            break
+        after = following
+    return after
 
 
 def _leaves(statement: Node) -> bool:
@@ -295,7 +311,7 @@ def handle_for(analysis: Analysis, place: Place, name: str) -> tuple[str, str]:
         assert call.name_node is not None and call.receiver is not None
         text = beside.file.syntax.between(call.receiver.start_byte, call.name_node.start_byte)
         prefix = analysis.receivers.prefix(call.receiver, call.scope)
-        if prefix.text is not None:
+        if prefix.text is not None and text.rstrip("->.").strip() not in _queued(analysis):
             found.append((text.removesuffix("template ").strip(), prefix.text))
     found += _handles(analysis, place)
     for text, prefix_text in found:
@@ -308,6 +324,12 @@ def handle_for(analysis: Analysis, place: Place, name: str) -> tuple[str, str]:
     if name.startswith("~"):
         return 'ros::NodeHandle("~").', name[1:].lstrip("/")
     return "ros::NodeHandle().", name
+
+
+def _queued(analysis: Analysis) -> set[str]:
+    """Return the names of the handles that have a queue of their own."""
+    calls = analysis.unit.calls.get("setCallbackQueue", ())
+    return {last_name(each.receiver, each.scope) for each in calls if each.receiver is not None}
 
 
 def _is_nodelet(analysis: Analysis, place: Place) -> bool:
@@ -342,6 +364,8 @@ def _handles(analysis: Analysis, place: Place) -> Iterator[tuple[str, str]]:
             if variable.kind in ("local", "parameter") and variable.start > place.offset:
                 continue
             seen.add(name)
+            if name in _queued(analysis):
+                continue
             if variable.declarator is None or variable.is_list:
                 continue
             prefix = analysis.receivers.prefix(variable.declarator, variable.scope)

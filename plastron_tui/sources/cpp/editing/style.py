@@ -10,6 +10,7 @@ from plastron_tui.sources.splices import line_start, newline_of
 
 from ..scopes import CppFile
 
+_TAB = 4
 LONGEST = 100
 """The longest line of ROS 2's style; a file of longer lines is written with these."""
 
@@ -45,11 +46,29 @@ class Style:
             base: the blanks that each of them begins with.
         """
         found = []
-        for line in lines:
+        columns = len(base.expandtabs(_TAB))
+        for line in (part for line in lines for part in self._broken(line, columns)):
             inner = line.lstrip("\t")
             depth = len(line) - len(inner)
             found.append(f"{base}{self.indent * depth}{inner}" if inner else "")
         return "".join(f"{line}{self.newline}" for line in found)
+
+    def _broken(self, line: str, columns: int) -> list[str]:
+        """Return a call or a head in several lines where it is too long for one."""
+        inner = line.lstrip("\t")
+        tabs = "\t" * (len(line) - len(inner))
+        step = len(self.indent.expandtabs(_TAB))
+        room = self.width - columns - step * len(tabs)
+        parts = _call_of(inner) if len(inner) > room else None
+        if parts is None:
+            return [line]
+        head, arguments, tail = parts
+        joined = ", ".join(arguments)
+        room -= step
+        if len(joined) + len(tail) <= room:
+            return [f"{tabs}{head}", f"{tabs}\t{joined}{tail}"]
+        *first, last = arguments
+        return [f"{tabs}{head}", *(f"{tabs}\t{each}," for each in first), f"{tabs}\t{last}{tail}"]
 
     def opened(self, head: str) -> list[str]:
         """Return the line, or two, that begins a function."""
@@ -59,6 +78,41 @@ class Style:
         """Return an `if` or a loop around lines."""
         first = [head, "{"] if self.is_control_broken else [f"{head} {{"]
         return [*first, *(f"\t{each}" for each in lines), "}"]
+
+
+def _call_of(line: str) -> tuple[str, list[str], str] | None:
+    """Return what stands before the arguments of a line's outermost call, these, and the rest."""
+    if '"' in line and line.count('"') % 2:
+        return None
+    starts: list[int] = []
+    commas: dict[int, list[int]] = {}
+    is_text = False
+    for at, letter in enumerate(line):
+        if letter == '"' and line[at - 1 : at] != "\\":
+            is_text = not is_text
+        if is_text:
+            continue
+        if letter in "([{":
+            starts.append(at)
+        elif letter in ")]}" and starts:
+            start = starts.pop()
+            rest = line[at + 1 :].strip()
+            is_last = line[start] == "(" and rest in ("", ";", "{", ");", "));", "const", "const {")
+            if is_last and not starts and start + 1 < at:
+                ends = [*commas.get(start, []), at]
+                begins = [start + 1, *(each + 1 for each in ends[:-1])]
+                given = [line[a:b].strip() for a, b in zip(begins, ends, strict=True)]
+                return line[: start + 1], given, line[at:]
+        elif letter == "," and starts:
+            if _is_in_template(line, starts[-1], at):
+                continue
+            commas.setdefault(starts[-1], []).append(at)
+    return None
+
+
+def _is_in_template(line: str, start: int, at: int) -> bool:
+    part = line[start + 1 : at].replace("<<", "").replace("->", "")
+    return part.count("<") > part.count(">")
 
 
 def style_of(file: CppFile, ros_version: int) -> Style:
