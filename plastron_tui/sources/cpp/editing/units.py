@@ -46,7 +46,8 @@ def key_of(endpoint: SourceEndpoint) -> Key:
     """Return what makes two endpoints of a node equal; a timer's period may change."""
     if endpoint.kind is EndpointKind.TIMER:
         return (endpoint.kind, None, "", endpoint.callback or "")
-    name = endpoint.name if endpoint.name is not None else endpoint.expression
+    name = endpoint.name if endpoint.name is not None else endpoint.default
+    name = endpoint.expression if name is None else name
     return (endpoint.kind, name, str(endpoint.type), endpoint.callback or "")
 
 

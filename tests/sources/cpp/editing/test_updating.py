@@ -20,7 +20,7 @@ from plastron_tui.model.kinds import (
     kind_of,
 )
 from plastron_tui.model.source import Update
-from plastron_tui.model.values import MessageValue
+from plastron_tui.model.values import MessageValue, Value
 from plastron_tui.ros.interfaces import InterfaceName
 from plastron_tui.ros.parameters import ParameterType
 from plastron_tui.ros.qos import Qos
@@ -32,7 +32,7 @@ POSE = InterfaceName("geometry_msgs", "PoseStamped")
 TRIGGER, SET_BOOL = InterfaceName("std_srvs", "Trigger"), InterfaceName("std_srvs", "SetBool")
 
 
-def sent(rate: float | None = None, **fields: object) -> tuple[Publication, ...]:
+def sent(rate: float | None = None, **fields: Value) -> tuple[Publication, ...]:
     value = MessageValue(STRING, fields)
     return (Publication(Message("m", value, AT), rate or 10.0, AT, rate is None),)
 
@@ -118,7 +118,7 @@ ROS1 = """
 """
 
 
-def patched(text: str, *edits: tuple[str, str]) -> str:
+def patched(text: str, *edits: tuple[str, str | None]) -> str:
     """Return a patch of a text that changes lines of it."""
     for old, new in edits:
         lines = [line for line in text.split("\n") if line.removeprefix(" ") == old]
@@ -128,7 +128,7 @@ def patched(text: str, *edits: tuple[str, str]) -> str:
     return text
 
 
-UPDATES = [
+UPDATES: list[tuple[str, str, str, Endpoint, list[tuple[str, str | None]]]] = [
     (
         "another type of a subscription in two files, with a stub",
         PAIR,
@@ -322,7 +322,7 @@ UPDATES = [
     ids=[each[0] for each in UPDATES],
 )
 def test_an_update_changes_what_differs(
-    text: str, name: str, endpoint: Endpoint, edits: list[tuple[str, str]]
+    text: str, name: str, endpoint: Endpoint, edits: list[tuple[str, str | None]]
 ) -> None:
     check(patched(text, *edits), Update(kind_of(type(endpoint)), name, endpoint, AT))
 
