@@ -81,7 +81,7 @@ ROS1 = """
    Robot() {
      goal_ = nh_.subscribe("goal", 3, &Robot::onGoal, this);
      out_ = nh_.advertise<std_msgs::String>("out", 5);
-     srv_ = nh_.advertiseService("stop", &Robot::onStop, this);
+     srv_ = nh_.advertiseService("stop", &Robot::stop, this);
      timer_ = nh_.createTimer(ros::Duration(0.5), &Robot::tick, this);
      nh_.param<std::string>("frame", frame_, "map");
      speed_ = nh_.param("speed", 1.5);
@@ -89,7 +89,7 @@ ROS1 = """
 
    void onGoal(const std_msgs::StringConstPtr& msg) { goal_text_ = msg->data; }
 
-   bool onStop(std_srvs::Trigger::Request& req, std_srvs::Trigger::Response& res) {
+   bool stop(std_srvs::Trigger::Request& req, std_srvs::Trigger::Response& res) {
      ROS_INFO("stop");
      return true;
    }
@@ -258,8 +258,8 @@ UPDATES: list[tuple[str, str, str, Endpoint, list[tuple[str, str | None]]]] = [
         Service("stop", SET_BOOL, None, AT),
         [
             (
-                "  bool onStop(std_srvs::Trigger::Request& req, std_srvs::Trigger::Response& res) {",
-                "  bool onStop(std_srvs::SetBool::Request& req, std_srvs::SetBool::Response& res) {",
+                "  bool stop(std_srvs::Trigger::Request& req, std_srvs::Trigger::Response& res) {",
+                "  bool stop(std_srvs::SetBool::Request& req, std_srvs::SetBool::Response& res) {",
             ),
             ("#include <std_srvs/Trigger.h>", "#include <std_srvs/SetBool.h>"),
         ],
