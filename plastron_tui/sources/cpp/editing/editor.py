@@ -9,6 +9,7 @@ from plastron_tui.diagnostics import Diagnostic, codes
 from plastron_tui.model.source import (
     Add,
     Change,
+    EndpointKind,
     Remove,
     Rename,
     SourceUnit,
@@ -28,8 +29,9 @@ from .plans import Plan, with_splices
 from .refusals import RefusedError
 from .removal import plan_removal
 from .renaming import plan_renames
+from .replacing import NotInPlaceError
 from .units import Found, analyze_files, endpoints_of, outlines_of
-from .updating import NotInPlaceError, plan_update
+from .updating import plan_update
 
 
 def edit_cpp(source: SourceUnit, changes: Sequence[Change], catalog: Catalog) -> Rendered:
@@ -107,16 +109,23 @@ class _Edits:
             elif isinstance(change, Update):
                 self._update(change)
 
-    def _update(self, change: Update) -> None:
-        before = self.files, self.analysis, self.expected.copy()
+    def _update(self, asked: Update) -> None:
+        """Change an endpoint where it stands, or else take it out and write it anew."""
+        change = asked
+        before = self.files, self.analysis, self.expected.copy(), list(self.notes)
         try:
+            name = change.endpoint.name
+            if name != change.name and change.kind is not EndpointKind.TIMER:
+                rename = Rename(change.kind, change.name, name, change.span, change.node)
+                self._apply(plan_renames(self.analysis, [rename]))
+                change = change._replace(name=name)
             self._apply(plan_update(self.analysis, change, self._catalog))
             if self.problem() is None:
                 return
-        except NotInPlaceError:
+        except (NotInPlaceError, RefusedError):
             pass
-        self.files, self.analysis, self.expected = before
-        remove, add = change.apart
+        self.files, self.analysis, self.expected, self.notes = before
+        remove, add = asked.apart
         self._apply(plan_removal(self.analysis, remove))
         self._apply(plan_addition(self.analysis, add, self._catalog))
 

@@ -10,8 +10,9 @@ from tree_sitter import Node
 from ..analysis import Analysis, Site
 from ..arguments import call_of
 from ..scopes import CppFile, Scope, Variable, last_name
+from .uses import scope_at
 
-_SAME = frozenset({"c_str", "str", "data", "string", "get", "string_view"})
+SAME = frozenset({"c_str", "str", "data", "string", "get", "string_view"})
 _MOST_STEPS = 16
 
 # Calls that read a parameter, with the position of what it is without one.
@@ -77,7 +78,7 @@ def _follow(
             call = call_of(node, scope, syntax)
             if call is None:
                 return None
-            if call.name in _SAME:
+            if call.name in SAME:
                 inner_node = call.receiver or call.argument(0)
                 return _follow(analysis, site, inner_node, scope, through, depth + 1)
             position = _DEFAULTS.get(call.name)
@@ -97,7 +98,12 @@ def _named(
 ) -> Origin | None:
     unit = analysis.unit
     name = last_name(node, scope) or scope.file.syntax.word(node).rpartition("::")[2]
-    variable = unit.lookup(name, scope, node.start_byte)
+    text = "".join(scope.file.syntax.word(node).split())
+    if "::" in text and node.type == "qualified_identifier":
+        found = unit.qualified(text, scope)
+        variable = found[0] if len(found) == 1 else None
+    else:
+        variable = unit.lookup(name, scope, node.start_byte)
     if variable is None:
         return _macro(analysis, name)
     if variable in through:
@@ -138,7 +144,29 @@ def _given(
             given = call.argument(position)
             if given is not None:
                 return _follow(analysis, site, given, call.scope, through, depth + 1)
-    return _follow(analysis, site, variable.value, variable.scope, through, depth + 1)
+    if site.bindings:
+        return None
+    callers = analysis.callers.of(function)
+    if len(callers) > 1:
+        return None
+    given = callers[0].argument(position) if callers else None
+    if given is not None:
+        return _follow(analysis, site, given, callers[0].scope, through, depth + 1)
+    default = analysis.callers.default_of(function, position)
+    if default is None:
+        return None
+    return _follow(analysis, site, default, _place_of(analysis, default, variable), through, depth)
+
+
+def _place_of(analysis: Analysis, node: Node, variable: Variable) -> Scope:
+    """Return the scope of a default, which a header may have."""
+    if variable.value is not None and variable.value.id == node.id:
+        return variable.scope
+    for file in analysis.unit.files:
+        inner = file.syntax.root.named_descendant_for_byte_range(node.start_byte, node.end_byte)
+        if inner is not None and inner.id == node.id:
+            return scope_at(file, node.start_byte)
+    return variable.scope
 
 
 def _macro(analysis: Analysis, name: str) -> Origin | None:

@@ -43,14 +43,17 @@ def analyze_files(
 
 
 def key_of(endpoint: SourceEndpoint) -> Key:
-    """Return what makes two endpoints of a node equal."""
-    name = endpoint.name if endpoint.name is not None else endpoint.expression
+    """Return what makes two endpoints of a node equal; a timer's period may change."""
+    if endpoint.kind is EndpointKind.TIMER:
+        return (endpoint.kind, None, "", endpoint.callback or "")
+    name = endpoint.name if endpoint.name is not None else endpoint.default
+    name = endpoint.expression if name is None else name
     return (endpoint.kind, name, str(endpoint.type), endpoint.callback or "")
 
 
 def labels_of(analysis: Analysis) -> dict[Site, str]:
-    """Return the label of the node of each call site."""
-    if not analysis.nodes:
+    """Return the label of the node of each call site; "" where the files have one node only."""
+    if len(analysis.nodes) < 2:
         return dict.fromkeys(analysis.sites, "")
     labels = [node.label for node in group(analysis)]
     owned = zip(labels, owned_sites(analysis), strict=True)
@@ -69,11 +72,11 @@ def endpoints_of(analysis: Analysis, sites: Iterable[Site] | None = None) -> Fou
 
 def sites_of(analysis: Analysis, change: Remove | Rename | Update) -> list[Site]:
     """Return the call sites of what a change is about; a default of a name counts as one."""
-    labels = labels_of(analysis)
+    labels, is_one = labels_of(analysis), len(analysis.nodes) < 2
     return [
         site
         for site in analysis.sites
         if site.endpoint.kind is change.kind
         and change.name in (site.endpoint.label, site.endpoint.default)
-        and change.node in (None, labels.get(site, ""))
+        and (is_one or change.node in (None, labels.get(site, "")))
     ]

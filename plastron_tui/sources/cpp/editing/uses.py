@@ -41,6 +41,11 @@ def _may_be(analysis: Analysis, variable: Variable, node: Node, scope: Scope) ->
         if found is not None or holder is None or holder.type == "this":
             return found is variable
         return analysis.receivers.type_of(holder, scope) == ""
+    if outer is not None and outer.type == "qualified_identifier":
+        while outer.parent is not None and outer.parent.type == "qualified_identifier":
+            outer = outer.parent
+        text = "".join(scope.file.syntax.word(outer).split())
+        return variable in analysis.unit.qualified(text, scope)
     return analysis.unit.lookup(variable.name, scope, node.start_byte) is variable
 
 
