@@ -78,8 +78,9 @@ def command(
     started.
 
     The nodes run with a ROS of their client library's: a sourced one, else the Python packages of
-    the extra `ros2`, or Debian's rospy, for which a master is started where none answers. Ctrl-C
-    stops everything. Exits with 1 when a node fails.
+    the extra `ros2`, or Debian's ROS 1, for which a master is started where none answers. Those
+    that have to be compiled are built first, in the user's cache. Ctrl-C stops everything. Exits
+    with 1 when a node fails.
 
     A launch file is started as it is. Behind one stand its arguments, as NAME:=VALUE.
     """

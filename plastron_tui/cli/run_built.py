@@ -6,7 +6,7 @@ import sys
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 from posixpath import normpath
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NamedTuple
 
 from plastron_tui.diagnostics import Diagnostic, codes
 from plastron_tui.diagnostics.terminal import drawn_on
@@ -58,9 +58,17 @@ def built_files(
         environment = environments.get(each.generation.library)
         if environment is not None:
             by_version.setdefault(environment.ros_version, []).append(each)
+    # A build takes its time: what would keep the nodes from running anyway is told before it.
+    wholes = []
     for those in by_version.values():
         environment = environments[those[0].generation.library]
-        made, problems = _built(session, those, environment, setup)
+        whole, problems = _whole(session, those, environment)
+        wholes.append((environment, those, whole))
+        found += problems
+    if found:
+        return [], found
+    for environment, those, whole in wholes:
+        made, problems = _built(session, those, environment, setup, whole)
         files += made
         found += problems
     return files, found
@@ -72,43 +80,75 @@ def _is_built(generated: Generated) -> bool:
     return LIBRARIES[generated.generation.library].is_built
 
 
+class _Whole(NamedTuple):
+    """What nodes are built as.
+
+    Attributes:
+        beside: the packages that have to be built before theirs.
+        packages: their packages.
+        loader: the program that loads them; None where each is a program, or there is none.
+    """
+
+    beside: Sequence[BuiltPackage]
+    packages: Sequence[BuiltPackage]
+    loader: Path | None
+
+
+def _whole(
+    session: Session, nodes: Sequence[Generated], environment: Environment
+) -> tuple[_Whole, list[Diagnostic]]:
+    """Return what nodes of one generation of ROS are built as, and what is missing for it."""
+    from plastron_tui.runtime.built_nodes import LOADERS, find_loader
+
+    packages = _packages(session, nodes)
+    loaded = [each for each in nodes if _plugin_of(each) is not None]
+    loader = find_loader(environment) if loaded else None
+    if loaded and loader is None:
+        missing = _no_loader(environment, LOADERS[environment.ros_version])
+        return _Whole([], packages, None), [missing._replace(span=loaded[0].generation.span)]
+    beside, problems = _beside(session, nodes, packages, environment)
+    return _Whole(beside, packages, loader), problems
+
+
 def _built(
-    session: Session, nodes: Sequence[Generated], environment: Environment, setup: RunSetup
+    session: Session,
+    nodes: Sequence[Generated],
+    environment: Environment,
+    setup: RunSetup,
+    whole: _Whole,
 ) -> tuple[list[NodeFile], list[Diagnostic]]:
     from plastron_tui.runtime.build_progress import ProgressLine
     from plastron_tui.runtime.builds import overlay
-    from plastron_tui.runtime.built_nodes import LOADERS, find_loader, node_files
+    from plastron_tui.runtime.built_nodes import node_files
 
     version = environment.ros_version
-    packages = _packages(session, nodes)
-    started = [_node(session, each, version, setup) for each in nodes]
-    needed = [LOADERS[version]] if any(each.plugin is not None for each in started) else []
-    loader = find_loader(environment) if needed else None
-    if needed and loader is None:
-        return [], [_no_loader(environment, needed[0])]
-    beside, problems = _beside(session, nodes, packages, environment)
-    if problems:
-        return [], problems
     with ProgressLine(drawn_on(sys.stderr)) as line:
-        built, problems = overlay(environment, [*beside, *packages], line.tell)
+        built, problems = overlay(environment, [*whole.beside, *whole.packages], line.tell)
     if problems:
         return [], problems
-    name = f"{packages[-1].name}_{_CONTAINERS[version]}"
-    return list(node_files(started, built, loader, name)), []
+    started = [_node(session, each, version, setup) for each in nodes]
+    name = f"{whole.packages[-1].name}_{_CONTAINERS[version]}"
+    return list(node_files(started, built, whole.loader, name)), []
+
+
+def _plugin_of(generated: Generated) -> str | None:
+    """Return the class that a node is loaded as, None for a program of its own."""
+    from plastron_tui.targets import find_target
+
+    target = find_target(generated.generation.library)
+    return None if target is None else target.plugin_class(generated.generation.node)
 
 
 def _node(session: Session, generated: Generated, version: int, setup: RunSetup) -> BuiltNode:
     from plastron_tui.runtime.built_nodes import BuiltNode
-    from plastron_tui.targets import find_target
 
     node, path = generated.generation.node, generated.path(session.output)
-    target = find_target(generated.generation.library)
-    assert node.home is not None and path is not None and target is not None, "it was written"
+    assert node.home is not None and path is not None, "it was written"
     return BuiltNode(
         node.name,
         node.home.package,
         path.stem if node.home.is_own else node.home.executable,
-        target.plugin_class(node),
+        _plugin_of(generated),
         setup.arguments(version, [node]),
         setup.names.namespace or "",
     )
@@ -164,7 +204,9 @@ def _beside(
             left.append(each)
         else:
             beside.insert(0, table_package(environment, each, definitions))
-    return (beside, []) if not left else ([], [not_found(environment, left)])
+    if not left:
+        return beside, []
+    return [], [not_found(environment, left)._replace(span=nodes[0].generation.span)]
 
 
 def own_packages(

@@ -8,8 +8,8 @@ from pathlib import Path, PurePosixPath
 from typing import TYPE_CHECKING
 
 from plastron_tui.diagnostics import Diagnostic
-from plastron_tui.model.workspace import Generation, Workspace
-from plastron_tui.output.plan import FileState, PlannedFile
+from plastron_tui.model.workspace import Generation, Home, Workspace
+from plastron_tui.output.plan import FilePlan, FileState, PlannedFile
 
 from .source_lines import coloured, diff_lines, difference
 from .styles import Lines
@@ -44,6 +44,7 @@ class Preview:
 def previews_of(analysis: Analysis, variable: str) -> tuple[Preview, ...]:
     """Return the files of a node: those that it is generated as, or else would be.
 
+    Where it has to be built, and no statement makes a package for that, what builds it follows.
     Of a package, a launch file or a type, those that are written of it.
     """
     node = analysis.workspace.nodes.get(variable)
@@ -58,7 +59,10 @@ def previews_of(analysis: Analysis, variable: str) -> tuple[Preview, ...]:
         return tuple(
             preview
             for generation in asked.values()
-            for preview in _previews(analysis, generation, True)
+            for preview in (
+                *_previews(analysis, generation, True),
+                *_building(analysis, generation),
+            )
         )
     library = node.source.library if node.source is not None else node.library
     generation = Generation(node, library or analysis.session.library, node.span)
@@ -70,12 +74,37 @@ def _written(analysis: Analysis, variable: str) -> Iterator[Preview]:
     is_meant = _meant(analysis.workspace, variable)
     if is_meant is None:
         return
-    plan, problems = analysis.session.plan(has_copies=False)
+    plan, problems = _plan(analysis)
     files = [file for file in plan.files if is_meant(PurePosixPath(file.name))]
     for file in files:
         yield _preview(file, file.state, _disk_diff(file), problems)
     if not files:
         yield Preview(f"{variable}: nothing is written yet", None, None, (), None, problems)
+
+
+def _plan(analysis: Analysis) -> tuple[FilePlan, tuple[Diagnostic, ...]]:
+    """Return all that the program writes, but for what it only copies."""
+    return analysis.once("plan", lambda: analysis.session.plan(has_copies=False))
+
+
+def _building(analysis: Analysis, generation: Generation) -> Iterator[Preview]:
+    """Yield the files that build a node, of the package that no statement has made."""
+    home = analysis.session.generate(generation).generation.node.home
+    if home is None or not home.is_own:
+        return
+    plan, problems = _plan(analysis)
+    launches = [_meant(analysis.workspace, name) for name in analysis.workspace.launches]
+    for file in plan.files:
+        path = PurePosixPath(file.name)
+        is_launch = any(is_meant is not None and is_meant(path) for is_meant in launches)
+        if path.parent == _folder(home) and not is_launch:
+            yield _preview(file, file.state, _disk_diff(file), problems)
+
+
+def _folder(home: Home) -> PurePosixPath:
+    """Return the folder that a plan gives the files which build a node."""
+    is_there = home.above is not None
+    return PurePosixPath(home.package if is_there or not home.is_output else ".")
 
 
 def _meant(workspace: Workspace, variable: str) -> Callable[[PurePosixPath], bool] | None:

@@ -1,4 +1,4 @@
-"""The panel with the file that the node at the cursor becomes."""
+"""The panel with the files that what is at the cursor becomes."""
 
 from __future__ import annotations
 
@@ -52,6 +52,7 @@ class PreviewPanel(Vertical):
         super().__init__(id=id)
         self.previews: tuple[Preview, ...] = ()
         self._subject: str | None = None
+        self._shown: str | None = None
         self._at = 0
         self._shows_diff = True
         self._head = Static("", id="preview-head", markup=True)
@@ -110,7 +111,12 @@ class PreviewPanel(Vertical):
         had_focus = self.has_focus_within
         self.set_class(self.has_tree, "-tree")
         self._tree.show_files(self._files if self.has_tree else ())
-        if self.has_tree and self._tree.number is not None:
+        if self._shown != self._subject:
+            # Of another thing the first file comes first, whichever one has in common.
+            self._shown, self._at = self._subject, 0
+            self._tree.go_to(0)
+            self._view.scroll_home(animate=False)
+        elif self.has_tree and self._tree.number is not None:
             self._at = self._tree.number
         if had_focus and self._tree.has_focus and not self.has_tree:
             self._view.focus()

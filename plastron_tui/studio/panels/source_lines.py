@@ -14,6 +14,9 @@ LONGEST = 4000
 """The most lines of a file that are coloured; a generated one has some sixty."""
 
 _TONES = (
+    # Lines for a preprocessor count as comments for Pygments, and are none for who reads them.
+    ("Token.Comment.PreprocFile", "string"),
+    ("Token.Comment.Preproc", "keyword"),
     ("Token.Comment", "quiet"),
     ("Token.Literal.String", "string"),
     ("Token.Literal.Number", "number"),
