@@ -19,6 +19,7 @@ from .uses import word
 
 _LOGS = re.compile(r"(?:ROS|NODELET|RCLCPP)_(?:INFO|DEBUG|WARN|ERROR)\w*\s*\(")
 _VOID = re.compile(r"\(void\)\s*\w+|static_cast<void>\(\w+\)")
+_PLACEHOLDER = re.compile(r"_[1-9]")
 _KINDS = {
     EndpointKind.PUBLISHER: InterfaceKind.MESSAGE,
     EndpointKind.SUBSCRIPTION: InterfaceKind.MESSAGE,
@@ -119,6 +120,24 @@ def take_types(analysis: Analysis, sites: Sequence[Site], gone: Deletions) -> No
                 if include.path in headers_of(type_, kind, analysis.ros_version):
                     start = line_start(text, include.start)
                     gone.part(file, start, line_end(text, start))
+
+
+def take_placeholders(analysis: Analysis, gone: Deletions) -> None:
+    """Take out `using std::placeholders::_1;` where what said `_1` goes."""
+    for file in analysis.unit.files:
+        if file.is_beside:
+            continue
+        for node in _aliases(file):
+            own = _alias_name(node, file)
+            if not _PLACEHOLDER.fullmatch(own) or node.type != "using_declaration":
+                continue
+            was_said = any(
+                gone.covers(each, found.start())
+                for each in analysis.unit.files
+                for found in word(own).finditer(each.syntax.code)
+            )
+            if was_said and not _is_said(analysis, own, file, node, gone):
+                gone.statement(file, node)
 
 
 def headers_of(type_: InterfaceName, kind: InterfaceKind, ros_version: int) -> set[str]:

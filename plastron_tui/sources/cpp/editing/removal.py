@@ -14,7 +14,15 @@ from ..analysis import Analysis, Site
 from ..scopes import CppFile, Function, Scope, Variable
 from .creation import Creation, creation_of
 from .deletions import Deletions
-from .leftovers import functions_of, has_uses, is_idle, is_stub, remove_function, take_types
+from .leftovers import (
+    functions_of,
+    has_uses,
+    is_idle,
+    is_stub,
+    remove_function,
+    take_placeholders,
+    take_types,
+)
 from .plans import Plan
 from .refusals import RefusedError, in_use, not_there
 from .statements import calls_method, emptied, local_of, only_sets, statement_of
@@ -181,6 +189,7 @@ class _Removal:
                 elif functions not in uncalled:
                     uncalled.append(functions)
         take_types(self._analysis, self._plan.lost, self._gone)
+        take_placeholders(self._analysis, self._gone)
         for file in self._gone.files:
             if file.is_beside:
                 message = "a part of it is in a file of another node"
