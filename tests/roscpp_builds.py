@@ -1,11 +1,11 @@
-"""Nodes of ROS 1 in C++, compiled against the headers of Debian."""
+"""Generated nodes of ROS 1 in C++, and the headers of the types that Debian has not."""
 
 from __future__ import annotations
 
 import fcntl
 import subprocess
 import sys
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from pathlib import Path
 
@@ -23,14 +23,6 @@ INSTALL = (
     "ROS 1 for C++ is missing: apt-get install --no-install-recommends libroscpp-dev "
     "libactionlib-dev libnodeletlib-dev libstd-srvs-dev libsensor-msgs-dev python3-gencpp g++"
 )
-WARNINGS = ("-Wall", "-Wextra", "-Wpedantic", "-Werror")
-# Those of plugins are in folders of their own, for Debian has them of ROS 2 as well.
-SYSTEM = ("pluginlib", "class_loader", "rcpputils", "rcutils")
-LIBRARIES = (
-    *("-lroscpp", "-lrosconsole", "-lroscpp_serialization", "-lrostime", "-lxmlrpcpp"),
-    *("-lactionlib", "-lboost_thread", "-lboost_system", "-lpthread"),
-)
-PLUGIN = ("-shared", "-fPIC", "-lnodeletlib", "-lclass_loader")
 
 
 @contextmanager
@@ -64,7 +56,7 @@ def _generated(folder: Path, package: str, definitions: Mapping[str, Mapping[str
 
 
 def headers(cache: Path) -> Path:
-    """Return a folder with the headers of types that nodes are tested with and Debian has not."""
+    """Return where `include` has the headers of types that Debian has not, of those tested."""
     if not all(map(Path.is_file, (GENERATOR, ACTION_GENERATOR, INCLUDE / "nodelet/nodelet.h"))):
         skip_or_fail(INSTALL)
     folder = cache / "include"
@@ -75,19 +67,7 @@ def headers(cache: Path) -> Path:
                 assert definitions is not None
                 _generated(folder, package, definitions)
             (folder / "made").touch()
-    return folder
-
-
-def compile_node(
-    source: Path, made: Path, include: Iterable[Path], *, standard: str, is_plugin: bool = False
-) -> Path:
-    """Compile a node's file without a warning, to a program or to a library."""
-    includes = [f"-isystem{INCLUDE / each}" for each in SYSTEM]
-    includes += [f"-I{each}" for each in include]
-    more = PLUGIN if is_plugin else ()
-    command = ("g++", f"-std={standard}", *WARNINGS, *includes, source, "-o", made)
-    _run(*command, *LIBRARIES, *more)
-    return made
+    return folder.parent
 
 
 def _run(*command: str | Path) -> None:
@@ -97,11 +77,12 @@ def _run(*command: str | Path) -> None:
     assert done.returncode == 0, done.stdout + done.stderr
 
 
-def generate_cpp(program: str, folder: Path) -> Path:
-    """Generate a program that has one node in C++, and return its main file."""
+def generate_cpp(program: str, folder: Path, layout: str) -> Path:
+    """Generate a program that has one node in C++, in a layout, and return its main file."""
     folder.mkdir(parents=True, exist_ok=True)
     file = folder / "program.plastron"
     file.write_text(program)
+    (folder / "plastron.yaml").write_text(f"cpp: {layout}\n")
     plastron = Path(sys.executable).with_name("plastron")
     _run(plastron, "generate", file, "-o", folder / "output")
     [made] = folder.glob("output/**/*.cpp")

@@ -87,6 +87,11 @@ CALLS: dict[str, Callable[[Tree], object]] = {
         QueryCursor(QUERY).set_max_start_depth(2).captures(tree.root_node)
     ),
     "descendant_for_byte_range": lambda tree: tree.root_node.descendant_for_byte_range(3, 9),
+    "named_descendant_for_byte_range": lambda tree: tree.root_node.named_descendant_for_byte_range(
+        3, 9
+    ),
+    # Of a query; code that changes C++ has a function of this name.
+    "string_value": lambda _: QUERY.string_value(0),
 }
 MOST = 100
 """How many bytes a call may leave; a tree is some ten thousand."""

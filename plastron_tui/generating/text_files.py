@@ -13,6 +13,7 @@ from pathlib import Path
 from typing import NamedTuple
 
 from plastron_tui.diagnostics import Diagnostic, Severity, codes
+from plastron_tui.model.packages import BUILT_FOLDER, SCRIPTS_FOLDER
 from plastron_tui.output.manifest import Manifest
 from plastron_tui.output.merge3 import merge_lines
 from plastron_tui.output.plan import OutputFile
@@ -95,6 +96,8 @@ def left_files(
             continue
         if on_disk(folder.output / name) is not None:
             is_package = "/" in name and package not in packages
+            # The folders of a package that the output folder is are none.
+            is_package = is_package and package not in (BUILT_FOLDER, SCRIPTS_FOLDER)
             left = package if is_package else name
             told[left] = _left(left, folder.output, is_package=is_package)
     return list(told.values())

@@ -13,6 +13,7 @@ from pathlib import Path
 from typing import NamedTuple
 
 from plastron_tui.regular_files import read_regular
+from plastron_tui.ros.installations import Origin
 from plastron_tui.sources.packages.files import package_files
 
 from .build_needs import prefixes_of
@@ -92,7 +93,8 @@ def node_files(
     """
     listed = list(nodes)
     overlay = environment.overlays[-1]
-    folders = _folders(overlay, environment.ros_version)
+    libraries = (("LD_LIBRARY_PATH", each) for each in _libraries(environment))
+    folders = (*_folders(overlay, environment.ros_version), *libraries)
     plugins = [each for each in listed if each.plugin is not None]
     if plugins and loader is not None:
         yield from _loading(plugins, environment, loader, name, folders)
@@ -107,6 +109,20 @@ def node_files(
                 namespace=each.namespace,
                 folders=folders,
             )
+
+
+def _libraries(environment: Environment) -> Iterator[Path]:
+    """Yield where programs find libraries that the Python packages bring: each sets up its own.
+
+    They need that of Python itself, too.
+    """
+    if environment.origin is not Origin.EXTRA:
+        return
+    prefix = environment.python.parent.parent
+    for each in prefixes_of(environment):
+        yield each / "lib"
+    yield from sorted(prefix.glob("lib/python3*/site-packages/*.libs"))
+    yield environment.python.resolve().parent.parent / "lib"
 
 
 def _folders(overlay: Path, version: int) -> tuple[tuple[str, Path], ...]:

@@ -41,13 +41,17 @@ NODES = {
     + "}",
     "aliases": ROS1 + "using A = B<A>; using B = A<B>;" + MAIN + "n.advertise<A>(t, 1); }",
     "bases": ROS2
-    + "".join(f'class N{i} : public N{i - 1} {{ N{i}() : N{i - 1}("a") {{}} }};\n' for i in range(1, 3_000)),
+    + "".join(
+        f'class N{i} : public N{i - 1} {{ N{i}() : N{i - 1}("a") {{}} }};\n'
+        for i in range(1, 3_000)
+    ),
     "publishers": MAIN + PUBLISH * 30_000 + "}",
     "one variable": MAIN + ('t = "a";' + PUBLISH) * 20_000 + "}",
     "members": ROS1 + "class A {" + "int a;\n" * 400_000 + "};",
     "callers": ROS1
     + "".join(
-        f'void f{i}(ros::NodeHandle& n, std::string t) {{ f{i + 1}(n, t + "a"); f{i + 1}(n, t + "b"); {PUBLISH} }}\n'
+        f"void f{i}(ros::NodeHandle& n, std::string t) {{ {PUBLISH}"
+        f'  f{i + 1}(n, t + "a"); f{i + 1}(n, t + "b"); }}\n'
         for i in range(1_000)
     ),
     "handles": ROS1
@@ -55,7 +59,10 @@ NODES = {
     + "".join(f'ros::NodeHandle n{i}(n{i - 1}, "a");\n' for i in range(1, 10_000))
     + "n9999.advertise<std_msgs::String>(t, 1); }",
     "profile": NODE + "rclcpp::QoS q(1);" + ("q.reliable();" + CREATE) * 10_000 + "} };",
-    "methods of a profile": NODE + "auto q = rclcpp::QoS(1)" + ".reliable()" * 100_000 + ";" + CREATE + "} };",
+    "methods of a profile": NODE
+    + "auto q = rclcpp::QoS(1)"
+    + ".reliable()" * 100_000
+    + f";{CREATE}}} }};",
     "descriptors": NODE
     + "rcl_interfaces::msg::ParameterDescriptor d;"
     + 'd.description = "x"; declare_parameter("p", 1, d);\n' * 10_000

@@ -116,13 +116,13 @@ class Graph:
         result = self._ask("set", node, name, json.dumps(value))
         return None if result["successful"] else result["reason"]
 
-    def lifecycle(self, node: str, steps: Sequence[tuple[str, Mapping[str, int]]]) -> Any:
+    def lifecycle(self, node: str, steps: Sequence[tuple[str, Mapping[str, int] | None]]) -> Any:
         """Pass transitions of a managed node of ROS 2.
 
         Args:
             node: its name.
             steps: the transitions, and how many endpoints of each kind and name are to be there
-                after each.
+                after each, None where that is not waited for.
 
         Returns:
             a list for each: the transition, whether it succeeded, the state, the endpoints.

@@ -211,7 +211,7 @@ def test_a_managed_node(
     node = graph.run(actors["keeper"])
 
     def go(*labels: str) -> None:
-        for label, success, *_ in graph.lifecycle("keeper", [(each, {}) for each in labels]):
+        for label, success, *_ in graph.lifecycle("keeper", [(each, None) for each in labels]):
             assert success, (label, node.output)
 
     assert graph.endpoints("keeper")["publishers"] == [

@@ -12,6 +12,7 @@ DEFINITIONS = {
     "msg/Lesson.msg": "int32 class\nstring type\n",
     "msg/Week.msg": "Lesson[] lessons\n",
     "msg/Plain.msg": "string type\n",
+    "msg/Pupil.msg": "int32 errno\n",
     "srv/Enrol.srv": "int32 pupil\n---\nbool pass\n",
 }
 LOADED = {
@@ -79,3 +80,23 @@ def test_no_node_imports_a_package_that_is_called_as_a_keyword(
     [made] = opened.generated()
     assert [each.code for each in made.diagnostics] == ["unusable-type"]
     assert "keyword of Python" in made.diagnostics[0].message
+
+
+@pytest.mark.parametrize("library", ["roscpp", "rclcpp", "component"])
+@pytest.mark.parametrize(
+    ("type_", "word"),
+    [("Lesson", "a keyword of C++"), ("Week", "a keyword of C++"), ("Pupil", "a macro of C++")],
+)
+def test_no_node_in_cpp_has_the_type(tmp_path: Path, library: str, type_: str, word: str) -> None:
+    program = f"create_node 'n' as n using {library}\nsubscribe n to 't' of message_type {type_}\n"
+    [made] = session(tmp_path, program + "generate_node n\n").generated()
+    [found] = made.diagnostics
+    assert found.code == "unusable-type"
+    assert word in found.message
+
+
+@pytest.mark.parametrize("library", ["roscpp", "rclcpp", "component"])
+def test_a_keyword_of_python_is_a_field_in_cpp(tmp_path: Path, library: str) -> None:
+    use = "n provides_service 's' of service_type Enrol\ngenerate_node n\n"
+    [made] = session(tmp_path, f"create_node 'n' as n using {library}\n{use}").generated()
+    assert made.files is not None

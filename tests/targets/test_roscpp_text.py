@@ -14,6 +14,7 @@ from plastron_tui.ros.catalog import Catalog
 from plastron_tui.session import Session
 from plastron_tui.sources.base import Rendered
 from plastron_tui.targets import find_target
+from plastron_tui.targets.cpp.target import CppTarget
 
 LIBRARIES = ["roscpp", "nodelet"]
 FOLDERS = (Path(__file__).parents[1] / "programs", Path(__file__).parents[2] / "examples")
@@ -26,10 +27,11 @@ PROGRAMS = [
 ]
 
 
-def rendered(statements: str, library: str) -> list[Rendered]:
+def rendered(statements: str, library: str, layout: str = "") -> list[Rendered]:
     """Write the nodes of a program, as a front end does; what is loaded is left out."""
     target = find_target(library)
-    assert target is not None
+    assert isinstance(target, CppTarget)
+    target.set_layouts({"cpp": layout} if layout else {})
     nodes = Session(statements.encode()).workspace.nodes.values()
     catalog = Catalog("noetic")
     return [target.render(node, catalog) for node in nodes if target.unwritable(node) is None]

@@ -202,3 +202,32 @@ def test_a_part_that_is_mended_lets_a_stopped_template_begin_again(folder: Path)
     assert "512 MB" in refusal(folder, "{% include 'head.j2' %}")
     part.write_text("# ours\n")
     assert render(folder).files == one(b"# ours\n")
+
+
+@pytest.mark.parametrize("library", ["roscpp", "nodelet", "rclcpp", "component"])
+def test_a_node_in_cpp_is_written_by_a_template_of_the_users(tmp_path: Path, library: str) -> None:
+    own = tmp_path / library
+    own.mkdir()
+    (own / "node.cpp.j2").write_text(
+        "// {{ node.label }}, {{ headers | length }} headers\n{% include 'members.j2' %}\n"
+    )
+    (own / "members.j2").write_text("int ours;")
+    target = find_target(library, tmp_path)
+    assert target is not None
+    rendered = target.render(Node("robot", "robot", SPAN), catalog("rospy"))
+    assert rendered.files is not None, rendered.diagnostics
+    texts = dict(rendered.files.texts)
+    assert texts["{}.cpp"].endswith(b" headers\nint ours;\n")
+    # The header, of which there is no template of the user's, is Plastron's own.
+    assert all(b"class RobotNode" in text for name, text in texts.items() if name != "{}.cpp")
+
+
+def test_a_part_of_a_node_in_cpp_is_the_users(tmp_path: Path) -> None:
+    (tmp_path / "rclcpp").mkdir()
+    (tmp_path / "rclcpp" / "node.cpp.j2").write_text("{% extends 'source.j2' %}")
+    (tmp_path / "rclcpp" / "main.j2").write_text("// no main function\n")
+    target = find_target("rclcpp", tmp_path)
+    assert target is not None
+    rendered = target.render(Node("robot", "robot", SPAN), catalog("rclpy"))
+    assert rendered.files is not None, rendered.diagnostics
+    assert rendered.files.main.decode().endswith("};\n\n// no main function\n")

@@ -24,10 +24,11 @@ class Call:
         qualifier: what stands before it with `::`, without template arguments.
         receiver: the object whose method it is, None for none.
         template: the template arguments, None for none.
-        arguments: what it is given.
+        given: what it is given, None where `listed` says it.
         scope: the scope that it is in.
         name_node: the node of the name.
         types: the template arguments of a class that is made, as they are written.
+        listed: the list of the arguments of a call.
     """
 
     node: Node
@@ -35,10 +36,18 @@ class Call:
     qualifier: str
     receiver: Node | None
     template: Node | None
-    arguments: list[Node]
+    given: list[Node] | None
     scope: Scope
     name_node: Node | None
     types: tuple[str, ...] = ()
+    listed: Node | None = None
+
+    @property
+    def arguments(self) -> list[Node]:
+        """What it is given."""
+        if self.given is None:
+            self.given = arguments_of(self.listed)
+        return self.given
 
     def argument(self, position: int) -> Node | None:
         """Return an argument, None where there is none."""
@@ -88,16 +97,16 @@ def call_of(node: Node, scope: Scope, syntax: Syntax) -> Call | None:
     for _ in range(16):
         kind = callee.type
         if kind in ("identifier", "field_identifier", "type_identifier"):
-            listed = node.child_by_field_name("arguments")
             return Call(
                 node,
                 syntax.word(callee),
                 "::".join(qualifier),
                 receiver,
                 template,
-                arguments_of(listed),
+                None,
                 scope,
                 callee,
+                listed=node.child_by_field_name("arguments"),
             )
         inner: Node | None
         if kind == "field_expression":

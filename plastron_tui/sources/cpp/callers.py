@@ -38,15 +38,38 @@ class Callers:
         if function not in self._found:
             owner = self._unit.class_of_function(function)
             if owner is not None and owner.name == function.name:
-                found = self._makers(owner)
+                found = self.makers(owner)
             else:
                 found = [
                     call
                     for call in self._unit.calls.get(function.name, ())
                     if self._may_call(call, function, owner)
                 ]
-            self._found[function] = [each for each in found if self.fits(each, function)]
+            self._found[function] = [
+                each
+                for each in found
+                if self.fits(each, function) and self._counts(each, function, owner)
+            ]
         return self._found[function]
+
+    def _counts(self, call: Call, function: Function, owner: Scope | None) -> bool:
+        """Whether a call says what a function of the unit gets.
+
+        Another source says it of the constructor of a class that the main file defines, and of
+        nothing else: it calls the helpers of a header for a node of its own.
+        """
+        if not call.scope.file.is_beside:
+            return True
+        main = self._unit.files[0]
+        return (
+            owner is not None
+            and owner.name == function.name
+            and any(
+                scope.function is not None and self._unit.class_of_function(scope.function) is owner
+                for scope in main.scopes
+                if scope.kind == "function"
+            )
+        )
 
     def _may_call(self, call: Call, function: Function, owner: Scope | None) -> bool:
         if owner is None:
@@ -136,6 +159,8 @@ class Callers:
             for node, given, scope in initializers:
                 owner = self._unit.class_of(scope)
                 member = self._unit.member(owner, name) if owner is not None else None
+                if member is not None and member.is_pointer:
+                    continue
                 text = member.type if member is not None else name
                 found.append(_making(node, text, given, scope, None))
         return found
@@ -147,7 +172,8 @@ class Callers:
             for _, _, scope in self._unit.initialized.get(member.name, ())
         )
 
-    def _makers(self, owner: Scope) -> list[Call]:
+    def makers(self, owner: Scope) -> list[Call]:
+        """Return what makes objects of a class."""
         made = self.made.get(owner.name, ())
         found = (
             each for each in made if self._unit.find_class(each.qualified, each.scope) is owner

@@ -195,26 +195,45 @@ def _type(analysis: Analysis, found: Found, callback: Callback) -> tuple[Interfa
     types = analysis.types
     call = found.options or found.call
     syntax, scope = call.scope.file.syntax, call.scope
+    if shape.type == "text":
+        return _told_type(analysis, found)
     if shape.type == "argument":
         given = call.argument(1)
         text = analysis.receivers.type_of(given, scope)
-        return types.interface(text, scope), text
+        return types.interface(text, scope, True), text
     if found.template:
         return _interface(analysis, found, found.template), found.template
     texts = [type_text(syntax.word(each)) for each in call.type_nodes[:2]]
+    is_service = shape.kind in (EndpointKind.SERVICE, EndpointKind.CLIENT)
+    # `advertiseService<Request, Response>`: parts of the service.
+    of_parts = is_service and len(call.type_nodes) > 1
     for text in texts:
-        type_ = types.interface(text, scope)
+        type_ = types.interface(text, scope, of_parts)
         if type_ is not None:
             return _without_action(analysis, shape, type_), text
     if shape.type == "callback" and (not texts or analysis.ros_version == 1):
         position = 0
         said = callback.type_at(position)
         if said is not None:
-            type_ = types.interface(*said)
+            type_ = types.interface(*said, is_service)
             if type_ is not None:
                 return type_, said[0]
             return None, texts[0] if texts else said[0]
     return None, texts[0] if texts else ""
+
+
+def _told_type(analysis: Analysis, found: Found) -> tuple[InterfaceName | None, str]:
+    """Return the type that a string names, `pkg/msg/Name`."""
+    scope = found.call.scope
+    given = found.arguments[1] if len(found.arguments) > 1 else None
+    if given is None:
+        return None, ""
+    value = analysis.evaluator.fold(given, scope)
+    text = scope.file.syntax.slice(given)
+    parts = value.text.split("/") if value is not None and value.text is not None else []
+    is_known = value is not None and not value.is_default and not value.is_guess
+    is_type = len(parts) == 3 and parts[1] == "msg"
+    return (InterfaceName(parts[0], parts[2]) if is_known and is_type else None), text
 
 
 def _interface(analysis: Analysis, found: Found, text: str) -> InterfaceName | None:

@@ -97,6 +97,10 @@ class Finder:
             if owner is not None and call.name in owner.functions:
                 return False
             is_node = self._receivers.is_node(type_, scope)
+            if owner is not None and not is_node and shape.type != "":
+                # Of a class of another file: nothing but a node takes an interface type.
+                is_open = any(True for _ in self._unit.foreign_bases(owner))
+                return is_open and self._is_typed(shape, call)
             if is_node and type_.rpartition("::")[2] not in ("Node", "LifecycleNode"):
                 return owner is not None or self._is_typed(shape, call)
             is_template = self._a.types.is_parameter(type_, scope)

@@ -22,14 +22,12 @@ _MOST_INCLUDES = 200
 _LARGEST = 256 * 1024
 _MOST_BYTES = 1024 * 1024
 _MOST_DEEP = 4
+_MOST_FOLDERS = 100
 _MOST_ABOVE = 5
 _SOURCES = (".cpp", ".cc", ".cxx")
 _HEADERS = (".hpp", ".h", ".hh", ".hxx")
-_INCLUDE = re.compile(rb'^[ \t]*#[ \t]*include[ \t]*(?:<([^<>\n]+)>|"([^"\n]+)")', re.MULTILINE)
-# What other packages of ROS install, and the standard library.
-_FOREIGN = re.compile(
-    r"(?:ros|rclcpp\w*|rcl\w*|tf2?\w*|nodelet|pluginlib|actionlib|std|boost|Eigen|pcl\w*|opencv2?"
-    r"|cv_bridge|image_transport|message_filters|sys|gtest|\w+_msgs|\w+_srvs)/.*|\w+"
+_INCLUDE = re.compile(
+    rb'^(?:\xef\xbb\xbf)?[ \t]*#[ \t]*include[ \t]*(?:<([^<>\n]+)>|"([^"\n]+)")', re.MULTILINE
 )
 
 
@@ -49,7 +47,7 @@ def others(path: Path, text: bytes) -> tuple[str, ...]:
         stem = name.rpartition(".")[0]
         if stem == path.stem and len(found) < MOST_HEADERS:
             outer = include.rpartition("/")[0]
-            beside = name.replace(stem, "{}")
+            beside = "{}" + name[len(stem) :]
             usual = f"../include/{outer}/{beside}" if outer else beside
             if not any(each.endswith(beside) for each in found):
                 found[usual] = None
@@ -94,7 +92,8 @@ def _includes(text: bytes) -> Iterator[str]:
             return
         name = (include[1] or include[2]).decode("utf-8", "replace").strip()
         is_plain = "{" not in name and "\0" not in name and not name.startswith("/")
-        if is_plain and (include[2] or not _FOREIGN.fullmatch(name)):
+        # The standard library's headers are in no folder.
+        if is_plain and (include[2] or "/" in name):
             yield name
 
 
@@ -109,7 +108,7 @@ def _place(include: str, folder: str, roots: list[str]) -> str | None:
 
 def _relative(place: str, main: str, stem: str) -> str | None:
     with suppress(ValueError):
-        name = os.path.relpath(place, main).replace(os.sep, "/")
+        name = Path(os.path.relpath(place, main)).as_posix()
         outer, slash, last = name.rpartition("/")
         own, dot, suffix = last.rpartition(".")
         if own == stem:
@@ -134,6 +133,11 @@ def _roots(folder: str) -> list[str]:
     )
     chain = above[: package + 1] if package is not None else above[:3]
     roots = []
+    for each in chain[-1:] if package is not None else ():
+        # A folder that the package's CMakeLists.txt adds: `include/NAME`.
+        with suppress(OSError), os.scandir(os.path.join(each, "include")) as inner:  # noqa: PTH118
+            folders = sorted(entry.path for entry in inner if entry.is_dir())
+            roots += folders[:_MOST_ABOVE]
     for each in chain:
         roots += [os.path.join(each, "include"), os.path.join(each, "src"), each]  # noqa: PTH118
     return roots
@@ -141,10 +145,34 @@ def _roots(folder: str) -> list[str]:
 
 def _sources_of(path: Path, folder: str) -> Iterator[str]:
     """Yield the source file that defines what a header declares."""
-    for outer in ("", "../src/", "../../src/", "../../../src/", "src/"):
+    main = os.path.abspath(path)  # noqa: PTH100 (never raises)
+    places = ["", "../src/", "../../src/", "src/"]
+    root, found, inner = main.rpartition(f"{os.sep}include{os.sep}")
+    if found:
+        # What is in include/NAME/part is often in src/part, or in src/NAME/part.
+        parts = Path(inner).parts[:-1]
+        for below in (parts[1:], parts):
+            source = os.path.join(root, "src", *below)  # noqa: PTH118
+            places.append(f"{Path(os.path.relpath(source, folder)).as_posix()}/")
+    for outer in places:
         for suffix in _SOURCES:
             name = f"{outer}{{}}{suffix}"
             place = os.path.join(folder, name.replace("{}", path.stem))  # noqa: PTH118
             if os.path.isfile(place):  # noqa: PTH113
                 yield name
                 return
+    if found:
+        yield from _only_source(os.path.join(root, "src"), folder, path.stem)  # noqa: PTH118
+
+
+def _only_source(root: str, folder: str, stem: str) -> Iterator[str]:
+    """Yield the one source of a name below a folder."""
+    found = []
+    for at, (place, _, files) in enumerate(os.walk(root)):
+        if at >= _MOST_FOLDERS:
+            return
+        found += [(place, name) for name in files if name in {stem + each for each in _SOURCES}]
+    if len(found) == 1:
+        place, name = found[0]
+        outer = Path(os.path.relpath(place, folder)).as_posix()
+        yield f"{outer}/{{}}{name[len(stem) :]}"

@@ -155,6 +155,10 @@ def _of_class(analysis: Analysis, owner: Scope) -> NodeSite:
         if unit.class_of_function(each) is owner and _is_for_heirs(analysis, each)
     }
     named = _names(analysis, owner, 0)
+    if not named and owner.name not in owner.functions:
+        # `using rclcpp::Node::Node;`: who makes it gives the name.
+        made = analysis.callers.makers(owner)
+        named = [_named(analysis, call, call.argument(0), owner) for call in made if call.arguments]
     unit.bindings = {}
     name, expression = None, ""
     if named:

@@ -62,6 +62,8 @@ class Objects:
                 text += "".join(syntax.word(call.template).split())
         if call.node.type == "field_initializer":
             text = _initialized_type(self._a, call) or text
+            if text.endswith("*"):
+                return ""
         elif text == "make_shared":
             text = call.qualified
         whole = self._a.types.expand(text, scope)
@@ -102,4 +104,6 @@ def _initialized_type(analysis: Analysis, call: Call) -> str | None:
         return None
     name = "".join(call.scope.file.syntax.word(children[0]).split())
     member = analysis.unit.member(owner, name)
-    return member.type if member is not None else None
+    if member is None:
+        return None
+    return f"{member.type}*" if member.is_pointer else member.type

@@ -94,7 +94,8 @@ def preprocess(text: bytes) -> Preprocessed:
     tokens = _TOKEN if _RARE.search(code) is None else _RARE_TOKEN
     for token in tokens.finditer(bytes(code)):
         start, end = token.span()
-        gap = _NOT_NEWLINE.sub(b" ", token[0])
+        said = token[0]
+        gap = b" " * len(said) if b"\n" not in said else _NOT_NEWLINE.sub(b" ", said)
         bare[start:end] = gap
         if code[start] == _SLASH:
             code[start:end] = gap

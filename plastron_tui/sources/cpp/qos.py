@@ -179,7 +179,7 @@ def profile(analysis: Analysis, node: Node | None, scope: Scope, depth: int = 0)
         return None
     found = _made(analysis, held, depth)
     if found is not None:
-        for variable in held.variables:
+        for variable in reversed(held.variables):
             found = _changed(analysis, found, variable, node)
     return found
 
@@ -198,6 +198,10 @@ def _made(analysis: Analysis, held: Held, depth: int) -> Qos | None:
         return PROFILES.get(found[1].lower()) if found is not None else None
     if held.type in _CLASSES:
         return _initialized(analysis, _CLASSES[held.type], given, scope)
+    if held.type == "rclcpp::QoSInitialization" and len(given) == 2:
+        history = _policy(analysis, "history", given[0], scope)
+        number = _policy(analysis, "depth", given[1], scope)
+        return DEFAULT._replace(history=history, depth=number)  # type: ignore[arg-type]
     if held.type in ("rclcpp::QoS", "rclcpp::QoSInitialization::from_rmw"):
         if not given:
             return None
@@ -320,6 +324,13 @@ def _covers(scope: Scope, at: Node) -> bool:
 
 
 def _is_it(analysis: Analysis, node: Node, variable: Variable, scope: Scope) -> bool:
+    for _ in range(8):
+        # `qos.reliable().keep_last(9)`
+        callee = node.child_by_field_name("function") if node.type == "call_expression" else None
+        inner = callee.child_by_field_name("argument") if callee is not None else None
+        if inner is None:
+            break
+        node = inner
     name = last_name(node, scope)
     if name != variable.name:
         return False

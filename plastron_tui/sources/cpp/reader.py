@@ -22,15 +22,23 @@ from .unit import Unit
 MOST_BYTES = 4_000_000
 """Beyond this size a file is data, not a node that a person wrote."""
 
-_ROS1 = re.compile(
-    rb'#[ \t]*include[ \t]*[<"](?:ros/|nodelet/|tf/|actionlib/|dynamic_reconfigure/)'
-    rb'|#[ \t]*include[ \t]*[<"][\w/]+_msgs/[A-Z]'
-    rb"|\bros::(?:NodeHandle|init|Publisher|Subscriber|param|Timer)\b|\bgetPrivateNodeHandle\b"
-)
-_ROS2 = re.compile(
-    rb'#[ \t]*include[ \t]*[<"](?:rclcpp|[\w/]+/(?:msg|srv|action)/\w+\.hpp)'
-    rb"|\brclcpp(?:_\w+)?::|\bcreate_(?:publisher|subscription|service|client)[ \t]*<"
-)
+# What an include says comes first: it is looked for by its `#`, which there are few of.
+_MENTIONS = {
+    1: (
+        re.compile(
+            rb'#[ \t]*include[ \t]*[<"]'
+            rb"(?:(?:ros|nodelet|tf|actionlib|dynamic_reconfigure)/|[\w/]+_msgs/[A-Z])"
+        ),
+        re.compile(rb"ros::(?:NodeHandle|init|Publisher|Subscriber|param|Timer)\b"),
+        re.compile(rb"getPrivateNodeHandle\b"),
+    ),
+    2: (
+        re.compile(rb'#[ \t]*include[ \t]*[<"](?:rclcpp|[\w/]+/(?:msg|srv|action)/\w+\.hpp)'),
+        re.compile(rb"rclcpp(?:_\w+)?::"),
+        re.compile(rb"create_(?:publisher|subscription|service|client)[ \t]*<"),
+    ),
+}
+
 LIBRARIES = {"roscpp": 1, "nodelet": 1, "rclcpp": 2, "component": 2}
 """The generations of ROS of the client libraries for C++."""
 
@@ -68,12 +76,12 @@ def analyze(unit: Unit, ros_version: int) -> Analysis:
 
 
 def _mentioned(files: FileSet) -> list[int]:
-    texts = [text for _, text in files.texts]
-    found = []
-    for version, pattern in ((1, _ROS1), (2, _ROS2)):
-        if any(pattern.search(text) for text in texts):
-            found.append(version)
-    return found
+    """Return the generations of ROS that files mention."""
+    return [
+        version
+        for version, patterns in _MENTIONS.items()
+        if any(pattern.search(text) for pattern in patterns for _, text in files.texts)
+    ]
 
 
 def _library(analysis: Analysis) -> str:

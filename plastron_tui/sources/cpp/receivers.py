@@ -108,7 +108,7 @@ class Receivers:
                 variable = self._unit.lookup(name, scope, node.start_byte)
                 return self.type_of_variable(variable) if variable is not None else ""
             case "field_expression":
-                member = self._member(node, scope)
+                member = self.member(node, scope)
                 return self.type_of_variable(member) if member is not None else ""
             case "pointer_expression" | "parenthesized_expression" | "cast_expression":
                 inner = node.child_by_field_name("argument") or node.child_by_field_name("value")
@@ -129,7 +129,8 @@ class Receivers:
             case _:
                 return ""
 
-    def _member(self, node: Node, scope: Scope) -> Variable | None:
+    def member(self, node: Node, scope: Scope) -> Variable | None:
+        """Return the member that `a.b` or `a->b` names, None where the type of `a` is not known."""
         holder = node.child_by_field_name("argument")
         inner = node.child_by_field_name("field")
         if holder is None or inner is None:
@@ -204,7 +205,7 @@ class Receivers:
             if made == HANDLE or made in NODE_CLASSES or self._unit.find_class(made, scope):
                 return made
             if call.template is not None:
-                return made + "".join(syntax.word(call.template).split())
+                return self.plain(made + "".join(syntax.word(call.template).split()), scope)
         functions = self._unit.functions.get(name, [])
         returned = {each.return_type for each in functions}
         if len(returned) == 1 and (text := returned.pop()) not in ("auto", "void", ""):
@@ -235,9 +236,14 @@ class Receivers:
 
     def derives_from(self, owner: Scope, names: frozenset[str]) -> bool:
         """Whether a class derives from one of some of other packages."""
-        return any(
-            self._types.expand(base, owner).partition("<")[0] in names
+        found = (
+            self._types.expand(base, owner).partition("<")[0]
             for base in self._unit.foreign_bases(owner)
+        )
+        # Packages have lifecycle nodes of their own, and call them so.
+        is_managed = names is MANAGED_CLASSES
+        return any(
+            each in names or (is_managed and each.endswith("::LifecycleNode")) for each in found
         )
 
     @bounded(Prefix(None))
@@ -254,7 +260,7 @@ class Receivers:
                     return Prefix("~" if _PRIVATE.fullmatch(name) else "", True)
                 return self._prefix_of_variable(variable)
             case "field_expression":
-                member = self._member(node, scope)
+                member = self.member(node, scope)
                 if member is None:
                     inner = node.child_by_field_name("field")
                     name = syntax.word(inner) if inner is not None else ""
@@ -319,6 +325,9 @@ class Receivers:
         if variable.kind == "loop":
             return Prefix(None)
         writes = self._unit.writes(variable)
+        if len(writes) > 1:
+            # A pointer is empty before it gets something to point to.
+            writes = [each for each in writes if each.arguments or each.value is not None]
         found = []
         for write in writes[:MOST_WRITES]:
             if write.arguments is not None:

@@ -30,7 +30,8 @@ class Shape:
         on: what it is called on: a `handle` of ROS 1, a `node` of ROS 2, an image `transport`,
             a message `filter`; `function` for a function that takes a node before the rest.
         type: `template` for the template argument, `callback` where only a callback says it
-            where that is missing, `argument` for the type of an argument.
+            where that is missing, `argument` for the type of an argument, `text` for a string
+            behind the name, `pkg/msg/Name`.
         fixed: the type where it is always the same.
         callback: the argument that is called, None for none.
         queue: the argument that is the depth or the quality of service.
@@ -101,6 +102,8 @@ METHODS: dict[str, tuple[Shape, ...]] = {
     # rclcpp::Node
     "create_publisher": (Shape(K.PUBLISHER, queue=1),),
     "create_subscription": (Shape(K.SUBSCRIPTION, callback=2, queue=1),),
+    "create_generic_publisher": (Shape(K.PUBLISHER, type="text", queue=2),),
+    "create_generic_subscription": (Shape(K.SUBSCRIPTION, type="text", callback=3, queue=2),),
     "create_service": (Shape(K.SERVICE, callback=1),),
     "create_client": (Shape(K.CLIENT),),
     "create_wall_timer": (Shape(K.TIMER, type="", callback=1),),
@@ -126,6 +129,10 @@ FUNCTIONS: dict[str, Shape] = {
     "ros::topic::waitForMessage": Shape(K.SUBSCRIPTION, on=""),
     "rclcpp::create_publisher": Shape(K.PUBLISHER, on="function", queue=1),
     "rclcpp::create_subscription": Shape(K.SUBSCRIPTION, on="function", callback=2, queue=1),
+    "rclcpp::create_generic_publisher": Shape(K.PUBLISHER, on="function", type="text", queue=2),
+    "rclcpp::create_generic_subscription": Shape(
+        K.SUBSCRIPTION, on="function", type="text", callback=3, queue=2
+    ),
     "rclcpp::create_service": Shape(K.SERVICE, on="function", callback=1),
     "rclcpp::create_client": Shape(K.CLIENT, on="function"),
     "rclcpp::create_timer": Shape(K.TIMER, on="function", type="", name=1, callback=2),

@@ -40,6 +40,8 @@ def without_pointer(text: str) -> str:
     """Return what a smart pointer points to; what is none stays as it is."""
     for _ in range(4):
         text = text.rstrip("&*")
+        if text in ("ros::NodeHandlePtr", "ros::NodeHandleConstPtr"):
+            return "ros::NodeHandle"
         if found := _POINTER.fullmatch(text):
             text = template_arguments(found[1])[0]
         elif _SUFFIX.search(text):

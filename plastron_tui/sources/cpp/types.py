@@ -165,9 +165,13 @@ class Types:
 
     def _spaces(self, scope: Scope) -> set[str]:
         found = {name for each in scope.chain for name in each.usings}
-        for file in self._unit.files:
-            found.update(file.root.usings)
-        return found
+        return found | self._used_outside
+
+    @cached_property
+    def _used_outside(self) -> set[str]:
+        """The namespaces whose names are used outside of classes and functions."""
+        outside = (each for each in self._unit.scopes() if each.kind in ("file", "namespace"))
+        return {name for each in outside for name in each.usings}
 
     def _bound(self, name: str, scope: Scope) -> tuple[str, Scope] | None:
         """Return what a template parameter is in the call that is looked at."""
@@ -218,8 +222,14 @@ class Types:
         texts = self._unit.defines.get(name, [])
         return type_text(texts[0]) if len(set(texts)) == 1 and "(" not in texts[0] else None
 
-    def interface(self, text: str, scope: Scope) -> InterfaceName | None:
-        """Return the interface that a type is, or points to, None for none."""
+    def interface(self, text: str, scope: Scope, is_part: bool = False) -> InterfaceName | None:
+        """Return the interface that a type is, or points to, None for none.
+
+        Args:
+            text: the type as it is written.
+            scope: where it is written.
+            is_part: whether it may be the request or the response of a service.
+        """
         for _ in range(6):
             text = self.expand(text.removeprefix("::"), scope)
             if found := _EVENT.fullmatch(text):
@@ -228,16 +238,18 @@ class Types:
                 text = template_arguments(found[1])[-1] if found[1] else found[2]
             elif (bare := without_pointer(text)) != text:
                 text = bare
-            elif _PART.search(text):
-                text = _PART.sub("", text)
             else:
                 break
+        if is_part:
+            text = _PART.sub("", text)
         if "<" in text:
             is_cloud = self._ros == 1 and text.startswith("pcl::PointCloud<")
             return _POINT_CLOUD if is_cloud else None
         if self._is_own(text, scope):
             return None
-        return self._of_ros2(text, scope) if self._ros == 2 else self._of_ros1(text, scope)
+        if self._ros == 2:
+            return self._of_ros2(text, scope)
+        return self._of_ros1(text, scope, is_part)
 
     def _is_own(self, text: str, scope: Scope) -> bool:
         """Whether a name is that of a class of the files, or a parameter of a template."""
@@ -271,16 +283,16 @@ class Types:
         names = index(usual_distribution(self._ros)).names[InterfaceKind(kind)]
         return InterfaceName(package, bare) in names
 
-    def _of_ros1(self, text: str, scope: Scope) -> InterfaceName | None:
+    def _of_ros1(self, text: str, scope: Scope, is_part: bool) -> InterfaceName | None:
         parts = text.split("::")
         if len(parts) == 2 and parts[0] not in _NO_PACKAGES:
-            package, bare = parts[0], _bare(parts[1])
+            package, bare = parts[0], _bare(parts[1], is_part)
             if (package,) not in self._included.get(bare, ()) and package in self._namespaces:
                 return None
             return InterfaceName(package, bare)
         if len(parts) != 1:
             return None
-        bare = _bare(text)
+        bare = _bare(text, is_part)
         places = set(self._usings(scope))
         found = {each[0] for each in self._included.get(bare, ()) if each[0] in places}
         if not found:
@@ -308,9 +320,13 @@ def _template_of(call: Call) -> list[str]:
     return list(call.types) or [type_text(syntax.word(each)) for each in call.type_nodes]
 
 
-def _bare(name: str) -> str:
+def _bare(name: str, is_part: bool) -> str:
     """Return the name of a message without what makes it a pointer, or a part of a service."""
-    for suffix in ("ConstPtr", "Ptr", "Request", "Response"):
+    for suffix in ("ConstPtr", "Ptr"):
+        if name.endswith(suffix) and name != suffix:
+            name = name.removesuffix(suffix)
+            break
+    for suffix in ("Request", "Response") if is_part else ():
         if name.endswith(suffix) and name != suffix:
             return name.removesuffix(suffix)
     return name

@@ -173,7 +173,10 @@ class Evaluator:
             held = last_name(holder, scope)
             variable = self.unit.lookup(held, scope, holder.start_byte) if held else None
             owner = None
-            if variable is not None and variable.type not in ("", "auto"):
+            # An object that is made of something may have other values than its class gives.
+            is_plain = variable is not None and not self.unit.writes(variable)
+            is_own = variable is not None and variable.kind in ("local", "member", "global")
+            if variable is not None and is_plain and is_own and not variable.is_pointer:
                 owner = self.unit.find_class(variable.type, scope)
         member = self.unit.member(owner, name) if owner is not None else None
         if member is None and holder.type != "this":
@@ -298,7 +301,7 @@ class Evaluator:
             item = self.unit.items[variable]
             return item if isinstance(item, Value) else None
         if variable.kind == "parameter":
-            function = self._function_of(variable)
+            function = variable.scope.function
             return self._given(variable, function) if function is not None else None
         if variable.kind == "loop":
             return None
@@ -347,9 +350,6 @@ class Evaluator:
         if len(given) != 1 or not _PLAIN.fullmatch(variable.type):
             return None
         return self.fold(given[0], write.scope)
-
-    def _function_of(self, parameter: Variable) -> Function | None:
-        return parameter.scope.function
 
     def _given(self, parameter: Variable, function: Function) -> Value | None:
         """Return what a parameter is given, by all calls alike."""

@@ -245,7 +245,8 @@ def _filled(spec: PackageSpec, template: str) -> bytes:
 def _built_values(spec: PackageSpec) -> dict[str, object]:
     """Return what a CMakeLists.txt is filled with: of nodes that are built, and of definitions."""
     built = built_nodes(spec)
-    plugins = [each for each in built if each.plugin is not None]
+    by_target = sorted(built, key=lambda each: each.target)
+    plugins = [each for each in by_target if each.plugin is not None]
     needed = sorted(needs_of_definitions(spec)) if spec.definitions else []
     found = {*needed, *found_packages(spec)}
     has_types = spec.ros_version == 1 and spec.definitions
@@ -254,7 +255,7 @@ def _built_values(spec: PackageSpec) -> dict[str, object]:
         "components": sorted(found | {"message_generation"} if has_types else found),
         "exported": sorted(found | {"message_runtime"} if has_types else found),
         "built": built,
-        "programs": [each for each in built if each.plugin is None],
+        "programs": [each for each in by_target if each.plugin is None],
         "plugins": plugins,
         "plugin_packages": sorted({name for each in plugins for name in each.packages}),
         "plugins_file": PLUGINS_FILE,

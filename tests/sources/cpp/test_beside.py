@@ -50,3 +50,19 @@ def test_other_sources_say_what_members_are(
     assert result.source is not None
     assert [each.name for each in result.source.endpoints] == names
     assert [each.name for each in result.beside] == beside
+
+
+def test_what_another_node_of_the_package_makes_is_its_own(tmp_path: Path) -> None:
+    made = 'struct {0} : Base {{ {0}() {{ add<std_msgs::{1}>("{2}"); }} }};\n'
+    files = {
+        "base.hpp": "class Base : public X { template <class T> void add(const char* t) {\n"
+        "  ros::NodeHandle nh; nh.advertise<T>(t, 1); } void open(); };\n",
+        "a.cpp": f'{ROS1}#include "base.hpp"\n' + made.format("A", "String", "a"),
+        "b.cpp": f'{ROS1}#include "base.hpp"\n' + made.format("B", "Int8", "b"),
+    }
+    for name, text in files.items():
+        (tmp_path / name).write_text(text)
+    path = tmp_path / "a.cpp"
+    source = find_language("cpp").read(path, with_others(path, path.read_bytes())).source
+    assert source is not None
+    assert [(each.name, str(each.type)) for each in source.endpoints] == [("a", "std_msgs/String")]

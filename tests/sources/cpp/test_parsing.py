@@ -135,8 +135,30 @@ def test_a_source_is_read_with_the_headers_of_its_package(tmp_path: Path) -> Non
     text = b'#include "p/x.hpp"\n#include "own.hpp"\n#include <vector>\n#include "no/such.hpp"\n'
     found = {"../include/p/{}.hpp", "own.hpp", "../include/p/base.hpp"}
     assert set(others(main, text)) == found
+    assert set(others(main, b"\xef\xbb\xbf" + text)) == found
     main.write_bytes(text)
     assert others(tmp_path / "include/p/x.hpp", b"")[0] == "../../src/{}.cpp"
+
+
+@pytest.mark.parametrize(
+    ("header", "source", "name"),
+    [
+        ("include/tf2_x/a/h.hpp", "src/a/h.cc", "../../../src/a/{}.cc"),
+        ("include/tf2_x/h.hpp", "src/tf2_x/h.cpp", "../../src/tf2_x/{}.cpp"),
+        ("include/tf2_x/h.hpp", "src/nodelets/h.cpp", "../../src/nodelets/{}.cpp"),
+        ("src/h.h", "src/h.cpp", "{}.cpp"),
+    ],
+)
+def test_a_header_is_read_with_its_source(
+    tmp_path: Path, header: str, source: str, name: str
+) -> None:
+    for each in ("package.xml", header, source):
+        (tmp_path / each).parent.mkdir(parents=True, exist_ok=True)
+        (tmp_path / each).touch()
+    assert others(tmp_path / header, b"") == (name,)
+    # What the package is called is no reason to take it for another one.
+    if inner := header.partition("include/")[2]:
+        assert len(others(tmp_path / source, f"#include <{inner}>".encode())) == 1
 
 
 @pytest.mark.parametrize(

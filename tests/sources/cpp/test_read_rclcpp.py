@@ -20,6 +20,7 @@ CALLS = [
         [f"subscription a {STRING} cb"],
     ),
     (f'create_subscription<{S}>("a", 1, [](const {S}& m) {{}});', [f"subscription a {STRING}"]),
+    ('create_generic_publisher("a", "std_msgs/msg/String", 1);', [f"publisher a {STRING}"]),
     ('create_service<std_srvs::srv::Empty>("a", f);', ["service a std_srvs/Empty f"]),
     ('create_client<std_srvs::srv::Empty>("a");', ["client a std_srvs/Empty"]),
     ("create_wall_timer(1s, std::bind(&A::tick, this));", ["timer tick"]),
@@ -208,6 +209,15 @@ def test_a_class_that_is_declared_elsewhere_is_a_node_as_it_creates_what_has_a_t
     text = f'void A::f() {{ create_publisher<{S}>("a", 1); declare_parameter("b", 1); }}'
     assert endpoints(ROS2 + text) == [f"publisher a {STRING}", "parameter b"]
     assert endpoints(ROS2 + 'void A::f() { declare_parameter("b", 1); }') == []
+
+
+def test_a_function_that_makes_a_node_creates_for_it() -> None:
+    text = (
+        "class A : public Base { A() : Base() {} static std::shared_ptr<A> make(); };\n"
+        "std::shared_ptr<A> A::make() { auto n = std::shared_ptr<A>(new A());\n"
+        f'  n->create_publisher<{S}>("a", 1); return n; }}'
+    )
+    assert endpoints(ROS2 + text) == [f"publisher a {STRING}"]
 
 
 def test_a_header_has_a_part_of_a_node() -> None:

@@ -49,6 +49,13 @@ CALLS = [
         " nh.advertise(o);",
         [f"publisher a {STRING}"],
     ),
+    ('nh.advertise<a::SoundRequest>("a", 1);', ["publisher a a/SoundRequest"]),
+    ('nh.subscribe("a", 1, request);', ["subscription a a/SoundRequest request"]),
+    (
+        'nh.advertiseService<C, a::FooRequest, a::FooResponse>("a", &C::foo, &c);',
+        ["service a a/Foo foo"],
+    ),
+    ('ros::NodeHandlePtr p(new ros::NodeHandle("n")); p->getParam("a", x);', ["parameter n/a"]),
     (
         "tf2_ros::TransformBroadcaster b;",
         ["publisher /tf tf2_msgs/TFMessage"],
@@ -57,6 +64,7 @@ CALLS = [
 
 HEAD = """
 void cb(const std_msgs::String::ConstPtr& m);
+void request(const a::SoundRequestConstPtr& m);
 bool serve(std_srvs::Empty::Request& request, std_srvs::Empty::Response& response);
 struct C {
   void by_value(std_msgs::String m);
@@ -102,6 +110,7 @@ def test_a_name_is_in_the_namespace_of_its_handle(made: str, name: str | None) -
         'log("nh.advertise<std_msgs::String>(1)");',
         '\n#if 0\nnh.advertise<std_msgs::String>("a", 1);\n#endif\n',
         'settings.getParam("a", x);',
+        "struct A { actionlib::SimpleActionServer<a::B>* as_; A() : as_(nullptr) {} };",
     ],
 )
 def test_what_only_looks_like_one_is_none(body: str) -> None:

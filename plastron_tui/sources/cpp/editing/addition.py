@@ -1,19 +1,294 @@
-"""Adding an endpoint to a unit."""
+"""Adding an endpoint to a unit, in the manner in which its files have their others."""
 
 from __future__ import annotations
 
-from plastron_tui.model.source import Add
-from plastron_tui.ros.catalog import Catalog
+import re
 
-from ..analysis import Analysis
+from plastron_tui.diagnostics import codes
+from plastron_tui.model.kinds import (
+    ActionClient,
+    ActionServer,
+    Client,
+    Parameter,
+    Publisher,
+    Service,
+    Timer,
+    callback_of,
+    is_sending,
+    kind_of,
+)
+from plastron_tui.model.source import Add, EndpointKind
+from plastron_tui.model.values import MessageValue
+from plastron_tui.ros.catalog import Catalog
+from plastron_tui.ros.interfaces import Interface
+from plastron_tui.ros.names import name_as_written
+from plastron_tui.ros.qos import DEFAULT, Qos
+from plastron_tui.ros.qos_words import WORDS
+from plastron_tui.sources import naming
+
+from .. import literals
+from ..analysis import Analysis, Site
+from ..nodes import group
+from ..qos_code import latch, profile
+from .actions import request_action, serve_action
+from .adding import Addition
+from .calling import add_requests
+from .computing import computing_for
+from .functions import write_function
+from .hearing import (
+    bound,
+    existing,
+    message_parameter,
+    service_parameters,
+    wrapped,
+)
+from .interfaces import Interfaces, refuse
+from .logging import log_line
+from .manner import callback_naming, held_by, identifiers
+from .members import hold, is_local, type_of
+from .parameters import declare_parameter
+from .place import beside, find_place, handle_for, sites_of_node
 from .plans import Plan
-from .refusals import RefusedError
+from .sending import Sender, add_publishing
+from .timers import create_timer, event_parameter, period_of, timer_name
+
+K = EndpointKind
+
+_METHODS = {
+    (1, K.PUBLISHER): "advertise",
+    (1, K.SUBSCRIPTION): "subscribe",
+    (1, K.SERVICE): "advertiseService",
+    (1, K.CLIENT): "serviceClient",
+    (2, K.PUBLISHER): "create_publisher",
+    (2, K.SUBSCRIPTION): "create_subscription",
+    (2, K.SERVICE): "create_service",
+    (2, K.CLIENT): "create_client",
+}
+_COPIED = re.compile(r"\d+|rclcpp::\w+\([\w(): .]*\)(?:\.\w+\(\))*")
 
 
 def plan_addition(analysis: Analysis, change: Add, catalog: Catalog) -> Plan:
-    """Plan a change.
+    """Plan what adds an endpoint to a node, or more messages to one that it has.
 
     Raises:
-        RefusedError: it cannot be made.
+        RefusedError: the files have no place for it, or its type is not known.
     """
-    raise RefusedError("plastron cannot add endpoints to C++ files yet")
+    endpoint = change.endpoint
+    kind = kind_of(type(endpoint))
+    nodes = group(analysis)
+    if len(nodes) < 2:
+        change = change._replace(node=None)
+    label = change.node if change.node is not None else nodes[0].label if analysis.nodes else ""
+    place = find_place(analysis, change, kind)
+    interfaces = Interfaces(catalog, analysis.ros_version)
+    sites = sites_of_node(analysis, change.node)
+    added = Addition(
+        analysis, kind, endpoint, place, interfaces, sites, identifiers(analysis), label
+    )
+    match endpoint:
+        case Parameter():
+            declare_parameter(added, endpoint)
+        case Timer():
+            _repeat(added, endpoint)
+        case ActionServer():
+            serve_action(added, endpoint, _interface(added))
+        case ActionClient():
+            request_action(added, endpoint, _interface(added))
+        case _:
+            _add(added)
+    added.put_at_place()
+    added.include_types(place.file)
+    return added.plan
+
+
+def _add(added: Addition) -> None:
+    """Create a part of a topic or service, or use the one that is there, and send through it."""
+    endpoint = added.endpoint
+    present = [
+        site
+        for site in added.sites
+        if site.endpoint.kind is added.kind and site.endpoint.name == endpoint.name
+    ]
+    if present and is_sending(endpoint):
+        sender = _present(added, present)
+    else:
+        variable = _create(added)
+        sender = Sender(variable, added.is_ros2, is_local(added))
+    match endpoint:
+        case Publisher():
+            add_publishing(added, endpoint, sender)
+        case Client():
+            add_requests(added, endpoint, sender, _interface(added).name)
+
+
+def _present(added: Addition, present: list[Site]) -> Sender:
+    """Return what the files have to send with."""
+    endpoint = added.endpoint
+    once = isinstance(endpoint, Publisher) and any(each.is_once for each in endpoint.publications)
+    for site in reversed(present):
+        variable = held_by(added.analysis, site)
+        if variable is None or (variable.kind == "local" and site is not added.place.beside):
+            place = beside(added.analysis, site)
+            if variable is None or place is None:
+                continue
+            added.place = place
+        qos = site.endpoint.qos
+        if once and (qos is None or qos.durability != "transient_local"):
+            how = "transient_local" if added.is_ros2 else "latched"
+            line = site.endpoint.line
+            message = (
+                f"the publisher of `{endpoint.name}` in line {line} keeps no message for those"
+            )
+            remedy = f"make it {how} by hand, or let the node stop publishing to it first"
+            refuse(codes.EDIT_REFUSED, f"{message} who listen later", added.span, remedy)
+        written = variable.type
+        is_pointer = variable.is_pointer or "Ptr" in written or "ptr<" in written
+        is_pointer = is_pointer or (written == "auto" and added.is_ros2)
+        return Sender(variable.name, is_pointer, variable.kind == "local")
+    lines = ", ".join(str(site.endpoint.line) for site in present)
+    message = f"no variable of the file holds `{endpoint.name}`, created in line {lines}"
+    return refuse(codes.EDIT_REFUSED, message, added.span)
+
+
+def _repeat(added: Addition, timer: Timer) -> None:
+    """Call a function at a rate."""
+    if existing(added, timer.name) is None:
+        body = [log_line(added, f"{naming.label(timer.name, 'a timer')} ticks", "")]
+        write_function(added, timer.name, event_parameter(added), body)
+    words = naming.words(timer.name)
+    period = period_of(added, timer.rate or 1.0)
+    variable = timer_name(added, words)
+    create_timer(added, variable, period, timer.name)
+
+
+def _interface(added: Addition) -> Interface:
+    folder = added.kind.facts.interface
+    assert folder is not None, "what statements make is of a type"
+    if added.endpoint.type is None:
+        message = f"the type of `{added.endpoint.name}` is not known"
+        refuse(codes.UNKNOWN_TYPE, message, added.span, "name its type in the source file")
+    return added.interfaces.find(added.endpoint.type, folder, added.span)
+
+
+def _create(added: Addition) -> str:
+    """Create the endpoint, and what it calls; return what holds it."""
+    interface = _interface(added)
+    folder = added.kind.facts.interface
+    assert folder is not None, "what is created here is of a type"
+    class_ = added.interfaces.class_of(interface.name, folder)
+    arguments: list[str] = []
+    needs_type = added.is_ros2 or added.kind in (K.PUBLISHER, K.CLIENT)
+    called = ""
+    if added.kind in (K.SUBSCRIPTION, K.SERVICE):
+        called = _callback(added, interface, class_)
+        handed, is_silent = bound(added, called, 1 if added.kind is K.SUBSCRIPTION else 2)
+        needs_type = needs_type or (is_silent and added.kind is K.SUBSCRIPTION)
+        if is_silent and added.kind is K.SERVICE:
+            handed, _ = [f"&{added.owner.name if added.owner else ''}::{called}", "this"], False
+        arguments += handed
+    name, queue = added.endpoint.name, _queue(added)
+    if added.is_ros2:
+        before, given = added.place.node, name_as_written(name, 2)
+    else:
+        before, given = handle_for(added.analysis, added.place, name)
+    if queue:
+        arguments.insert(0, queue)
+    arguments.insert(0, literals.string(given))
+    type_ = type_of(added, added.kind, class_)
+    variable, declaring = hold(added, added.kind, type_)
+    if declaring is not None and added.is_ros2:
+        added.include_types(declaring)
+    template = f"<{class_}>" if needs_type else ""
+    head = f"{before}{_METHODS[added.analysis.ros_version, added.kind]}{template}("
+    declared = ""
+    if is_local(added):
+        declared = "auto " if added.is_ros2 else f"{type_} "
+    style = added.style(added.place.file)
+    used = _columns(added)
+    added.lines += wrapped(f"{declared}{variable} = {head}", arguments, ");", style, used)
+    added.expect(added.kind, name, interface.name, called)
+    return variable
+
+
+def _columns(added: Addition) -> int:
+    place = added.place
+    node = place.after if place.after is not None else place.function.node
+    text = place.file.syntax.text
+    start = text.rfind(b"\n", 0, node.start_byte) + 1
+    line = text[start : node.start_byte]
+    blanks = line[: len(line) - len(line.lstrip())].decode("latin-1")
+    extra = 0 if place.after is not None else len(added.style(place.file).indent)
+    return len(blanks.expandtabs(4)) + extra
+
+
+def _queue(added: Addition) -> str:
+    """Write the depth, or the quality of service, of a topic; that of the others for none."""
+    if added.kind not in (K.PUBLISHER, K.SUBSCRIPTION):
+        return ""
+    qos = getattr(added.endpoint, "qos", None)
+    is_publisher = added.kind is K.PUBLISHER
+    sent = added.endpoint.publications if isinstance(added.endpoint, Publisher) else ()
+    if any(each.is_once for each in sent):
+        qos = (qos or Qos()).over(WORDS["latched"].says)
+    if isinstance(qos, Qos) and qos.known:
+        return profile(qos) if added.is_ros2 else latch(qos, is_publisher=is_publisher)
+    found = set()
+    for site in added.like():
+        position = site.shape.queue
+        if position is not None and position < len(site.arguments):
+            found.add(site.place.file.syntax.slice(site.arguments[position]))
+    text = found.pop() if len(found) == 1 else ""
+    return text if _COPIED.fullmatch(text) else str(DEFAULT.depth or 10)
+
+
+def _callback(added: Addition, interface: Interface, class_: str) -> str:
+    """Return the name of what the endpoint calls; what the files have not is written."""
+    wanted = callback_of(added.endpoint)
+    if wanted is not None and existing(added, wanted) is not None:
+        if isinstance(added.endpoint, Service) and added.endpoint.answer is not None:
+            message = f"the answer of `{added.endpoint.name}` is not written into a function that"
+            remedy = "leave out `answering`, and fill in the response by hand in its function"
+            refuse(codes.EDIT_REFUSED, f"{message} is there", added.span, remedy)
+        return wanted
+    manner = callback_naming(added.analysis, added.kind, added.sites)
+    name = wanted or added.free(manner.name(added.topic), manner.end)
+    added.taken.add(name)
+    if added.kind is K.SUBSCRIPTION:
+        parameter = message_parameter(added, class_)
+        value = f"to_yaml({parameter.value})" if added.is_ros2 else parameter.value
+        file = write_function(added, name, parameter.text, [log_line(added, added.prose, value)])
+    else:
+        request, response = service_parameters(added, class_)
+        value = f"to_yaml({request.value})" if added.is_ros2 else request.value
+        body = [log_line(added, added.prose, value)]
+        if isinstance(added.endpoint, Service) and added.endpoint.answer is not None:
+            body += _answer(
+                added, interface, added.endpoint.answer, request.holder, response.holder
+            )
+        elif added.is_ros2:
+            body.append(f"(void){response.name};")
+        if not added.is_ros2:
+            body.append("return true;")
+        file = write_function(
+            added,
+            name,
+            f"{request.text}, {response.text}",
+            body,
+            "void" if added.is_ros2 else "bool",
+        )
+    added.include_types(file)
+    return name
+
+
+def _answer(
+    added: Addition, interface: Interface, answer: MessageValue, request: str, response: str
+) -> list[str]:
+    """Return the lines that fill an answer; what no field can hold leaves it as it is."""
+    computing, conditions = computing_for(added, added.span)
+    fields = interface.response.fields
+    lines = added.interfaces.fill(
+        interface, fields, answer, response, computing, added.span, request, interface.fields
+    )
+    if not conditions:
+        return lines
+    return added.style(added.place.file).block(f"if ({conditions.text})", lines)

@@ -6,8 +6,11 @@ from dataclasses import dataclass
 
 from tree_sitter import Node
 
+from plastron_tui.model.source import EndpointKind
+
 from ..analysis import Analysis, Site
-from ..scopes import CppFile, Variable, last_name
+from ..scopes import CppFile, Scope, Variable, last_name
+from ..shapes import OBJECTS
 from .deletions import Deletions
 
 _WRAPPING = frozenset(
@@ -60,11 +63,11 @@ def creation_of(analysis: Analysis, site: Site) -> Creation | None:
             return None if member is None else Creation(file, node, member)
         if node.type == "assignment_expression":
             left = node.child_by_field_name("left")
-            name_text = "" if left is None else last_name(left, scope)
-            variable = analysis.unit.lookup(name_text, scope, node.start_byte)
+            variable = None if left is None else variable_of(analysis, left, scope)
             if parent is None or parent.type != "expression_statement":
                 return None
-            return Creation(file, parent, variable)
+            is_value = site.endpoint.kind is EndpointKind.PARAMETER
+            return None if variable is None and is_value else Creation(file, parent, variable)
         if node.type == "expression_statement":
             return Creation(file, node, _set_by(analysis, site))
         if (
@@ -93,6 +96,10 @@ def _set_by(analysis: Analysis, site: Site) -> Variable | None:
     """Return the variable of `x.reset(new T(…))` or `read("name", x)` or `x.subscribe(nh, …)`."""
     scope = site.call.scope
     call = site.call.node
+    receiver = site.call.receiver
+    if receiver is not None and site.shape in OBJECTS.values():
+        name = last_name(receiver, scope)
+        return analysis.unit.lookup(name, scope, call.start_byte) if name else None
     parent = call.parent
     if parent is not None and parent.type == "argument_list" and parent.parent is not None:
         outer = parent.parent.child_by_field_name("function")
@@ -105,9 +112,16 @@ def _set_by(analysis: Analysis, site: Site) -> Variable | None:
         return None
     given = site.call.argument(1)
     if site.shape.type == "" and given is not None and site.call.name.startswith(("get", "param")):
-        name = last_name(given, scope)
-        return analysis.unit.lookup(name, scope, call.start_byte) if name else None
+        return variable_of(analysis, given, scope)
     return None
+
+
+def variable_of(analysis: Analysis, node: Node, scope: Scope) -> Variable | None:
+    """Return the variable that `a`, `this->a` or `b.a` names, None where it is not known."""
+    if node.type == "field_expression":
+        return analysis.receivers.member(node, scope)
+    name = last_name(node, scope)
+    return analysis.unit.lookup(name, scope, node.start_byte) if name else None
 
 
 def _delete_declarator(variable: Variable, gone: Deletions) -> None:

@@ -48,33 +48,48 @@ class Deletions:
     def splices(self, file: CppFile) -> list[Splice]:
         """Return the splices for a file."""
         text = file.syntax.text
-        found = [_lines_of(text, start, end) for start, end in self._lines[file]]
-        whole = [_tidy(text, start, end) for start, end in _merged(text, found)]
+        found = _merged(text, [_lines_of(text, start, end) for start, end in self._lines[file]])
+        whole = [_tidy(text, *_with_comment(text, start, end)) for start, end in found]
         return [Splice(start, end) for start, end in _merged(text, [*whole, *self._parts[file]])]
 
 
 def _lines_of(text: bytes, start: int, end: int) -> tuple[int, int]:
-    """Return the whole lines of a statement that has them alone, with the comment above it."""
+    """Return the whole lines of a statement that has them alone."""
     first, last = line_start(text, start), line_end(text, max(start, end - 1))
     behind = _COMMENT.match(text, end, last)
     if text[first:start].strip() or behind is None or behind.end() != last:
-        return start, end
-    return _comment_above(text, first, last), last
+        return _with_blanks(text, start, end)
+    return first, last
 
 
-def _comment_above(text: bytes, first: int, last: int) -> int:
-    """Return where the comment begins that speaks of some lines alone, else where these begin."""
+def _with_blanks(text: bytes, start: int, end: int) -> tuple[int, int]:
+    """Take the blanks beside a statement that shares its line with others."""
+    before, behind = start, end
+    while text[before - 1 : before] in (b" ", b"\t"):
+        before -= 1
+    while text[behind : behind + 1] in (b" ", b"\t"):
+        behind += 1
+    if before == line_start(text, start):
+        return start, behind
+    if text[before - 1 : before] == b"{" and text[behind : behind + 1] == b"}":
+        return before, behind
+    return before, end
+
+
+def _with_comment(text: bytes, first: int, last: int) -> tuple[int, int]:
+    """Return whole lines with the comment above them that speaks of them alone."""
+    if first != line_start(text, first) or last != line_end(text, last - 1):
+        return first, last
     top = first
     while top > 0:
         above = line_start(text, top - 1)
         if not _COMMENT_LINE.match(text[above:top]):
             break
         top = above
-    is_apart_above = top == 0 or _is_edge(text[line_start(text, top - 1) : top])
     below = text[last : line_end(text, last)]
-    is_apart_below = not below.strip() or _ENDING.match(below) or _COMMENT_LINE.match(below)
+    is_apart = not below.strip() or _ENDING.match(below) or _COMMENT_LINE.match(below)
     is_doc = text[top:first].lstrip().startswith((b"///", b"/**", b"//!"))
-    return top if is_doc or (is_apart_above and is_apart_below) else first
+    return (top if is_doc or is_apart else first), last
 
 
 def _is_edge(line: bytes) -> bool:

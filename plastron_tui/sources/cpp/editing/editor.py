@@ -9,6 +9,7 @@ from plastron_tui.diagnostics import Diagnostic, codes
 from plastron_tui.model.source import (
     Add,
     Change,
+    EndpointKind,
     Remove,
     Rename,
     SourceUnit,
@@ -18,14 +19,19 @@ from plastron_tui.ros.catalog import Catalog, moved
 from plastron_tui.sources.base import Rendered
 
 from ..analysis import Analysis
+from ..beside import sources_beside
 from ..nodes import group
+from ..scopes import CppFile
+from ..structure import outline
+from ..syntax import parse
 from .addition import plan_addition
 from .plans import Plan, with_splices
 from .refusals import RefusedError
 from .removal import plan_removal
 from .renaming import plan_renames
-from .units import Found, analyze_files, endpoints_of
-from .updating import NotInPlaceError, plan_update
+from .replacing import NotInPlaceError
+from .units import Found, analyze_files, endpoints_of, outlines_of
+from .updating import plan_update
 
 
 def edit_cpp(source: SourceUnit, changes: Sequence[Change], catalog: Catalog) -> Rendered:
@@ -78,7 +84,10 @@ class _Edits:
         self._source = source
         self._catalog = catalog
         self.files = source.files
-        self.analysis = self._before = analyze_files(source.files, source.library)
+        outlines = outlines_of(source.files)
+        self._beside, _ = sources_beside(source.path, outlines)
+        self._before = analyze_files(outlines, source.library, self._beside)
+        self.analysis = self._before
         self.expected: Found = endpoints_of(self.analysis)
         self.notes: list[Diagnostic] = []
 
@@ -100,16 +109,23 @@ class _Edits:
             elif isinstance(change, Update):
                 self._update(change)
 
-    def _update(self, change: Update) -> None:
-        before = self.files, self.analysis, self.expected.copy()
+    def _update(self, asked: Update) -> None:
+        """Change an endpoint where it stands, or else take it out and write it anew."""
+        change = asked
+        before = self.files, self.analysis, self.expected.copy(), list(self.notes)
         try:
+            name = change.endpoint.name
+            if name != change.name and change.kind is not EndpointKind.TIMER:
+                rename = Rename(change.kind, change.name, name, change.span, change.node)
+                self._apply(plan_renames(self.analysis, [rename]))
+                change = change._replace(name=name)
             self._apply(plan_update(self.analysis, change, self._catalog))
             if self.problem() is None:
                 return
-        except NotInPlaceError:
+        except (NotInPlaceError, RefusedError):
             pass
-        self.files, self.analysis, self.expected = before
-        remove, add = change.apart
+        self.files, self.analysis, self.expected, self.notes = before
+        remove, add = asked.apart
         self._apply(plan_removal(self.analysis, remove))
         self._apply(plan_addition(self.analysis, add, self._catalog))
 
@@ -118,7 +134,18 @@ class _Edits:
         self.expected.subtract(endpoints_of(self.analysis, plan.lost))
         self.expected.update(plan.added)
         self.notes += plan.notes
-        self.analysis = analyze_files(self.files, self._source.library)
+        outlines = self._outlines()
+        self.analysis = analyze_files(outlines, self._source.library, self._beside)
+
+    def _outlines(self) -> list[CppFile]:
+        """Return the files as they are now; what did not change is not parsed again."""
+        before = {file.name: file for file in self.analysis.unit.files}
+        found = []
+        for at, (name, text) in enumerate(self.files.texts):
+            own = "" if at == 0 else name
+            is_same = before[own].syntax.text == text
+            found.append(before[own] if is_same else outline(own, parse(text)))
+        return found
 
     def problem(self) -> str | None:
         """Return what is wrong with the changed files, None where nothing is."""

@@ -8,13 +8,14 @@ from collections.abc import Iterator, Sequence
 from tree_sitter import Node
 
 from plastron_tui.model.source import EndpointKind
-from plastron_tui.ros.interfaces import InterfaceKind
+from plastron_tui.ros.interfaces import InterfaceKind, InterfaceName
 from plastron_tui.sources.splices import line_end, line_start
 
 from .. import interface_types
 from ..analysis import Analysis, Site
 from ..scopes import CppFile, Function
 from .deletions import Deletions
+from .uses import word
 
 _LOGS = re.compile(r"(?:ROS|NODELET|RCLCPP)_(?:INFO|DEBUG|WARN|ERROR)\w*\s*\(")
 _VOID = re.compile(r"\(void\)\s*\w+|static_cast<void>\(\w+\)")
@@ -100,29 +101,81 @@ def remove_function(function: Function, gone: Deletions) -> None:
     gone.statement(function.file, function.node)
 
 
-def unused_includes(
-    analysis: Analysis, sites: Sequence[Site], gone: Deletions
-) -> Iterator[tuple[CppFile, int, int]]:
-    """Yield the lines that include types which no file of the unit names any more."""
+def take_types(analysis: Analysis, sites: Sequence[Site], gone: Deletions) -> None:
+    """Take out the names for types, and the includes of them, that nothing needs any more."""
     for type_, kind in dict.fromkeys(
         (site.endpoint.type, _KINDS.get(site.endpoint.kind)) for site in sites
     ):
-        if type_ is None or kind is None or _is_named(analysis, type_.name, gone):
+        if type_ is None or kind is None:
             continue
-        headers = {interface_types.header(type_, kind, analysis.ros_version)}
-        if kind is InterfaceKind.ACTION and analysis.ros_version == 1:
-            headers = {
-                interface_types.header(type_, kind, 1, part)
-                for part in ("Action", "Goal", "Result", "Feedback")
-            }
+        _take_aliases(analysis, type_.name, gone)
+        if _is_named(analysis, type_.name, gone):
+            continue
         for file in analysis.unit.files:
             if file.is_beside:
                 continue
             text = file.syntax.text
             for include in file.syntax.includes:
-                if include.path in headers:
+                if include.path in headers_of(type_, kind, analysis.ros_version):
                     start = line_start(text, include.start)
-                    yield file, start, line_end(text, start)
+                    gone.part(file, start, line_end(text, start))
+
+
+def headers_of(type_: InterfaceName, kind: InterfaceKind, ros_version: int) -> set[str]:
+    """Return the headers that define a type; in ROS 1 an action has several."""
+    if kind is InterfaceKind.ACTION and ros_version == 1:
+        parts = ("Action", "Goal", "Result", "Feedback")
+        return {interface_types.header(type_, kind, 1, part) for part in parts}
+    return {interface_types.header(type_, kind, ros_version)}
+
+
+def _take_aliases(analysis: Analysis, name: str, gone: Deletions) -> None:
+    """Take out `using T = a::msg::Name;` and its like where nothing that stays says `T`."""
+    for file in analysis.unit.files:
+        if file.is_beside:
+            continue
+        for node in _aliases(file):
+            said = file.syntax.word(node)
+            if gone.covers(file, node.start_byte) or not re.search(rf"\b{name}\b", said):
+                continue
+            own = _alias_name(node, file)
+            if own and not _is_said(analysis, own, file, node, gone):
+                gone.statement(file, node)
+
+
+def _aliases(file: CppFile) -> Iterator[Node]:
+    pending = [file.root.node]
+    while pending:
+        node = pending.pop()
+        if node.type in ("alias_declaration", "using_declaration", "type_definition"):
+            yield node
+        elif node.type in _HOLDING:
+            pending += node.named_children
+
+
+_HOLDING = frozenset(
+    {"translation_unit", "namespace_definition", "declaration_list", "class_specifier"}
+    | {"struct_specifier", "field_declaration_list", "declaration", "field_declaration"}
+)
+
+
+def _alias_name(node: Node, file: CppFile) -> str:
+    if node.type == "using_declaration":
+        said = file.syntax.word(node)
+        return "" if "namespace" in said else said.rstrip("; \t\n").rpartition("::")[2]
+    field = "name" if node.type == "alias_declaration" else "declarator"
+    name = node.child_by_field_name(field)
+    return "" if name is None else file.syntax.word(name)
+
+
+def _is_said(analysis: Analysis, name: str, file: CppFile, node: Node, gone: Deletions) -> bool:
+    """Tell whether code that stays says a name, but for its declaration."""
+    return any(
+        not gone.covers(each, found.start())
+        and not (each is file and node.start_byte <= found.start() < node.end_byte)
+        for each in analysis.unit.files
+        for found in word(name).finditer(each.syntax.code)
+    )
 
 
 def _is_named(analysis: Analysis, name: str, gone: Deletions) -> bool:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
 from typing import NamedTuple
 
 from tree_sitter import Node
@@ -11,8 +10,9 @@ from tree_sitter import Node
 from ..analysis import Analysis, Site
 from ..arguments import call_of
 from ..scopes import CppFile, Scope, Variable, last_name
+from .uses import scope_at
 
-_SAME = frozenset({"c_str", "str", "data", "string", "get", "string_view"})
+SAME = frozenset({"c_str", "str", "data", "string", "get", "string_view"})
 _MOST_STEPS = 16
 
 # Calls that read a parameter, with the position of what it is without one.
@@ -78,7 +78,7 @@ def _follow(
             call = call_of(node, scope, syntax)
             if call is None:
                 return None
-            if call.name in _SAME:
+            if call.name in SAME:
                 inner_node = call.receiver or call.argument(0)
                 return _follow(analysis, site, inner_node, scope, through, depth + 1)
             position = _DEFAULTS.get(call.name)
@@ -98,7 +98,12 @@ def _named(
 ) -> Origin | None:
     unit = analysis.unit
     name = last_name(node, scope) or scope.file.syntax.word(node).rpartition("::")[2]
-    variable = unit.lookup(name, scope, node.start_byte)
+    text = "".join(scope.file.syntax.word(node).split())
+    if "::" in text and node.type == "qualified_identifier":
+        found = unit.qualified(text, scope)
+        variable = found[0] if len(found) == 1 else None
+    else:
+        variable = unit.lookup(name, scope, node.start_byte)
     if variable is None:
         return _macro(analysis, name)
     if variable in through:
@@ -139,7 +144,29 @@ def _given(
             given = call.argument(position)
             if given is not None:
                 return _follow(analysis, site, given, call.scope, through, depth + 1)
-    return _follow(analysis, site, variable.value, variable.scope, through, depth + 1)
+    if site.bindings:
+        return None
+    callers = analysis.callers.of(function)
+    if len(callers) > 1:
+        return None
+    given = callers[0].argument(position) if callers else None
+    if given is not None:
+        return _follow(analysis, site, given, callers[0].scope, through, depth + 1)
+    default = analysis.callers.default_of(function, position)
+    if default is None:
+        return None
+    return _follow(analysis, site, default, _place_of(analysis, default, variable), through, depth)
+
+
+def _place_of(analysis: Analysis, node: Node, variable: Variable) -> Scope:
+    """Return the scope of a default, which a header may have."""
+    if variable.value is not None and variable.value.id == node.id:
+        return variable.scope
+    for file in analysis.unit.files:
+        inner = file.syntax.root.named_descendant_for_byte_range(node.start_byte, node.end_byte)
+        if inner is not None and inner.id == node.id:
+            return scope_at(file, node.start_byte)
+    return variable.scope
 
 
 def _macro(analysis: Analysis, name: str) -> Origin | None:
@@ -157,26 +184,3 @@ def _macro(analysis: Analysis, name: str) -> Origin | None:
     start = found[0].start + len(text[: len(text) - len(text.lstrip())])
     is_text = re.fullmatch(r'"(?:[^"\\]|\\.)*"', stripped) is not None
     return found[0]._replace(start=start, end=start + len(stripped.encode())) if is_text else None
-
-
-def uses_of(analysis: Analysis, variable: Variable) -> Iterator[tuple[CppFile, Node, Scope]]:
-    """Yield the places that name a variable, but for its declaration."""
-    own = variable.declarator.start_byte if variable.declarator is not None else -1
-    pattern = re.compile(rb"(?<![A-Za-z0-9_])" + re.escape(variable.name.encode()) + rb"(?!\w)")
-    for file in analysis.unit.files:
-        code = file.syntax.code
-        for found in pattern.finditer(code):
-            if file is variable.file and found.start() == own:
-                continue
-            node = file.syntax.root.named_descendant_for_byte_range(found.start(), found.end())
-            if node is None or node.type not in ("identifier", "field_identifier"):
-                continue
-            scope = scope_at(file, found.start())
-            if analysis.unit.lookup(variable.name, scope, found.start()) is variable:
-                yield file, node, scope
-
-
-def scope_at(file: CppFile, offset: int) -> Scope:
-    """Return the innermost scope that an offset is in."""
-    inside = (scope for scope in file.scopes if scope.start <= offset < scope.end)
-    return max(inside, key=lambda scope: (scope.start, -scope.end), default=file.root)

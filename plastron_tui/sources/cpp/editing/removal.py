@@ -8,17 +8,18 @@ from tree_sitter import Node
 
 from plastron_tui.diagnostics import Diagnostic, codes, listed
 from plastron_tui.model.source import EndpointKind, Remove
+from plastron_tui.sources.splices import line_number
 
 from ..analysis import Analysis, Site
 from ..scopes import CppFile, Function, Scope, Variable
 from .creation import Creation, creation_of
 from .deletions import Deletions
-from .leftovers import functions_of, has_uses, is_idle, is_stub, remove_function, unused_includes
-from .origins import uses_of
+from .leftovers import functions_of, has_uses, is_idle, is_stub, remove_function, take_types
 from .plans import Plan
 from .refusals import RefusedError, in_use, not_there
 from .statements import calls_method, emptied, local_of, only_sets, statement_of
 from .units import sites_of
+from .uses import macro_uses, uses_of
 
 _SENDING = frozenset({"publish"})
 _ENDING = frozenset(
@@ -35,7 +36,7 @@ def plan_removal(analysis: Analysis, change: Remove) -> Plan:
     sites = sites_of(analysis, change)
     if not sites:
         raise not_there(analysis, change)
-    removal = _Removal(analysis, change)
+    removal = _Removal(analysis, change, sites)
     for site in sites:
         removal.take(site)
     if removal.used:
@@ -50,8 +51,9 @@ class _Removal:
         used: where the endpoint is used in another way, as file and line.
     """
 
-    def __init__(self, analysis: Analysis, change: Remove) -> None:
+    def __init__(self, analysis: Analysis, change: Remove, sites: list[Site]) -> None:
         self._analysis = analysis
+        self._sites = sites
         self._change = change
         self._gone = Deletions()
         self._plan = Plan()
@@ -77,7 +79,8 @@ class _Removal:
         variable = creation.variable
         assert variable is not None
         if site.endpoint.kind is EndpointKind.PARAMETER:
-            self._keep_value(variable)
+            if not self._pending(variable):
+                self._keep_value(creation, variable)
             return
         others = [
             each
@@ -93,13 +96,35 @@ class _Removal:
             if not self._take_use(file, node, scope):
                 left.append((file, node, scope))
         self._take_guards(left)
+        self._note_macros(variable)
         creation.delete_declaration(self._gone)
 
-    def _keep_value(self, variable: Variable) -> None:
-        """Note where the value of a parameter is used, which a removal leaves unset."""
-        for file, node, _ in uses_of(self._analysis, variable):
-            if not self._gone.covers(file, node.start_byte):
-                self.used.append((file, node.start_point.row + 1))
+    def _pending(self, variable: Variable) -> list[Site]:
+        """Return the call sites that are yet to go and give a variable its value."""
+        return [
+            each
+            for each in self._sites
+            if each not in self._plan.lost and _holder(self._analysis, each) is variable
+        ]
+
+    def _note_macros(self, variable: Variable) -> None:
+        for file, start in macro_uses(self._analysis, variable.name):
+            self.used.append((file, line_number(file.syntax.text, start)))
+
+    def _keep_value(self, creation: Creation, variable: Variable) -> None:
+        """Note where the value of a parameter is used, which a removal leaves unset.
+
+        A variable that nothing else names goes as well.
+        """
+        used = [
+            (file, node.start_point.row + 1)
+            for file, node, _ in uses_of(self._analysis, variable)
+            if not self._gone.covers(file, node.start_byte)
+        ]
+        self.used += used
+        self._note_macros(variable)
+        if not used and variable.kind in ("local", "member") and not variable.file.is_beside:
+            creation.delete_declaration(self._gone)
 
     def _take_use(self, file: CppFile, node: Node, scope: Scope) -> bool:
         """Take out a statement that does nothing but use the endpoint."""
@@ -155,8 +180,7 @@ class _Removal:
                         remove_function(each, self._gone)
                 elif functions not in uncalled:
                     uncalled.append(functions)
-        for file, start, end in unused_includes(self._analysis, self._plan.lost, self._gone):
-            self._gone.part(file, start, end)
+        take_types(self._analysis, self._plan.lost, self._gone)
         for file in self._gone.files:
             if file.is_beside:
                 message = "a part of it is in a file of another node"

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Sequence
 
 from tree_sitter import Node
@@ -13,11 +14,17 @@ from plastron_tui.ros.names import name_as_read, name_as_written
 from .. import literals
 from ..analysis import Analysis, Site
 from ..scopes import Scope
-from .origins import Origin, name_argument, origin_of, uses_of
+from .origins import SAME, Origin, name_argument, origin_of
 from .plans import Plan
 from .refusals import RefusedError, not_there
 from .units import key_of, labels_of, sites_of
+from .uses import uses_of
 
+_WRITTEN = {
+    "assignment_expression": "left",
+    "init_declarator": "declarator",
+    "field_initializer": "",
+}
 _TELLING = ("LOG", "INFO", "WARN", "ERROR", "DEBUG", "FATAL", "print", "cout", "cerr")
 
 
@@ -43,10 +50,8 @@ def plan_renames(analysis: Analysis, changes: Sequence[Rename]) -> Plan:
         if written.setdefault(place, text) != text:
             raise _not_alone(site, change)
         plan.lost.append(site)
-        kind, name, type_, callback = key_of(site.endpoint)
-        is_default = site.endpoint.name is None
-        new = name if is_default and origin.variables else change.to
-        plan.added.append((labels.get(site, ""), (kind, new, type_, callback)))
+        kind, _, type_, callback = key_of(site.endpoint)
+        plan.added.append((labels.get(site, ""), (kind, change.to, type_, callback)))
         if site.endpoint.name is None or site.endpoint.is_guess:
             message = f"the name `{change.name}` in line {site.endpoint.line} is a default, "
             message += "for which others may give another name"
@@ -62,13 +67,29 @@ def _origin(analysis: Analysis, site: Site, change: Rename, wanted: dict[Site, R
     found = origin_of(analysis, site)
     if found is not None and not found.file.is_beside:
         same = [each for each, other in wanted.items() if other.to == change.to]
-        if all(_serves(analysis, variable_uses, same) for variable_uses in _uses(analysis, found)):
+        if all(_serves(analysis, uses, same, found) for uses in _uses(analysis, found)):
             return found
     given = name_argument(site)
     is_alone = sum(each.call is site.call for each in analysis.sites) == 1
     if given is None or site.endpoint.name is None or site.bindings or not is_alone:
         raise _not_alone(site, change)
+    if _depends_on_parameter(analysis, given, site.place):
+        raise _not_alone(site, change)
     return Origin(site.file, given.start_byte, given.end_byte)
+
+
+def _depends_on_parameter(analysis: Analysis, node: Node, scope: Scope) -> bool:
+    """Whether callers of a function decide what an expression is."""
+    stack = [node]
+    while stack:
+        each = stack.pop()
+        stack += each.named_children
+        if each.type == "identifier":
+            name = scope.file.syntax.word(each)
+            found = analysis.unit.lookup(name, scope, each.start_byte)
+            if found is not None and found.kind in ("parameter", "loop"):
+                return True
+    return False
 
 
 def _uses(analysis: Analysis, origin: Origin) -> Iterable[list[tuple[Node, Scope]]]:
@@ -76,7 +97,9 @@ def _uses(analysis: Analysis, origin: Origin) -> Iterable[list[tuple[Node, Scope
         yield [(node, scope) for _, node, scope in uses_of(analysis, variable)]
 
 
-def _serves(analysis: Analysis, uses: Sequence[tuple[Node, Scope]], sites: Sequence[Site]) -> bool:
+def _serves(
+    analysis: Analysis, uses: Sequence[tuple[Node, Scope]], sites: Sequence[Site], origin: Origin
+) -> bool:
     """Tell whether uses of a variable name endpoints that are renamed alike, or only tell them."""
     for node, scope in uses:
         if any(site.file is scope.file and _is_in(node, name_argument(site)) for site in sites):
@@ -85,7 +108,7 @@ def _serves(analysis: Analysis, uses: Sequence[tuple[Node, Scope]], sites: Seque
             site.file is scope.file and _is_in(node, name_argument(site)) for site in analysis.sites
         ):
             return False
-        if not _only_tells(node, scope):
+        if not _only_tells(analysis, node, scope, origin):
             return False
     return True
 
@@ -94,24 +117,48 @@ def _is_in(node: Node, outer: Node | None) -> bool:
     return outer is not None and outer.start_byte <= node.start_byte < outer.end_byte
 
 
-def _only_tells(node: Node, scope: Scope) -> bool:
-    """Tell whether a use writes a variable, hands it on to one that does, or logs it."""
+def _only_tells(analysis: Analysis, node: Node, scope: Scope, origin: Origin) -> bool:
+    """Tell whether a use hands a text on to a variable that decides the name as well, or logs it.
+
+    So does what writes such a variable.
+    """
     syntax = scope.file.syntax
+    names = {each.name for each in origin.variables}
     inner: Node | None = node
     for _ in range(12):
         if inner is None:
             return False
-        if inner.type in ("assignment_expression", "field_initializer", "init_declarator"):
-            return True
+        outer = _WRITTEN.get(inner.type)
+        if outer is not None:
+            target = inner.child_by_field_name(outer) if outer else inner.named_children[0]
+            word = "" if target is None else syntax.word(target)
+            return re.split(r"->|\.", word)[-1].lstrip("*&") in names
         if inner.type == "call_expression":
             called = inner.child_by_field_name("function")
             name = "" if called is None else syntax.word(called)
             if any(each in name for each in _TELLING) or "param" in name:
                 return True
+            if _hands_on(analysis, inner, node, origin):
+                return True
+            if re.split(r"::|\.|->", name)[-1] not in SAME:
+                return False
         if inner.type.endswith("statement"):
             text = syntax.word(inner).lstrip()
             return text.startswith(("std::cout", "std::cerr", "cout", "cerr"))
         inner = inner.parent
+    return False
+
+
+def _hands_on(analysis: Analysis, call: Node, node: Node, origin: Origin) -> bool:
+    """Tell whether a call gives a text to a parameter that decides the name as well."""
+    for variable in origin.variables:
+        function = variable.scope.function if variable.kind == "parameter" else None
+        if function is None:
+            continue
+        position = next((at for at, each in enumerate(function.parameters) if each is variable), 0)
+        for caller in analysis.callers.of(function):
+            if caller.node.id == call.id and _is_in(node, caller.argument(position)):
+                return True
     return False
 
 

@@ -10,6 +10,7 @@ from plastron_tui.model.source import EndpointKind, FileSet, Remove, Rename, Sou
 from ..analysis import Analysis, Site
 from ..nodes import group, owned_sites
 from ..reader import LIBRARIES, analyze
+from ..scopes import CppFile
 from ..structure import outline
 from ..syntax import parse
 from ..unit import Unit
@@ -20,24 +21,39 @@ Found = Counter[tuple[str, Key]]
 """The endpoints of a unit, each with the label of its node."""
 
 
-def analyze_files(files: FileSet, library: str) -> Analysis:
-    """Return what is known of the files of a unit of a client library."""
+def outlines_of(files: FileSet) -> list[CppFile]:
+    """Return the files of a unit, parsed."""
     texts = [("" if at == 0 else name, text) for at, (name, text) in enumerate(files.texts)]
-    unit = Unit(outline(name, parse(text)) for name, text in texts)
-    analysis = analyze(unit, LIBRARIES[library])
+    return [outline(name, parse(text)) for name, text in texts]
+
+
+def analyze_files(
+    files: Iterable[CppFile], library: str, beside: Iterable[CppFile] = ()
+) -> Analysis:
+    """Return what is known of the files of a unit of a client library.
+
+    Args:
+        files: the files, the main one first.
+        library: the client library.
+        beside: other files that say what these leave open, see `sources_beside`.
+    """
+    analysis = analyze(Unit(files, beside), LIBRARIES[library])
     group(analysis)
     return analysis
 
 
 def key_of(endpoint: SourceEndpoint) -> Key:
-    """Return what makes two endpoints of a node equal."""
-    name = endpoint.name if endpoint.name is not None else endpoint.expression
+    """Return what makes two endpoints of a node equal; a timer's period may change."""
+    if endpoint.kind is EndpointKind.TIMER:
+        return (endpoint.kind, None, "", endpoint.callback or "")
+    name = endpoint.name if endpoint.name is not None else endpoint.default
+    name = endpoint.expression if name is None else name
     return (endpoint.kind, name, str(endpoint.type), endpoint.callback or "")
 
 
 def labels_of(analysis: Analysis) -> dict[Site, str]:
-    """Return the label of the node of each call site."""
-    if not analysis.nodes:
+    """Return the label of the node of each call site; "" where the files have one node only."""
+    if len(analysis.nodes) < 2:
         return dict.fromkeys(analysis.sites, "")
     labels = [node.label for node in group(analysis)]
     owned = zip(labels, owned_sites(analysis), strict=True)
@@ -56,11 +72,11 @@ def endpoints_of(analysis: Analysis, sites: Iterable[Site] | None = None) -> Fou
 
 def sites_of(analysis: Analysis, change: Remove | Rename | Update) -> list[Site]:
     """Return the call sites of what a change is about; a default of a name counts as one."""
-    labels = labels_of(analysis)
+    labels, is_one = labels_of(analysis), len(analysis.nodes) < 2
     return [
         site
         for site in analysis.sites
         if site.endpoint.kind is change.kind
         and change.name in (site.endpoint.label, site.endpoint.default)
-        and change.node in (None, labels.get(site, ""))
+        and (is_one or change.node in (None, labels.get(site, "")))
     ]

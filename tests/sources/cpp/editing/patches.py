@@ -21,7 +21,8 @@ def sides(patch: str) -> tuple[FileSet, FileSet]:
     A line of it begins with a blank, or with `-` or `+` where it goes or comes. A line
     `=== x.hpp` begins another file; the first one is the source.
     """
-    names, texts = ["{}.cpp"], [([], [])]
+    names = ["{}.cpp"]
+    texts: list[tuple[list[str], list[str]]] = [([], [])]
     for line in patch.removeprefix("\n").splitlines(keepends=True):
         if line.startswith("=== "):
             names.append(line[4:].strip())

@@ -1,0 +1,24 @@
+"""What computes values in an edit, and notes what must hold for them."""
+
+from __future__ import annotations
+
+from plastron_tui.diagnostics import Span
+from plastron_tui.model.kinds.ranges import Interval
+
+from ..computed import Functions
+from ..guarded import Conditions, GuardedComputing
+from .adding import Addition
+from .parameters import read_parameter
+
+
+def computing_for(added: Addition, span: Span | None) -> tuple[GuardedComputing, Conditions]:
+    """Return what writes computed values, with the conditions that it notes."""
+
+    def value(name: str) -> tuple[str, Interval | None]:
+        read = read_parameter(added, name)
+        return read.text, read.range
+
+    assert span is not None, "a statement asks for them"
+    conditions = Conditions()
+    catalog, version = added.interfaces.catalog, added.analysis.ros_version
+    return GuardedComputing(catalog, version, span, value, Functions(), conditions), conditions

@@ -1,0 +1,77 @@
+"""Letting a timer or a loop of a file tick at another rate."""
+
+from __future__ import annotations
+
+import math
+import re
+
+from tree_sitter import Node
+
+from .. import literals
+from ..durations import seconds
+from ..scopes import Scope
+from .replacing import NotInPlaceError, Replacement
+
+_LITERAL = re.compile(r"[\d.']+(?:ns|us|ms|s|min|h)")
+_CHRONO = re.compile(
+    r"(?P<head>(?:std::)?(?:chrono::)?)(?P<unit>nanoseconds|microseconds|milliseconds|seconds)"
+    r"(?P<open>[({])\s*[\d.']+\s*(?P<close>[)}])"
+)
+_REAL = re.compile(
+    r"(?P<head>(?:ros::(?:Wall|Steady)?Duration|rclcpp::Duration::from_seconds"
+    r"|(?:std::)?chrono::duration<(?:double|float)>)[({]\s*)[\d.']+f?(?P<tail>\s*[)}])"
+)
+_UNITS = (("s", "seconds", 1), ("ms", "milliseconds", 10**3), ("us", "microseconds", 10**6),
+          ("ns", "nanoseconds", 10**9))  # fmt: skip
+
+
+def set_period(update: Replacement, node: Node, scope: Scope, hertz: float) -> None:
+    """Write another period for a duration, as the file writes it.
+
+    Raises:
+        NotInPlaceError: it is not written as a literal.
+    """
+    syntax = scope.file.syntax
+    known = seconds(update.analysis, node, scope)
+    number = None if known is None else known.number
+    if number and math.isclose(1 / number, hertz):
+        return
+    if node.type in ("identifier", "field_identifier", "field_expression"):
+        raise NotInPlaceError
+    text = syntax.word(node).strip()
+    update.put(scope.file, node, _period(text, 1 / hertz))
+
+
+def set_rate(update: Replacement, node: Node, scope: Scope, hertz: float) -> None:
+    """Write another number of hertz in a literal.
+
+    Raises:
+        NotInPlaceError: it is none.
+    """
+    if node.type != "number_literal":
+        raise NotInPlaceError
+    update.put(scope.file, node, _number(hertz))
+
+
+def _period(text: str, period: float) -> str:
+    if _LITERAL.fullmatch(text):
+        for suffix, _, scale in _UNITS:
+            if _is_whole(period * scale):
+                return f"{round(period * scale)}{suffix}"
+        return f"{round(period * 10**9)}ns"
+    if found := _CHRONO.fullmatch(text):
+        for _, unit, scale in _UNITS:
+            if _is_whole(period * scale) or unit == "nanoseconds":
+                count = round(period * scale)
+                return f"{found['head']}{unit}{found['open']}{count}{found['close']}"
+    if found := _REAL.fullmatch(text):
+        return f"{found['head']}{literals.real(period)}{found['tail']}"
+    raise NotInPlaceError
+
+
+def _is_whole(number: float) -> bool:
+    return number >= 1 and math.isclose(number, round(number), rel_tol=1e-9)
+
+
+def _number(value: float) -> str:
+    return str(int(value)) if value == int(value) else literals.real(value)

@@ -1,0 +1,65 @@
+"""Giving a topic of a file another quality of service, in the argument that says it."""
+
+from __future__ import annotations
+
+from plastron_tui.model.kinds import Publisher, Subscription
+from plastron_tui.ros.qos import DEFAULT, Qos
+from plastron_tui.ros.qos_words import WORDS
+
+from .. import qos_code
+from .replacing import NotInPlaceError, Replacement
+
+_LATCHED = WORDS["latched"].says
+
+
+def requalify(update: Replacement) -> None:
+    """Write another quality of service where another one is asked for.
+
+    Raises:
+        NotInPlaceError: the call does not say it itself.
+    """
+    endpoint, site = update.change.endpoint, update.site
+    if not isinstance(endpoint, Publisher | Subscription) or endpoint.span is None:
+        return
+    qos, found = endpoint.qos, site.endpoint.qos or Qos()
+    if qos is None or _gives(qos, found, update.analysis.ros_version):
+        return
+    at = site.shape.queue
+    if at is None or at >= len(site.arguments):
+        raise NotInPlaceError
+    if update.analysis.ros_version == 2:
+        if qos.depth is None and qos.history is None:
+            qos = qos._replace(depth=found.depth)
+        update.put(site.place.file, site.arguments[at], qos_code.profile(qos))
+        return
+    if qos.depth:
+        update.put(site.place.file, site.arguments[at], str(qos.depth))
+    latch = site.shape.latch
+    is_latched = _latch(qos)
+    if latch is None or is_latched is None or is_latched is _latch(found):
+        return
+    written = "true" if is_latched else "false"
+    if latch < len(site.arguments):
+        if latch != len(site.arguments) - 1:
+            raise NotInPlaceError
+        update.put(site.place.file, site.arguments[latch], written)
+    elif latch == len(site.arguments):
+        end = site.arguments[-1].end_byte
+        update.put_between(site.place.file, end, end, f", {written}")
+    else:
+        raise NotInPlaceError
+
+
+def _gives(asked: Qos, found: Qos, version: int) -> bool:
+    """Tell whether a call gives all policies that are asked for, those of its ROS at least."""
+    if version == 1:
+        is_latched_so = None in (_latch(asked), found.durability) or _latch(asked) is _latch(found)
+        return is_latched_so and asked.depth in (None, found.depth)
+    wanted = asked.over(DEFAULT).known if asked.history == "keep_all" else asked.known
+    return all(getattr(found, name) == value for name, value in wanted.items())
+
+
+def _latch(qos: Qos) -> bool | None:
+    if qos.common(_LATCHED) == _LATCHED:
+        return True
+    return False if qos.durability == DEFAULT.durability else None

@@ -1,0 +1,139 @@
+"""Timers that an edit creates, and the functions that they call."""
+
+from __future__ import annotations
+
+from plastron_tui.model.kinds import Rate
+from plastron_tui.model.source import EndpointKind
+
+from .. import literals
+from .adding import Addition
+from .functions import write_function
+from .hearing import bound, wrapped
+from .manner import method_naming
+from .members import hold, is_local, type_of
+from .parameters import read_parameter
+from .place import handle_for
+
+K = EndpointKind
+
+
+def period_of(added: Addition, rate: Rate | float) -> str:
+    """Write the time between two turns, as the client library takes it."""
+    if isinstance(rate, Rate) and rate.parameter is not None:
+        text = f"1.0 / {read_parameter(added, rate.parameter).text}"
+        if added.is_ros2:
+            return f"std::chrono::duration<double>({text})"
+        return f"ros::Duration({text})"
+    hertz = rate.hertz if isinstance(rate, Rate) else rate
+    milliseconds = round(1000 / hertz)
+    is_whole = milliseconds > 0 and 1000 / milliseconds == hertz
+    if added.is_ros2:
+        if is_whole:
+            return f"std::chrono::milliseconds({milliseconds})"
+        return f"std::chrono::duration<double>(1.0 / {literals.real(float(hertz))})"
+    if is_whole:
+        return f"ros::Duration({literals.real(milliseconds / 1000)})"
+    return f"ros::Duration(1.0 / {literals.real(float(hertz))})"
+
+
+def event_parameter(added: Addition) -> str:
+    """Write what the function of a timer takes: in ROS 1 the event, which it does not need."""
+    if added.is_ros2:
+        return ""
+    return f"const ros::TimerEvent{added.style(added.place.file).reference.rstrip()}"
+
+
+def timer_name(added: Addition, words: str) -> str:
+    """Declare what holds a timer, and return its name."""
+    variable, file = hold(added, K.TIMER, type_of(added, K.TIMER, ""), words)
+    del file
+    return variable
+
+
+def create_timer(
+    added: Addition, timer: str, period: str, called: str, *, handle: str = "", once: bool = False
+) -> None:
+    """Create a timer that calls a function of the files."""
+    handed, _ = bound(added, called, 0 if added.is_ros2 else 1)
+    head, more = _head(added, handle), ["true"] if once else []
+    style = added.style(added.place.file)
+    declared = _declared(added)
+    arguments = [period, *handed, *more]
+    added.lines += wrapped(
+        f"{declared}{timer} = {head}", arguments, ");", style, len(style.indent) * 2
+    )
+    added.expect(K.TIMER, period, None, called)
+    _include_chrono(added)
+
+
+def run_at(
+    added: Addition,
+    words: str,
+    verb: str,
+    period: str,
+    body: list[str],
+    *,
+    timer: str = "",
+    captures: tuple[str, ...] = (),
+    handle: str = "",
+    once: bool = False,
+) -> None:
+    """Let a timer of its own do something: a method of the class, or a lambda in a function.
+
+    Args:
+        added: the endpoint.
+        words: what the names are made of.
+        verb: what is done, as the name of a method begins.
+        period: how often, see `period_of`.
+        body: what is done.
+        timer: what holds the timer, where that is declared already.
+        captures: the local variables that the body uses.
+        handle: the handle of ROS 1 that it is created on, "" for the usual one.
+        once: whether it ticks once, in ROS 1.
+    """
+    timer = timer or timer_name(added, words)
+    if added.owner is not None:
+        name = added.free(method_naming(added.analysis, verb).name(words))
+        write_function(added, name, event_parameter(added), body)
+        create_timer(added, timer, period, name, handle=handle, once=once)
+        return
+    taken = f"[{', '.join(dict.fromkeys(captures))}]" if is_local(added) else "[]"
+    head = f"{_declared(added)}{timer} = {_head(added, handle)}{period}, "
+    tail = ", true);" if once else ");"
+    added.lines.append(f"{head}{taken}({event_parameter(added)}) {{")
+    added.lines += [f"\t{each}" for each in body]
+    added.lines.append(f"}}{tail}")
+    added.expect(K.TIMER, period, None, "")
+    _include_chrono(added)
+
+
+def capture(added: Addition, variable: str, *, is_pointer: bool) -> str:
+    """Write how a lambda takes a local variable: what points by value, all else by reference."""
+    del added
+    return variable if is_pointer else f"&{variable}"
+
+
+def node_captures(added: Addition) -> tuple[str, ...]:
+    """Return how a lambda of `main` takes the node of ROS 2."""
+    node = added.place.node
+    if not node:
+        return ()
+    return (f"&{node[:-1]}",) if node.endswith(".") else (node.removesuffix("->"),)
+
+
+def _declared(added: Addition) -> str:
+    if not is_local(added):
+        return ""
+    return "auto " if added.is_ros2 else "ros::Timer "
+
+
+def _head(added: Addition, handle: str) -> str:
+    if added.is_ros2:
+        return f"{added.place.node}create_wall_timer("
+    # The namespace of the handle is of no use to a timer.
+    return f"{handle or handle_for(added.analysis, added.place, '/timer')[0]}createTimer("
+
+
+def _include_chrono(added: Addition) -> None:
+    if added.is_ros2:
+        added.include(added.place.file, "chrono")

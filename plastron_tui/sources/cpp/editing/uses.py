@@ -1,0 +1,68 @@
+"""Where the names of variables are used."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+
+from tree_sitter import Node
+
+from ..analysis import Analysis
+from ..scopes import CppFile, Scope, Variable
+
+_NAMES = frozenset({"identifier", "field_identifier"})
+
+
+def uses_of(analysis: Analysis, variable: Variable) -> Iterator[tuple[CppFile, Node, Scope]]:
+    """Yield the places that name a variable, but for its declaration.
+
+    So does what may name it: a member of that name of an object whose type is not known.
+    """
+    own = variable.declarator.start_byte if variable.declarator is not None else -1
+    for file in analysis.unit.files:
+        for found in word(variable.name).finditer(file.syntax.code):
+            if file is variable.file and found.start() == own:
+                continue
+            node = file.syntax.root.named_descendant_for_byte_range(found.start(), found.end())
+            if node is None or node.type not in _NAMES:
+                continue
+            scope = scope_at(file, found.start())
+            if _may_be(analysis, variable, node, scope):
+                yield file, node, scope
+
+
+def _may_be(analysis: Analysis, variable: Variable, node: Node, scope: Scope) -> bool:
+    outer = node.parent
+    if node.type == "field_identifier" and outer is not None and outer.type == "field_expression":
+        if variable.kind != "member":
+            return False
+        holder = outer.child_by_field_name("argument")
+        found = analysis.receivers.member(outer, scope)
+        if found is not None or holder is None or holder.type == "this":
+            return found is variable
+        return analysis.receivers.type_of(holder, scope) == ""
+    if outer is not None and outer.type == "qualified_identifier":
+        while outer.parent is not None and outer.parent.type == "qualified_identifier":
+            outer = outer.parent
+        text = "".join(scope.file.syntax.word(outer).split())
+        return variable in analysis.unit.qualified(text, scope)
+    return analysis.unit.lookup(variable.name, scope, node.start_byte) is variable
+
+
+def macro_uses(analysis: Analysis, name: str) -> Iterator[tuple[CppFile, int]]:
+    """Yield the macros without arguments that name something, each with its file and offset."""
+    for file in analysis.unit.files:
+        for define in file.syntax.defines:
+            if word(name).search(file.syntax.text, define.start, define.end):
+                yield file, define.start
+
+
+def word(name: str) -> re.Pattern[bytes]:
+    """Return what matches a name as a word of its own."""
+    return re.compile(rb"(?<![A-Za-z0-9_])" + re.escape(name.encode()) + rb"(?!\w)")
+
+
+def scope_at(file: CppFile, offset: int) -> Scope:
+    """Return the innermost scope that an offset is in."""
+    inside = (scope for scope in file.scopes if scope.start <= offset < scope.end)
+    return max(inside, key=lambda scope: (scope.start, -scope.end), default=file.root)

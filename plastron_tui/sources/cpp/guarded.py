@@ -1,0 +1,86 @@
+"""Computed values in files that exist: what a field cannot hold is not sent.
+
+A file that Plastron writes has functions that check and throw; in somebody's file an `if` around
+the sending does.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+
+from plastron_tui.model.kinds.ranges import EVERY_INTEGER, Interval
+from plastron_tui.model.values import Computed, OfReceived
+from plastron_tui.ros.interfaces import Field
+from plastron_tui.sources.computing import Source
+
+from . import literals
+from .computed import Computing
+
+
+@dataclass(slots=True)
+class Conditions:
+    """What must hold so that fields can hold what is computed for them."""
+
+    required: dict[str, None] = field(default_factory=dict)
+
+    def within(self, text: str, limits: Interval, *, is_whole: bool) -> None:
+        """Require a number to be in the limits of a field."""
+        written = literals.integer if is_whole else lambda value: literals.real(float(value))
+        if limits.least > EVERY_INTEGER.least:
+            self.required[f"{text} >= {written(int(limits.least))}"] = None
+        if limits.most < EVERY_INTEGER.most:
+            self.required[f"{text} <= {written(int(limits.most))}"] = None
+
+    def __bool__(self) -> bool:
+        """Whether anything is required."""
+        return bool(self.required)
+
+    @property
+    def text(self) -> str:
+        """All of it, as the condition of an `if`."""
+        return " && ".join(self.required)
+
+
+@dataclass(frozen=True, slots=True)
+class GuardedComputing(Computing):
+    """Writes computed values, and notes what must hold for them.
+
+    Attributes:
+        conditions: what must hold so that what was written can be sent.
+    """
+
+    conditions: Conditions
+
+    def holder_of(self, source: OfReceived, holder: str, heard: Sequence[Field]) -> str:
+        """Write a field of what is received; `holder` ends with its dot or arrow."""
+        text = f"{holder}{'.'.join(source.path)}"
+        if source.position is None:
+            return text
+        if self.lacks(source, heard):
+            self.conditions.required[f"{text}.size() > {source.position}"] = None
+        return f"{text}[{source.position}]"
+
+    def _scalar(self, value: Computed, source: Source) -> str:
+        text = self._calculated(value, source) if value.steps else source.text
+        limits = self.limits(value, source)
+        if limits is None:
+            return text
+        self.conditions.within(text, limits, is_whole=source.is_whole and not value.is_float)
+        return f"static_cast<{self._class(value.type)}>({text})"
+
+    def _list(self, target: str, value: Computed, source: Source) -> list[str]:
+        class_ = self._class(value.type)
+        limits = self.limits(value, source)
+        name = source.text
+        if limits is not None:
+            checks = Conditions()
+            checks.within("each", limits, is_whole=source.is_whole)
+            if checks:
+                ends = f"{name}.begin(), {name}.end()"
+                test = f"[](const auto & each) {{return {checks.text};}}"
+                self.conditions.required[f"std::all_of({ends}, {test})"] = None
+        if value.type.length is not None:
+            return [f"std::copy({name}.begin(), {name}.end(), {target}.begin());"]
+        del class_
+        return [f"{target}.assign({name}.begin(), {name}.end());"]

@@ -1,0 +1,390 @@
+"""What changes of an endpoint where it stands; what no change names stays as it is."""
+
+from __future__ import annotations
+
+import pytest
+from patches import check
+
+from plastron_tui.diagnostics import Span
+from plastron_tui.model.kinds import (
+    Client,
+    Endpoint,
+    Message,
+    Parameter,
+    Publication,
+    Publisher,
+    Rate,
+    Service,
+    Subscription,
+    Timer,
+    kind_of,
+)
+from plastron_tui.model.source import Update
+from plastron_tui.model.values import MessageValue, Value
+from plastron_tui.ros.interfaces import InterfaceName
+from plastron_tui.ros.parameters import ParameterType
+from plastron_tui.ros.qos import Qos
+from plastron_tui.ros.qos_words import WORDS
+
+AT = Span(0, 0)
+STRING, INT = InterfaceName("std_msgs", "String"), InterfaceName("std_msgs", "Int32")
+POSE = InterfaceName("geometry_msgs", "PoseStamped")
+TRIGGER, SET_BOOL = InterfaceName("std_srvs", "Trigger"), InterfaceName("std_srvs", "SetBool")
+
+
+def sent(rate: float | None = None, **fields: Value) -> tuple[Publication, ...]:
+    value = MessageValue(STRING, fields)
+    return (Publication(Message("m", value, AT), rate or 10.0, AT, rate is None),)
+
+
+PAIR = """
+ #include "x.hpp"
+
+ Robot::Robot() : Node("robot")
+ {
+   goal_ = create_subscription<std_msgs::msg::String>(
+     "goal", 3, std::bind(&Robot::on_goal, this, std::placeholders::_1));  // where to go
+   out_ = create_publisher<geometry_msgs::msg::PoseStamped>("out", 1);
+ }
+
+ void Robot::on_goal(const std_msgs::msg::String::SharedPtr msg)
+ {
+   RCLCPP_INFO(get_logger(), "goal");
+   (void)msg;
+ }
+=== x.hpp
+ #pragma once
+ #include <geometry_msgs/msg/pose_stamped.hpp>
+ #include <rclcpp/rclcpp.hpp>
+ #include <std_msgs/msg/string.hpp>
+
+ class Robot : public rclcpp::Node
+ {
+ public:
+   Robot();
+
+ private:
+   void on_goal(const std_msgs::msg::String::SharedPtr msg);
+   void on_other(const std_msgs::msg::String::SharedPtr msg);
+   rclcpp::Subscription<std_msgs::msg::String>::SharedPtr goal_;
+   rclcpp::Publisher<geometry_msgs::msg::PoseStamped>::SharedPtr out_;
+ };
+"""
+
+ROS1 = """
+ #include <ros/ros.h>
+ #include <std_msgs/String.h>
+ #include <std_srvs/Trigger.h>
+
+ class Robot {
+  public:
+   Robot() {
+     goal_ = nh_.subscribe("goal", 3, &Robot::onGoal, this);
+     out_ = nh_.advertise<std_msgs::String>("out", 5);
+     srv_ = nh_.advertiseService("stop", &Robot::stop, this);
+     timer_ = nh_.createTimer(ros::Duration(0.5), &Robot::tick, this);
+     nh_.param<std::string>("frame", frame_, "map");
+     speed_ = nh_.param("speed", 1.5);
+   }
+
+   void onGoal(const std_msgs::StringConstPtr& msg) { goal_text_ = msg->data; }
+
+   bool stop(std_srvs::Trigger::Request& req, std_srvs::Trigger::Response& res) {
+     ROS_INFO("stop");
+     return true;
+   }
+
+   void tick(const ros::TimerEvent&) {
+     std_msgs::String text;
+     text.data = "here";
+     out_.publish(text);
+   }
+
+  private:
+   ros::NodeHandle nh_;
+   ros::Subscriber goal_;
+   ros::Publisher out_;
+   ros::ServiceServer srv_;
+   ros::Timer timer_;
+   std::string frame_, goal_text_;
+   double speed_;
+ };
+
+ int main(int argc, char** argv) {
+   ros::init(argc, argv, "robot");
+   Robot robot;
+   ros::spin();
+ }
+"""
+
+
+def patched(text: str, *edits: tuple[str, str | None]) -> str:
+    """Return a patch of a text that changes lines of it."""
+    for old, new in edits:
+        lines = [line for line in text.split("\n") if line.removeprefix(" ") == old]
+        assert len(lines) == 1, (old, lines)
+        put = "" if new is None else "".join(f"\n+{line}" for line in new.split("\n"))
+        text = text.replace(f" {old}\n", f"-{old}{put}\n", 1)
+    return text
+
+
+UPDATES: list[tuple[str, str, str, Endpoint, list[tuple[str, str | None]]]] = [
+    (
+        "another type of a subscription in two files, with a stub",
+        PAIR,
+        "goal",
+        Subscription("goal", INT, None, AT),
+        [
+            (
+                "  goal_ = create_subscription<std_msgs::msg::String>(",
+                "  goal_ = create_subscription<std_msgs::msg::Int32>(",
+            ),
+            (
+                "void Robot::on_goal(const std_msgs::msg::String::SharedPtr msg)",
+                "void Robot::on_goal(const std_msgs::msg::Int32::SharedPtr msg)",
+            ),
+            (
+                "  void on_goal(const std_msgs::msg::String::SharedPtr msg);",
+                "  void on_goal(const std_msgs::msg::Int32::SharedPtr msg);",
+            ),
+            (
+                "  rclcpp::Subscription<std_msgs::msg::String>::SharedPtr goal_;",
+                "  rclcpp::Subscription<std_msgs::msg::Int32>::SharedPtr goal_;",
+            ),
+            (
+                "#include <std_msgs/msg/string.hpp>",
+                "#include <std_msgs/msg/string.hpp>\n#include <std_msgs/msg/int32.hpp>",
+            ),
+        ],
+    ),
+    (
+        "another type of a publisher that nothing publishes on, whose include is there",
+        PAIR,
+        "out",
+        Publisher("out", STRING, (), AT),
+        [
+            (
+                '  out_ = create_publisher<geometry_msgs::msg::PoseStamped>("out", 1);',
+                '  out_ = create_publisher<std_msgs::msg::String>("out", 1);',
+            ),
+            (
+                "  rclcpp::Publisher<geometry_msgs::msg::PoseStamped>::SharedPtr out_;",
+                "  rclcpp::Publisher<std_msgs::msg::String>::SharedPtr out_;",
+            ),
+            ("#include <geometry_msgs/msg/pose_stamped.hpp>", None),
+        ],
+    ),
+    (
+        "another name, and a quality of service",
+        PAIR,
+        "out",
+        Publisher("pose", POSE, (), AT, Qos(depth=6, reliability="best_effort")),
+        [
+            (
+                '  out_ = create_publisher<geometry_msgs::msg::PoseStamped>("out", 1);',
+                "  out_ = create_publisher<geometry_msgs::msg::PoseStamped>"
+                '("pose", rclcpp::QoS(6).best_effort());',
+            ),
+        ],
+    ),
+    (
+        "another function that the file has",
+        PAIR,
+        "goal",
+        Subscription("goal", STRING, "on_other", AT),
+        [
+            (
+                '    "goal", 3, std::bind(&Robot::on_goal, this, std::placeholders::_1));'
+                "  // where to go",
+                '    "goal", 3, std::bind(&Robot::on_other, this, std::placeholders::_1));'
+                "  // where to go",
+            ),
+        ],
+    ),
+    (
+        "a new name for a stub",
+        PAIR,
+        "goal",
+        Subscription("goal", STRING, "arrive", AT),
+        [
+            (
+                '    "goal", 3, std::bind(&Robot::on_goal, this, std::placeholders::_1));'
+                "  // where to go",
+                '    "goal", 3, std::bind(&Robot::arrive, this, std::placeholders::_1));'
+                "  // where to go",
+            ),
+            (
+                "void Robot::on_goal(const std_msgs::msg::String::SharedPtr msg)",
+                "void Robot::arrive(const std_msgs::msg::String::SharedPtr msg)",
+            ),
+            (
+                "  void on_goal(const std_msgs::msg::String::SharedPtr msg);",
+                "  void arrive(const std_msgs::msg::String::SharedPtr msg);",
+            ),
+        ],
+    ),
+    (
+        "a callback with code that the new type has the fields for",
+        ROS1,
+        "goal",
+        Subscription("goal", INT, None, AT),
+        [
+            (
+                "  void onGoal(const std_msgs::StringConstPtr& msg) { goal_text_ = msg->data; }",
+                "  void onGoal(const std_msgs::Int32ConstPtr& msg) { goal_text_ = msg->data; }",
+            ),
+            (
+                "#include <std_msgs/String.h>",
+                "#include <std_msgs/String.h>\n#include <std_msgs/Int32.h>",
+            ),
+        ],
+    ),
+    (
+        "the size of a queue and a latch of roscpp",
+        ROS1,
+        "out",
+        Publisher("out", STRING, (), AT, WORDS["latched"].says._replace(depth=1)),
+        [
+            (
+                '    out_ = nh_.advertise<std_msgs::String>("out", 5);',
+                '    out_ = nh_.advertise<std_msgs::String>("out", 1, true);',
+            ),
+        ],
+    ),
+    (
+        "the type of a service whose function is a stub",
+        ROS1,
+        "stop",
+        Service("stop", SET_BOOL, None, AT),
+        [
+            (
+                "  bool stop(std_srvs::Trigger::Request& req, std_srvs::Trigger::Response& res) {",
+                "  bool stop(std_srvs::SetBool::Request& req, std_srvs::SetBool::Response& res) {",
+            ),
+            ("#include <std_srvs/Trigger.h>", "#include <std_srvs/SetBool.h>"),
+        ],
+    ),
+    (
+        "the rate of a timer",
+        ROS1,
+        "tick",
+        Timer("tick", None, Rate(10.0), AT),
+        [
+            (
+                "    timer_ = nh_.createTimer(ros::Duration(0.5), &Robot::tick, this);",
+                "    timer_ = nh_.createTimer(ros::Duration(0.1), &Robot::tick, this);",
+            ),
+        ],
+    ),
+    (
+        "what is published, and how often",
+        ROS1,
+        "out",
+        Publisher("out", STRING, sent(4.0, data="there"), AT),
+        [
+            ('    text.data = "here";', '    text.data = "there";'),
+            (
+                "    timer_ = nh_.createTimer(ros::Duration(0.5), &Robot::tick, this);",
+                "    timer_ = nh_.createTimer(ros::Duration(0.25), &Robot::tick, this);",
+            ),
+        ],
+    ),
+    (
+        "the default of a parameter that is read into a variable",
+        ROS1,
+        "frame",
+        Parameter("frame", None, ParameterType.STRING, "odom", span=AT),
+        [
+            (
+                '    nh_.param<std::string>("frame", frame_, "map");',
+                '    nh_.param<std::string>("frame", frame_, "odom");',
+            ),
+        ],
+    ),
+    (
+        "the default of a parameter that a call returns",
+        ROS1,
+        "speed",
+        Parameter("speed", None, ParameterType.FLOAT, 2.0, span=AT),
+        [
+            (
+                '    speed_ = nh_.param("speed", 1.5);',
+                '    speed_ = nh_.param("speed", 2.0);',
+            ),
+        ],
+    ),
+]
+
+
+@pytest.mark.parametrize(
+    ("text", "name", "endpoint", "edits"),
+    [each[1:] for each in UPDATES],
+    ids=[each[0] for each in UPDATES],
+)
+def test_an_update_changes_what_differs(
+    text: str, name: str, endpoint: Endpoint, edits: list[tuple[str, str | None]]
+) -> None:
+    check(patched(text, *edits), Update(kind_of(type(endpoint)), name, endpoint, AT))
+
+
+PERIODS = [
+    ("500ms", 10.0, "100ms"),
+    ("1s", 1000.0, "1ms"),
+    ("100ms", 1.0, "1s"),
+    ("std::chrono::milliseconds(500)", 4.0, "std::chrono::milliseconds(250)"),
+    ("std::chrono::seconds{2}", 0.25, "std::chrono::seconds{4}"),
+    (
+        "std::chrono::duration<double>(0.5)",
+        3.0,
+        "std::chrono::duration<double>(0.3333333333333333)",
+    ),
+    ("rclcpp::Duration::from_seconds(0.5)", 4.0, "rclcpp::Duration::from_seconds(0.25)"),
+]
+
+
+@pytest.mark.parametrize(("written", "hertz", "expected"), PERIODS)
+def test_a_period_is_written_as_the_file_writes_it(
+    written: str, hertz: float, expected: str
+) -> None:
+    before = f"    timer_ = create_timer({written}, [this]() {{ tick(); }});"
+    text = f"""
+ #include <rclcpp/rclcpp.hpp>
+ using namespace std::chrono_literals;
+ class A : public rclcpp::Node {{
+  public:
+   A() : Node("a") {{
+ {before.replace("[this]() { tick(); }", "std::bind(&A::tick, this)")}
+   }}
+   void tick() {{ count_++; }}
+   rclcpp::TimerBase::SharedPtr timer_;
+   int count_;
+ }};
+"""
+    old = before.replace("[this]() { tick(); }", "std::bind(&A::tick, this)")
+    patch = patched(text, (old, old.replace(written, expected)))
+    check(patch, Update(kind_of(Timer), "tick", Timer("tick", None, Rate(hertz), AT), AT))
+
+
+def test_code_for_the_old_type_is_told() -> None:
+    told = check(
+        patched(ROS1, *UPDATES[5][4]), Update(kind_of(Subscription), "goal", UPDATES[5][3], AT)
+    )
+    assert [each.message for each in told] == [
+        "`onGoal` was written for `std_msgs/String`, and gets `std_msgs/Int32`"
+    ]
+
+
+def test_a_client_that_nothing_calls_gets_another_type() -> None:
+    patch = """
+ #include <rclcpp/rclcpp.hpp>
+-#include "std_srvs/srv/trigger.hpp"
++#include "std_srvs/srv/set_bool.hpp"
+ int main(int c, char** v) {
+   rclcpp::init(c, v);
+   auto node = std::make_shared<rclcpp::Node>("n");
+-  auto client = node->create_client<std_srvs::srv::Trigger>("go");
++  auto client = node->create_client<std_srvs::srv::SetBool>("go");
+   rclcpp::spin(node);
+ }
+"""
+    check(patch, Update(kind_of(Client), "go", Client("go", SET_BOOL, (), AT), AT))
