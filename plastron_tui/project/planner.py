@@ -221,8 +221,12 @@ class Planner:
         from plastron_tui.generating.text_files import Folder, left_files
 
         folder = Folder(self._configuration.output, manifest, self._author.name)
-        own = (each.package for each in self._workspace.written_packages) if self._workspace else ()
-        return left_files(written, folder, {each.name for each in own})
+        made = () if self._workspace is None else self._workspace.written_packages
+        own = {each.package.name for each in made}
+        # Where only some nodes are asked for, the package of the others is no rest either.
+        homes = (each.node.home for each in self._generations)
+        own |= {home.package for home in homes if home is not None and home.is_own}
+        return left_files(written, folder, own)
 
     def _whole(
         self, made: Sequence[Generated], manifest: Manifest
