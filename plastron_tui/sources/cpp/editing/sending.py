@@ -189,7 +189,12 @@ def _react(added: Addition, sender: Sender, publication: Publication, reaction: 
         and reaction.topic in (site.endpoint.name, site.endpoint.default)
     ]
     reason = ""
-    functions = [f for site in sites for f in site.callback.functions if f.scope is not None]
+    functions = [
+        f
+        for site in sites
+        for f in site.callback.functions
+        if f.scope is not None and not f.file.is_beside
+    ]
     function = functions[0] if len(functions) == 1 and len(sites) == 1 else None
     body = function.node.child_by_field_name("body") if function is not None else None
     if not sites:

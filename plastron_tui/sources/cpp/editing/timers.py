@@ -116,7 +116,9 @@ def capture(added: Addition, variable: str, *, is_pointer: bool) -> str:
 def node_captures(added: Addition) -> tuple[str, ...]:
     """Return how a lambda of `main` takes the node of ROS 2."""
     node = added.place.node
-    if not node:
+    bare = node.removesuffix("->").removesuffix(".")
+    found = added.analysis.unit.lookup(bare, added.place.scope, added.place.offset)
+    if not node or (found is not None and found.kind == "global"):
         return ()
     return (f"&{node[:-1]}",) if node.endswith(".") else (node.removesuffix("->"),)
 
@@ -124,7 +126,8 @@ def node_captures(added: Addition) -> tuple[str, ...]:
 def _declared(added: Addition) -> str:
     if not is_local(added):
         return ""
-    return "auto " if added.is_ros2 else "ros::Timer "
+    # Not `auto`: what the timer calls may name it.
+    return "rclcpp::TimerBase::SharedPtr " if added.is_ros2 else "ros::Timer "
 
 
 def _head(added: Addition, handle: str) -> str:
