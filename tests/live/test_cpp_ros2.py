@@ -86,10 +86,13 @@ def compiled(rclcpp: CppLibrary, cache: Path, programs: Mapping[str, str]) -> di
         made[name] = folder / name
         with locked(folder):
             if not made[name].exists():
-                file = generate_cpp(program, folder)
+                # One has its class in a header.
+                layout = "split" if name == "cruiser" else "single"
+                file = generate_cpp(program, folder / "files", layout)
                 # Who waits for an answer is not to keep the tests waiting.
                 file.write_text(file.read_text().replace("TIMEOUT{10}", "TIMEOUT{2}"))
-                rclcpp.compile(made[name], file)
+                headers = [file.parents[1] / "include"] if layout == "split" else []
+                rclcpp.compile(made[name], file, headers=headers)
     return made
 
 
