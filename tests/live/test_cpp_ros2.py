@@ -103,10 +103,7 @@ def programs(rclcpp: CppLibrary, shared_cache: Path) -> dict[str, Path]:
 
 @pytest.fixture(scope="session")
 def actors(rclcpp: CppLibrary, shared_cache: Path) -> dict[str, Path]:
-    if not rclcpp.is_real:
-        pytest.skip(f"{rclcpp.words} has no actions")
-    if not any(prefix.glob("include/example_interfaces") for prefix in rclcpp.prefixes):
-        pytest.skip("example_interfaces is missing beside rclcpp")
+    # `conftest.py` leaves these tests out where there is the stand-in alone, which has no actions.
     return compiled(rclcpp, shared_cache, WITH_ACTIONS)
 
 
