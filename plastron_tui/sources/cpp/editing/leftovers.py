@@ -99,7 +99,10 @@ def _is_log(node: Node, function: Function) -> bool:
 
 def remove_function(function: Function, gone: Deletions) -> None:
     """Take out a definition or a declaration."""
-    gone.statement(function.file, function.node)
+    node = function.node
+    if node.parent is not None and node.parent.type == "template_declaration":
+        node = node.parent
+    gone.statement(function.file, node)
 
 
 def take_types(analysis: Analysis, sites: Sequence[Site], gone: Deletions) -> None:

@@ -11,7 +11,7 @@ from plastron_tui.sources.splices import line_number
 
 from ..analysis import Analysis, Site
 from ..scopes import CppFile, Function, Scope, Variable
-from .creation import Creation, creation_of
+from .creation import Creation, creation_of, variable_of
 from .deletions import Deletions
 from .leftovers import (
     functions_of,
@@ -22,6 +22,7 @@ from .leftovers import (
     take_placeholders,
     take_types,
 )
+from .own_functions import asking_function, mentions, repeating_function, unused_helpers
 from .plans import Plan
 from .refusals import RefusedError, in_use, not_there
 from .statements import calls_method, emptied, local_of, only_sets, statement_of
@@ -100,7 +101,7 @@ class _Removal:
         for file, node, scope in uses_of(self._analysis, variable):
             if self._gone.covers(file, node.start_byte):
                 continue
-            if not self._take_use(file, node, scope):
+            if not self._take_use(file, node, scope) and not self._take_asking(scope):
                 left.append((file, node, scope))
         self._take_guards(left)
         self._note_macros(variable)
@@ -148,6 +149,32 @@ class _Removal:
             return True
         return False
 
+    def _take_asking(self, scope: Scope) -> bool:
+        """Take out a function that only asks through the endpoint, and what begins it."""
+        functions = asking_function(self._analysis, scope)
+        if not functions:
+            return False
+        for each in functions:
+            remove_function(each, self._gone)
+        held: list[Variable] = []
+        for file, statement, place in mentions(self._analysis, functions, self._gone):
+            target = statement.named_children[0].child_by_field_name("left")
+            self._gone.statement(file, statement)
+            if target is not None:
+                found = variable_of(self._analysis, target, place)
+                held += [] if found is None else [found]
+            again = repeating_function(self._analysis, place, self._gone)
+            for each in again:
+                remove_function(each, self._gone)
+            for site in self._analysis.sites if again else ():
+                if again[0].name == site.endpoint.callback:
+                    self.take(site)
+        for variable in held:
+            uses = uses_of(self._analysis, variable)
+            if all(self._gone.covers(file, node.start_byte) for file, node, _ in uses):
+                self._gone.statement(variable.file, variable.node)
+        return True
+
     def _take_message(self, file: CppFile, statement: Node, scope: Scope) -> None:
         """Take out the local variable that was published, where nothing else uses it."""
         message = local_of(self._analysis, statement, scope)
@@ -177,6 +204,10 @@ class _Removal:
     def finish(self) -> Plan:
         """Take out the callbacks and includes that nothing needs any more, and return the plan."""
         self._take_idle()
+        while helpers := list(unused_helpers(self._analysis, self._gone)):
+            for functions in helpers:
+                for each in functions:
+                    remove_function(each, self._gone)
         for site in list(self._plan.lost):
             for functions in functions_of(self._analysis, site):
                 if self._is_gone(functions) or has_uses(self._analysis, functions, self._gone):
