@@ -157,8 +157,8 @@ def _take_aliases(analysis: Analysis, name: str, gone: Deletions) -> None:
         if file.is_beside:
             continue
         for node in _aliases(file):
-            said = file.syntax.word(node)
-            if gone.covers(file, node.start_byte) or not re.search(rf"\b{name}\b", said):
+            said = file.syntax.word(node).encode(file.syntax.encoding)
+            if gone.covers(file, node.start_byte) or not named(name).search(said):
                 continue
             own = _alias_name(node, file)
             if own and not _is_said(analysis, own, file, node, gone):

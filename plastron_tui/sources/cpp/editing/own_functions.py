@@ -2,14 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+import re
+from collections.abc import Iterator, Sequence
 
 from tree_sitter import Node
 
 from plastron_tui.sources.splices import line_start
 
 from ..analysis import Analysis
-from ..scopes import CppFile, Function, Scope
+from ..scopes import CppFile, Function, Scope, Variable
 from .deletions import Deletions
 from .leftovers import has_uses
 from .uses import scope_at, word
@@ -17,32 +18,52 @@ from .uses import scope_at, word
 _WAITS = ("wait_until_served", "wait_for_action")
 _ASKS = frozenset({"ask", "call", "send_goal"})
 
-# What a function that others need is described as, and how many statements it has.
-_HELPERS = {
-    "ask": ("Call a service that is there, and log its answer.", 7),
-    "call": ("Call a service that is there, and log its answer.", 4),
-    "fail": ("Log an error, unless what was asked was ended.", 1),
-    "goes_on": ("Tell whether the node is not ending.", 1),
-    "is_answered": (
+# Functions that others need: name, what they are described as, how many statements they have.
+_HELPERS = (
+    ("ask", "Call a service that is there, and log its answer.", 5),
+    ("call", "Call a service that is there, and log its answer.", 4),
+    ("end_goals", "Let the work on goals end, which is at its next step.", 0),
+    ("end_goals", "Abort the goals that are worked on when the node ends.", 0),
+    ("fail", "Log an error, unless what was asked was ended.", 1),
+    ("goes_on", "Tell whether the node is not ending.", 1),
+    (
+        "is_answered",
         "Wait for what an action server answers; tell whether it came before the server was gone.",
         2,
     ),
-    "is_done": ("Tell whether nothing is left of what was begun.", 1),
-    "send_goal": (
+    ("is_current", "Tell whether a goal is still the one to work on.", 2),
+    ("is_done", "Tell whether nothing is left of what was begun.", 1),
+    (
+        "send_goal",
         "Send a goal to an action that is served, and log its feedback and its result.",
         11,
     ),
-    "start": (
+    (
+        "send_goal",
+        "Send a goal to an action that is served, and log its feedback and its result.",
+        6,
+    ),
+    (
+        "start",
         "Do work in a thread of its own, which leaves the node free for its other work.",
         1,
     ),
-    "wait_for_action": (
+    (
+        "wait_for_action",
         "Wait until somebody serves an action, and warn while nobody does; tell whether it is"
         " served.",
         3,
     ),
-    "wait_until_served": ("Wait until somebody serves a name, and warn while nobody does.", 3),
-}
+    ("wait_until_served", "Wait until somebody serves a name, and warn while nobody does.", 3),
+    (
+        "wait_until_served",
+        "Wait until a service is there, and warn while it is not; tell whether it is.",
+        3,
+    ),
+)
+_STEP = b"// The work of one step goes here."
+_GOAL_FUNCTION = re.compile(r"execute_(\w+)|accept_(\w+)_goal|run_(\w+)_goal")
+_GOAL_STATEMENTS = {"execute": (4, 5), "accept": (2,), "run": (2,)}
 
 
 def asking_function(analysis: Analysis, scope: Scope) -> list[Function]:
@@ -100,6 +121,39 @@ def _is_part(node: Node, file: CppFile) -> bool:
     return called is not None and file.syntax.word(called) in _ASKS
 
 
+def goal_functions(analysis: Analysis, name: str) -> Iterator[list[Function]]:
+    """Yield the functions that work on the goals of an action as Plastron writes them."""
+    for own, functions in analysis.unit.functions.items():
+        found = _GOAL_FUNCTION.fullmatch(own)
+        defined = [each for each in functions if each.scope is not None]
+        if found is None or len(defined) != 1:
+            continue
+        function, kind = defined[0], own.partition("_")[0]
+        node, text = function.node, function.file.syntax.text
+        is_step = kind != "execute" or _STEP in text[node.start_byte : node.end_byte]
+        if not is_step or len(_body(function)) not in _GOAL_STATEMENTS[kind]:
+            continue
+        descriptions = (
+            f"Work on a goal of {name}.",
+            f"Begin the work on a goal of {name}.",
+            f"Work on a goal of {name}, after the one before.",
+        )
+        if any(_is_described(each, line) for each in functions for line in descriptions):
+            yield functions
+
+
+def goal_variables(analysis: Analysis, functions: Sequence[Function]) -> Iterator[Variable]:
+    """Yield the members that hold the goals of an action, and the threads that work on them."""
+    for function in functions:
+        found = _GOAL_FUNCTION.fullmatch(function.name)
+        stem = next(each for each in found.groups() if each) if found is not None else ""
+        owner = analysis.unit.class_of_function(function)
+        for name in (f"{stem}_goal_", f"{stem}_goal_thread_"):
+            member = analysis.unit.member(owner, name) if owner is not None else None
+            if member is not None:
+                yield member
+
+
 def mentions(
     analysis: Analysis, functions: list[Function], gone: Deletions
 ) -> Iterator[tuple[CppFile, Node, Scope]]:
@@ -153,7 +207,7 @@ def repeating_function(analysis: Analysis, scope: Scope, gone: Deletions) -> lis
 def unused_helpers(analysis: Analysis, gone: Deletions) -> Iterator[list[Function]]:
     """Yield the functions that Plastron wrote for those that go, and that nothing else uses."""
     nothing = Deletions()
-    for name, (description, statements) in _HELPERS.items():
+    for name, description, statements in _HELPERS:
         functions = analysis.unit.functions.get(name, [])
         if not functions or all(gone.covers(each.file, each.node.start_byte) for each in functions):
             continue

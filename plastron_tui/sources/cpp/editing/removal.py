@@ -22,7 +22,14 @@ from .leftovers import (
     take_placeholders,
     take_types,
 )
-from .own_functions import asking_function, mentions, repeating_function, unused_helpers
+from .own_functions import (
+    asking_function,
+    goal_functions,
+    goal_variables,
+    mentions,
+    repeating_function,
+    unused_helpers,
+)
 from .plans import Plan
 from .refusals import RefusedError, in_use, not_there
 from .statements import calls_method, emptied, local_of, only_sets, statement_of
@@ -32,6 +39,7 @@ from .uses import macro_uses, uses_of
 _SENDING = frozenset({"publish"})
 _ENDING = frozenset(
     {"shutdown", "reset", "cancel", "stop", "on_activate", "on_deactivate", "start", "spin"}
+    | {"join", "setAborted"}
 )
 
 
@@ -80,6 +88,8 @@ class _Removal:
             message = f"line {site.endpoint.line} does more than to create it"
             raise RefusedError(message, self._change.span, "change the line by hand")
         creation.delete(self._gone)
+        if site.endpoint.kind is EndpointKind.ACTION_SERVER:
+            self._take_goals(site)
         if creation.variable is not None:
             self._take_variable(creation, site)
 
@@ -174,6 +184,25 @@ class _Removal:
             if all(self._gone.covers(file, node.start_byte) for file, node, _ in uses):
                 self._gone.statement(variable.file, variable.node)
         return True
+
+    def _take_goals(self, site: Site) -> None:
+        """Take out what works on the goals of an action as Plastron writes it."""
+        functions = [
+            each
+            for listed in goal_functions(self._analysis, site.endpoint.name or "")
+            for each in listed
+        ]
+        for each in functions:
+            remove_function(each, self._gone)
+        for variable in dict.fromkeys(goal_variables(self._analysis, functions)):
+            uses = [
+                each
+                for each in uses_of(self._analysis, variable)
+                if not self._gone.covers(each[0], each[1].start_byte)
+            ]
+            left = [each for each in uses if not self._take_use(*each)]
+            self._take_guards(left)
+            self._gone.statement(variable.file, variable.node)
 
     def _take_message(self, file: CppFile, statement: Node, scope: Scope) -> None:
         """Take out the local variable that was published, where nothing else uses it."""
