@@ -61,6 +61,7 @@ _HELPERS = (
         3,
     ),
 )
+_MEMBER = re.compile(rb"\b\w+_\b")
 _STEP = b"// The work of one step goes here."
 _GOAL_FUNCTION = re.compile(r"execute_(\w+)|accept_(\w+)_goal|run_(\w+)_goal")
 _GOAL_STATEMENTS = {"execute": (4, 5), "accept": (2,), "run": (2,)}
@@ -154,12 +155,35 @@ def goal_variables(analysis: Analysis, functions: Sequence[Function]) -> Iterato
                 yield member
 
 
+def reading_function(analysis: Analysis, scope: Scope, name: str) -> list[Function]:
+    """Return the function that reads a parameter as Plastron writes it, with its declarations."""
+    around = scope.enclosing("function")
+    function = None if around is None else around.function
+    if function is None or len(_body(function)) not in (4, 5):
+        return []
+    found = _with_declarations(analysis, function)
+    bare = name.removeprefix("~").removeprefix("/")
+    description = f"Return the parameter {bare}, or its last good value."
+    return found if any(_is_described(each, description) for each in found) else []
+
+
+def members_of(analysis: Analysis, function: Function) -> Iterator[Variable]:
+    """Yield the members that a function names."""
+    owner, body = analysis.unit.class_of_function(function), function.node
+    if owner is None:
+        return
+    for found in _MEMBER.finditer(function.file.syntax.code, body.start_byte, body.end_byte):
+        member = analysis.unit.member(owner, found[0].decode())
+        if member is not None:
+            yield member
+
+
 def mentions(
     analysis: Analysis, functions: list[Function], gone: Deletions
 ) -> Iterator[tuple[CppFile, Node, Scope]]:
     """Yield the statements that stay and name a function, each with the function's scope."""
     own = [(each.file, each.node.start_byte, each.node.end_byte) for each in functions]
-    for file in analysis.unit.files:
+    for file in analysis.unit.files if functions else ():
         for found in word(functions[0].name).finditer(file.syntax.code):
             at = found.start()
             if gone.covers(file, at) or any(

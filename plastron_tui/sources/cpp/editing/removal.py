@@ -26,7 +26,9 @@ from .own_functions import (
     asking_function,
     goal_functions,
     goal_variables,
+    members_of,
     mentions,
+    reading_function,
     repeating_function,
     unused_helpers,
 )
@@ -83,6 +85,8 @@ class _Removal:
             message = f"line {site.endpoint.line} creates it among others"
             raise RefusedError(message, self._change.span, "change the line by hand")
         self._plan.lost.append(site)
+        if self._gone.covers(site.file, site.call.node.start_byte) or self._take_reading(site):
+            return
         creation = creation_of(self._analysis, site)
         if creation is None:
             message = f"line {site.endpoint.line} does more than to create it"
@@ -184,6 +188,22 @@ class _Removal:
             if all(self._gone.covers(file, node.start_byte) for file, node, _ in uses):
                 self._gone.statement(variable.file, variable.node)
         return True
+
+    def _take_reading(self, site: Site) -> bool:
+        """Take out a function that reads a parameter as Plastron writes it."""
+        if site.endpoint.kind is not EndpointKind.PARAMETER:
+            return False
+        functions = reading_function(self._analysis, site.call.scope, self._change.name)
+        for file, statement, _ in mentions(self._analysis, functions, self._gone):
+            self.used.append((file, statement.start_point.row + 1))
+        for each in functions:
+            remove_function(each, self._gone)
+        members = (each for one in functions for each in members_of(self._analysis, one))
+        for variable in dict.fromkeys(members):
+            uses = uses_of(self._analysis, variable)
+            if all(self._gone.covers(file, node.start_byte) for file, node, _ in uses):
+                self._gone.statement(variable.file, variable.node)
+        return bool(functions)
 
     def _take_goals(self, site: Site) -> None:
         """Take out what works on the goals of an action as Plastron writes it."""
