@@ -10,7 +10,8 @@ from plastron_tui.model.source import EndpointKind, Remove
 from plastron_tui.sources.splices import line_number
 
 from ..analysis import Analysis, Site
-from ..scopes import CppFile, Function, Scope, Variable
+from ..read_parameters import parameter_call
+from ..scopes import CppFile, Function, Scope, Variable, last_name
 from .creation import Creation, creation_of, variable_of
 from .deletions import Deletions
 from .leftovers import (
@@ -34,7 +35,7 @@ from .own_functions import (
 )
 from .plans import Plan
 from .refusals import RefusedError, in_use, not_there
-from .statements import calls_method, emptied, local_of, only_sets, statement_of
+from .statements import calls_method, emptied, local_of, only_calls, only_sets, statement_of
 from .units import sites_of
 from .uses import macro_uses, uses_of
 
@@ -92,6 +93,8 @@ class _Removal:
             message = f"line {site.endpoint.line} does more than to create it"
             raise RefusedError(message, self._change.span, "change the line by hand")
         creation.delete(self._gone)
+        if site.endpoint.kind is EndpointKind.PARAMETER:
+            self._take_descriptor(site)
         if site.endpoint.kind is EndpointKind.ACTION_SERVER:
             self._take_goals(site)
         if creation.variable is not None:
@@ -188,6 +191,31 @@ class _Removal:
             if all(self._gone.covers(file, node.start_byte) for file, node, _ in uses):
                 self._gone.statement(variable.file, variable.node)
         return True
+
+    def _take_descriptor(self, site: Site) -> None:
+        """Take out the local variable that describes a parameter, and a block left empty."""
+        node, scope = parameter_call(site.call).descriptor, site.call.scope
+        name = "" if node is None else last_name(node, scope)
+        at = site.call.node.start_byte
+        variable = self._analysis.unit.lookup(name, scope, at) if name else None
+        if variable is None or variable.kind != "local":
+            return
+        setting = []
+        for file, use, _ in uses_of(self._analysis, variable):
+            if self._gone.covers(file, use.start_byte):
+                continue
+            statement = statement_of(use)
+            if statement is None or not (only_sets(statement, use) or only_calls(statement, use)):
+                return
+            setting.append(statement)
+        for each in (*setting, variable.node):
+            self._gone.statement(variable.file, each)
+        block = variable.node.parent
+        outer = None if block is None else block.parent
+        if block is None or outer is None or outer.type != "compound_statement":
+            return
+        if all(self._gone.covers(variable.file, each.start_byte) for each in block.named_children):
+            self._gone.statement(variable.file, block)
 
     def _take_reading(self, site: Site) -> bool:
         """Take out a function that reads a parameter as Plastron writes it."""
