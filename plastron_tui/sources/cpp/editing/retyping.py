@@ -77,7 +77,7 @@ class _Written:
                 text = "".join(file.syntax.word(each).split())
                 scope = scope_at(file, each.start_byte)
                 has_templates = "<" in text
-                if not has_templates and types.interface(text, scope) == self._old:
+                if not has_templates and types.interface(text, scope, True) == self._old:
                     yield each
                     continue
             if each.type != "compound_statement":
