@@ -145,7 +145,7 @@ def find_roscpp(factory: pytest.TempPathFactory) -> CppLibrary:
 
 def describe_rclcpp() -> str:
     """Tell in a word which rclcpp the nodes of this run are compiled with."""
-    prefix = _real_prefix()
+    prefix = real_prefix()
     if prefix is None:
         return "a stand-in of rclcpp"
     text = (prefix / "share/rclcpp/package.xml").read_text(encoding="utf-8")
@@ -157,7 +157,7 @@ def find_rclcpp(factory: pytest.TempPathFactory) -> CppLibrary:
     """Return the environment's rclcpp, or the stand-in, which is built once for all workers."""
     if shutil.which("g++") is None:
         skip_or_fail("there is no C++ compiler: apt-get install g++")
-    real = _real_prefix()
+    real = real_prefix()
     if real is not None:
         prefixes = _ament_prefixes()
         headers = _header_folders(prefixes)
@@ -193,7 +193,7 @@ def _ament_prefixes() -> tuple[Path, ...]:
     return tuple(Path(each) for each in parts if each)
 
 
-def _real_prefix() -> Path | None:
+def real_prefix() -> Path | None:
     """Return where the environment has an rclcpp that is not a stand-in."""
     for prefix in _ament_prefixes():
         share = prefix / "share/rclcpp"

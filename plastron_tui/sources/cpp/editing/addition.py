@@ -78,7 +78,7 @@ def plan_addition(analysis: Analysis, change: Add, catalog: Catalog) -> Plan:
     nodes = group(analysis)
     if len(nodes) < 2:
         change = change._replace(node=None)
-    label = change.node if change.node is not None else nodes[0].label if analysis.nodes else ""
+    label = "" if len(nodes) < 2 else change.node or nodes[0].label
     place = find_place(analysis, change, kind)
     interfaces = Interfaces(catalog, analysis.ros_version)
     sites = sites_of_node(analysis, change.node)

@@ -116,7 +116,8 @@ def bound(added: Addition, name: str, arguments: int) -> tuple[list[str], bool]:
     texts = _callback_texts(added)
     class_ = added.owner.name
     for text in texts:
-        if (found := _METHOD.search(text)) is not None:
+        found = _METHOD.search(text)
+        if found is not None and re.sub(r"<.*", "", found[1]).rpartition("::")[2] == class_:
             class_ = found[1]
             break
     binds = [each for each in texts if re.match(r"(?:std::|boost::)?bind\b", each)]

@@ -197,11 +197,15 @@ def _is_said(analysis: Analysis, name: str, file: CppFile, node: Node, gone: Del
     )
 
 
+def named(name: str) -> re.Pattern[bytes]:
+    """Return what matches the name of a type, and those that ROS 1 makes of it."""
+    parts = rb"(?:Action)?(?:Goal|Result|Feedback|Request|Response)?(?:Const)?(?:Ptr)?(?!\w)"
+    return re.compile(rb"(?<![A-Za-z0-9_])" + re.escape(name.encode()) + parts)
+
+
 def _is_named(analysis: Analysis, name: str, gone: Deletions) -> bool:
     """Tell whether code that stays has a word for a type, or for what is made of it."""
-    pattern = re.compile(
-        rb"(?<![A-Za-z0-9_])" + re.escape(name.encode()) + rb"(?:Const)?(?:Ptr)?(?!\w)"
-    )
+    pattern = named(name)
     return any(
         not gone.covers(file, found.start())
         for file in analysis.unit.files

@@ -6,7 +6,6 @@ from collections.abc import Iterable
 
 from tree_sitter import Node
 
-from plastron_tui.diagnostics import Diagnostic, codes, listed
 from plastron_tui.model.source import EndpointKind, Remove
 from plastron_tui.sources.splices import line_number
 
@@ -178,7 +177,6 @@ class _Removal:
     def finish(self) -> Plan:
         """Take out the callbacks and includes that nothing needs any more, and return the plan."""
         self._take_idle()
-        uncalled = []
         for site in list(self._plan.lost):
             for functions in functions_of(self._analysis, site):
                 if self._is_gone(functions) or has_uses(self._analysis, functions, self._gone):
@@ -186,8 +184,6 @@ class _Removal:
                 if all(is_stub(each) for each in functions if each.scope is not None):
                     for each in functions:
                         remove_function(each, self._gone)
-                elif functions not in uncalled:
-                    uncalled.append(functions)
         take_types(self._analysis, self._plan.lost, self._gone)
         take_placeholders(self._analysis, self._gone)
         for file in self._gone.files:
@@ -195,7 +191,6 @@ class _Removal:
                 message = "a part of it is in a file of another node"
                 raise RefusedError(message, self._change.span, "change that file first")
             self._plan.splices[file.name] += self._gone.splices(file)
-        self._tell(uncalled)
         return self._plan
 
     def _take_idle(self) -> None:
@@ -213,19 +208,6 @@ class _Removal:
 
     def _is_gone(self, functions: list[Function]) -> bool:
         return all(self._gone.covers(each.file, each.node.start_byte) for each in functions)
-
-    def _tell(self, uncalled: list[list[Function]]) -> None:
-        if not uncalled:
-            return
-        names = listed(
-            f"`{each[0].name}` (line {each[0].node.start_point.row + 1})" for each in uncalled
-        )
-        message = f"nothing in the file calls {names} any more"
-        it = "it if it is" if len(uncalled) == 1 else "them if they are"
-        note = Diagnostic(
-            codes.UNCALLED_FUNCTION, message, self._change.span, help=f"remove {it} of no other use"
-        )
-        self._plan.notes.append(note)
 
 
 def _holder(analysis: Analysis, site: Site) -> Variable | None:
