@@ -9,17 +9,16 @@ from __future__ import annotations
 import re
 from collections import Counter
 from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import replace
 from functools import partial
-from itertools import combinations
+from itertools import combinations, pairwise
 from pathlib import Path
 from typing import NamedTuple
 
 from plastron_tui.diagnostics import codes
 from plastron_tui.sources.build_files import Edited, RefusedError, refusal
-from plastron_tui.sources.splices import Splice, apply
+from plastron_tui.sources.splices import Splice, apply, line_end, line_start
 
-from .arguments import argument_removals, command_removals
+from .arguments import argument_removals, begins_line, command_removals
 from .changing import change
 from .dependencies import remove_dependency
 from .facts import INSTALL_WORDS, executable_of, facts, sources_of, targets
@@ -105,7 +104,7 @@ def _without(lists: CMakeLists, name: str) -> bytes:
     for command, argument in gone.arguments:
         splices += next(iter(argument_removals(listing, command, argument)))
     for group in _groups(lists, gone.commands):
-        splices += _removal(lists, group)
+        splices.append(_removal(lists, group))
     after = apply(listing.text, splices)
     _check(lists, after, name, gone)
     return after
@@ -267,21 +266,27 @@ def _groups(lists: CMakeLists, gone: frozenset[int]) -> Iterator[list[Statement]
     return within(lists.listing.statements)
 
 
-def _removal(lists: CMakeLists, group: Sequence[Statement]) -> list[Splice]:
-    """Return how commands are taken out, with one of the blank lines around them."""
-    listing = lists.listing
-    first = next(x for x in listing.commands() if x.start == group[0].start or not _is_in(x, group))
-    whole = replace(first, start=group[0].start, end=group[-1].end)
-    ways = list(command_removals(listing, whole))
-    if not ways:
-        why = "has something else in its line"
-        raise refusal(listing.text, listing.path, whole.span, why)
-    is_unended = whole.end == len(listing.text)
-    return ways[-2] if is_unended and len(ways) > 2 else ways[0]
-
-
-def _is_in(command: Command, group: Sequence[Statement]) -> bool:
-    return group[0].start <= command.start < group[-1].end
+def _removal(lists: CMakeLists, group: Sequence[Statement]) -> Splice:
+    """Return how commands are taken out: with the blank line above, or else the one below."""
+    text = lists.listing.text
+    start, end = line_start(text, group[0].start), line_end(text, group[-1].end)
+    rest = text[group[-1].end : end].strip()
+    if not begins_line(text, group[0].start) or (rest and not rest.startswith(b"#")):
+        span = (group[0].start, group[-1].end)
+        raise refusal(text, lists.listing.path, span, "has something else in its line")
+    previous = line_start(text, max(start - 1, 0))
+    above = text[previous:start].strip()
+    if end == len(text) and not text.endswith(b"\n") and start:
+        # What ends without a line ending is to end so again.
+        start = previous if not above else start
+        return Splice(start - (2 if text[start - 2 : start] == b"\r\n" else 1), end)
+    if start > previous and not above:
+        return Splice(previous, end)
+    following = line_end(text, end)
+    if following > end and not text[end:following].strip() and not above.startswith(b"#"):
+        # Below a comment, the blank line parts it from the next paragraph.
+        return Splice(start, following)
+    return Splice(start, end)
 
 
 def _as_new(lists: CMakeLists, name: str) -> NewTarget | None:
@@ -312,10 +317,8 @@ def _as_new(lists: CMakeLists, name: str) -> NewTarget | None:
     for each in about:
         if _REGISTERING.fullmatch(each.command.name):
             given = [item.value for item in each.items]
-            plugin = next((b for a, b in zip(given, given[1:], strict=False) if a == "PLUGIN"), "")
-            executable = next(
-                (b for a, b in zip(given, given[1:], strict=False) if a == "EXECUTABLE"), ""
-            )
+            plugin = next((b for a, b in pairwise(given) if a == "PLUGIN"), "")
+            executable = next((b for a, b in pairwise(given) if a == "EXECUTABLE"), "")
     if plugin is None and built.call.command.name == "add_library":
         plugin = name
     others = tuple(each for each in linked if each != own)
@@ -340,5 +343,3 @@ def _without_extras(lists: CMakeLists, before: bytes, new: NewTarget) -> bytes:
                 if add_target(after, path, new).text == before:
                     return after
     return listing.text
-
-
