@@ -16,9 +16,14 @@ XML = """\
   <maintainer email="ada@example.com">Ada</maintainer>
   <license>MIT</license>
   <buildtool_depend>{tool}</buildtool_depend>
-  <depend>{client}</depend>
+  <depend>{client}</depend>{more}
 </package>
 """
+AMENT_EXPORT = """
+
+  <export>
+    <build_type>ament_cmake</build_type>
+  </export>"""
 CATKIN_BARE = "project(demo)\nfind_package(catkin REQUIRED)\ncatkin_package()\n"
 CATKIN_FULL = """\
 cmake_minimum_required(VERSION 3.0.2)
@@ -77,7 +82,11 @@ CASES = [(kind, library) for kind, (tool, _, _) in KINDS.items() for library in 
 def package(kind: str) -> dict[str, str]:
     tool, client, lists = KINDS[kind]
     header = "ros/ros.h" if client == "roscpp" else "rclcpp/rclcpp.hpp"
-    files = {"package.xml": XML.format(tool=tool, client=client), "CMakeLists.txt": lists}
+    more = AMENT_EXPORT if tool == "ament_cmake" else ""
+    files = {
+        "package.xml": XML.format(tool=tool, client=client, more=more),
+        "CMakeLists.txt": lists,
+    }
     if "listener" in lists:
         files["src/listener.cpp"] = f"#include <{header}>\n\nint main() {{}}\n"
     return files

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import re
 from collections import Counter
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Container, Iterable, Iterator, Sequence
 from functools import partial
 from itertools import combinations, pairwise
 from pathlib import Path
@@ -22,10 +22,13 @@ from .arguments import argument_removals, begins_line, command_removals
 from .changing import change
 from .dependencies import remove_dependency
 from .facts import INSTALL_WORDS, executable_of, facts, sources_of, targets
-from .reader import Call, CMakeLists, interpret
+from .reader import Call, CMakeLists, interpret, read_cmake
 from .syntax import Argument, Block, Command, Statement, parse_cmake
 from .targets import OF_TARGETS, NewTarget, add_target
 from .variables import Item, reference_of
+
+FOR_ALL = ("enable_language", "include_directories", "rosidl_get_typesupport_target")
+"""The commands above all targets that a first one may bring."""
 
 _MAKING = frozenset({"add_executable", "add_library", "ament_auto_add_executable"})
 _ABOUT = re.compile(rf"{'|'.join(OF_TARGETS)}|rosidl_target_interfaces|target_\w+")
@@ -50,7 +53,13 @@ class _Gone(NamedTuple):
     arguments: tuple[tuple[Command, Argument], ...]
 
 
-def remove_target(text: bytes, path: Path, name: str, packages: Sequence[str] = ()) -> Edited:
+def remove_target(
+    text: bytes,
+    path: Path,
+    name: str,
+    packages: Sequence[str] = (),
+    commands: Container[str] | None = None,
+) -> Edited:
     """Build and install a target no more.
 
     What was written for it alone goes where adding it again writes that too.
@@ -61,6 +70,8 @@ def remove_target(text: bytes, path: Path, name: str, packages: Sequence[str] = 
         name: the target.
         packages: the packages that no source needs any more; found no more, unless a command
             names one of them.
+        commands: those of `FOR_ALL` that came with the target; None where nothing tells, and they
+            go with the last target.
     """
     built = None
 
@@ -81,8 +92,14 @@ def remove_target(text: bytes, path: Path, name: str, packages: Sequence[str] = 
             gone.append(package)
     if built is not None:
         again = built._replace(packages=tuple(reversed(gone)))
-        return change(after, path, partial(_without_extras, before=text, new=again))
+        return change(after, path, partial(_without_extras, before=text, new=again, came=commands))
     return Edited(after)
+
+
+def commands_for_all(text: bytes, path: Path) -> frozenset[str]:
+    """Return those of `FOR_ALL` that a CMakeLists.txt has; none of one that cannot be read."""
+    lists, _ = read_cmake(text, path)
+    return frozenset(() if lists is None else (x.command.name for x in lists.named(*FOR_ALL)))
 
 
 def names_package(text: bytes, package: str) -> bool:
@@ -292,7 +309,7 @@ def _removal(lists: CMakeLists, group: Sequence[Statement]) -> Splice:
 def _as_new(lists: CMakeLists, name: str) -> NewTarget | None:
     """Return a target as one would add it, None where nobody would so."""
     built = next((each for each in targets(lists) if each.what == name), None)
-    sources = [] if built is None else [x for x in sources_of(built) if x != "SHARED"]
+    sources = [] if built is None else sources_of(built)
     if built is None or len(sources) != 1:
         return None
     about = [x for x in lists.calls if x.items and x.items[0].value == name]
@@ -325,13 +342,17 @@ def _as_new(lists: CMakeLists, name: str) -> NewTarget | None:
     return NewTarget(executable, sources[0], headers, (), others, plugin, own in linked)
 
 
-def _without_extras(lists: CMakeLists, before: bytes, new: NewTarget) -> bytes:
+def _without_extras(
+    lists: CMakeLists, before: bytes, new: NewTarget, came: Container[str] | None
+) -> bytes:
     """Take out what was written above all targets for one alone.
 
     Only where adding the target writes the same bytes again.
     """
     listing = lists.listing
-    names = ("enable_language", "include_directories", "rosidl_get_typesupport_target")
+    if came is None and list(targets(lists)):
+        return listing.text
+    names = [each for each in FOR_ALL if came is None or each in came]
     found = [x for x in listing.statements if isinstance(x, Command) and x.name in names]
     path = listing.path
     for count in range(min(len(found), 3), 0, -1):

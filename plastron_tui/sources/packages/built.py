@@ -41,6 +41,7 @@ def add_built_node(
         plugin: what a file of the package tells of its class, in ROS 1; None for a program.
     """
     from plastron_tui.sources.cmake.dependencies import found_packages
+    from plastron_tui.sources.cmake.removals import commands_for_all
     from plastron_tui.sources.cmake.targets import add_target
 
     after = Changed(dict(texts))
@@ -53,8 +54,11 @@ def add_built_node(
     after = with_edit(after.texts, CMAKE_LISTS, add_target(before, path, target))
     if after.texts is None:
         return after
-    now = found_packages(after.texts[CMAKE_LISTS], path)
-    found = tuple(sorted(now - found_packages(before, path)))
+    now, then = (
+        found_packages(text, path) | commands_for_all(text, path)
+        for text in (after.texts[CMAKE_LISTS], before)
+    )
+    found = tuple(sorted(now - then))
     return add_dependencies(source, after.texts, keys, _NEEDS)._replace(found=found)
 
 

@@ -22,7 +22,8 @@ class Changed(NamedTuple):
         texts: what its files hold, None where the change is refused.
         diagnostics: why it is refused.
         added: the dependencies that it did not have.
-        found: the packages that its build did not find.
+        found: the packages that its build did not find, and commands for all targets that it
+            did not have.
     """
 
     texts: dict[str, bytes] | None
@@ -39,7 +40,8 @@ class Needs(NamedTuple):
         added: the dependencies that came with it, each with whether a file named it before, which
             the package lived with; None where nothing tells.
         others_added: the files of other nodes that came so.
-        found: the packages that the build finds since it came; None where nothing tells.
+        found: the packages that the build finds since it came, and commands for all targets;
+            None where nothing tells.
     """
 
     of: Callable[[bytes], Mapping[str, Iterable[str]]]

@@ -51,7 +51,7 @@ def remove_built_node(
         if after.texts is None:
             return after
         path = source.folder / CMAKE_LISTS
-        edited = remove_target(after.texts[CMAKE_LISTS], path, known.built, found)
+        edited = remove_target(after.texts[CMAKE_LISTS], path, known.built, found, needs.found)
         after = with_edit(after.texts, CMAKE_LISTS, edited)
     if after.texts is None:
         return after
