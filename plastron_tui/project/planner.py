@@ -219,7 +219,7 @@ class Planner:
         """Change the packages of loaded nodes for what these come to need, where they are built."""
         if not self._configuration.options.in_place:
             return [], []
-        from plastron_tui.generating.loaded_needs import changed_in_place, needed_files
+        from plastron_tui.generating.built_in_place import changed_in_place, needed_files
         from plastron_tui.output.manifest import Manifest
 
         from .package_around import find_package_around

@@ -15,6 +15,7 @@ from .deletions import Deletions
 
 _WRAPPING = frozenset(
     {"argument_list", "call_expression", "new_expression", "parenthesized_expression"}
+    | {"unary_expression"}
 )
 
 
@@ -70,6 +71,8 @@ def creation_of(analysis: Analysis, site: Site) -> Creation | None:
             return None if variable is None and is_value else Creation(file, parent, variable)
         if node.type == "expression_statement":
             return Creation(file, node, _set_by(analysis, site))
+        if node.type == "condition_clause":
+            return _unless_set(analysis, site, node)
         if (
             node is not site.call.node
             and node.type not in _WRAPPING
@@ -78,6 +81,26 @@ def creation_of(analysis: Analysis, site: Site) -> Creation | None:
             return None
         node = parent
     return None
+
+
+def _unless_set(analysis: Analysis, site: Site, condition: Node) -> Creation | None:
+    """Return `if (!nh.hasParam("x")) {nh.setParam("x", 1);}` whose body does no more."""
+    whole = condition.parent
+    if whole is None or whole.type != "if_statement" or site.call.name != "hasParam":
+        return None
+    body = whole.child_by_field_name("consequence")
+    if body is None or whole.child_by_field_name("alternative") is not None:
+        return None
+    parts = body.named_children if body.type == "compound_statement" else [body]
+    same = [
+        each.call.node.parent
+        for each in analysis.sites
+        if each.file is site.file
+        and each.endpoint.kind is site.endpoint.kind
+        and each.endpoint.name == site.endpoint.name
+    ]
+    is_alone = all(any(each is not None and each.id == part.id for each in same) for part in parts)
+    return Creation(site.file, whole, None) if parts and is_alone else None
 
 
 def _declared(file: CppFile, node: Node, site: Site) -> Variable | None:

@@ -17,7 +17,7 @@ from ..scopes import CppFile, Function, Scope, Variable
 from ..shapes import OBJECTS
 from .creation import creation_of
 from .deletions import Deletions
-from .leftovers import functions_of, has_uses, headers_of, is_stub
+from .leftovers import functions_of, has_uses, headers_of, is_stub, named
 from .replacing import NotInPlaceError, Replacement
 from .uses import scope_at, uses_of, word
 
@@ -77,7 +77,7 @@ class _Written:
                 text = "".join(file.syntax.word(each).split())
                 scope = scope_at(file, each.start_byte)
                 has_templates = "<" in text
-                if not has_templates and types.interface(text, scope) == self._old:
+                if not has_templates and types.interface(text, scope, True) == self._old:
                     yield each
                     continue
             if each.type != "compound_statement":
@@ -300,9 +300,7 @@ def _include(
 
 def _is_named(update: Replacement, old: InterfaceName, places: set[tuple[str, int, int]]) -> bool:
     """Tell whether anything else says the old type."""
-    pattern = re.compile(
-        rb"(?<![A-Za-z0-9_])" + re.escape(old.name.encode()) + rb"(?:Const)?(?:Ptr)?(?!\w)"
-    )
+    pattern = named(old.name)
     for file in update.analysis.unit.files:
         own = [(start, end) for name, start, end in places if name == file.name]
         for found in pattern.finditer(file.syntax.code):
