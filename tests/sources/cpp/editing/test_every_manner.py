@@ -17,7 +17,7 @@ CASES = [
     for name in nodes
 ]
 # What a function that is no method cannot have.
-ONLY_OF_CLASSES = {"action server", "message once"}
+ONLY_OF_CLASSES = {"action server"}
 
 
 def found(unit) -> dict[tuple[EndpointKind, str | None], int]:
