@@ -107,7 +107,7 @@ def _ask_in_ros2(
     )
     log = log_line(added, added.prose, "to_yaml(*future.get())")
     taken = "this" if added.owner is not None else ", ".join(node_captures(added))
-    if added.owner is None and (not is_local(added) or added.place.node not in log):
+    if added.owner is None and added.place.node not in log:
         taken = ""
     lines += [
         f"{sender.call}async_send_request(",

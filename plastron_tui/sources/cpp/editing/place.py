@@ -95,6 +95,9 @@ def find_place(analysis: Analysis, change: Add, kind: EndpointKind) -> Place:
         place = beside(analysis, site)
         if place is None or id(place.function.node) in callbacks or site.bindings:
             continue
+        if place.owner is None and place.file.name:
+            # A variable of a header is one of each source that includes it.
+            continue
         if any(place.function.node.id == each.node.id for each in _called_back(analysis)):
             continue
         rank = _rank(analysis, place.function)

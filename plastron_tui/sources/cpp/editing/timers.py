@@ -99,7 +99,11 @@ def run_at(
         write_function(added, name, event_parameter(added), body)
         create_timer(added, timer, period, name, handle=handle, once=once)
         return
-    taken = f"[{', '.join(dict.fromkeys(captures))}]" if is_local(added) else "[]"
+    node = added.place.node
+    uses_node = bool(node) and any(node in line for line in body)
+    # What the file has is seen without a word.
+    captures = captures if is_local(added) else node_captures(added) if uses_node else ()
+    taken = f"[{', '.join(dict.fromkeys(captures))}]"
     head = f"{_declared(added)}{timer} = {_head(added, handle)}{period}, "
     tail = ", true);" if once else ");"
     change = " mutable" if is_mutable and is_local(added) else ""
