@@ -19,7 +19,7 @@ from .computing import computing_for
 from .interfaces import refuse
 from .logging import log_line
 from .manner import Naming, variable_naming
-from .members import declare, is_local
+from .members import declare
 from .sending import Sender
 from .timers import capture, node_captures, period_of, run_at, timer_name
 

@@ -346,22 +346,31 @@ def is_managed(analysis: Analysis, owner: Scope | None) -> bool:
     return owner is not None and analysis.receivers.derives_from(owner, MANAGED_CLASSES)
 
 
-def handle_for(analysis: Analysis, place: Place, name: str) -> tuple[str, str]:
+def handle_for(
+    analysis: Analysis, place: Place, name: str, *, in_method: bool = False
+) -> tuple[str, str]:
     """Return what stands before a method of a node handle of ROS 1, and the name it is given.
 
     That of the call beside which the endpoint goes, where its namespace fits; else another one
     that is seen there; else one made for it alone.
+
+    Args:
+        analysis: what is known of the files.
+        place: where it is.
+        name: the name, as it is known in the node's namespace.
+        in_method: whether another method of the class is to see the handle too.
     """
     found: list[tuple[str, str]] = []
     beside = place.beside
-    if beside is not None and beside.shape.on == "handle" and beside.call.receiver is not None:
+    is_handle = beside is not None and beside.shape.on == "handle" and not in_method
+    if beside is not None and is_handle and beside.call.receiver is not None:
         call = beside.call
         assert call.name_node is not None and call.receiver is not None
         text = beside.file.syntax.between(call.receiver.start_byte, call.name_node.start_byte)
         prefix = analysis.receivers.prefix(call.receiver, call.scope)
         if prefix.text is not None and text.rstrip("->.").strip() not in _queued(analysis):
             found.append((text.removesuffix("template ").strip(), prefix.text))
-    found += _handles(analysis, place)
+    found += _handles(analysis, place, in_method=in_method)
     for text, prefix_text in found:
         own = _relative(name, prefix_text)
         if own is not None:
@@ -396,20 +405,19 @@ def _relative(name: str, prefix: str) -> str | None:
     return own if own != name and joined(prefix, own) == name else None
 
 
-def _handles(analysis: Analysis, place: Place) -> Iterator[tuple[str, str]]:
+def _handles(analysis: Analysis, place: Place, *, in_method: bool) -> Iterator[tuple[str, str]]:
     """Yield the node handles that are seen at a place, each with its namespace."""
     seen: set[str] = set()
     scopes: list[Scope] = list(place.scope.chain)
     if place.owner is not None:
         scopes += analysis.unit.bases(place.owner)
-    inner = analysis.unit.function_of(place.scope)
-    del inner
     for scope in scopes:
         for name, variables in scope.variables.items():
             variable = variables[0]
             if name in seen or analysis.receivers.type_of_variable(variable) != HANDLE:
                 continue
-            if variable.kind in ("local", "parameter") and variable.start > place.offset:
+            is_local = variable.kind in ("local", "parameter", "loop")
+            if is_local and (in_method or variable.start > place.offset):
                 continue
             seen.add(name)
             if name in _queued(analysis):
