@@ -23,6 +23,10 @@ from .uses import scope_at, uses_of, word
 
 _POINTER = re.compile(r"(?:Const)?Ptr\Z|(?:::(?:Const)?(?:Shared|Unique|Weak)?Ptr)\Z")
 _PART = re.compile(r"::(?:Request|Response|Event)(?:Type)?\b.*|(?:Request|Response)(?:Ptr)?\Z")
+_NUMBERS = frozenset(
+    [f"{sign}int{bits}" for sign in ("u", "") for bits in (8, 16, 32, 64)] + ["float32", "float64"]
+)
+_BOTH = 2
 _TYPES = frozenset({"qualified_identifier", "type_identifier"})
 
 
@@ -38,7 +42,7 @@ def retype(update: Replacement, type_: InterfaceName, kind: InterfaceKind) -> No
         raise NotInPlaceError
     new_class = interface_types.class_name(type_, kind, analysis.ros_version)
     written = _Written(update, old, new_class)
-    is_said = sum(written.put_types(site.file, each) for each in site.call.type_nodes[:1])
+    is_said = sum(written.put_types(site.file, each) for each in site.call.type_nodes)
     is_said += _retype_variable(update, written)
     is_said += _retype_callback(update, written, type_, kind)
     if not is_said:
@@ -196,13 +200,16 @@ def _check_body(
     if functions and all(is_stub(each) for each in functions if each.scope is not None):
         return
     missing: dict[str, None] = {}
+    is_whole = False
+    old = None if site.endpoint.type is None else update.catalog.find(site.endpoint.type, kind)
     for body, file, parameters in bodies:
         for section, name in enumerate(parameters):
+            is_whole = is_whole or _is_handed_on(body, file, name)
             for field in _fields_used(body, file, name):
-                if interface is None or not _has_field(interface, section, field):
+                if not _is_same_field(old, interface, section, field):
                     missing[field] = None
     is_named = callback_of(update.change.endpoint) is not None
-    if missing and not is_named:
+    if (missing or is_whole) and not is_named:
         raise NotInPlaceError
     if not any(_uses_parameters(*each) for each in bodies):
         return
@@ -215,11 +222,34 @@ def _check_body(
     update.plan.notes.append(note)
 
 
-def _has_field(interface: Interface, section: int, field: str) -> bool:
-    sections = interface.sections
-    if section >= len(sections):
+def _is_same_field(old: Interface | None, new: Interface | None, section: int, field: str) -> bool:
+    """Tell whether a field of a new type is one of the old type's, or a number as that is."""
+    types = []
+    for interface in (old, new):
+        if interface is None or section >= len(interface.sections):
+            return False
+        fields = interface.sections[section].fields
+        types += [each.type for each in fields if each.name == field]
+    if len(types) != _BOTH:
+        return False
+    return types[0] == types[1] or all(
+        each.package is None and not each.is_array and each.name in _NUMBERS for each in types
+    )
+
+
+def _is_handed_on(body: Node, file: CppFile, name: str) -> bool:
+    """Tell whether code does more with a parameter than to look into it, or to log it."""
+    if not name:
+        return False
+    code = file.syntax.code
+    for found in word(name).finditer(code, body.start_byte, body.end_byte):
+        if re.match(rb"\s*(?:->|\.)", code[found.end() : found.end() + 8]):
+            continue
+        before = code[max(body.start_byte, found.start() - 16) : found.start()]
+        if re.search(rb"(?:->|\.|\(void\)\s*|static_cast<void>\()\Z", before):
+            continue
         return True
-    return any(each.name == field for each in sections[section].fields)
+    return False
 
 
 def _bodies(

@@ -20,7 +20,7 @@ from ..scopes import Function
 from .leftovers import functions_of, is_stub
 from .pacing import set_period
 from .plans import Plan
-from .redeclaring import redeclare
+from .redeclaring import redeclare, says_default
 from .refusals import not_there
 from .replacing import NotInPlaceError, Replacement
 from .requalifying import requalify
@@ -45,6 +45,8 @@ def plan_update(analysis: Analysis, change: Update, catalog: Catalog) -> Plan:
     if change.kind in _ACTIONS:
         raise NotInPlaceError
     if any(each.call is site.call for site in sites for each in analysis.sites if each is not site):
+        raise NotInPlaceError
+    if isinstance(change.endpoint, Parameter) and not any(map(says_default, sites)):
         raise NotInPlaceError
     plan, labels = Plan(), labels_of(analysis)
     for site in sites:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import pytest
-from patches import check
+from patches import check, edit, sides
 
 from plastron_tui.diagnostics import Span
 from plastron_tui.model.kinds import (
@@ -224,10 +224,10 @@ UPDATES: list[tuple[str, str, str, Endpoint, list[tuple[str, str | None]]]] = [
         ],
     ),
     (
-        "a callback with code that the new type has the fields for",
+        "a function that the statement names, with code for the old type",
         ROS1,
         "goal",
-        Subscription("goal", INT, None, AT),
+        Subscription("goal", INT, "onGoal", AT),
         [
             (
                 "  void onGoal(const std_msgs::StringConstPtr& msg) { goal_text_ = msg->data; }",
@@ -370,8 +370,45 @@ def test_code_for_the_old_type_is_told() -> None:
         patched(ROS1, *UPDATES[5][4]), Update(kind_of(Subscription), "goal", UPDATES[5][3], AT)
     )
     assert [each.message for each in told] == [
-        "`onGoal` was written for `std_msgs/String`, and gets `std_msgs/Int32`"
+        "`onGoal` was written for `std_msgs/String`, and gets `std_msgs/Int32`, which has no `data`"
     ]
+
+
+def test_code_that_cannot_do_with_a_type_is_called_no_longer() -> None:
+    before, _ = sides(ROS1)
+    files, told = edit(
+        before, Update(kind_of(Subscription), "goal", Subscription("goal", INT, None, AT), AT)
+    )
+    assert files is not None
+    assert b"void onGoal(const std_msgs::StringConstPtr& msg) { goal_text_" in files.main
+    assert "nothing in the file calls `onGoal` (line 16) any more" in [
+        each.message for each in told
+    ]
+
+
+def test_a_number_stays_a_number() -> None:
+    text = """
+ #include <ros/ros.h>
+-#include <std_msgs/Int32.h>
++#include <std_msgs/Float64.h>
+-void heard(const std_msgs::Int32& msg) { ROS_INFO("%d", int(msg.data)); }
++void heard(const std_msgs::Float64& msg) { ROS_INFO("%d", int(msg.data)); }
+ double last;
+-void kept(const std_msgs::Int32::ConstPtr& msg) { last = msg->data; }
++void kept(const std_msgs::Float64::ConstPtr& msg) { last = msg->data; }
+ int main(int c, char** v) {
+   ros::init(c, v, "n");
+   ros::NodeHandle nh;
+   auto a = nh.subscribe("a", 1, heard);
+   auto b = nh.subscribe("b", 1, kept);
+ }
+"""
+    real = InterfaceName("std_msgs", "Float64")
+    check(
+        text,
+        Update(kind_of(Subscription), "a", Subscription("a", real, None, AT), AT),
+        Update(kind_of(Subscription), "b", Subscription("b", real, None, AT), AT),
+    )
 
 
 def test_a_client_that_nothing_calls_gets_another_type() -> None:
