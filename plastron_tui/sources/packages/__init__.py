@@ -6,6 +6,7 @@ from .built import add_built_node
 from .changing import Changed, Needs, add_launch, add_node, remove_executable, remove_launch
 from .definitions import add_definition
 from .reading import PACKAGE_XML, PackageFiles, finds_scripts, named_elsewhere, read_package_files
+from .unbuilt import remove_built_node, staying
 
 __all__ = [
     "PACKAGE_XML",
@@ -19,6 +20,8 @@ __all__ = [
     "finds_scripts",
     "named_elsewhere",
     "read_package_files",
+    "remove_built_node",
     "remove_executable",
     "remove_launch",
+    "staying",
 ]

@@ -265,7 +265,7 @@ def _callback(added: Addition, interface: Interface, class_: str) -> str:
             body += _answer(
                 added, interface, added.endpoint.answer, request.holder, response.holder
             )
-        elif added.is_ros2:
+        else:
             body.append(f"(void){response.name};")
         if not added.is_ros2:
             body.append("return true;")

@@ -116,7 +116,8 @@ def bound(added: Addition, name: str, arguments: int) -> tuple[list[str], bool]:
     texts = _callback_texts(added)
     class_ = added.owner.name
     for text in texts:
-        if (found := _METHOD.search(text)) is not None:
+        found = _METHOD.search(text)
+        if found is not None and re.sub(r"<.*", "", found[1]).rpartition("::")[2] == class_:
             class_ = found[1]
             break
     binds = [each for each in texts if re.match(r"(?:std::|boost::)?bind\b", each)]
@@ -124,16 +125,27 @@ def bound(added: Addition, name: str, arguments: int) -> tuple[list[str], bool]:
         is_method = any(each.lstrip().startswith("&") for each in texts)
         if is_method or not binds:
             return [f"&{class_}::{name}", "this"], False
-    binder, placeholder = "std::bind", _usual_placeholder(added, arguments)
-    if binds:
-        binder = binds[0].partition("(")[0].strip()
-        given = next((each[1] for text in binds for each in _PLACEHOLDER.finditer(text)), None)
-        if given is not None and (given != "_" or _is_seen(added, binder, arguments)):
-            placeholder = given
-    elif not added.is_ros2:
-        binder, placeholder = "boost::bind", "_"
+    binder, placeholder = bind_manner(added, arguments)
     listed = "".join(f", {placeholder}{at + 1}" for at in range(arguments))
     return [f"{binder}(&{class_}::{name}, this{listed})"], not added.is_ros2
+
+
+def bind_manner(added: Addition, arguments: int) -> tuple[str, str]:
+    """Return what binds a method, and what its placeholders begin with, as the file has them."""
+    texts = _callback_texts(added)
+    binds = [each for each in texts if re.match(r"(?:std::|boost::)?bind\b", each)]
+    if not binds:
+        if added.is_ros2:
+            return "std::bind", _usual_placeholder(added, arguments)
+        return "boost::bind", "boost::placeholders::_"
+    binder = binds[0].partition("(")[0].strip()
+    placeholder = "boost::placeholders::_"
+    if not binder.startswith("boost"):
+        placeholder = _usual_placeholder(added, arguments)
+    given = next((each[1] for text in binds for each in _PLACEHOLDER.finditer(text)), None)
+    if given is not None and (given != "_" or _is_seen(added, binder, arguments)):
+        placeholder = given
+    return binder, placeholder
 
 
 def _usual_placeholder(added: Addition, arguments: int) -> str:
