@@ -381,7 +381,7 @@ def test_code_that_cannot_do_with_a_type_is_called_no_longer() -> None:
     )
     assert files is not None
     assert b"void onGoal(const std_msgs::StringConstPtr& msg) { goal_text_" in files.main
-    assert "nothing in the file calls `onGoal` (line 16) any more" in [
+    assert "nothing in the file calls `onGoal` (line 17) any more" in [
         each.message for each in told
     ]
 
