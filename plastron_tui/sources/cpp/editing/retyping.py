@@ -18,7 +18,7 @@ from ..shapes import OBJECTS
 from .creation import creation_of
 from .deletions import Deletions
 from .leftovers import functions_of, has_uses, headers_of, is_stub, named
-from .replacing import NotInPlaceError, Replacement
+from .replacing import NotInPlaceError, OtherCodeError, Replacement
 from .uses import scope_at, uses_of, word
 
 _POINTER = re.compile(r"(?:Const)?Ptr\Z|(?:::(?:Const)?(?:Shared|Unique|Weak)?Ptr)\Z")
@@ -30,10 +30,19 @@ _BOTH = 2
 _TYPES = frozenset({"qualified_identifier", "type_identifier"})
 
 
-def retype(update: Replacement, type_: InterfaceName, kind: InterfaceKind) -> None:
+def retype(
+    update: Replacement, type_: InterfaceName, kind: InterfaceKind, *, calls_same: bool
+) -> None:
     """Write another type wherever an endpoint says its own.
 
+    Args:
+        update: the change.
+        type_: the type.
+        kind: its kind.
+        calls_same: whether the endpoint goes on calling what it calls.
+
     Raises:
+        OtherCodeError: what it calls is made for the old type; nothing was written yet.
         NotInPlaceError: something of the file is made for the old type.
     """
     site, analysis = update.site, update.analysis
@@ -42,9 +51,14 @@ def retype(update: Replacement, type_: InterfaceName, kind: InterfaceKind) -> No
         raise NotInPlaceError
     new_class = interface_types.class_name(type_, kind, analysis.ros_version)
     written = _Written(update, old, new_class)
+    if calls_same:
+        _check_callback(update, type_, kind)
     is_said = sum(written.put_types(site.file, each) for each in site.call.type_nodes)
     is_said += _retype_variable(update, written)
-    is_said += _retype_callback(update, written, type_, kind)
+    if calls_same:
+        is_said += _retype_callback(update, written)
+    elif site.shape.type == "callback":
+        is_said = 1
     if not is_said:
         raise NotInPlaceError
     _include(update, old, type_, kind, written.places)
@@ -140,31 +154,37 @@ def _only_ends(node: Node) -> bool:
     return text in (b"shutdown", b"reset", b"on_activate", b"on_deactivate")
 
 
-def _retype_callback(
-    update: Replacement, written: _Written, type_: InterfaceName, kind: InterfaceKind
-) -> int:
+def _retype_callback(update: Replacement, written: _Written) -> int:
     """Write the new type in what the endpoint calls back: its declaration, its definition."""
-    site, analysis = update.site, update.analysis
-    position = site.shape.callback
-    if position is None:
-        return 0
-    given = site.arguments[position] if position < len(site.arguments) else None
+    given, functions = _called(update)
     if given is None:
-        raise NotInPlaceError
-    functions = [each for listed in functions_of(analysis, site) for each in listed]
-    wanted = callback_of(update.change.endpoint)
-    if wanted is not None and wanted != site.endpoint.callback:
         return 0
-    found = written.put_types(site.file, given)
-    if functions:
-        if _serves_others(update, functions):
-            raise NotInPlaceError
-        for each in functions:
-            listed_parameters = each.declarator.child_by_field_name("parameters")
-            if listed_parameters is not None:
-                found += written.put_types(each.file, listed_parameters)
-    _check_body(update, given, functions, type_, kind)
+    found = written.put_types(update.site.place.file, given)
+    for each in functions:
+        listed_parameters = each.declarator.child_by_field_name("parameters")
+        if listed_parameters is not None:
+            found += written.put_types(each.file, listed_parameters)
     return found
+
+
+def _called(update: Replacement) -> tuple[Node | None, list[Function]]:
+    """Return what an endpoint calls back, with the functions of the files that this is."""
+    site, position = update.site, update.site.shape.callback
+    if position is None:
+        return None, []
+    if position >= len(site.arguments):
+        raise NotInPlaceError
+    functions = [each for listed in functions_of(update.analysis, site) for each in listed]
+    return site.arguments[position], functions
+
+
+def _check_callback(update: Replacement, type_: InterfaceName, kind: InterfaceKind) -> None:
+    given, functions = _called(update)
+    if given is None:
+        return
+    if functions and _serves_others(update, functions):
+        raise OtherCodeError
+    _check_body(update, given, functions, type_, kind)
 
 
 def _serves_others(update: Replacement, functions: list[Function]) -> bool:
@@ -210,7 +230,7 @@ def _check_body(
                     missing[field] = None
     is_named = callback_of(update.change.endpoint) is not None
     if (missing or is_whole) and not is_named:
-        raise NotInPlaceError
+        raise OtherCodeError
     if not any(_uses_parameters(*each) for each in bodies):
         return
     what = "its callback" if site.endpoint.callback is None else f"`{site.endpoint.callback}`"

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import pytest
-from patches import check, edit, sides
+from patches import check
 
 from plastron_tui.diagnostics import Span
 from plastron_tui.model.kinds import (
@@ -19,13 +19,14 @@ from plastron_tui.model.kinds import (
     Timer,
     kind_of,
 )
-from plastron_tui.model.source import Update
+from plastron_tui.model.source import EndpointKind, Update
 from plastron_tui.model.values import MessageValue, Value
 from plastron_tui.ros.interfaces import InterfaceName
 from plastron_tui.ros.parameters import ParameterType
 from plastron_tui.ros.qos import Qos
 from plastron_tui.ros.qos_words import WORDS
 
+K = EndpointKind
 AT = Span(0, 0)
 STRING, INT = InterfaceName("std_msgs", "String"), InterfaceName("std_msgs", "Int32")
 POSE = InterfaceName("geometry_msgs", "PoseStamped")
@@ -224,6 +225,26 @@ UPDATES: list[tuple[str, str, str, Endpoint, list[tuple[str, str | None]]]] = [
         ],
     ),
     (
+        "a function that the file has not, for one with code in it",
+        ROS1,
+        "goal",
+        Subscription("goal", STRING, "arrive", AT),
+        [
+            (
+                '    goal_ = nh_.subscribe("goal", 3, &Robot::onGoal, this);',
+                '    goal_ = nh_.subscribe("goal", 3, &Robot::arrive, this);',
+            ),
+            (
+                "  void onGoal(const std_msgs::StringConstPtr& msg) { goal_text_ = msg->data; }",
+                "  void onGoal(const std_msgs::StringConstPtr& msg) { goal_text_ = msg->data; }\n"
+                "\n"
+                "  void arrive(const std_msgs::StringConstPtr& msg) {\n"
+                '    ROS_INFO_STREAM("goal: " << *msg);\n'
+                "  }",
+            ),
+        ],
+    ),
+    (
         "a function that the statement names, with code for the old type",
         ROS1,
         "goal",
@@ -375,15 +396,28 @@ def test_code_for_the_old_type_is_told() -> None:
 
 
 def test_code_that_cannot_do_with_a_type_is_called_no_longer() -> None:
-    before, _ = sides(ROS1)
-    files, told = edit(
-        before, Update(kind_of(Subscription), "goal", Subscription("goal", INT, None, AT), AT)
+    text = patched(
+        ROS1,
+        (
+            '    goal_ = nh_.subscribe("goal", 3, &Robot::onGoal, this);',
+            '    goal_ = nh_.subscribe("goal", 3, &Robot::onGoal_2, this);',
+        ),
+        (
+            "#include <std_msgs/String.h>",
+            "#include <std_msgs/String.h>\n#include <std_msgs/Int32.h>",
+        ),
+        (
+            "  void onGoal(const std_msgs::StringConstPtr& msg) { goal_text_ = msg->data; }",
+            "  void onGoal(const std_msgs::StringConstPtr& msg) { goal_text_ = msg->data; }\n"
+            "\n"
+            "  void onGoal_2(const std_msgs::Int32ConstPtr& msg) {\n"
+            '    ROS_INFO_STREAM("goal: " << *msg);\n'
+            "  }",
+        ),
     )
-    assert files is not None
-    assert b"void onGoal(const std_msgs::StringConstPtr& msg) { goal_text_" in files.main
-    assert "nothing in the file calls `onGoal` (line 17) any more" in [
-        each.message for each in told
-    ]
+    told = check(text, Update(K.SUBSCRIPTION, "goal", Subscription("goal", INT, None, AT), AT))
+    message = "nothing in the file calls `onGoal` (line 17) any more"
+    assert message in [each.message for each in told]
 
 
 def test_a_number_stays_a_number() -> None:
