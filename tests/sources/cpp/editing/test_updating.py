@@ -387,9 +387,8 @@ def test_a_period_is_written_as_the_file_writes_it(
 
 
 def test_code_for_the_old_type_is_told() -> None:
-    told = check(
-        patched(ROS1, *UPDATES[5][4]), Update(kind_of(Subscription), "goal", UPDATES[5][3], AT)
-    )
+    _, text, name, endpoint, edits = next(each for each in UPDATES if "the statement" in each[0])
+    told = check(patched(text, *edits), Update(K.SUBSCRIPTION, name, endpoint, AT))
     assert [each.message for each in told] == [
         "`onGoal` was written for `std_msgs/String`, and gets `std_msgs/Int32`, which has no `data`"
     ]
