@@ -8,6 +8,7 @@ from plastron_tui.model.kinds import (
     Client,
     Parameter,
     Service,
+    Subscription,
     Timer,
     callback_of,
     is_sending,
@@ -150,7 +151,7 @@ def _write(update: Replacement, *, is_retyped: bool) -> str:
     analysis, site, change = update.analysis, update.site, update.change
     place = beside(analysis, site)
     type_ = change.endpoint.type or site.endpoint.type
-    if place is None or type_ is None:
+    if place is None or type_ is None or not isinstance(change.endpoint, Subscription | Service):
         raise NotInPlaceError
     label = labels_of(analysis).get(site, "")
     sites = sites_of_node(analysis, change.node)
