@@ -13,7 +13,7 @@ from plastron_tui.ros.interfaces import Interface, InterfaceKind, InterfaceName
 from plastron_tui.sources.splices import line_end, line_start, newline_of
 
 from .. import interface_types
-from ..scopes import CppFile, Function, Scope, Variable
+from ..scopes import CppFile, Function, Scope, Variable, last_name
 from ..shapes import OBJECTS
 from .creation import creation_of
 from .deletions import Deletions
@@ -174,8 +174,13 @@ def _called(update: Replacement) -> tuple[Node | None, list[Function]]:
         return None, []
     if position >= len(site.arguments):
         raise NotInPlaceError
+    given, place = site.arguments[position], site.place
+    name = last_name(given, place)
+    if name and update.analysis.unit.lookup(name, place, given.start_byte) is not None:
+        # What a variable holds may be called for others as well.
+        raise NotInPlaceError
     functions = [each for listed in functions_of(update.analysis, site) for each in listed]
-    return site.arguments[position], functions
+    return given, functions
 
 
 def _check_callback(update: Replacement, type_: InterfaceName, kind: InterfaceKind) -> None:
