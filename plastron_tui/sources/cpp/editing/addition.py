@@ -241,6 +241,17 @@ def _queue(added: Addition) -> str:
     return text if _COPIED.fullmatch(text) else str(DEFAULT.depth or 10)
 
 
+def write_callback(added: Addition) -> str:
+    """Write what an endpoint that is there shall call, where the files have it not.
+
+    Returns its name.
+    """
+    interface = _interface(added)
+    folder = added.kind.facts.interface
+    assert folder is not None, "what calls a function with messages is of a type"
+    return _callback(added, interface, added.interfaces.class_of(interface.name, folder))
+
+
 def _callback(added: Addition, interface: Interface, class_: str) -> str:
     """Return the name of what the endpoint calls; what the files have not is written."""
     wanted = callback_of(added.endpoint)

@@ -6,8 +6,6 @@ from dataclasses import dataclass
 
 from tree_sitter import Node
 
-from plastron_tui.model.source import EndpointKind
-
 from ..analysis import Analysis, Site
 from ..scopes import CppFile, Scope, Variable, last_name
 from ..shapes import OBJECTS
@@ -67,8 +65,9 @@ def creation_of(analysis: Analysis, site: Site) -> Creation | None:
             variable = None if left is None else variable_of(analysis, left, scope)
             if parent is None or parent.type != "expression_statement":
                 return None
-            is_value = site.endpoint.kind is EndpointKind.PARAMETER
-            return None if variable is None and is_value else Creation(file, parent, variable)
+            if variable is None and left is not None and left.type == "field_expression":
+                variable = _only_member(analysis, left.child_by_field_name("field"), scope)
+            return None if variable is None else Creation(file, parent, variable)
         if node.type == "expression_statement":
             return Creation(file, node, _set_by(analysis, site))
         if node.type == "condition_clause":
@@ -81,6 +80,17 @@ def creation_of(analysis: Analysis, site: Site) -> Creation | None:
             return None
         node = parent
     return None
+
+
+def _only_member(analysis: Analysis, name: Node | None, scope: Scope) -> Variable | None:
+    """Return the member of a name that one class alone has."""
+    word = "" if name is None else scope.file.syntax.word(name)
+    found = [
+        each.variables[word][0]
+        for each in analysis.unit.scopes()
+        if each.kind == "class" and word in each.variables
+    ]
+    return found[0] if len(found) == 1 else None
 
 
 def _unless_set(analysis: Analysis, site: Site, condition: Node) -> Creation | None:
