@@ -9,7 +9,7 @@ from functools import cached_property
 from pathlib import Path, PurePath
 from typing import TYPE_CHECKING
 
-from plastron_tui.diagnostics import Diagnostic, Span, codes, either, has_errors
+from plastron_tui.diagnostics import Diagnostic, Severity, Span, codes, either, has_errors
 from plastron_tui.project.configuration import Configuration
 from plastron_tui.targets import LIBRARIES
 
@@ -231,17 +231,22 @@ class Planner:
             for each in packages
             if each.package.source is not None
         }
+        found: list[Diagnostic] = []
         by_folder: dict[str, tuple[PackageSource, list[tuple[Generated, Path]]]] = {}
         for each, path in changed_in_place(made, libraries):
             version = libraries[each.generation.library].target.ros_version
             boundary = self._configuration.boundary
             around = find_package_around(path.parent, boundary, Manifest(), version)
-            source = None if around is None else around.read.source
-            if source is None or os.path.realpath(source.folder) in loaded:
+            if around is None or os.path.realpath(around.folder) in loaded:
+                continue
+            source = around.read.source
+            if source is None:
+                # The node is right all the same, and its package is to be mended first.
+                severity = Severity.WARNING
+                found += (x._replace(severity=severity) for x in around.read.diagnostics)
                 continue
             by_folder.setdefault(str(source.folder), (source, []))[1].append((each, path))
         files: list[OutputFile] = []
-        found: list[Diagnostic] = []
         for source, nodes in by_folder.values():
             changed, notes = needed_files(source, nodes, libraries)
             files += changed

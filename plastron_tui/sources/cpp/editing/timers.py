@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from plastron_tui.diagnostics import Diagnostic, codes
 from plastron_tui.model.kinds import Rate
 from plastron_tui.model.source import EndpointKind
 
@@ -20,6 +21,10 @@ K = EndpointKind
 def period_of(added: Addition, rate: Rate | float) -> str:
     """Write the time between two turns, as the client library takes it."""
     if isinstance(rate, Rate) and rate.parameter is not None:
+        bare = rate.parameter.removeprefix("~/")
+        message = f"the rate of `{added.endpoint.name}` is what `{bare}` is as the node starts"
+        help_ = f"let the timer follow `{bare}` by hand, if that changes while the node runs"
+        added.plan.notes.append(Diagnostic(codes.READ_ONCE, message, added.span, help=help_))
         text = f"1.0 / {read_parameter(added, rate.parameter).text}"
         if added.is_ros2:
             return f"std::chrono::duration<double>({text})"
