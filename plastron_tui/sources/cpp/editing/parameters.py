@@ -20,9 +20,10 @@ from plastron_tui.sources import naming
 from .. import literals
 from ..details import Details
 from .adding import Addition
+from .handles import handle_for
 from .interfaces import refuse
 from .members import hold
-from .place import beside, handle_for
+from .place import beside
 
 K = EndpointKind
 

@@ -9,11 +9,11 @@ from plastron_tui.model.source import EndpointKind
 from .. import literals
 from .adding import Addition
 from .functions import write_function
+from .handles import handle_for
 from .hearing import bound, wrapped
 from .manner import method_naming
 from .members import hold, is_local, type_of
 from .parameters import read_parameter
-from .place import handle_for
 
 K = EndpointKind
 
