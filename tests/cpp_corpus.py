@@ -7,6 +7,7 @@ program of its own and as a plugin, where the client library can.
 
 from __future__ import annotations
 
+import os
 import re
 import subprocess
 from collections.abc import Iterator, Mapping, Sequence
@@ -21,8 +22,9 @@ from roscpp_builds import locked
 from plastron_tui.ros.catalog import Catalog
 
 PACKAGE = "corpus"
-# The one whose nodes are run keeps its names.
-_NAMED = "sentry"
+JOBS = 2
+# Those whose nodes are run keep their names.
+_NAMED = {"sentry": ("sentry",), "count": ("counter", "asker")}
 _EXAMPLES = PROGRAMS.parents[1] / "examples"
 _TABLE = ("actionlib_tutorials", "beginner_tutorials", "mavros_msgs")
 
@@ -72,15 +74,29 @@ class Built:
     Attributes:
         package: its folder.
         prefix: what holds its programs and libraries, `lib` and `share`.
+        library: what it was compiled with, with the packages of its types; none for Debian's.
     """
 
     package: Path
     prefix: Path
+    library: CppLibrary | None = None
 
     def program(self, node: str) -> Path:
         """Return the program of a node."""
-        [found] = (self.prefix / "lib" / PACKAGE).glob(f"{node}_*")
-        return found
+        found = (self.prefix / "lib" / PACKAGE).glob(f"{node}_*")
+        [program] = [each for each in found if "_plugin_" not in each.name]
+        return program
+
+
+def program_with(node: str) -> Path:
+    """Return the program that has a node whose name is kept."""
+    [stem] = [stem for stem, nodes in _NAMED.items() if node in nodes]
+    [file] = [file for file in _files() if file.stem == stem]
+    return file
+
+
+def _files() -> list[Path]:
+    return sorted([*PROGRAMS.glob("*.plastron"), *_EXAMPLES.glob("*.plastron")])
 
 
 def corpus(libraries: Sequence[str], *, managed: bool, actions: bool) -> str:
@@ -93,16 +109,16 @@ def corpus(libraries: Sequence[str], *, managed: bool, actions: bool) -> str:
     """
     parts: list[str] = []
     for stem, text in _programs(managed, actions):
-        kept = stem == _NAMED
+        kept = stem in _NAMED
         suffixes = ("", "plugin") if kept else (stem, f"{stem}_plugin")
         for library, suffix in zip(libraries, suffixes, strict=False):
-            parts.append(_distinct(_written(text, library), suffix, are_names_kept=kept))
+            parts.append(_distinct(written(text, library), suffix, are_names_kept=kept))
     return "\n".join(parts)
 
 
 def _programs(managed: bool, actions: bool) -> Iterator[tuple[str, str]]:
     """Return the names and texts of those that write nodes; a package is written by itself."""
-    for file in sorted([*PROGRAMS.glob("*.plastron"), *_EXAMPLES.glob("*.plastron")]):
+    for file in _files():
         text = _COMMENT.sub("", file.read_text(encoding="utf-8"))
         if _LOADED.search(text) or "create_package" in text:
             continue
@@ -112,7 +128,8 @@ def _programs(managed: bool, actions: bool) -> Iterator[tuple[str, str]]:
         yield file.stem, text if managed else text.replace(" managed", "")
 
 
-def _written(text: str, library: str) -> str:
+def written(text: str, library: str) -> str:
+    """Return a program whose nodes are for a client library."""
     return re.sub(r"^(generate_node \w+)$", rf"\1 using {library}", text, flags=re.MULTILINE)
 
 
@@ -166,9 +183,6 @@ def build_with_catkin(cache: Path) -> Built:
     return Built(package, folder / "devel")
 
 
-JOBS = 2
-
-
 def _precompiled(folder: Path, header: str, more: Sequence[str]) -> str:
     """Compile a header, and return the flags by which all nodes begin with it."""
     flags = ["-O0", "-fPIC", *WARNINGS]
@@ -194,17 +208,26 @@ def _write_types(folder: Path, package: str) -> None:
     (folder / "package.xml").write_text(_MANIFEST.format(package=package), encoding="utf-8")
 
 
-def build_with_colcon(cache: Path, rclcpp: CppLibrary) -> Built:
-    """Build the corpus for rclcpp, and for components where they can be, once for all workers."""
+def build_with_colcon(cache: Path, rclcpp: CppLibrary, environ: Mapping[str, str]) -> Built:
+    """Build the corpus for rclcpp, and for components where they can be, once for all workers.
+
+    Args:
+        cache: a folder that the workers share.
+        rclcpp: what the nodes are compiled with.
+        environ: the variables of a graph, by whose libraries of types the types are found.
+    """
+    libraries_of_types = environ["LD_LIBRARY_PATH"].split(os.pathsep)
+    overlays = [Path(each).parent for each in libraries_of_types if each.startswith(str(cache))]
+    library = rclcpp.beside(*overlays)
     folder = cache / "colcon_corpus"
     package = folder / "src" / PACKAGE
     with locked(folder):
         if not (folder / "made").exists():
             libraries = ("rclcpp", "component") if rclcpp.is_real else ("rclcpp",)
             generate(corpus(libraries, managed=rclcpp.is_real, actions=rclcpp.is_real), package)
-            environ = complete_ros2(folder, rclcpp)
+            tools = complete_ros2(folder, library)
             flags = " ".join([*FLAGS, *WARNINGS, *rclcpp.beginning])
-            build: Mapping[str, str] = {**environ, "CXXFLAGS": flags, "MAKEFLAGS": f"-j{JOBS}"}
+            build = {**tools, "CXXFLAGS": flags, "MAKEFLAGS": f"-j{JOBS}"}
             call(["colcon", "build"], folder, build)
             (folder / "made").touch()
-    return Built(package, folder / "install" / PACKAGE)
+    return Built(package, folder / "install" / PACKAGE, library)

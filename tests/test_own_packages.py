@@ -237,3 +237,13 @@ def test_inside_a_package_nothing_new_is_begun(tmp_path: Path, inner: str) -> No
     assert (folder / "CMakeLists.txt").read_text(encoding="utf-8") == lists
     # The other generation of ROS does not build here.
     assert "other-ros" in run(generated(talker("rclcpp")))
+
+
+def test_the_package_of_nodes_that_are_not_asked_for_is_no_rest(tmp_path: Path) -> None:
+    text = generated(talker("roscpp"), ears("rclcpp"))
+    generate(tmp_path, text)
+    options = Options(None, tmp_path / "output")
+    program = Session(text.encode(), tmp_path / "robot.plastron", options, environ={})
+    made = [each for each in program.generated() if each.generation.node.name == "talker"]
+    _, diagnostics = program.plan_of(made)
+    assert [each.code for each in diagnostics] == []

@@ -14,9 +14,10 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from cpp_builds import CppLibrary, describe_rclcpp, find_rclcpp, has_rclcpp
+from cpp_builds import CppLibrary, describe_rclcpp, find_rclcpp, real_prefix
 from cpp_corpus import Built, build_with_catkin, build_with_colcon, program_with
-from cpp_nodes import CppGraph, component_program, load_component, load_nodelet
+from cpp_nodes import CppGraph
+from cpp_plugins import component_program, load_component, load_nodelet
 from graph import Graph, is_rate, rate
 from machine import wait_until
 from played_nodes import HEADER, scan, vector
@@ -144,10 +145,10 @@ def cpp_nodes(
             process.told = waiting.described(f"{name}_manager")
             return process
         if library == "component" and rclcpp is not None and rclcpp.is_real:
-            process = load_component(waiting, built, name, rclcpp)
+            process = load_component(waiting, built, name)
         elif library == "component":
             assert rclcpp is not None
-            process = waiting.run(component_program(built, name, folder, rclcpp))
+            process = waiting.run(component_program(name, folder, rclcpp))
         else:
             process = waiting.run(built.program(name))
         process.told = waiting.described(name)
@@ -244,7 +245,7 @@ def test_the_same_traffic(nodes: Nodes) -> None:
 
 # The stand-in of rclcpp has no actions.
 WITH_ACTIONS = tuple(
-    name for name in LIBRARIES if has_rclcpp() or name not in ("rclcpp", "component")
+    name for name in LIBRARIES if real_prefix() is not None or name not in ("rclcpp", "component")
 )
 
 

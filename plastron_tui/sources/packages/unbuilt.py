@@ -76,14 +76,17 @@ def own_files(
         for each in texts:
             base = each.rpartition("/")[2]
             is_alike = base.rpartition(".")[0] == stem and base.rpartition(".")[2][:1] == "h"
-            named = [x for x, text in texts.items() if x != each and _names(text, base)]
-            if is_alike and set(named) <= {file}:
+            if is_alike and not any(
+                _names(text, base) for x, text in texts.items() if x not in (each, file)
+            ):
                 found.append(each)
     return tuple(dict.fromkeys(found))
 
 
 def _names(text: bytes, word: str) -> bool:
-    return re.search(rb"(?<!\w)%b(?!\w)" % re.escape(word.encode()), text) is not None
+    wanted = word.encode()
+    # Searching for the plain word first is some ten times faster.
+    return wanted in text and re.search(rb"(?<!\w)%b(?!\w)" % re.escape(wanted), text) is not None
 
 
 def _needed_no_more(

@@ -44,7 +44,7 @@ from .hearing import (
 )
 from .interfaces import Interfaces, refuse
 from .logging import log_line
-from .manner import callback_naming, held_by, identifiers
+from .manner import callback_naming, held_by, identifiers, split_words
 from .members import hold, is_local, type_of
 from .parameters import declare_parameter
 from .place import beside, find_place, handle_for, sites_of_node
@@ -155,7 +155,7 @@ def _repeat(added: Addition, timer: Timer) -> None:
     if existing(added, timer.name) is None:
         body = [log_line(added, f"{naming.label(timer.name, 'a timer')} ticks", "")]
         write_function(added, timer.name, event_parameter(added), body)
-    words = naming.words(timer.name)
+    words = "_".join(split_words(timer.name))
     period = period_of(added, timer.rate or 1.0)
     variable = timer_name(added, words)
     create_timer(added, variable, period, timer.name)

@@ -104,6 +104,26 @@ def _with_callbacks(added: Addition, kind: EndpointKind) -> list[Site]:
     return sorted(found, key=lambda each: each is not model)
 
 
+def hearing_functions(added: Addition, site: Site) -> list[Function]:
+    """Return the functions of the files that hear what a subscription gets.
+
+    A lambda that does nothing but hand its message to a method stands for that method.
+    """
+    found = [each for each in site.callback.functions if each.scope is not None]
+    position = site.shape.callback
+    node = site.arguments[position] if position is not None and not found else None
+    if node is not None and node.type == "lambda_expression" and added.owner is not None:
+        body = node.child_by_field_name("body")
+        syntax = site.place.file.syntax
+        text = "" if body is None else syntax.word(body)
+        handed = re.fullmatch(r"\{\s*(?:this->)?(\w+)\(\s*(?:std::move\()?\w+\)?\s*\);\s*\}", text)
+        for each in added.analysis.unit.functions.get(handed[1], ()) if handed else ():
+            is_own = added.analysis.unit.class_of_function(each) is added.owner
+            if each.scope is not None and is_own:
+                found.append(each)
+    return [each for each in found if not each.file.is_beside]
+
+
 def bound(added: Addition, name: str, arguments: int) -> tuple[list[str], bool]:
     """Write what calls a function, as the file's others are handed on.
 

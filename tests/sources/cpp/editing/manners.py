@@ -87,7 +87,8 @@ namespace drive
 
 Driver::Driver(ros::NodeHandle nh, ros::NodeHandle pnh) : m_nh(nh), m_pnh(pnh) {
     m_pubState = m_nh.advertise<std_msgs::String>("state", 1);
-    m_subSpeed = m_nh.subscribe<std_msgs::Float64>("speed", 1, boost::bind(&Driver::onSpeed, this, boost::placeholders::_1));
+    m_subSpeed = m_nh.subscribe<std_msgs::Float64>(
+        "speed", 1, boost::bind(&Driver::onSpeed, this, boost::placeholders::_1));
     m_timer = m_nh.createTimer(ros::Duration(0.5), &Driver::onTimer, this);
 }
 
@@ -351,7 +352,8 @@ namespace drive {
 DriveNode::DriveNode(const rclcpp::NodeOptions& options) : rclcpp::Node("drive", options) {
     state_publisher_ = create_publisher<std_msgs::msg::String>("state", rclcpp::QoS(1));
     speed_subscriber_ = create_subscription<std_msgs::msg::Float64>(
-        "speed", rclcpp::QoS(1), [this](const std_msgs::msg::Float64::ConstSharedPtr msg) { onSpeed(msg); });
+        "speed", rclcpp::QoS(1),
+        [this](const std_msgs::msg::Float64::ConstSharedPtr msg) { onSpeed(msg); });
 }
 
 void DriveNode::onSpeed(const std_msgs::msg::Float64::ConstSharedPtr& msg) {
@@ -397,7 +399,8 @@ int main(int argc, char * argv[])
 {
   rclcpp::init(argc, argv);
   g_node = rclcpp::Node::make_shared("listener");
-  auto subscription = g_node->create_subscription<std_msgs::msg::String>("topic", 10, topic_callback);
+  auto subscription =
+    g_node->create_subscription<std_msgs::msg::String>("topic", 10, topic_callback);
   rclcpp::spin(g_node);
   rclcpp::shutdown();
   return 0;
@@ -433,7 +436,8 @@ class Gate : public rclcpp::Node {
 public:
 	Gate() : Node("gate") {
 		using namespace std::placeholders;
-		_openService = create_service<std_srvs::srv::Trigger>("open", std::bind(&Gate::handleOpen, this, _1, _2));
+		_openService = create_service<std_srvs::srv::Trigger>(
+			"open", std::bind(&Gate::handleOpen, this, _1, _2));
 	}
 };
 
