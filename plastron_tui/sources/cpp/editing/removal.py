@@ -25,6 +25,7 @@ from .leftovers import (
 )
 from .own_functions import (
     asking_function,
+    emptied_functions,
     goal_functions,
     goal_variables,
     members_of,
@@ -290,6 +291,11 @@ class _Removal:
     def finish(self) -> Plan:
         """Take out the callbacks and includes that nothing needs any more, and return the plan."""
         self._take_idle()
+        for functions in emptied_functions(self._analysis, self._change.name, self._gone):
+            for each in functions:
+                remove_function(each, self._gone)
+            for file, statement, _ in list(mentions(self._analysis, functions, self._gone)):
+                self._gone.statement(file, statement)
         while helpers := list(unused_helpers(self._analysis, self._gone)):
             for functions in helpers:
                 for each in functions:

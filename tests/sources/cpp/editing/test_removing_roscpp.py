@@ -346,8 +346,8 @@ def test_the_next_statement_comes_under_no_condition(before: str, after: str) ->
    std_msgs::Int32 last_;
  }};
 """
-    files, _ = sides(text.format("     " + before.format("pub_.publish(last_)")))
-    files, told = edit(files, Remove(K.PUBLISHER, "a"))
+    given, _ = sides(text.format("     " + before.format("pub_.publish(last_)")))
+    files, told = edit(given, Remove(K.PUBLISHER, "a"))
     assert files is not None, told
     body = files.main.decode().partition("first();\n")[2].partition("    other();\n  }\n")[0]
     lines = [line.strip() for line in body.splitlines()]
