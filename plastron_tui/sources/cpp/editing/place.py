@@ -306,7 +306,9 @@ def _methods(analysis: Analysis, owner: Scope, name: str) -> list[Function]:
     return [
         each
         for each in analysis.unit.functions.get(name, ())
-        if each.scope is not None and analysis.unit.class_of_function(each) is owner
+        if each.scope is not None
+        and not each.file.is_beside
+        and analysis.unit.class_of_function(each) is owner
     ]
 
 
