@@ -247,3 +247,16 @@ def test_the_package_of_nodes_that_are_not_asked_for_is_no_rest(tmp_path: Path) 
     made = [each for each in program.generated() if each.generation.node.name == "talker"]
     _, diagnostics = program.plan_of(made)
     assert [each.code for each in diagnostics] == []
+
+
+@pytest.mark.parametrize("suffix", [".cpp", ".cc", ".cxx"])
+def test_what_is_built_is_the_file_that_there_is(suffix: str, tmp_path: Path) -> None:
+    source = Path(__file__).parent / "nodes" / "roscpp" / "talker.cpp"
+    (tmp_path / f"talker{suffix}").write_bytes(source.read_bytes())
+    text = (
+        f"load 'talker{suffix}' as it\nit renames topic 'chatter' to 'speech'\ngenerate_node it\n"
+    )
+    assert generate(tmp_path, text) == []
+    found = files(tmp_path)
+    assert f"src/talker{suffix}" in found
+    assert f"src/talker{suffix})" in found["CMakeLists.txt"]
