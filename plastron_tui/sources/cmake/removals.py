@@ -357,8 +357,8 @@ def _without_extras(
     path = listing.path
     for count in range(min(len(found), 3), 0, -1):
         for some in combinations(found, count):
-            for at in range(2):
-                splices = [list(command_removals(listing, each)) for each in some]
+            splices = [list(command_removals(listing, each)) for each in some]
+            for at in range(max(map(len, splices))):
                 ways = [each[min(at, len(each) - 1)] for each in splices if each]
                 after = apply(listing.text, [y for x in ways for y in x])
                 if add_target(after, path, new).text == before:
