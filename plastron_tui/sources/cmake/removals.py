@@ -284,7 +284,7 @@ def _groups(lists: CMakeLists, gone: frozenset[int]) -> Iterator[list[Statement]
 
 
 def _removal(lists: CMakeLists, group: Sequence[Statement]) -> Splice:
-    """Return how commands are taken out: with the blank line above, or else the one below."""
+    """Return how commands are taken out: with the blank line above, as they were put in."""
     text = lists.listing.text
     start, end = line_start(text, group[0].start), line_end(text, group[-1].end)
     rest = text[group[-1].end : end].strip()
@@ -300,8 +300,7 @@ def _removal(lists: CMakeLists, group: Sequence[Statement]) -> Splice:
     if start > previous and not above:
         return Splice(previous, end)
     following = line_end(text, end)
-    if following > end and not text[end:following].strip() and not above.startswith(b"#"):
-        # Below a comment, the blank line parts it from the next paragraph.
+    if not start and not text[end:following].strip():
         return Splice(start, following)
     return Splice(start, end)
 

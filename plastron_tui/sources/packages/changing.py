@@ -302,8 +302,9 @@ def remove_dependencies(
         edit = remove_dependency(package, key, source.ros_version, tags)
         if edit.package is None:
             return Changed(None, edit.diagnostics)
-        for one in edit.tags if needs is not None else ():
-            less = remove_dependency(package, key, source.ros_version, (one,))
+        ways = [edit.tags, *((one,) for one in edit.tags)] if needs is not None else []
+        for way in ways:
+            less = remove_dependency(package, key, source.ros_version, way)
             if less.package is not None and needs is not None:
                 again = add_dependency(less.package, key, needs, source.ros_version).package
                 if again is not None and again.document.text == package.document.text:
