@@ -237,3 +237,22 @@ def test_inside_a_package_nothing_new_is_begun(tmp_path: Path, inner: str) -> No
     assert (folder / "CMakeLists.txt").read_text(encoding="utf-8") == lists
     # The other generation of ROS does not build here.
     assert "other-ros" in run(generated(talker("rclcpp")))
+
+
+@pytest.mark.parametrize(
+    ("library", "inside", "line"),
+    [
+        ("roscpp", "", '<node pkg="robot" type="talker_pub" name="talker" output="screen"/>'),
+        ("nodelet", "", 'args="standalone robot/TalkerNode"'),
+        ("nodelet", " inside 'all'", 'args="load robot/TalkerNode /all"'),
+        ("rclcpp", "", '<node pkg="robot" exec="talker_pub" name="talker" output="screen"/>'),
+        ("component", " inside 'all'", '<composable_node pkg="robot" plugin="robot::TalkerNode"'),
+    ],
+)
+def test_a_launch_file_starts_nodes_of_the_program_s_own_package(
+    tmp_path: Path, library: str, inside: str, line: str
+) -> None:
+    start = f"create_launch 'bringup' as bringup\nbringup starts talker{inside}\n"
+    generate(tmp_path, f"{generated(talker(library))}{start}generate_launch bringup\n")
+    [launch] = [text for name, text in files(tmp_path).items() if name.startswith("bringup.launch")]
+    assert line in launch
