@@ -256,3 +256,13 @@ def test_a_launch_file_starts_nodes_of_the_program_s_own_package(
     generate(tmp_path, f"{generated(talker(library))}{start}generate_launch bringup\n")
     [launch] = [text for name, text in files(tmp_path).items() if name.startswith("bringup.launch")]
     assert line in launch
+
+
+def test_the_package_of_nodes_that_are_not_asked_for_is_no_rest(tmp_path: Path) -> None:
+    text = generated(talker("roscpp"), ears("rclcpp"))
+    generate(tmp_path, text)
+    options = Options(None, tmp_path / "output")
+    program = Session(text.encode(), tmp_path / "robot.plastron", options, environ={})
+    made = [each for each in program.generated() if each.generation.node.name == "talker"]
+    _, diagnostics = program.plan_of(made)
+    assert [each.code for each in diagnostics] == []

@@ -148,11 +148,10 @@ def _by_lines(
     by_lines = target.read(sides.path, files).source
     if by_lines is None:
         return None
-    if merged.files is None:
-        # Handwork may need what the program no longer has: that is what is refused.
-        if not node[1].endpoints.keys() <= node[0].endpoints.keys():
-            return None
-    elif _sites(by_lines) != _sites(target.read(sides.path, merged.files).source):
+    # Handwork that needs what the program no longer has would have a stray name.
+    if merged.files is not None and _sites(by_lines) != _sites(
+        target.read(sides.path, merged.files).source
+    ):
         return None
     again = merge(by_lines, node[1], node[0], target, catalog)
     return files if again.files == files else None

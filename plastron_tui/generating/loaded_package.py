@@ -159,7 +159,7 @@ class _Change:
                 changed = remove_executable(
                     self.source, self.texts, name, needs, is_installed_elsewhere=was_there
                 )
-                stay = [x for x in (known.file,) if x is not None and x in self.source.texts]
+                stay = [file] if file is not None and file in self.source.texts else []
             if not self._take(changed, span) or file is None:
                 continue
             names = {name, PurePath(file).stem} if known.built else {name}

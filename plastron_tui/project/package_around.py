@@ -35,27 +35,35 @@ class FoundPackage(NamedTuple):
 
 
 def find_package_around(
-    output: Path, boundary: Boundary, manifest: Manifest, ros_version: int
+    output: Path, boundary: Boundary, manifest: Manifest, ros_version: int, program: str = ""
 ) -> FoundPackage | None:
     """Return the package that an output folder is, or is in; None where there is none.
 
     Args:
         output: the output folder, which need not be there.
         boundary: the program's project; a package beyond it is somebody else's.
-        manifest: what is remembered of the output folder: a package that was written there is none
-            that was there before.
+        manifest: what is remembered of the output folder: a package that the program wrote there
+            is none that was there before.
         ros_version: what a package counts for that is for both generations of ROS.
+        program: the name of the program's file: its nodes join the package of another program.
     """
     output = Path.cwd() / output
     for folder in (output, *output.parents):
         if not boundary.allows(folder):
             return None
         if (folder / PACKAGE_XML).is_file():
-            if folder == output and PACKAGE_XML in manifest:
+            if folder == output and _is_own(manifest, program):
                 return None
             read = PackageReader(folder, boundary, {})
             return FoundPackage(folder, read(str(folder), ros_version))
     return None
+
+
+def _is_own(manifest: Manifest, program: str) -> bool:
+    """Tell whether the package that an output folder is may be one that the program wrote."""
+    owner = manifest.bases.get(PACKAGE_XML, {}).get("program")
+    is_others = isinstance(owner, str) and owner and program and owner != program
+    return PACKAGE_XML in manifest and not is_others
 
 
 class FilesAround(NamedTuple):
@@ -90,6 +98,7 @@ class BuiltPlaces:
         self._configuration = configuration
         self._library_of = library_of
         self._manifest = manifest
+        self._program = program
         self._own = OwnPackages(
             program,
             asked,
@@ -136,4 +145,4 @@ class BuiltPlaces:
         configuration = self._configuration
         output, boundary = configuration.output, configuration.boundary
         version = configuration.ros.ros_version
-        return find_package_around(output, boundary, self._manifest, version)
+        return find_package_around(output, boundary, self._manifest, version, self._program)

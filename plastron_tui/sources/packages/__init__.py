@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from .built import add_built_node
+from .built import add_built_node, add_needs
 from .changing import Changed, Needs, add_launch, add_node, remove_executable, remove_launch
 from .definitions import add_definition
 from .reading import PACKAGE_XML, PackageFiles, finds_scripts, named_elsewhere, read_package_files
@@ -16,6 +16,7 @@ __all__ = [
     "add_built_node",
     "add_definition",
     "add_launch",
+    "add_needs",
     "add_node",
     "finds_scripts",
     "named_elsewhere",

@@ -6,7 +6,7 @@ describe the classes of a package's libraries, in an `<export>` for the package 
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from typing import TYPE_CHECKING, NamedTuple
 
 from plastron_tui.model.package_source import PackageSource
@@ -59,6 +59,35 @@ def add_built_node(
     )
     found = tuple(sorted(now - then))
     return add_dependencies(source, after.texts, keys, _NEEDS)._replace(found=found)
+
+
+def add_needs(
+    source: PackageSource,
+    texts: Mapping[str, bytes],
+    file: str,
+    packages: Sequence[str],
+    linked: Sequence[str],
+) -> Changed:
+    """Let a package build a node that it has with more packages, and depend on them.
+
+    Args:
+        source: the package.
+        texts: what its files hold by now.
+        file: the node's main file, by its path in the package.
+        packages: what the node is built with besides.
+        linked: what each of them is linked to by, in ROS 2.
+    """
+    from plastron_tui.sources.cmake.linking import add_packages
+
+    if CMAKE_LISTS not in texts:
+        return Changed(dict(texts))
+    path = source.folder / CMAKE_LISTS
+    after = with_edit(
+        texts, CMAKE_LISTS, add_packages(texts[CMAKE_LISTS], path, file, packages, linked)
+    )
+    if after.texts is None:
+        return after
+    return add_dependencies(source, after.texts, packages, _NEEDS)
 
 
 class _Described(NamedTuple):

@@ -70,7 +70,10 @@ class PackagedNode(NamedTuple):
     def imports(self) -> frozenset[str]:
         """What its files need of others, as their language names it."""
         texts = (self.text, *(text for _, text in self.others))
-        return frozenset().union(*(self.language.imports(each) for each in texts))
+        found = frozenset().union(*(self.language.imports(each) for each in texts))
+        # A loaded node brings files along whose folder is called as the package they come from.
+        own = [f"/{name}" for name, _ in self.others]
+        return frozenset(x for x in found if not any(name.endswith(f"/{x}") for name in own))
 
 
 class PackagedLaunch(NamedTuple):

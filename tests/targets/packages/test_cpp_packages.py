@@ -104,6 +104,15 @@ def test_a_header_that_nobody_knows_is_told(tmp_path: Path) -> None:
     assert b"find_package(eigen" not in found.files["CMakeLists.txt"].text
 
 
+def test_a_header_that_comes_along_is_none_of_others(tmp_path: Path) -> None:
+    spec = plain_package(tmp_path)
+    first, *others = spec.nodes
+    text = b'#include "robots/arm.hpp"\n' + first.text
+    beside = (*first.others, ("../include/robots/arm.hpp", b""))
+    node = first._replace(text=text, others=beside)
+    assert render_package(replace(spec, nodes=(node, *others))).diagnostics == ()
+
+
 @pytest.mark.parametrize("name", ["test", "install", "demo"])
 def test_no_target_has_the_name_of_another(name: str, tmp_path: Path) -> None:
     spec = replace(ros2_package(tmp_path))

@@ -19,7 +19,7 @@ from ..scopes import CppFile, Scope, Variable
 from .include_place import add_include, is_included
 from .interfaces import Interfaces
 from .manner import free_name, held_by
-from .place import Place
+from .place import Place, is_model
 from .plans import Plan
 from .style import Style, style_of
 from .units import Key
@@ -93,15 +93,9 @@ class Addition:
         return free_name(self.taken, wanted, end)
 
     def like(self, kind: EndpointKind | None = None) -> list[Site]:
-        """Return the call sites of the node that are of the kind, as the client library has it."""
+        """Return the call sites of the node that are of a kind, as the client library has it."""
         wanted = self.kind if kind is None else kind
-        return [
-            site
-            for site in self.sites
-            if site.endpoint.kind is wanted and site.shape.on in ("handle", "node", "function")
-            and site.shape.fixed is None and site.options is None
-            and "message_filters" not in site.call.qualifier
-        ]  # fmt: skip
+        return [site for site in self.sites if site.endpoint.kind is wanted and is_model(site)]
 
     def model(self, kind: EndpointKind | None = None) -> Site | None:
         """Return the call site that a new one of a kind is modelled on."""
@@ -117,6 +111,8 @@ class Addition:
     ) -> None:
         """Note that a reader must find an endpoint."""
         key: Key = (kind, name, str(type_), called)
+        if kind is EndpointKind.TIMER:
+            key = (kind, None, "", called)
         self.plan.added.append((self.label, key))
 
     def include(self, file: CppFile, header: str) -> None:

@@ -161,7 +161,8 @@ def _own_thread(added: Addition) -> str:
         for part in ("queue", "spinner", "nh")
     )
     file = added.place.file
-    if is_local(added):
+    if not is_member and added.place.function.name == "main":
+        # None of them can be there before `ros::init`.
         added.lines.append(f"ros::CallbackQueue {queue};")
         added.lines.append(f"ros::AsyncSpinner {spinner}(1, &{queue});")
         added.lines.append(f"ros::NodeHandle {handle};")

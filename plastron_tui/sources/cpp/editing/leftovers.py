@@ -19,6 +19,7 @@ from .uses import word
 
 _LOGS = re.compile(r"(?:ROS|NODELET|RCLCPP)_(?:INFO|DEBUG|WARN|ERROR)\w*\s*\(")
 _VOID = re.compile(r"\(void\)\s*\w+|static_cast<void>\(\w+\)")
+_PLACEHOLDER = re.compile(r"_[1-9]")
 _KINDS = {
     EndpointKind.PUBLISHER: InterfaceKind.MESSAGE,
     EndpointKind.SUBSCRIPTION: InterfaceKind.MESSAGE,
@@ -98,7 +99,10 @@ def _is_log(node: Node, function: Function) -> bool:
 
 def remove_function(function: Function, gone: Deletions) -> None:
     """Take out a definition or a declaration."""
-    gone.statement(function.file, function.node)
+    node = function.node
+    if node.parent is not None and node.parent.type == "template_declaration":
+        node = node.parent
+    gone.statement(function.file, node)
 
 
 def take_types(analysis: Analysis, sites: Sequence[Site], gone: Deletions) -> None:
@@ -121,6 +125,24 @@ def take_types(analysis: Analysis, sites: Sequence[Site], gone: Deletions) -> No
                     gone.part(file, start, line_end(text, start))
 
 
+def take_placeholders(analysis: Analysis, gone: Deletions) -> None:
+    """Take out `using std::placeholders::_1;` where what said `_1` goes."""
+    for file in analysis.unit.files:
+        if file.is_beside:
+            continue
+        for node in _aliases(file):
+            own = _alias_name(node, file)
+            if not _PLACEHOLDER.fullmatch(own) or node.type != "using_declaration":
+                continue
+            was_said = any(
+                gone.covers(each, found.start())
+                for each in analysis.unit.files
+                for found in word(own).finditer(each.syntax.code)
+            )
+            if was_said and not _is_said(analysis, own, file, node, gone):
+                gone.statement(file, node)
+
+
 def headers_of(type_: InterfaceName, kind: InterfaceKind, ros_version: int) -> set[str]:
     """Return the headers that define a type; in ROS 1 an action has several."""
     if kind is InterfaceKind.ACTION and ros_version == 1:
@@ -135,8 +157,8 @@ def _take_aliases(analysis: Analysis, name: str, gone: Deletions) -> None:
         if file.is_beside:
             continue
         for node in _aliases(file):
-            said = file.syntax.word(node)
-            if gone.covers(file, node.start_byte) or not re.search(rf"\b{name}\b", said):
+            said = file.syntax.word(node).encode(file.syntax.encoding)
+            if gone.covers(file, node.start_byte) or not named(name).search(said):
                 continue
             own = _alias_name(node, file)
             if own and not _is_said(analysis, own, file, node, gone):
@@ -178,11 +200,15 @@ def _is_said(analysis: Analysis, name: str, file: CppFile, node: Node, gone: Del
     )
 
 
+def named(name: str) -> re.Pattern[bytes]:
+    """Return what matches the name of a type, and those that ROS 1 makes of it."""
+    parts = rb"(?:Action)?(?:Goal|Result|Feedback|Request|Response)?(?:Const)?(?:Ptr)?(?!\w)"
+    return re.compile(rb"(?<![A-Za-z0-9_])" + re.escape(name.encode()) + parts)
+
+
 def _is_named(analysis: Analysis, name: str, gone: Deletions) -> bool:
     """Tell whether code that stays has a word for a type, or for what is made of it."""
-    pattern = re.compile(
-        rb"(?<![A-Za-z0-9_])" + re.escape(name.encode()) + rb"(?:Const)?(?:Ptr)?(?!\w)"
-    )
+    pattern = named(name)
     return any(
         not gone.covers(file, found.start())
         for file in analysis.unit.files

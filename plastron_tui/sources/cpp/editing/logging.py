@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections import Counter
 
+from ..nodes import group
 from .adding import Addition
 from .place import _is_nodelet
 
@@ -65,5 +66,6 @@ def _logger(added: Addition) -> tuple[str, bool]:
     for text, _ in loggers.most_common():
         if text.startswith("rclcpp::get_logger("):
             return text, is_stream
-    name = added.label or "node"
+    names = [node.label for node in group(added.analysis) if added.label in ("", node.label)]
+    name = names[0] if len(names) == 1 and names[0] else "node"
     return f'rclcpp::get_logger("{name}")', is_stream

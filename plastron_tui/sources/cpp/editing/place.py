@@ -12,8 +12,9 @@ from plastron_tui.model.source import Add, EndpointKind
 
 from ..analysis import Analysis, NodeSite, Site
 from ..nodes import group, main_class
-from ..receivers import HANDLE, MANAGED_CLASSES, joined
+from ..receivers import HANDLE, MANAGED_CLASSES, NODE_CLASSES, joined
 from ..scopes import CppFile, Function, Scope, Variable, last_name
+from ..shapes import TRANSFORMS
 from .manner import held_by
 from .refusals import RefusedError
 from .units import labels_of
@@ -85,6 +86,11 @@ def find_place(analysis: Analysis, change: Add, kind: EndpointKind) -> Place:
     callbacks = {
         id(each.node) for site in analysis.sites for each in site.callback.functions if each.scope
     }
+    group(analysis)
+    owners = {id(each.owner) for each in analysis.nodes if each.owner is not None}
+    if change.node is not None:
+        named = [each for each in analysis.nodes if _label(each) == change.node]
+        owners = {id(each.owner) for each in named if each.owner is not None} or owners
     for at, site in enumerate(sites_of_node(analysis, change.node)):
         place = beside(analysis, site)
         if place is None or id(place.function.node) in callbacks or site.bindings:
@@ -96,9 +102,20 @@ def find_place(analysis: Analysis, change: Add, kind: EndpointKind) -> Place:
             continue
         is_parameter = site.endpoint.kind is EndpointKind.PARAMETER
         is_wanted = kind is EndpointKind.PARAMETER
-        is_other = site.endpoint.kind is not kind
-        in_body = place.after is None
-        ranked.append(((is_parameter != is_wanted, rank, is_other, in_body, -at), place))
+        # What creates something under a name that it gets does so for others.
+        is_helper = site.endpoint.name is None and site.endpoint.kind is not EndpointKind.TIMER
+        is_helper = is_helper and bool(place.function.parameters) and rank > 0
+        is_foreign = bool(owners) and place.owner is not None and id(place.owner) not in owners
+        key = (
+            is_foreign,
+            bool(place.file.name) and not place.owner,
+            is_parameter != is_wanted,
+            2 if is_helper else rank,
+            site.endpoint.kind is not kind,
+            place.after is None,
+            -at,
+        )
+        ranked.append((key, place))
     if ranked:
         return min(ranked, key=lambda each: each[0])[1]
     place = _of_node(analysis, change)
@@ -112,6 +129,15 @@ def find_place(analysis: Analysis, change: Add, kind: EndpointKind) -> Place:
 def _called_back(analysis: Analysis) -> Iterator[Function]:
     for site in analysis.sites:
         yield from site.callback.functions
+
+
+def is_model(site: Site) -> bool:
+    """Tell whether a call creates an endpoint as the client library does, and not a part of it."""
+    shape = site.shape
+    is_own = shape.on in ("handle", "node", "function", "maybe")
+    is_own = is_own and shape.fixed is None and site.options is None
+    is_listener = site.endpoint.type == TRANSFORMS
+    return is_own and not is_listener and "message_filters" not in site.call.qualifier
 
 
 def _rank(analysis: Analysis, function: Function, depth: int = 0) -> int | None:
@@ -140,7 +166,7 @@ def _rank(analysis: Analysis, function: Function, depth: int = 0) -> int | None:
 
 def beside(analysis: Analysis, site: Site) -> Place | None:
     """Return the place behind the statement of a call, None where that is none to add at."""
-    if site.shape.on in ("", "filter", "lazy"):
+    if site.shape.on in ("", "filter", "lazy") or site.endpoint.type == TRANSFORMS:
         return None
     scope = site.call.scope
     outer = scope.enclosing("function", "lambda", "class")
@@ -254,16 +280,35 @@ def _of_class(analysis: Analysis, owner: Scope) -> Place | None:
     body = found[0].node.child_by_field_name("body")
     if body is None or body.type != "compound_statement":
         return None
+    node = _own_node(analysis, owner) if analysis.ros_version == 2 else ""
+    if node is None:
+        return None
     statements = body.named_children
     after = next((each for each in reversed(statements) if not _leaves(each)), None)
-    return Place(found[0].file, found[0], body, after, owner, is_end=after is None)
+    return Place(found[0].file, found[0], body, after, owner, node, is_end=after is None)
+
+
+def _own_node(analysis: Analysis, owner: Scope) -> str | None:
+    """Return what stands before the methods of the node that a class is, or has."""
+    receivers = analysis.receivers
+    if receivers.is_node_class(owner):
+        return ""
+    for base in analysis.unit.bases(owner):
+        for name, variables in base.variables.items():
+            variable = variables[0]
+            type_ = receivers.type_of_variable(variable)
+            if type_ in NODE_CLASSES and not variable.is_list:
+                return f"{name}->" if "Ptr" in variable.type or "ptr<" in variable.type else None
+    return None
 
 
 def _methods(analysis: Analysis, owner: Scope, name: str) -> list[Function]:
     return [
         each
         for each in analysis.unit.functions.get(name, ())
-        if each.scope is not None and analysis.unit.class_of_function(each) is owner
+        if each.scope is not None
+        and not each.file.is_beside
+        and analysis.unit.class_of_function(each) is owner
     ]
 
 

@@ -47,7 +47,7 @@ class Style:
         """
         found = []
         columns = len(base.expandtabs(_TAB))
-        for line in (part for line in lines for part in self._broken(line, columns)):
+        for line in (part for whole in lines for part in self._broken(whole, columns)):
             inner = line.lstrip("\t")
             depth = len(line) - len(inner)
             found.append(f"{base}{self.indent * depth}{inner}" if inner else "")

@@ -77,6 +77,7 @@ def run_at(
     captures: tuple[str, ...] = (),
     handle: str = "",
     once: bool = False,
+    is_mutable: bool = False,
 ) -> None:
     """Let a timer of its own do something: a method of the class, or a lambda in a function.
 
@@ -90,6 +91,7 @@ def run_at(
         captures: the local variables that the body uses.
         handle: the handle of ROS 1 that it is created on, "" for the usual one.
         once: whether it ticks once, in ROS 1.
+        is_mutable: whether the lambda changes what it takes.
     """
     timer = timer or timer_name(added, words)
     if added.owner is not None:
@@ -100,9 +102,18 @@ def run_at(
     taken = f"[{', '.join(dict.fromkeys(captures))}]" if is_local(added) else "[]"
     head = f"{_declared(added)}{timer} = {_head(added, handle)}{period}, "
     tail = ", true);" if once else ");"
-    added.lines.append(f"{head}{taken}({event_parameter(added)}) {{")
-    added.lines += [f"\t{each}" for each in body]
-    added.lines.append(f"}}{tail}")
+    change = " mutable" if is_mutable and is_local(added) else ""
+    opening = f"{taken}({event_parameter(added)}){change} {{"
+    style = added.style(added.place.file)
+    if len(head) + len(opening) + len(style.indent) <= style.width:
+        added.lines.append(f"{head}{opening}")
+        added.lines += [f"\t{each}" for each in body]
+        added.lines.append(f"}}{tail}")
+    else:
+        first = head.removesuffix(f"{period}, ")
+        added.lines += [first, f"\t{period}, {opening}"]
+        added.lines += [f"\t\t{each}" for each in body]
+        added.lines.append(f"\t}}{tail}")
     added.expect(K.TIMER, period, None, "")
     _include_chrono(added)
 
@@ -116,7 +127,9 @@ def capture(added: Addition, variable: str, *, is_pointer: bool) -> str:
 def node_captures(added: Addition) -> tuple[str, ...]:
     """Return how a lambda of `main` takes the node of ROS 2."""
     node = added.place.node
-    if not node:
+    bare = node.removesuffix("->").removesuffix(".")
+    found = added.analysis.unit.lookup(bare, added.place.scope, added.place.offset)
+    if not node or (found is not None and found.kind == "global"):
         return ()
     return (f"&{node[:-1]}",) if node.endswith(".") else (node.removesuffix("->"),)
 
@@ -124,7 +137,8 @@ def node_captures(added: Addition) -> tuple[str, ...]:
 def _declared(added: Addition) -> str:
     if not is_local(added):
         return ""
-    return "auto " if added.is_ros2 else "ros::Timer "
+    # Not `auto`: what the timer calls may name it.
+    return "rclcpp::TimerBase::SharedPtr " if added.is_ros2 else "ros::Timer "
 
 
 def _head(added: Addition, handle: str) -> str:

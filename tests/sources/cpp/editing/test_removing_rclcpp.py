@@ -92,9 +92,9 @@ REMOVALS = [
         """
  #include "robot/x.hpp"
 
- using std::placeholders::_1;
- using std::placeholders::_2;
-
+-using std::placeholders::_1;
+-using std::placeholders::_2;
+-
  namespace robot
  {
 
