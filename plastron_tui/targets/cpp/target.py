@@ -25,6 +25,12 @@ from .planner import CppPlan, plan_node
 SOURCE_TEMPLATE = "node.cpp.j2"
 HEADER_TEMPLATE = "node.hpp.j2"
 
+_EXPORT = re.compile(
+    rb"^[ \t]*(?:PLUGINLIB_EXPORT_CLASS|RCLCPP_COMPONENTS_REGISTER_NODE)\s*\(\s*([\w:]+)", re.M
+)
+"""The macros that make a class loadable: pluginlib/class_list_macros.hpp of ROS 1, and
+rclcpp_components/register_node_macro.hpp."""
+
 _TAKEN_NAMESPACES = frozenset({"main", "std"})
 
 
@@ -53,6 +59,8 @@ class CppTarget(Target):
         """Return the class by which a process of others loads a node, None for a program."""
         if not self.dialect.is_plugin:
             return None
+        if node.source is not None and (loaded := exported_class(node.source)) is not None:
+            return loaded
         return f"{_namespace(node)}::{naming.class_name(node.name)}"
 
     def render(self, node: Node, catalog: Catalog) -> Rendered:
@@ -134,3 +142,15 @@ def _guard(header: str) -> str:
 
 
 __all__ = ["CppPlan", "CppTarget"]
+
+
+def exported_class(source: SourceUnit) -> str | None:
+    """Return the class by which others load a node that was read, None where no file says it."""
+    names = [
+        name.decode().removeprefix("::")
+        for _, text in source.files.texts
+        for name in _EXPORT.findall(text)
+    ]
+    own = {each.class_name for each in source.nodes}
+    found = [name for name in names if len(names) == 1 or name.rpartition("::")[2] in own]
+    return found[0] if found else None
