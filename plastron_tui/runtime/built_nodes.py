@@ -149,7 +149,7 @@ def _loading(
         )
         return
     manager = (str(loader), "manager", f"__name:={name}")
-    yield NodeFile(name, manager, environment, folders=folders)
+    yield NodeFile(name, manager, environment, folders=folders, is_host=True)
     for each in plugins:
         plugin = f"{each.package}/{(each.plugin or '').rpartition('::')[2]}"
         # The manager is in no namespace, whatever that of the node is.

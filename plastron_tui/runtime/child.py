@@ -40,6 +40,7 @@ class Process:
         cwd: its working folder; None for the supervisor's own.
         role: what it is for.
         fds: file descriptors that it inherits beside the standard ones.
+        is_host: whether others sign off at it when they end, so that it ends after them.
     """
 
     name: str
@@ -48,6 +49,7 @@ class Process:
     cwd: Path | None = None
     role: Role = Role.NODE
     fds: tuple[int, ...] = ()
+    is_host: bool = False
 
 
 @dataclass(frozen=True, slots=True)

@@ -62,6 +62,7 @@ class NodeFile:
         label: what its lines are labelled with, where that is not its name.
         starts: the full names of the nodes that it starts itself; its name is then none.
         loads: the components that the run has to load into it.
+        is_host: whether the nodes that it has sign off at it, and so end before it.
     """
 
     name: str
@@ -75,6 +76,7 @@ class NodeFile:
     label: str = ""
     starts: tuple[str, ...] = ()
     loads: tuple[Loaded, ...] = ()
+    is_host: bool = False
 
     @property
     def title(self) -> str:
@@ -250,7 +252,8 @@ class _Run:
             known = environ.get(variable)
             environ[variable] = f"{folder}{os.pathsep}{known}" if known else str(folder)
         if pipe is None or node.script is None:
-            return Process(node.title, (*node.command, *node.arguments), environ)
+            argv = (*node.command, *node.arguments)
+            return Process(node.title, argv, environ, is_host=node.is_host)
         environ["PLASTRON_EVENTS_FD"] = str(pipe)
         environ["PLASTRON_ROS_VERSION"] = str(node.environment.ros_version)
         traced = str(_OBSERVERS / "traced.py")

@@ -29,6 +29,11 @@ OnExit = Callable[[Exit], None]
 OnTick = Callable[[], None]
 
 
+def _is_needed(process: Process) -> bool:
+    """Tell whether others need a process until they have ended."""
+    return process.is_host or process.role is Role.MASTER
+
+
 class Supervisor:
     """A set of processes, each in a session of its own, so that only this one stops them.
 
@@ -177,7 +182,8 @@ class Supervisor:
         return [child for child in self._all() if child.process.role is Role.NODE]
 
     def _end_all(self) -> None:
-        # The master last: the nodes sign off there.
+        # The master last: the nodes sign off there; nodelets do so at their manager before.
+        self._end(lambda: [one for one in self._all() if not _is_needed(one.process)])
         self._end(lambda: [one for one in self._all() if one.process.role is not Role.MASTER])
         self._end(self._all)
 

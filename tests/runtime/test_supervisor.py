@@ -10,6 +10,9 @@ from pathlib import Path
 import pytest
 from supervised import Nodes, all_gone, clean_environ, command, run
 
+from plastron_tui.runtime.child import Process
+from plastron_tui.runtime.supervisor import Supervisor
+
 
 @pytest.fixture
 def nodes(tmp_path: Path) -> Nodes:
@@ -183,3 +186,13 @@ def test_a_terminal_shows_colours(
     terminal.close()
     assert (b"\x1b[36mone      |\x1b[0m tick" in seen) is has_colour
     assert (b"one      | tick" in seen) is not has_colour
+
+
+def test_a_host_ends_after_those_that_sign_off_at_it() -> None:
+    signs_off = "trap 'sleep 0.1; exit 0' INT; echo up; while :; do sleep 0.01; done"
+    host = Process("host", ("sleep", "100"), is_host=True)
+    with Supervisor(lambda *_: supervisor.stop()) as supervisor:
+        supervisor.start(host)
+        supervisor.start(Process("guest", ("sh", "-c", signs_off)))
+        supervisor.wait()
+    assert [each.process.name for each in supervisor.exits] == ["guest", "host"]
