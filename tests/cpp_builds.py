@@ -24,8 +24,7 @@ from machine import skip_or_fail
 
 STAND_IN = Path(__file__).with_name("rclcpp_stand_in")
 WARNINGS = ("-Wall", "-Wextra", "-Wpedantic", "-Werror")
-
-_FLAGS = ("-std=c++17", "-O0", "-fPIC", "-pthread")
+FLAGS = ("-std=c++17", "-O0", "-fPIC", "-pthread")
 _START = dict(os.environ)
 _BEGIN = "begin.hpp"
 
@@ -85,14 +84,14 @@ class CppLibrary:
             is_shared: whether it is a library that something else loads.
         """
         own = [f"-I{each}" for each in headers]
-        command = ["g++", *_FLAGS, *WARNINGS, *own, *self.compiling, *map(str, sources)]
+        command = ["g++", *FLAGS, *WARNINGS, *own, *self.compiling, *map(str, sources)]
         _run([*command, *["-shared"] * is_shared, "-o", str(program), *self.linking])
         return program
 
     def check(self, sources: Iterable[Path], *, headers: Sequence[Path] = ()) -> None:
         """Compile files each by itself, of which no warning is accepted, and make nothing."""
         own = [f"-I{each}" for each in headers]
-        command = ["g++", "-fsyntax-only", *_FLAGS, *WARNINGS, *own, *self.compiling]
+        command = ["g++", "-fsyntax-only", *FLAGS, *WARNINGS, *own, *self.compiling]
         with ThreadPoolExecutor(os.cpu_count()) as pool:
             for _ in pool.map(lambda source: _run([*command, str(source)]), sources):
                 pass
@@ -111,6 +110,12 @@ class CppLibrary:
             linking=(*self.linking, *types),
             environ={**self.environ, "LD_LIBRARY_PATH": os.pathsep.join(paths)},
         )
+
+    @property
+    def beginning(self) -> tuple[str, ...]:
+        """What begins a source with the client library's header, which is compiled already."""
+        place = self.compiling.index("-include")
+        return self.compiling[place - 1 : place + 2]
 
     def building(self, environ: Mapping[str, str]) -> dict[str, str]:
         """Return the environment of a build by whose tools it is found."""
@@ -236,7 +241,7 @@ def _precompile(folder: Path, header: str, headers: Sequence[str]) -> None:
     """Compile a client library's header, which takes most of the time that a node takes."""
     begin = folder / _BEGIN
     begin.write_text(f"#include <{header}>\n")
-    _run(["g++", *_FLAGS, *WARNINGS, *headers, "-x", "c++-header", str(begin)])
+    _run(["g++", *FLAGS, *WARNINGS, *headers, "-x", "c++-header", str(begin)])
 
 
 def _beginning(folder: Path) -> tuple[str, ...]:
@@ -271,7 +276,7 @@ def _build_stand_in(folder: Path, wheels: Path) -> None:
         "rmw",
     )
     python = f"-lpython{sysconfig.get_config_var('LDVERSION')}"
-    command = ["g++", "-shared", *_FLAGS, *WARNINGS, *_beginning(folder), *headers, str(unit)]
+    command = ["g++", "-shared", *FLAGS, *WARNINGS, *_beginning(folder), *headers, str(unit)]
     command += ["-o", str(library), *(f"-L{each}" for each in _library_folders(wheels))]
     command += [*(f"-l{name}" for name in names), "-Wl,--no-as-needed", python]
     _run(command)

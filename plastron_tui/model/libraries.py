@@ -14,12 +14,10 @@ class ClientLibrary(NamedTuple):
         ros_version: the generation of ROS that it is for, 1 or 2.
         language: the language of its nodes, as people call it.
         is_keyword: tells whether a word is reserved in that language.
-    <<<<<<< HEAD
-    =======
-        is_written: whether nodes can be generated for it.
         is_built: whether a package has to build its nodes before they can be started.
         is_loaded: whether another process loads its nodes: nodelets, components.
-    >>>>>>> h/packages
+        purpose: what its nodes are and when to take it, in a phrase; "" where nobody says it.
+        built_with: the packages without which its nodes cannot be built and started.
     """
 
     name: str
@@ -28,6 +26,8 @@ class ClientLibrary(NamedTuple):
     is_keyword: Callable[[str], bool]
     is_built: bool = False
     is_loaded: bool = False
+    purpose: str = ""
+    built_with: tuple[str, ...] = ()
 
 
 Libraries = Mapping[str, ClientLibrary]

@@ -290,7 +290,8 @@ class NodeLoader:
                 near.remedy,
                 None if near.name is None or "'" in near.name else f"'{near.name}'",
             )
-        known = {name for folder in (self._output, self._folder) for name in _names(folder)}
+        folders = (self._output, self._output / BUILT_FOLDER, self._folder)
+        known = {name for folder in folders for name in _names(folder)}
         name = nearest(request.source, sorted(known))
         names = " or ".join(f"`{request.source}{suffix}`" for suffix in _suffixes())
         return _not_there(

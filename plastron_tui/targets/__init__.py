@@ -30,23 +30,57 @@ class _Own(NamedTuple):
         language: the language of its nodes.
         target: the module and the class that write them.
         is_loaded: whether another process loads its nodes.
+        purpose: what its nodes are and when to take it, in a phrase.
+        built_with: the packages without which its nodes cannot be built and started.
     """
 
     ros_version: int
     language: str
     target: str
     is_loaded: bool = False
+    purpose: str = ""
+    built_with: tuple[str, ...] = ()
 
+
+_SCRIPT = "a script: quick to write and to change, and started without a build"
+_PROGRAM = "a program that is built: for images, point clouds, fast loops"
+_SHARED = "several in one process pass large messages without a copy"
 
 _CPP = "plastron_tui.targets.cpp"
 
 _OWN = {
-    "rospy": _Own(1, "python", "plastron_tui.targets.python.rospy:RospyTarget"),
-    "rclpy": _Own(2, "python", "plastron_tui.targets.python.rclpy:RclpyTarget"),
-    "roscpp": _Own(1, "cpp", f"{_CPP}.roscpp:RoscppTarget"),
-    "nodelet": _Own(1, "cpp", f"{_CPP}.nodelet:NodeletTarget", is_loaded=True),
-    "rclcpp": _Own(2, "cpp", f"{_CPP}.rclcpp:RclcppTarget"),
-    "component": _Own(2, "cpp", f"{_CPP}.component:ComponentTarget", is_loaded=True),
+    "rospy": _Own(1, "python", "plastron_tui.targets.python.rospy:RospyTarget", purpose=_SCRIPT),
+    "rclpy": _Own(2, "python", "plastron_tui.targets.python.rclpy:RclpyTarget", purpose=_SCRIPT),
+    "roscpp": _Own(
+        1,
+        "cpp",
+        f"{_CPP}.roscpp:RoscppTarget",
+        purpose=_PROGRAM,
+        built_with=("roscpp",),
+    ),
+    "nodelet": _Own(
+        1,
+        "cpp",
+        f"{_CPP}.nodelet:NodeletTarget",
+        is_loaded=True,
+        purpose=f"a class that a manager loads: {_SHARED}",
+        built_with=("roscpp", "nodelet"),
+    ),
+    "rclcpp": _Own(
+        2,
+        "cpp",
+        f"{_CPP}.rclcpp:RclcppTarget",
+        purpose=_PROGRAM,
+        built_with=("rclcpp",),
+    ),
+    "component": _Own(
+        2,
+        "cpp",
+        f"{_CPP}.component:ComponentTarget",
+        is_loaded=True,
+        purpose=f"a class that a container loads, or a program of its own: {_SHARED}",
+        built_with=("rclcpp", "rclcpp_components"),
+    ),
 }
 
 
@@ -64,6 +98,8 @@ class _Libraries(Libraries):
                 language.is_keyword,
                 language.is_built,
                 own.is_loaded,
+                own.purpose,
+                own.built_with,
             )
         target = find_target(name)
         if target is None:

@@ -129,6 +129,10 @@ class Graph:
         """
         return self._ask("lifecycle", node, json.dumps(steps))
 
+    def load_component(self, container: str, package: str, class_: str, node: str) -> str:
+        """Load a class of a package into a container of ROS 2; return the node's full name."""
+        return str(self._ask("load", container, package, class_, node))
+
     def endpoints(self, node: str) -> dict[str, list[str]]:
         """Return what a node publishes, subscribes and provides, as the graph itself says."""
         return self._ask("endpoints", node)

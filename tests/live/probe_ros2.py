@@ -181,6 +181,16 @@ def lifecycle(node, executor, name, steps):
     print(json.dumps(passed))
 
 
+def load_component(node, executor, container, package, plugin, name):
+    # It is there where rclcpp is.
+    from composition_interfaces.srv import LoadNode
+
+    request = LoadNode.Request(package_name=package, plugin_name=plugin, node_name=name)
+    answer = ask(node, executor, f"/{container}/_container/load_node", LoadNode, request)
+    assert answer.success, answer.error_message
+    print(json.dumps(answer.full_node_name))
+
+
 def main():
     rclpy.init()
     node = rclpy.create_node("probe")
@@ -196,6 +206,8 @@ def main():
         set_parameter(node, executor, arguments[0], arguments[1], json.loads(arguments[2]))
     elif command == "lifecycle":
         lifecycle(node, executor, arguments[0], json.loads(arguments[1]))
+    elif command == "load":
+        load_component(node, executor, *arguments)
     elif command == "describe":
         describe(node, executor, arguments[0])
     else:

@@ -10,7 +10,7 @@ from .syntax import Argument, Command, Listing
 
 _LONGEST_LINE = 100
 # Words that mean nothing without an argument behind them.
-_OPTIONAL_SECTIONS = frozenset({"CATKIN_DEPENDS", "COMPONENTS", "DEPENDENCIES"})
+_OPTIONAL_SECTIONS = frozenset({"CATKIN_DEPENDS", "COMPONENTS", "DEPENDENCIES", "LIBRARIES"})
 
 
 def begins_line(text: bytes, start: int) -> bool:

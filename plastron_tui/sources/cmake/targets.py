@@ -30,8 +30,7 @@ _HEADERS = "${catkin_INCLUDE_DIRS}"
 _OWN_TYPES = "cpp_typesupport_target"
 _NONE: Facts = Counter()
 
-# What stands about targets, below which a new one belongs, and what stands before the first.
-_OF_TARGETS = (
+OF_TARGETS = (
     "add_dependencies",
     "add_executable",
     "add_library",
@@ -44,6 +43,9 @@ _OF_TARGETS = (
     "target_include_directories",
     "target_link_libraries",
 )
+"""The commands about targets, below which a new one belongs."""
+
+# What stands before the first target.
 _BEFORE_TARGETS = (
     "catkin_package",
     "include_directories",
@@ -206,7 +208,7 @@ def _beside_targets(lists: CMakeLists, call: bytes) -> list[Splice]:
     """Insert a call below all that is said of targets, or else where the first one belongs."""
     listing = lists.listing
     commands = [each for each in listing.statements if isinstance(each, Command)]
-    found = [each for each in commands if each.name in _OF_TARGETS]
+    found = [each for each in commands if each.name in OF_TARGETS]
     if found:
         return insert_after(listing, found[-1], call, blank=True)
     return _before_targets(lists, call)

@@ -92,8 +92,8 @@ def _includes(text: bytes) -> Iterator[str]:
             return
         name = (include[1] or include[2]).decode("utf-8", "replace").strip()
         is_plain = "{" not in name and "\0" not in name and not name.startswith("/")
-        # The standard library's headers are in no folder.
-        if is_plain and (include[2] or "/" in name):
+        # The standard library's headers have neither folder nor suffix.
+        if is_plain and (include[2] or "/" in name or "." in name):
             yield name
 
 

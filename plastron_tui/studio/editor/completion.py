@@ -11,6 +11,7 @@ from plastron_tui.language import SlotKind
 from plastron_tui.language.expectations import Expectation
 from plastron_tui.language.keywords import BY_KEYWORD
 from plastron_tui.model.kinds import INTERFACES
+from plastron_tui.model.packages import BUILT_FOLDER
 from plastron_tui.model.rename import RENAMED
 from plastron_tui.ros.interfaces import Interface, InterfaceKind
 from plastron_tui.ros.parameters import ParameterType
@@ -24,6 +25,7 @@ from .value_completion import conditions, default_values, rates, resolver, value
 from .vocabulary import Vocabulary
 
 if TYPE_CHECKING:
+    from plastron_tui.model.libraries import ClientLibrary
     from plastron_tui.ros.catalog import Catalog
 
 MOST_OFFERED = 200
@@ -140,7 +142,7 @@ def _of_slot(
         case SlotKind.NEW_NAME:
             yield from _other_names(expected, vocabulary)
         case SlotKind.LIBRARY:
-            yield from (Candidate(name, f"ROS {ros_version(name)}") for name in LIBRARIES)
+            yield from (Candidate(each.name, _library(each)) for each in LIBRARIES.values())
         case SlotKind.FILE:
             yield from _files(session)
         case SlotKind.INPUT | SlotKind.ANSWER:
@@ -263,11 +265,17 @@ def detail_of(
     return described_type(candidate.text, kind, _catalog(expected, vocabulary, session))
 
 
+def _library(library: ClientLibrary) -> str:
+    """Return what a client library is for, in a few words."""
+    what = library.purpose.partition(":")[0].partition(",")[0]
+    return ", ".join(filter(None, (f"{library.language}, ROS {library.ros_version}", what)))
+
+
 def _files(session: Session) -> Iterator[Candidate]:
     """Offer the node files of the output folder and of the program's folder."""
     suffixes = {suffix for each in languages() for suffix in each.suffixes}
     seen: set[str] = set()
-    for folder in (session.output, session.folder):
+    for folder in (session.output, session.output / BUILT_FOLDER, session.folder):
         try:
             found = (path for path in folder.iterdir() if path.suffix in suffixes)
             names = sorted(path.name for path in islice(found, MOST_OFFERED))

@@ -30,6 +30,7 @@ class Preview:
         diff: what would change in it, None where there is nothing to compare with.
         problems: why there is no text.
         size: how large it will be, in bytes.
+        is_main: whether it is the file of a node that the others belong to.
     """
 
     name: str
@@ -39,6 +40,7 @@ class Preview:
     diff: Lines | None
     problems: tuple[Diagnostic, ...]
     size: int = 0
+    is_main: bool = False
 
 
 def previews_of(analysis: Analysis, variable: str) -> tuple[Preview, ...]:
@@ -135,26 +137,29 @@ def _preview(
     state: FileState | None,
     diff: Lines | None,
     problems: tuple[Diagnostic, ...],
+    *,
+    is_main: bool = False,
 ) -> Preview:
     lines = coloured(file.text.decode("utf-8", "replace"), file.path)
-    return Preview(file.name, file.path, state, lines, diff, problems, len(file.text))
+    return Preview(file.name, file.path, state, lines, diff, problems, len(file.text), is_main)
 
 
 def _previews(analysis: Analysis, generation: Generation, is_asked: bool) -> Iterator[Preview]:
     session = analysis.session
     made = session.generate(generation)
     if made.files is None:
-        yield Preview(generation.node.name, None, None, (), None, made.diagnostics)
+        yield Preview(generation.node.name, None, None, (), None, made.diagnostics, is_main=True)
         return
     plan, problems = session.plan_of([made], is_preview=True)
     if not plan.files:
-        yield Preview(made.files.name, None, None, (), None, problems)
+        yield Preview(made.files.name, None, None, (), None, problems, is_main=True)
     source = generation.node.source
     is_own = source is not None and source.library == generation.library
     loaded = {} if source is None or not is_own else dict(source.files.texts)
-    for file, name in zip(plan.files, made.files.files.names, strict=False):
+    names = made.files.files.names
+    for file, name in zip(plan.files, names, strict=False):
         diff = _disk_diff(file)
         if diff is None and name in loaded:
             diff = difference(loaded[name], file.text)
         state = file.state if is_asked else None
-        yield _preview(file, state, diff, made.diagnostics)
+        yield _preview(file, state, diff, made.diagnostics, is_main=name == names[0])

@@ -2,7 +2,13 @@
 
 from __future__ import annotations
 
+import sys
+from functools import cache
+from pathlib import Path
+
 from plastron_tui.ros.installations import Installation, present
+from plastron_tui.runtime.build_needs import missing_for_build
+from plastron_tui.runtime.environment import Environment
 from plastron_tui.targets import LIBRARIES, ros_version
 
 from .ask import Ask, Choice
@@ -22,14 +28,13 @@ class LibraryKind(Kind):
         return "" if last is None or is_own else last
 
     def choices(self, ask: Ask, query: str) -> list[Choice]:
-        """Return the libraries, each with what is installed of it."""
+        """Return the libraries: what each is for, and what is installed of it."""
         default = ask.scene.library_of(ask.node) if ask.node else ask.scene.session.library
         found = [Choice("", f"{default}, {_why(ask, default)}", label="leave it out")]
-        for name in LIBRARIES:
-            there = _installation(name)
-            about = "not installed here: it can be written, not run"
-            words = about if there is None else there.words
-            found.append(Choice(name, f"ROS {ros_version(name)}", words))
+        for name, library in LIBRARIES.items():
+            purpose = f"{library.purpose}; " if library.purpose else ""
+            note = f"{library.language}, ROS {library.ros_version}"
+            found.append(Choice(name, note, purpose + _standing(name)))
         return found
 
     def problem(self, ask: Ask, text: str) -> str | None:
@@ -53,6 +58,24 @@ def _installation(library: str) -> Installation | None:
     return next((found for found in present() if found.ros_version == version), None)
 
 
+@cache
+def _missing(library: str, installation: Installation) -> tuple[str, ...]:
+    """Return what a ROS lacks that nodes of a client library are built with."""
+    environment = Environment(*installation, Path(sys.executable))
+    return tuple(missing_for_build(environment, LIBRARIES[library].built_with, ()))
+
+
+def _standing(library: str) -> str:
+    """Return whether nodes of a client library can be run here, and with which ROS."""
+    there = _installation(library)
+    missing = () if there is None else _missing(library, there)
+    if there is None:
+        return "not installed here: it can be written, not run"
+    if missing:
+        return f"{there.words} has no `{missing[0]}`: it can be written, not run"
+    return there.words
+
+
 def ros_of(scene: Scene, library: str) -> str:
     """Return the ROS whose types a library has; of the program's own where it is left out."""
     ros = scene.session.ros
@@ -73,6 +96,7 @@ def explained(ask: Ask) -> str:
         library = LibraryKind().suggest(ask) or ros.library
         return f"the other nodes are for {library}: nodes of ROS 1 and ROS 2 do not hear each other"
     said = f"{ros.library} for {ros.name}: {ros.why.value}"
-    if _installation(ros.library) is not None:
+    there = _installation(ros.library)
+    if there is not None and not _missing(ros.library, there):
         return said
     return f"{said}; it can be written on this machine, but not run"

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from difflib import SequenceMatcher
 
 from plastron_tui.model.graph import Graph, Hub, graph_of
@@ -10,24 +10,32 @@ from plastron_tui.ros.interfaces import InterfaceKind
 from plastron_tui.session import Session
 
 from ..analysis import analyse
-from ..panels.preview import previews_of
+from ..panels.preview import Preview, previews_of
 from ..panels.styles import Line, Lines, Piece
 
 
 def code_of(session: Session, node: str | None) -> tuple[str, Lines]:
     """Return the name and the lines of the file that a node becomes."""
-    if node is None or node not in session.workspace.nodes:
+    workspace = session.workspace
+    if node is None or node not in workspace.nodes:
         return "", ((Piece("it comes with a node", "quiet"),),)
     analysis = analyse(session, lambda: None)
-    previews = previews_of(analysis, node)
-    if not previews:
+    preview = _main(previews_of(analysis, node), is_loaded=workspace.nodes[node].source is not None)
+    if preview is None:
         return "", ((Piece("it comes with a node", "quiet"),),)
-    preview = previews[-1]
     if preview.problems and not preview.lines:
         return preview.name, tuple((Piece(each.message, "warning"),) for each in preview.problems)
-    if preview.diff and session.workspace.nodes[node].source is not None:
+    if preview.diff and workspace.nodes[node].source is not None:
         return f"{preview.name}: what changes", preview.diff
     return preview.name, preview.lines
+
+
+def _main(previews: Sequence[Preview], *, is_loaded: bool) -> Preview | None:
+    """Return the file of a node that says most: of a loaded one, one that changes."""
+    main = next((each for each in reversed(previews) if each.is_main), None)
+    if is_loaded and main is not None and main.path is not None and not main.diff:
+        return next((each for each in previews if each.diff), main)
+    return main
 
 
 def changed_rows(before: Lines, after: Lines) -> range:

@@ -16,6 +16,7 @@ from plastron_tui.sources import find_language
 from plastron_tui.sources.base import Language, Rendered
 from plastron_tui.sources.cpp import naming
 from plastron_tui.sources.cpp.layout import lay_out
+from plastron_tui.sources.cpp.mentioned import registered_classes
 from plastron_tui.targets.base import API_VERSION, Target
 from plastron_tui.targets.rendering import CannotRenderError, render_text
 
@@ -24,12 +25,6 @@ from .planner import CppPlan, plan_node
 
 SOURCE_TEMPLATE = "node.cpp.j2"
 HEADER_TEMPLATE = "node.hpp.j2"
-
-_EXPORT = re.compile(
-    rb"^[ \t]*(?:PLUGINLIB_EXPORT_CLASS|RCLCPP_COMPONENTS_REGISTER_NODE)\s*\(\s*([\w:]+)", re.M
-)
-"""The macros that make a class loadable: pluginlib/class_list_macros.hpp of ROS 1, and
-rclcpp_components/register_node_macro.hpp."""
 
 _TAKEN_NAMESPACES = frozenset({"main", "std"})
 
@@ -59,8 +54,11 @@ class CppTarget(Target):
         """Return the class by which a process of others loads a node, None for a program."""
         if not self.dialect.is_plugin:
             return None
-        if node.source is not None and (loaded := exported_class(node.source)) is not None:
-            return loaded
+        source = node.source
+        if source is not None and source.library == self.name:
+            registered = _registered(source)
+            if registered is not None:
+                return registered
         return f"{_namespace(node)}::{naming.class_name(node.name)}"
 
     def render(self, node: Node, catalog: Catalog) -> Rendered:
@@ -123,6 +121,14 @@ class CppTarget(Target):
         return render_text(folders, template, values, lay_out, self._template_folder)
 
 
+def _registered(source: SourceUnit) -> str | None:
+    """Return the class that a loaded node registers, None where its files do not say which."""
+    found = [each for _, text in source.files.texts for each in registered_classes(text)]
+    meant = {each.class_name.rpartition("::")[2] for each in source.nodes if each.class_name}
+    named = [each for each in found if each.rpartition("::")[2] in meant]
+    return next(iter(named or (found if len(found) == 1 else ())), None)
+
+
 def _package(node: Node) -> str:
     """Return the package that a node is in, or what stands for it where it is in none."""
     return node.home.package if node.home is not None else naming.words(node.name)
@@ -142,15 +148,3 @@ def _guard(header: str) -> str:
 
 
 __all__ = ["CppPlan", "CppTarget"]
-
-
-def exported_class(source: SourceUnit) -> str | None:
-    """Return the class by which others load a node that was read, None where no file says it."""
-    names = [
-        name.decode().removeprefix("::")
-        for _, text in source.files.texts
-        for name in _EXPORT.findall(text)
-    ]
-    own = {each.class_name for each in source.nodes}
-    found = [name for name in names if len(names) == 1 or name.rpartition("::")[2] in own]
-    return found[0] if found else None

@@ -30,6 +30,8 @@ from .refusals import RefusedError
 from .removal import plan_removal
 from .renaming import plan_renames
 from .replacing import NotInPlaceError
+from .still_named import tell_still_named
+from .uncalled import tell_uncalled
 from .units import Found, analyze_files, endpoints_of, outlines_of
 from .updating import plan_update
 
@@ -67,6 +69,8 @@ def edit_cpp(source: SourceUnit, changes: Sequence[Change], catalog: Catalog) ->
     if problem is not None:
         message = f"the change of `{source.path.name}` would {problem}"
         return Rendered(None, (Diagnostic(codes.EDIT_REFUSED, message),))
+    edits.notes += tell_uncalled(edits.before, edits.analysis, changes)
+    edits.notes += tell_still_named(edits.analysis, changes)
     return Rendered(edits.files, tuple(edits.notes))
 
 
@@ -76,6 +80,7 @@ class _Edits:
     Attributes:
         files: the files as they are now.
         analysis: what is known of them.
+        before: what was known of them as they were.
         expected: the endpoints that a reader must find in them.
         notes: warnings: what may no longer fit.
     """
@@ -86,8 +91,8 @@ class _Edits:
         self.files = source.files
         outlines = outlines_of(source.files)
         self._beside, _ = sources_beside(source.path, outlines)
-        self._before = analyze_files(outlines, source.library, self._beside)
-        self.analysis = self._before
+        self.before = analyze_files(outlines, source.library, self._beside)
+        self.analysis = self.before
         self.expected: Found = endpoints_of(self.analysis)
         self.notes: list[Diagnostic] = []
 
@@ -149,12 +154,12 @@ class _Edits:
 
     def problem(self) -> str | None:
         """Return what is wrong with the changed files, None where nothing is."""
-        pairs = zip(self._before.unit.files, self.analysis.unit.files, strict=True)
+        pairs = zip(self.before.unit.files, self.analysis.unit.files, strict=True)
         if any(after.syntax.errors > before.syntax.errors for before, after in pairs):
             return "leave a file that parses worse"
         if endpoints_of(self.analysis) != +self.expected:
             return "change other endpoints than the ones asked for"
-        if not _has_same_nodes(self._before, self.analysis):
+        if not _has_same_nodes(self.before, self.analysis):
             return "change the nodes of the file"
         return None
 

@@ -1,0 +1,70 @@
+"""Functions that an edit leaves with nobody to call them."""
+
+from __future__ import annotations
+
+import re
+from collections import Counter
+from collections.abc import Iterator, Sequence
+
+from plastron_tui.diagnostics import Diagnostic, Span, codes, listed
+from plastron_tui.model.source import Change, Remove, Update
+
+from ..analysis import Analysis
+from ..scopes import Function
+from .deletions import Deletions
+from .leftovers import has_uses
+
+_WORD = re.compile(rb"[A-Za-z_]\w*")
+_CALLED_BY_OTHERS = re.compile(rb"\b(?:override|virtual|final)\b")
+
+
+def tell_uncalled(
+    before: Analysis, after: Analysis, changes: Sequence[Change]
+) -> Iterator[Diagnostic]:
+    """Warn of the functions that the files called before and do not call any more."""
+    rarer = {word.decode() for word in _words(before) - _words(after)}
+    was_called = {name for name, _ in _uncalled(before, rarer)}
+    found = [each for name, each in _uncalled(after, rarer) if name not in was_called]
+    if not found:
+        return
+    names = listed(f"`{each.name}` (line {each.node.start_point.row + 1})" for each in found)
+    message = f"nothing in the file calls {names} any more"
+    it = "it if it is" if len(found) == 1 else "them if they are"
+    span = _span(changes)
+    yield Diagnostic(codes.UNCALLED_FUNCTION, message, span, help=f"remove {it} of no other use")
+
+
+def _words(analysis: Analysis) -> Counter[bytes]:
+    found: Counter[bytes] = Counter()
+    for file in analysis.unit.files:
+        found.update(_WORD.findall(file.syntax.code))
+    return found
+
+
+def _uncalled(analysis: Analysis, names: set[str]) -> Iterator[tuple[tuple[str, str], Function]]:
+    """Yield the functions of some names that nothing names, with their class and name."""
+    nothing = Deletions()
+    for name in sorted(names & analysis.unit.functions.keys()):
+        by_class: dict[str, list[Function]] = {}
+        for each in analysis.unit.functions[name]:
+            by_class.setdefault(each.class_name, []).append(each)
+        for class_name, functions in by_class.items():
+            defined = [each for each in functions if each.scope is not None]
+            if not defined or defined[0].file.is_beside or name == class_name:
+                continue
+            if any(map(_is_called_by_others, functions)) or name == "main":
+                continue
+            if not has_uses(analysis, functions, nothing):
+                yield (class_name, name), defined[0]
+
+
+def _is_called_by_others(function: Function) -> bool:
+    body = function.node.child_by_field_name("body")
+    end = function.node.end_byte if body is None else body.start_byte
+    code = function.file.syntax.code[function.node.start_byte : end]
+    return _CALLED_BY_OTHERS.search(code) is not None
+
+
+def _span(changes: Sequence[Change]) -> Span | None:
+    spans = [each.span for each in changes if isinstance(each, Remove | Update)]
+    return spans[0] if spans else None
