@@ -140,7 +140,10 @@ class Derivation:
         name = place.real.name
         layers: Layers | None = None
         if author.name and not (layer.origin is None and layer.original == layer.written):
-            is_clean = is_over and are_recorded(place.manifest, name, loaded)
+            is_clean = is_over and (
+                are_recorded(place.manifest, name, loaded)
+                or are_recorded(self.writing.manifests(self.writing.output), files.name, loaded)
+            )
             layers = (*lower, replace(layer, is_clean=is_clean, left=digest_of(layer.written)))
         elif place.manifest.layers.get(name, ()) != lower:
             layers = lower

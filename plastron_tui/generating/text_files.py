@@ -16,12 +16,15 @@ from plastron_tui.diagnostics import Diagnostic, Severity, codes
 from plastron_tui.output.manifest import Manifest
 from plastron_tui.output.merge3 import merge_lines
 from plastron_tui.output.plan import OutputFile
-from plastron_tui.sources.packages.reading import PACKAGE_XML
+from plastron_tui.sources.packages.reading import CMAKE_LISTS, PACKAGE_XML
 from plastron_tui.targets.packages.spec import PackageFile
 
 from .user_edits import kept_handwork, of_other_program, on_disk, unmergeable
 
 _TEXT = "text"
+_LISTS = (PACKAGE_XML, CMAKE_LISTS)
+"""The files that nodes of several programs, and of hands, are entered in."""
+
 _NOWHERE_ELSE: Mapping[str, Path] = {}
 
 
@@ -138,7 +141,8 @@ def _text_file(name: str, file: PackageFile, folder: Folder) -> tuple[OutputFile
     before = known.get(_TEXT)
     merged = None
     if isinstance(before, str):
-        merged = merge_lines(before.encode(), file.text, present)
+        is_list = path.name in _LISTS
+        merged = merge_lines(before.encode(), file.text, present, is_list=is_list)
     if merged is None:
         problem = unmergeable(path, "the program changed the same lines")
         return replace(new, problem=problem), []

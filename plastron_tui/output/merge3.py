@@ -52,6 +52,15 @@ class _Chunk(NamedTuple):
         at = next((at for at in starts if theirs[at : at + len(base)] == base), None)
         return self._below() if at is None else theirs[:at] + ours + theirs[at + len(base) :]
 
+    def listed(self) -> _Lines | None:
+        """Return the lines that both sides added where nothing was, each of them once.
+
+        Each has to stand for itself: one that opens or closes a bracket or a tag does not.
+        """
+        if self.base or not all(map(_is_whole, (*self.ours, *self.theirs))):
+            return None
+        return [*self.theirs, *(line for line in self.ours if line not in self.theirs)]
+
     def _below(self) -> _Lines | None:
         """Return the lines where one side changed a block's last, and the other wrote below it."""
         base = self.base
@@ -61,6 +70,12 @@ class _Chunk(NamedTuple):
             if is_below and all(_is_indented(line) for line in base + block if line.strip()):
                 return block + other[len(base) :]
         return None
+
+
+def _is_whole(line: bytes) -> bool:
+    tags, closing = line.count(b"<"), line.count(b"</")
+    is_closed = tags == 2 * closing or (tags == 1 and line.rstrip().endswith(b"/>"))
+    return is_closed and line.count(b"(") == line.count(b")")
 
 
 def _is_indented(line: bytes) -> bool:
@@ -116,17 +131,20 @@ def replay_files(base: FileSet, changed: FileSet, onto: FileSet) -> FileSet:
 
 
 def merge_lines(
-    base: bytes, ours: bytes, theirs: bytes, *, side_by_side: bool = False
+    base: bytes, ours: bytes, theirs: bytes, *, side_by_side: bool = False, is_list: bool = False
 ) -> bytes | None:
     """Return a text with the changes of both sides, None where they touch the same lines.
 
-    Lines that follow each other count as the same, unless they may stand `side_by_side`.
+    Lines that follow each other count as the same, unless they may stand `side_by_side`. In a
+    text that `is_list`, as build files are, both sides may add entries at one place.
     """
     merged: _Lines = []
     for chunk in _chunks(base, ours, theirs):
         lines = chunk.merged()
         if lines is None and side_by_side:
             lines = chunk.side_by_side()
+        if lines is None and is_list:
+            lines = chunk.listed()
         if lines is None:
             return None
         merged += lines

@@ -88,6 +88,53 @@ rospy.spin()
 """
 
 
+PAIR = "load 'src/robot.cpp' as robot\n{}generate_node robot\n"
+"""A node of a header and a source that is changed in both."""
+
+MORE = "subscribe robot to 'other' of message_type Int32\n"
+LESS = "unsubscribe robot from 'chatter'\n"
+
+HEADER = """\
+#pragma once
+#include <ros/ros.h>
+#include <std_msgs/String.h>
+
+class Robot
+{
+public:
+  Robot();
+
+private:
+  void on_chatter(const std_msgs::String & message);
+
+  ros::NodeHandle nh_;
+  ros::Subscriber chatter_;
+};
+"""
+
+SOURCE = """\
+#include "robot.h"
+
+Robot::Robot()
+{
+  chatter_ = nh_.subscribe("chatter", 1, &Robot::on_chatter, this);
+}
+
+void Robot::on_chatter(const std_msgs::String & message)
+{
+  ROS_INFO("%s", message.data.c_str());
+}
+
+int main(int argc, char ** argv)
+{
+  ros::init(argc, argv, "robot");
+  Robot robot;
+  ros::spin();
+  return 0;
+}
+"""
+
+
 def put(name: str, text: str) -> None:
     """Write a file of the scene."""
     Path(name).parent.mkdir(exist_ok=True)
@@ -109,6 +156,17 @@ def prepare_in_place() -> None:
     put("a.plastron", created("xy") + LOADED.format("other"))
     assert command("generate", "--in-place", "a.plastron")[0] == 0
     put("a.plastron", created("xz") + LOADED.format("another"))
+
+
+def prepare_pair() -> None:
+    """A header and a source that are changed where they are, and then by hand."""
+    put("src/robot.cpp", SOURCE)
+    put("src/robot.h", HEADER)
+    put("a.plastron", PAIR.format(MORE))
+    assert command("generate", "--in-place", "a.plastron")[0] == 0
+    header = Path("src/robot.h")
+    header.write_text(header.read_text().replace("#pragma once\n", "#pragma once  // by hand\n"))
+    put("a.plastron", PAIR.format(MORE + LESS))
 
 
 def prepare_forced() -> None:
@@ -177,6 +235,15 @@ SCENES = {
         {
             "again": lambda: command("generate", "--in-place", "a.plastron"),
             "put back": generate(created("xy") + LOADED.format("other"), "--in-place"),
+            "check": checked("--in-place"),
+        },
+    ),
+    "pair": Scene(
+        prepare_pair,
+        lambda: command("generate", "--in-place", "a.plastron"),
+        {
+            "again": lambda: command("generate", "--in-place", "a.plastron"),
+            "put back": generate(PAIR.format(MORE), "--in-place"),
             "check": checked("--in-place"),
         },
     ),

@@ -45,7 +45,7 @@ def test_saving_reports_what_is_on_the_disk(tmp_path: Path, event: str) -> None:
 
 
 @pytest.mark.long
-@pytest.mark.parametrize("scene", SCENES)
+@pytest.mark.parametrize("scene", [*SCENES, "pair"])
 def test_killed_at_each_call(tmp_path: Path, scene: str) -> None:
     assert broken(tmp_path, scene, "kill") > 8
 

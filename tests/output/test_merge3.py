@@ -118,3 +118,21 @@ def test_texts_that_are_too_long_to_compare() -> None:
     ours = b"".join(b"%d\n" % (i % 5) for i in range(50_000))
     assert merge_lines(base, ours, base) == ours
     assert merge_lines(base, ours, base[:50_000] + b"x\n" + base[50_000:]) is None
+
+
+@pytest.mark.parametrize(
+    ("ours", "theirs", "merged"),
+    [
+        (b"a\nc\nz\n", b"a\nb\nc\nz\n", b"a\nb\nc\nz\n"),
+        (b"a\n<d>x</d>\nz\n", b"a\n<d>y</d>\nz\n", b"a\n<d>y</d>\n<d>x</d>\nz\n"),
+        (b"a\n<d/>\nz\n", b"a\nf(b)\nz\n", b"a\nf(b)\n<d/>\nz\n"),
+        (b"a\nf(\n  b)\nz\n", b"a\nc\nz\n", None),
+        (b"a\n<d>\n</d>\nz\n", b"a\nc\nz\n", None),
+        (b"a\nb\n", b"a\nz\nc\n", None),
+        (b"a\nb\n", b"a\nc\n", None),
+    ],
+)
+def test_entries_that_both_sides_add(ours: bytes, theirs: bytes, merged: bytes | None) -> None:
+    base = b"a\nz\n"
+    assert merge_lines(base, ours, theirs, is_list=True) == merged
+    assert merge_lines(base, ours, theirs) is None
