@@ -22,8 +22,6 @@ _ASKS = frozenset({"ask", "call", "send_goal"})
 _HELPERS = (
     ("ask", "Call a service that is there, and log its answer.", 5),
     ("call", "Call a service that is there, and log its answer.", 4),
-    ("end_goals", "Let the work on goals end, which is at its next step.", 0),
-    ("end_goals", "Abort the goals that are worked on when the node ends.", 0),
     ("fail", "Log an error, unless what was asked was ended.", 1),
     ("goes_on", "Tell whether the node is not ending.", 1),
     (
@@ -62,6 +60,7 @@ _HELPERS = (
     ),
 )
 _MEMBER = re.compile(rb"\b\w+_\b")
+_ENDS_GOALS = ("Let the work on goals end", "Abort the goals that are worked on")
 _STEP = b"// The work of one step goes here."
 _GOAL_FUNCTION = re.compile(r"execute_(\w+)|accept_(\w+)_goal|run_(\w+)_goal")
 _GOAL_STATEMENTS = {"execute": (4, 5), "accept": (2,), "run": (2,)}
@@ -120,6 +119,27 @@ def _is_part(node: Node, file: CppFile) -> bool:
         return True
     called = inner.child_by_field_name("function")
     return called is not None and file.syntax.word(called) in _ASKS
+
+
+def emptied_functions(analysis: Analysis, name: str, gone: Deletions) -> Iterator[list[Function]]:
+    """Yield the functions that Plastron wrote to send, or to end goals, and that do nothing now."""
+    for own, functions in analysis.unit.functions.items():
+        if not own.startswith(("publish_", "end_goals")):
+            continue
+        defined = [each for each in functions if each.scope is not None]
+        if len(defined) != 1 or not _body(defined[0]):
+            continue
+        function = defined[0]
+        is_empty = all(
+            gone.covers(function.file, each.start_byte)
+            or b"lock_guard" in function.file.syntax.code[each.start_byte : each.end_byte]
+            for each in _body(function)
+        )
+        if gone.covers(function.file, function.node.start_byte) or not is_empty:
+            continue
+        starts = (f"Publish to {name};", *_ENDS_GOALS)
+        if any(_description(each).startswith(starts) for each in functions):
+            yield functions
 
 
 def goal_functions(analysis: Analysis, name: str) -> Iterator[list[Function]]:
@@ -246,6 +266,11 @@ def unused_helpers(analysis: Analysis, gone: Deletions) -> Iterator[list[Functio
 
 def _is_described(function: Function, description: str) -> bool:
     """Tell whether the first line of the comment above a function is as it was written."""
+    return _description(function) == description
+
+
+def _description(function: Function) -> str:
+    """Return the first line of the comment above a function."""
     node, text = function.node, function.file.syntax.text
     if node.parent is not None and node.parent.type == "template_declaration":
         node = node.parent
@@ -255,4 +280,4 @@ def _is_described(function: Function, description: str) -> bool:
         if not text[above:at].lstrip().startswith(b"///"):
             break
         first, at = text[above:at].strip(), above
-    return first.removeprefix(b"///").strip() == description.encode()
+    return first.removeprefix(b"///").strip().decode(function.file.syntax.encoding, "replace")

@@ -25,6 +25,7 @@ from .leftovers import (
 )
 from .own_functions import (
     asking_function,
+    emptied_functions,
     goal_functions,
     goal_variables,
     members_of,
@@ -93,6 +94,7 @@ class _Removal:
             message = f"line {site.endpoint.line} does more than to create it"
             raise RefusedError(message, self._change.span, "change the line by hand")
         creation.delete(self._gone)
+        self._check_others(site)
         if site.endpoint.kind is EndpointKind.PARAMETER:
             self._take_descriptor(site)
         if site.endpoint.kind is EndpointKind.ACTION_SERVER:
@@ -192,6 +194,14 @@ class _Removal:
                 self._gone.statement(variable.file, variable.node)
         return True
 
+    def _check_others(self, site: Site) -> None:
+        """Refuse to take out a statement that creates other endpoints as well."""
+        for each in self._analysis.sites:
+            is_covered = self._gone.covers(each.file, each.call.node.start_byte)
+            if is_covered and each not in self._plan.lost and each not in self._sites:
+                message = f"line {site.endpoint.line} creates it among others"
+                raise RefusedError(message, self._change.span, "change the line by hand")
+
     def _take_descriptor(self, site: Site) -> None:
         """Take out the local variable that describes a parameter, and a block left empty."""
         node, scope = parameter_call(site.call).descriptor, site.call.scope
@@ -281,6 +291,11 @@ class _Removal:
     def finish(self) -> Plan:
         """Take out the callbacks and includes that nothing needs any more, and return the plan."""
         self._take_idle()
+        for functions in emptied_functions(self._analysis, self._change.name, self._gone):
+            for each in functions:
+                remove_function(each, self._gone)
+            for file, statement, _ in list(mentions(self._analysis, functions, self._gone)):
+                self._gone.statement(file, statement)
         while helpers := list(unused_helpers(self._analysis, self._gone)):
             for functions in helpers:
                 for each in functions:
@@ -292,6 +307,7 @@ class _Removal:
                 if all(is_stub(each) for each in functions if each.scope is not None):
                     for each in functions:
                         remove_function(each, self._gone)
+        self._gone.take_empty()
         take_types(self._analysis, self._plan.lost, self._gone)
         take_placeholders(self._analysis, self._gone)
         for file in self._gone.files:
