@@ -465,6 +465,43 @@ int main(int argc, char ** argv)
   rclcpp::shutdown();
 }
 """,
+    "two constructors": """
+#include <string>
+
+#include <rclcpp/rclcpp.hpp>
+#include <std_msgs/msg/string.hpp>
+
+class Sonar : public rclcpp::Node
+{
+public:
+  explicit Sonar(const rclcpp::NodeOptions & options)
+  : Node("sonar", options)
+  {
+    initialize();
+  }
+
+  Sonar(const std::string & name, const rclcpp::NodeOptions & options)
+  : Node(name, options)
+  {
+    initialize();
+  }
+
+private:
+  void initialize()
+  {
+    range_pub_ = create_publisher<std_msgs::msg::String>("range", 1);
+  }
+
+  rclcpp::Publisher<std_msgs::msg::String>::SharedPtr range_pub_;
+};
+
+int main(int argc, char ** argv)
+{
+  rclcpp::init(argc, argv);
+  rclcpp::spin(std::make_shared<Sonar>(rclcpp::NodeOptions()));
+  rclcpp::shutdown();
+}
+""",
     "parameters and pointers": """
 #include <memory>
 #include <string>
