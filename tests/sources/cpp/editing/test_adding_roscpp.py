@@ -189,8 +189,8 @@ CASES = [
      m_speed = speed->data;
 +}
 +
-+void Driver::onImu(const sensor_msgs::ImuConstPtr &speed) {
-+    ROS_INFO_STREAM("imu: " << *speed);
++void Driver::onImu(const sensor_msgs::ImuConstPtr &msg) {
++    ROS_INFO_STREAM("imu: " << *msg);
  }
 
  void Driver::onTimer(const ros::TimerEvent &) {
@@ -224,7 +224,7 @@ CASES = [
 
  private:
      void onSpeed(const std_msgs::Float64ConstPtr &speed);
-+    void onImu(const sensor_msgs::ImuConstPtr &speed);
++    void onImu(const sensor_msgs::ImuConstPtr &msg);
      void onTimer(const ros::TimerEvent &);
 
      ros::NodeHandle m_nh;
