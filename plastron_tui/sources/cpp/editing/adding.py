@@ -16,6 +16,7 @@ from plastron_tui.sources.splices import line_end, line_start
 
 from ..analysis import Analysis, Site
 from ..scopes import CppFile, Scope, Variable
+from .clang_format import ClangFormat
 from .include_place import add_include, is_included
 from .interfaces import Interfaces
 from .manner import free_name, held_by
@@ -40,6 +41,7 @@ class Addition:
         sites: the call sites of the node.
         taken: the names that the files have.
         label: the label of the node.
+        settings: what the settings around the files say of their layout.
         plan: what is to be done.
         lines: the statements that go to the place, in order.
     """
@@ -52,6 +54,7 @@ class Addition:
     sites: list[Site]
     taken: set[str]
     label: str
+    settings: ClangFormat = field(default_factory=ClangFormat)
     plan: Plan = field(default_factory=Plan)
     lines: list[str] = field(default_factory=list)
     _styles: dict[str, Style] = field(default_factory=dict)
@@ -85,7 +88,7 @@ class Addition:
     def style(self, file: CppFile) -> Style:
         """Return the layout of a file."""
         if file.name not in self._styles:
-            self._styles[file.name] = style_of(file, self.analysis.ros_version)
+            self._styles[file.name] = style_of(file, self.analysis.ros_version, self.settings)
         return self._styles[file.name]
 
     def free(self, wanted: str, end: str = "") -> str:

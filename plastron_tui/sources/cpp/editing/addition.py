@@ -33,6 +33,7 @@ from ..qos_code import latch, profile
 from .actions import request_action, serve_action
 from .adding import Addition
 from .calling import add_requests
+from .clang_format import ClangFormat
 from .computing import computing_for
 from .functions import write_function
 from .handles import handle_for
@@ -68,8 +69,16 @@ _METHODS = {
 _COPIED = re.compile(r"\d+|rclcpp::\w+\([\w(): .]*\)(?:\.\w+\(\))*")
 
 
-def plan_addition(analysis: Analysis, change: Add, catalog: Catalog) -> Plan:
+def plan_addition(
+    analysis: Analysis, change: Add, catalog: Catalog, settings: ClangFormat | None = None
+) -> Plan:
     """Plan what adds an endpoint to a node, or more messages to one that it has.
+
+    Args:
+        analysis: what is known of the files.
+        change: what is asked for.
+        catalog: the interface types.
+        settings: what the settings around the files say of their layout.
 
     Raises:
         RefusedError: the files have no place for it, or its type is not known.
@@ -86,6 +95,7 @@ def plan_addition(analysis: Analysis, change: Add, catalog: Catalog) -> Plan:
     added = Addition(
         analysis, kind, endpoint, place, interfaces, sites, identifiers(analysis), label
     )
+    added.settings = settings or ClangFormat()
     match endpoint:
         case Parameter():
             declare_parameter(added, endpoint)
@@ -98,7 +108,10 @@ def plan_addition(analysis: Analysis, change: Add, catalog: Catalog) -> Plan:
         case _:
             _add(added)
     added.put_at_place()
-    added.include_types(place.file)
+    added.include_types(added.place.file)
+    for splices in added.plan.splices.values():
+        # What is written right behind the includes comes behind those that are new.
+        splices.sort(key=lambda splice: not splice.text.lstrip().startswith(b"#include"))
     return added.plan
 
 

@@ -25,6 +25,7 @@ from ..scopes import CppFile
 from ..structure import outline
 from ..syntax import parse
 from .addition import plan_addition
+from .clang_format import clang_format_of
 from .plans import Plan, with_splices
 from .refusals import RefusedError
 from .removal import plan_removal
@@ -88,6 +89,7 @@ class _Edits:
     def __init__(self, source: SourceUnit, catalog: Catalog) -> None:
         self._source = source
         self._catalog = catalog
+        self._settings = clang_format_of(source.path)
         self.files = source.files
         outlines = outlines_of(source.files)
         self._beside, _ = sources_beside(source.path, outlines)
@@ -108,7 +110,7 @@ class _Edits:
             self._apply(plan_renames(self.analysis, renames))
         for change in changes:
             if isinstance(change, Add):
-                self._apply(plan_addition(self.analysis, change, self._catalog))
+                self._apply(plan_addition(self.analysis, change, self._catalog, self._settings))
             elif isinstance(change, Remove):
                 self._apply(plan_removal(self.analysis, change))
             elif isinstance(change, Update):
@@ -132,7 +134,7 @@ class _Edits:
         self.files, self.analysis, self.expected, self.notes = before
         remove, add = asked.apart
         self._apply(plan_removal(self.analysis, remove))
-        self._apply(plan_addition(self.analysis, add, self._catalog))
+        self._apply(plan_addition(self.analysis, add, self._catalog, self._settings))
 
     def _apply(self, plan: Plan) -> None:
         self.files = with_splices(self.files, plan.splices)

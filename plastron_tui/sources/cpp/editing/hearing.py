@@ -12,6 +12,7 @@ from plastron_tui.model.source import EndpointKind
 from ..analysis import Site
 from ..scopes import Function
 from .adding import Addition
+from .manner import split_words
 from .members import respelled
 from .style import Style
 
@@ -60,7 +61,12 @@ def message_parameter(added: Addition, class_: str) -> Parameter:
                 continue
             text = re.sub(r"\s+", " ", text)
             is_pointer = _POINTER.search(text) is not None or parameter.is_pointer
-            return Parameter(text, parameter.name, is_pointer)
+            name = parameter.name
+            said = f"{site.endpoint.name or ''}/{site.endpoint.type.name}".replace("/", "_")
+            if not {*split_words(name)}.isdisjoint(split_words(said)) and text.endswith(name):
+                # It is called after what the other one hears.
+                text, name = f"{text.removesuffix(name)}msg", "msg"
+            return Parameter(text, name, is_pointer)
     reference = added.style(added.place.file).reference
     if not added.is_ros2:
         return Parameter(f"const {class_}::ConstPtr{reference}msg", "msg", True)

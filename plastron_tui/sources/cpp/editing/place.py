@@ -152,7 +152,12 @@ def _rank(analysis: Analysis, function: Function, depth: int = 0) -> int | None:
         return None
     calls = analysis.callers.of(function)
     if len(calls) > 1:
-        return None
+        # Of several constructors one runs.
+        outers = [analysis.unit.function_of(each.scope) for each in calls]
+        names = {"" if each is None else each.name for each in outers}
+        is_each_once = len({id(each) for each in outers}) == len(outers)
+        is_made_so = owner is not None and names == {owner.name}
+        return 0 if is_made_so and is_each_once else None
     if not calls:
         return 1 if _STARTING.match(function.name) else 2
     (call,) = calls

@@ -158,7 +158,9 @@ def _once(added: Addition, sender: Sender, publications: Sequence[Publication]) 
     timer = timer_name(added, added.topic)
     end = "_" if timer.endswith("_") else ""
     heard = added.free(f"{added.topic}_is_heard{end}", end)
-    if not is_local(added):
+    if is_local(added):
+        added.lines.append(f"bool {heard} = false;")
+    else:
         declare(added, f"bool {heard} = false;")
     body = [
         f"const bool was_heard = {heard};",
@@ -172,11 +174,9 @@ def _once(added: Addition, sender: Sender, publications: Sequence[Publication]) 
             ],
         ),
     ]
-    taken = (*_captures(added, sender, body), f"&{timer}", f"{heard} = false")
+    taken = (*_captures(added, sender, body), f"&{timer}", f"&{heard}")
     period = period_of(added, _ONCE)
-    run_at(
-        added, added.topic, "publish", period, body, timer=timer, captures=taken, is_mutable=True
-    )
+    run_at(added, added.topic, "publish", period, body, timer=timer, captures=taken)
 
 
 def _react(added: Addition, sender: Sender, publication: Publication, reaction: Reaction) -> None:

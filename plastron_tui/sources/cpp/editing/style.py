@@ -9,6 +9,7 @@ from dataclasses import dataclass
 from plastron_tui.sources.splices import line_start, newline_of
 
 from ..scopes import CppFile
+from .clang_format import ClangFormat
 
 _TAB = 4
 LONGEST = 100
@@ -115,8 +116,11 @@ def _is_in_template(line: str, start: int, at: int) -> bool:
     return part.count("<") > part.count(">")
 
 
-def style_of(file: CppFile, ros_version: int) -> Style:
-    """Return the layout of a file."""
+def style_of(file: CppFile, ros_version: int, said: ClangFormat) -> Style:
+    """Return the layout of a file: as its lines show it, and else as settings say.
+
+    How long a line may be is what the settings say first.
+    """
     text, syntax = file.syntax.text, file.syntax
     steps: Counter[str] = Counter()
     broken: Counter[bool] = Counter()
@@ -136,19 +140,22 @@ def style_of(file: CppFile, ros_version: int) -> Style:
             inner = _blanks(text, each.start_byte)
             if inner.startswith(outer) and inner != outer:
                 steps[inner.removeprefix(outer)] += 1
-    indent = steps.most_common(1)[0][0] if steps else "  "
+    indent = steps.most_common(1)[0][0] if steps else said.indent or "  "
     if "\t" not in indent and len(indent) > 8:
         indent = "  "
     control = Counter(found[1] is None for found in _CONTROL.finditer(syntax.code))
-    is_broken = broken[True] > broken[False] if broken else ros_version == 2
+    usual = ros_version == 2 if said.is_broken is None else said.is_broken
+    is_broken = broken[True] > broken[False] if broken else usual
     is_control_broken = control[True] > control[False]
     references = Counter(
         f"{found[1]}&{found[2]}" for found in _REFERENCE.finditer(text.decode("latin-1"))
     )
     known = [each for each, _ in references.most_common() if each.strip() != each]
-    reference = known[0] if known else " & " if ros_version == 2 else "& "
+    reference = known[0] if known else said.reference or (" & " if ros_version == 2 else "& ")
     longest = max((len(line.rstrip()) for line in text.split(b"\n")), default=0)
-    width = LONGEST if ros_version == 2 else max(min(longest, 120), 80)
+    width = said.width or 0
+    if not width:
+        width = LONGEST if ros_version == 2 else max(min(longest, 120), 80)
     newline = newline_of(text).decode()
     return Style(indent, newline, is_broken, is_control_broken, reference, width)
 

@@ -82,7 +82,6 @@ def run_at(
     captures: tuple[str, ...] = (),
     handle: str = "",
     once: bool = False,
-    is_mutable: bool = False,
 ) -> None:
     """Let a timer of its own do something: a method of the class, or a lambda in a function.
 
@@ -96,7 +95,6 @@ def run_at(
         captures: the local variables that the body uses.
         handle: the handle of ROS 1 that it is created on, "" for the usual one.
         once: whether it ticks once, in ROS 1.
-        is_mutable: whether the lambda changes what it takes.
     """
     timer = timer or timer_name(added, words)
     if added.owner is not None:
@@ -111,8 +109,7 @@ def run_at(
     taken = f"[{', '.join(dict.fromkeys(captures))}]"
     head = f"{_declared(added)}{timer} = {_head(added, handle)}{period}, "
     tail = ", true);" if once else ");"
-    change = " mutable" if is_mutable and is_local(added) else ""
-    opening = f"{taken}({event_parameter(added)}){change} {{"
+    opening = f"{taken}({event_parameter(added)}) {{"
     style = added.style(added.place.file)
     if len(head) + len(opening) + len(style.indent) <= style.width:
         added.lines.append(f"{head}{opening}")
