@@ -99,20 +99,23 @@ def _files() -> list[Path]:
     return sorted([*PROGRAMS.glob("*.plastron"), *_EXAMPLES.glob("*.plastron")])
 
 
-def corpus(libraries: Sequence[str], *, managed: bool, actions: bool) -> str:
+def corpus(libraries: Sequence[str], *, managed: bool, actions: bool, in_turn: bool = False) -> str:
     """Return a program with the nodes of all programs.
 
     Args:
         libraries: what each node is for; for the second one it is called `NODE_plugin`.
         managed: whether nodes that are managed are so; else they are usual ones.
         actions: whether programs that have actions are there.
+        in_turn: whether a program is for one of the libraries only, the next for the next, but
+            those whose nodes are run.
     """
     parts: list[str] = []
-    for stem, text in _programs(managed, actions):
+    for number, (stem, text) in enumerate(_programs(managed, actions)):
         kept = stem in _NAMED
         suffixes = ("", "plugin") if kept else (stem, f"{stem}_plugin")
-        for library, suffix in zip(libraries, suffixes, strict=False):
-            parts.append(_distinct(written(text, library), suffix, are_names_kept=kept))
+        for place, (library, suffix) in enumerate(zip(libraries, suffixes, strict=False)):
+            if kept or not in_turn or number % len(libraries) == place:
+                parts.append(_distinct(written(text, library), suffix, are_names_kept=kept))
     return "\n".join(parts)
 
 
@@ -173,7 +176,8 @@ def build_with_catkin(cache: Path) -> Built:
         if not (folder / "made").exists():
             for name in _TABLE:
                 _write_types(folder / "src" / name, name)
-            generate(corpus(("roscpp", "nodelet"), managed=False, actions=True), package)
+            program = corpus(("roscpp", "nodelet"), managed=False, actions=True, in_turn=True)
+            generate(program, package)
             flags = _precompiled(folder, "ros/ros.h", _CATKIN)
             # Only C++ is asked for.
             others = {"ROS_LANG_DISABLE": "geneus:genlisp:gennodejs:genpy"}
@@ -226,6 +230,9 @@ def build_with_colcon(cache: Path, rclcpp: CppLibrary, environ: Mapping[str, str
             libraries = ("rclcpp", "component") if rclcpp.is_real else ("rclcpp",)
             generate(corpus(libraries, managed=rclcpp.is_real, actions=rclcpp.is_real), package)
             tools = complete_ros2(folder, library)
+            # What the environment's own rclcpp is built with.
+            told = ("CMAKE_TOOLCHAIN_FILE", "LDFLAGS") if rclcpp.is_real else ()
+            tools.update({name: os.environ[name] for name in told if name in os.environ})
             flags = " ".join([*FLAGS, *WARNINGS, *rclcpp.beginning])
             build = {**tools, "CXXFLAGS": flags, "MAKEFLAGS": f"-j{JOBS}"}
             call(["colcon", "build"], folder, build)

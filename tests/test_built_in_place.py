@@ -142,3 +142,14 @@ def test_the_output_folder_leaves_the_package_alone(tmp_path):
     before = texts(tmp_path / "demo")
     run(HEARS, tmp_path, "roscpp")
     assert texts(tmp_path / "demo") == before
+
+
+def test_a_package_that_cannot_be_read_is_told(tmp_path):
+    folder = package(tmp_path, "roscpp", CATKIN)
+    text = (folder / "package.xml").read_text().replace("<version>0.1.0</version>", "")
+    (folder / "package.xml").write_text(text)
+    before = texts(folder)
+    told = run(HEARS, tmp_path, "roscpp", in_place=True)
+    assert [(x.severity, x.file) for x in told] == [("warning", folder / "package.xml")]
+    after = texts(folder)
+    assert {name for name in after if after[name] != before[name]} == {"src/talker.cpp"}

@@ -77,6 +77,7 @@ KINDS = {
 }
 LIBRARIES = {"catkin": ("roscpp", "nodelet"), "ament_cmake": ("rclcpp", "component")}
 CASES = [(kind, library) for kind, (tool, _, _) in KINDS.items() for library in LIBRARIES[tool]]
+ENDS = ("\n", "\r\n") * (len(CASES) // 2)
 
 
 def package(kind: str) -> dict[str, str]:
@@ -104,12 +105,12 @@ def program(library: str) -> str:
 OUT = "load_package 'demo' as demo\ndemo no_longer_contains 'talker'\ngenerate_package demo\n"
 
 
-@pytest.mark.parametrize(("kind", "library"), CASES)
-@pytest.mark.parametrize("is_crlf", [False, True])
+@pytest.mark.parametrize(
+    ("kind", "library", "end"), [(*case, end) for case, end in zip(CASES, ENDS, strict=True)]
+)
 def test_what_is_put_in_place_is_taken_out_to_the_byte(
-    kind: str, library: str, is_crlf: bool, tmp_path: Path
+    kind: str, library: str, end: str, tmp_path: Path
 ) -> None:
-    end = "\r\n" if is_crlf else "\n"
     files = {name: text.replace("\n", end).encode() for name, text in package(kind).items()}
     folder = lay(tmp_path, files)
     before = texts(folder)
@@ -124,3 +125,14 @@ def test_what_is_put_in_place_is_taken_out_to_the_byte(
     # And in again, as it was.
     run(program(library), tmp_path, library, in_place=True)
     assert texts(folder) == after
+
+
+def test_what_another_node_needs_by_now_stays(tmp_path: Path) -> None:
+    folder = lay(tmp_path, package("ament, full"))
+    run(program("rclcpp"), tmp_path, "rclcpp", in_place=True)
+    lay(tmp_path, {"src/listener.cpp": "#include <std_msgs/msg/string.hpp>\n"})
+    run(OUT, tmp_path, "rclcpp", in_place=True)
+    now = texts(folder)
+    assert b"find_package(std_msgs REQUIRED)" in now["CMakeLists.txt"]
+    assert b"<depend>std_msgs</depend>" in now["package.xml"]
+    assert b"talker" not in now["CMakeLists.txt"]

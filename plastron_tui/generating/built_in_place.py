@@ -31,14 +31,30 @@ if TYPE_CHECKING:
 def changed_in_place(
     made: Sequence[Generated], libraries: Mapping[str, Library]
 ) -> Iterator[tuple[Generated, Path]]:
-    """Yield the loaded nodes that are built, and written over what they came from, with paths."""
+    """Yield the loaded nodes that are built, and come to need something, with their paths.
+
+    Those are written over what they came from.
+    """
     for each in made:
         source = each.generation.node.source
         library = libraries.get(each.generation.library)
         if source is None or library is None or each.files is None or each.files.path is None:
             continue
-        if library.target.language.is_built and each.files.files != source.files:
+        if library.target.language.is_built and new_packages(each, library):
             yield each, each.files.path
+
+
+def new_packages(generated: Generated, library: Library) -> list[str]:
+    """Return the packages whose headers a loaded node includes that it did not before."""
+    loaded, files = generated.generation.node.source, generated.files
+    assert loaded is not None, "it was loaded"
+    assert files is not None, "it is written"
+    language, version = library.target.language, library.target.ros_version
+    known = known_packages(library)
+    start = loaded.origin.files if loaded.origin is not None else loaded.files
+    new = _headers(language, files.files) - _headers(language, start)
+    keys = {key_of_header(header, version, known) for header in new}
+    return sorted(x for x in keys if x is not None and is_ros_package(x, version, known))
 
 
 def needed_files(
@@ -57,18 +73,9 @@ def needed_files(
     found: list[Diagnostic] = []
     for each, path in nodes:
         library = libraries[each.generation.library]
-        loaded = each.generation.node.source
-        assert loaded is not None, "it was loaded"
-        assert each.files is not None, "it is written"
-        language, version = library.target.language, library.target.ros_version
-        if version != source.ros_version:
+        if library.target.ros_version != source.ros_version:
             continue
-        known = known_packages(library)
-        start = loaded.origin.files if loaded.origin is not None else loaded.files
-        new = _headers(language, each.files.files) - _headers(language, start)
-        keys = {key_of_header(header, version, known) for header in new}
-        packages = sorted(x for x in keys if x is not None and (is_ros_package(x, version, known)))
-        packages = [x for x in packages if x != source.name]
+        packages = [x for x in new_packages(each, library) if x != source.name]
         if not packages:
             continue
         file = os.path.relpath(path, source.folder).replace(os.sep, "/")

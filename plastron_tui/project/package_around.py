@@ -8,9 +8,9 @@ from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING, NamedTuple
 
-from plastron_tui.diagnostics import Diagnostic
+from plastron_tui.diagnostics import Diagnostic, Severity
 from plastron_tui.generating.own_package import Around, OwnPackages
-from plastron_tui.model.package_source import LoadedPackage
+from plastron_tui.model.package_source import LoadedPackage, PackageSource
 from plastron_tui.model.workspace import Generation, Workspace
 from plastron_tui.output.plan import OutputFile
 from plastron_tui.sources.packages.reading import PACKAGE_XML
@@ -96,6 +96,7 @@ class BuiltPlaces:
             manifest: what is remembered of the output folder.
         """
         self._configuration = configuration
+        self._workspace = workspace
         self._library_of = library_of
         self._manifest = manifest
         self._program = program
@@ -127,6 +128,42 @@ class BuiltPlaces:
         libraries = {name: found for name in LIBRARIES if (found := self._library_of(name))}
         output = self._configuration.output
         return FilesAround(*package_files_around(source, made, libraries, output))
+
+    def files_needed(self, made: Sequence[Generated]) -> FilesAround:
+        """Return what the packages of nodes that are changed in place come to need for them.
+
+        What the program loads as a package is changed there, and is left out here.
+        """
+        from plastron_tui.generating.built_in_place import changed_in_place, needed_files
+        from plastron_tui.output.manifest import Manifest
+
+        libraries = {name: known for name in LIBRARIES if (known := self._library_of(name))}
+        packages = () if self._workspace is None else self._workspace.written_packages
+        sources = (each.package.source for each in packages)
+        loaded = {os.path.realpath(x.folder) for x in sources if x is not None}
+        found: list[Diagnostic] = []
+        nodes: dict[Path, list[tuple[Generated, Path]]] = {}
+        read: dict[Path, PackageSource] = {}
+        boundary = self._configuration.boundary
+        for each, path in changed_in_place(made, libraries):
+            version = libraries[each.generation.library].target.ros_version
+            # Whatever was written there before, the package is there.
+            around = find_package_around(path.parent, boundary, Manifest(), version)
+            if around is None or os.path.realpath(around.folder) in loaded:
+                continue
+            if around.read.source is None:
+                # The node is right all the same, and its package is to be mended first.
+                warning = Severity.WARNING
+                found += (x._replace(severity=warning) for x in around.read.diagnostics)
+                continue
+            read[around.folder] = around.read.source
+            nodes.setdefault(around.folder, []).append((each, path))
+        files: list[OutputFile] = []
+        for folder, source in read.items():
+            changed, notes = needed_files(source, nodes[folder], libraries)
+            files += changed
+            found += notes
+        return FilesAround(files, found)
 
     def _target(self, name: str) -> Target | None:
         library = self._library_of(name)

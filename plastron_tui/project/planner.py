@@ -21,7 +21,6 @@ if TYPE_CHECKING:
     from plastron_tui.generating.generation import Generated
     from plastron_tui.generating.program_packages import ProgramPackages
     from plastron_tui.model.own_types import OwnInterfaces
-    from plastron_tui.model.package_source import PackageSource
     from plastron_tui.model.packages import Package
     from plastron_tui.model.source import FileSet
     from plastron_tui.model.workspace import Generation, Workspace
@@ -200,9 +199,10 @@ class Planner:
             return FilePlan(output, ()), (*found, configuration.output_problem)
         whole, notes = self._whole(made, manifest)
         found += notes
-        needed, notes = self._needed(made)
-        whole += needed
-        found += notes
+        if configuration.options.in_place:
+            needed = self._places.files_needed(made)
+            whole += needed.files
+            found += (*needed.diagnostics, *self._leading_out(needed.files))
         sets = (generated.files for generated in made if generated.files is not None)
         files = [file for each in (*sets, *common.files) for file in each.output_files()]
         if params is not None:
@@ -214,40 +214,6 @@ class Planner:
             found += self._left(files, manifest)
         plan, problems = make_plan(output, files, manifest, within=configuration.writes_within)
         return plan, (*found, *problems)
-
-    def _needed(self, made: Sequence[Generated]) -> tuple[list[OutputFile], list[Diagnostic]]:
-        """Change the packages of loaded nodes for what these come to need, where they are built."""
-        if not self._configuration.options.in_place:
-            return [], []
-        from plastron_tui.generating.built_in_place import changed_in_place, needed_files
-        from plastron_tui.output.manifest import Manifest
-
-        from .package_around import find_package_around
-
-        libraries = {name: known for name in LIBRARIES if (known := self._library(name))}
-        packages = () if self._workspace is None else self._workspace.written_packages
-        loaded = {
-            os.path.realpath(each.package.source.folder)
-            for each in packages
-            if each.package.source is not None
-        }
-        by_folder: dict[str, tuple[PackageSource, list[tuple[Generated, Path]]]] = {}
-        for each, path in changed_in_place(made, libraries):
-            version = libraries[each.generation.library].target.ros_version
-            boundary = self._configuration.boundary
-            around = find_package_around(path.parent, boundary, Manifest(), version)
-            source = None if around is None else around.read.source
-            if source is None or os.path.realpath(source.folder) in loaded:
-                continue
-            by_folder.setdefault(str(source.folder), (source, []))[1].append((each, path))
-        files: list[OutputFile] = []
-        found: list[Diagnostic] = []
-        for source, nodes in by_folder.values():
-            changed, notes = needed_files(source, nodes, libraries)
-            files += changed
-            found += notes
-        found += self._leading_out(files)
-        return files, found
 
     def _left(self, files: Sequence[OutputFile], manifest: Manifest) -> list[Diagnostic]:
         """Tell the files of packages that the program has written, and writes no longer."""

@@ -21,7 +21,7 @@ def load_nodelet(graph: CppGraph, built: Built, node: str) -> CppProcess:
     """Load a node into a manager of its own, `NODE_manager`, and return the manager's process."""
     plugins = ElementTree.parse(built.package / "nodelet_plugins.xml").getroot().iter("class")
     class_ = _class(node, [each.attrib["name"] for each in plugins])
-    env = {**graph.env, **plugin_environ(built.package, built.prefix)}
+    env = {**graph.env, **graph.program_env, **plugin_environ(built.package, built.prefix)}
     manager, *_ = [
         _started(replace(graph, env=env), name, *arguments)
         for name, arguments in (

@@ -114,19 +114,19 @@ class Nodes:
 
     Attributes:
         graph: where they run.
-        start: starts one by its name, and waits until it has some topics and services.
+        start: starts one by its name, and waits until it has topics and services if they are named.
     """
 
     graph: Graph
-    start: Callable[[str, tuple[str, ...]], Process]
+    start: Callable[..., Process]
 
 
 def python_nodes(graph: Graph, folder: Path) -> Nodes:
-    def start(name: str, _: tuple[str, ...]) -> Process:
+    def start(name: str, wanted: tuple[str, ...] = ()) -> Process:
         program = str(program_with(name).with_suffix(""))
         made = generate(program, folder / name, graph.target)
         [file] = [made[each] for each in made if each.startswith(f"{name}_")]
-        return graph.run_and_wait(file)
+        return graph.run_and_wait(file) if wanted else graph.run(file)
 
     return Nodes(graph, start)
 
@@ -134,24 +134,27 @@ def python_nodes(graph: Graph, folder: Path) -> Nodes:
 def cpp_nodes(
     ros: Graph, library: str, built: Built, folder: Path, rclcpp: CppLibrary | None
 ) -> Nodes:
-    environ = {} if rclcpp is None else rclcpp.environ
+    # A line of rosconsole that is not written at once would be waited for.
+    line_by_line = {"ROSCONSOLE_STDOUT_LINE_BUFFERED": "1"}
+    environ = line_by_line if rclcpp is None else rclcpp.environ
     parts = (ros.python, ros.probe, ros.env, ros.folder, ros.started)
     graph = CppGraph(ros.target, *parts, program_env=environ)
 
-    def start(name: str, wanted: tuple[str, ...]) -> Process:
+    def start(name: str, wanted: tuple[str, ...] = ()) -> Process:
         waiting = replace(graph, wanted=wanted)
         if library == "nodelet":
             process = load_nodelet(waiting, built, name)
-            process.told = waiting.described(f"{name}_manager")
-            return process
-        if library == "component" and rclcpp is not None and rclcpp.is_real:
+        elif library == "component" and rclcpp is not None and rclcpp.is_real:
             process = load_component(waiting, built, name)
         elif library == "component":
             assert rclcpp is not None
             process = waiting.run(component_program(name, folder, rclcpp))
         else:
             process = waiting.run(built.program(name))
-        process.told = waiting.described(name)
+        if wanted:
+            # What nodelets have is that of the node whose process they are in.
+            told_of = f"{name}_manager" if library == "nodelet" else name
+            process.told = waiting.described(told_of)
         return process
 
     return Nodes(graph, start)
@@ -252,11 +255,11 @@ WITH_ACTIONS = tuple(
 @pytest.mark.parametrize("nodes", named(WITH_ACTIONS), indirect=True)
 def test_the_same_goals(nodes: Nodes) -> None:
     graph = nodes.graph
-    counter = nodes.start("counter", ("/count/goal",) if graph.target == "rospy" else ())
+    counter = nodes.start("counter")
     assert outcomes(send(graph)) == {0: "succeeded"}
     assert outcomes(send(graph, cancel_at=2)) == {0: CANCELED[graph.target]}
     assert counter.interrupt(20) == 0, counter.output
     server = serve(graph, "succeed")
-    asker = nodes.start("asker", ("/count/goal",) if graph.target == "rospy" else ())
+    asker = nodes.start("asker")
     asker.wait_to_print("succeeded")
     assert [each["goal"] for each in told(server, "goal")] == [{"order": 5}]

@@ -284,7 +284,7 @@ def _groups(lists: CMakeLists, gone: frozenset[int]) -> Iterator[list[Statement]
 
 
 def _removal(lists: CMakeLists, group: Sequence[Statement]) -> Splice:
-    """Return how commands are taken out: with the blank line above, or else the one below."""
+    """Return how commands are taken out: with the blank line above, as they were put in."""
     text = lists.listing.text
     start, end = line_start(text, group[0].start), line_end(text, group[-1].end)
     rest = text[group[-1].end : end].strip()
@@ -300,8 +300,7 @@ def _removal(lists: CMakeLists, group: Sequence[Statement]) -> Splice:
     if start > previous and not above:
         return Splice(previous, end)
     following = line_end(text, end)
-    if following > end and not text[end:following].strip() and not above.startswith(b"#"):
-        # Below a comment, the blank line parts it from the next paragraph.
+    if not start and not text[end:following].strip():
         return Splice(start, following)
     return Splice(start, end)
 
@@ -357,8 +356,8 @@ def _without_extras(
     path = listing.path
     for count in range(min(len(found), 3), 0, -1):
         for some in combinations(found, count):
-            for at in range(2):
-                splices = [list(command_removals(listing, each)) for each in some]
+            splices = [list(command_removals(listing, each)) for each in some]
+            for at in range(max(map(len, splices))):
                 ways = [each[min(at, len(each) - 1)] for each in splices if each]
                 after = apply(listing.text, [y for x in ways for y in x])
                 if add_target(after, path, new).text == before:

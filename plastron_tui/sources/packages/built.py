@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, NamedTuple
 from plastron_tui.model.package_source import PackageSource
 
 from .changing import Changed, add_dependencies, with_edit
-from .nodelets import NODELET
+from .nodelets import NODELET, PREFIX, export_description
 from .reading import CMAKE_LISTS, PACKAGE_XML
 
 if TYPE_CHECKING:
@@ -21,7 +21,6 @@ if TYPE_CHECKING:
 
 _USUAL_FILE = "nodelet_plugins.xml"
 _NEEDS = ("build", "exec")
-_PREFIX = "${prefix}/"
 
 
 def add_built_node(
@@ -115,7 +114,7 @@ def _described(
         return _Described(Changed(None, found))
     library = f"lib/lib{target_of(lists, target)}".replace("${PROJECT_NAME}", lists.name or "")
     exported = [
-        (each.get("plugin") or "").removeprefix(_PREFIX)
+        (each.get("plugin") or "").removeprefix(PREFIX)
         for export in package.document.root.named("export")
         for each in export.named(NODELET)
     ]
@@ -150,8 +149,6 @@ def _describes_alone(text: bytes | None, plugin: PluginClass) -> bool:
 def _new_file(
     source: PackageSource, texts: Mapping[str, bytes], file: str, library: str, plugin: PluginClass
 ) -> _Described:
-    from plastron_tui.sources.xml.edits import insert_last
-    from plastron_tui.sources.xml.new_element import NewElement
     from plastron_tui.sources.xml.package_xml import read_package
     from plastron_tui.sources.xml.plugins import add_class, read_plugins
 
@@ -164,15 +161,7 @@ def _new_file(
     made = add_class(plugins, library, plugin)
     if made.plugins is None:
         return _Described(Changed(None, made.diagnostics))
-    tag = NewElement(NODELET, (("plugin", f"{_PREFIX}{file}"),))
-    exports = package.document.root.named("export")
-    edit = (
-        insert_last(package.document, exports[-1], tag)
-        if exports
-        else insert_last(
-            package.document, package.document.root, NewElement("export", children=(tag,))
-        )
-    )
+    edit = export_description(package.document, file)
     if edit.document is None:
         return _Described(Changed(None, edit.diagnostics))
     changed = {**texts, PACKAGE_XML: edit.document.text, file: made.plugins.document.text}

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Container, Iterable, Mapping
+from collections.abc import Callable, Collection, Container, Iterable, Mapping
 from typing import NamedTuple
 
 from plastron_tui.diagnostics import Diagnostic, codes
@@ -47,7 +47,7 @@ class Needs(NamedTuple):
     of: Callable[[bytes], Mapping[str, Iterable[str]]]
     added: Mapping[str, bool] | None = None
     others_added: Container[str] = ()
-    found: Container[str] | None = None
+    found: Collection[str] | None = None
 
 
 def add_node(
@@ -280,7 +280,8 @@ def remove_dependencies(
     source: PackageSource,
     texts: Mapping[str, bytes],
     keys: Iterable[str],
-    tags: Iterable[str] = _REMOVABLE,
+    tags: Collection[str] = _REMOVABLE,
+    needs: Iterable[str] | None = None,
 ) -> Changed:
     """Let a package depend on others no more.
 
@@ -289,8 +290,9 @@ def remove_dependencies(
         texts: what its files hold by now.
         keys: packages and rosdep keys.
         tags: those of the elements that may go.
+        needs: what they were there for; only what that added goes where it shows.
     """
-    from plastron_tui.sources.xml.dependencies import remove_dependency
+    from plastron_tui.sources.xml.dependencies import add_dependency, remove_dependency
     from plastron_tui.sources.xml.package_xml import read_package
 
     package, found = read_package(texts[PACKAGE_XML], source.folder / PACKAGE_XML)
@@ -300,5 +302,14 @@ def remove_dependencies(
         edit = remove_dependency(package, key, source.ros_version, tags)
         if edit.package is None:
             return Changed(None, edit.diagnostics)
+        ways = [edit.tags, *((one,) for one in edit.tags)] if needs is not None else []
+        for way in ways:
+            less = remove_dependency(package, key, source.ros_version, way)
+            if less.package is not None and needs is not None:
+                again = add_dependency(less.package, key, needs, source.ros_version).package
+                if again is not None and again.document.text == package.document.text:
+                    edit = less
+                    break
+        assert edit.package is not None, "both were made"
         package = edit.package
     return Changed({**texts, PACKAGE_XML: package.document.text})

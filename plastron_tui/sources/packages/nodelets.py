@@ -16,12 +16,35 @@ from .reading import CMAKE_LISTS, PACKAGE_XML
 
 if TYPE_CHECKING:
     from plastron_tui.sources.cmake.reader import CMakeLists
+    from plastron_tui.sources.xml.document import XmlDocument
+    from plastron_tui.sources.xml.edits import XmlEdit
     from plastron_tui.sources.xml.plugins import PluginClass
 
 NODELET = "nodelet"
 """The package that loads nodelets, and the tag of package.xml that is for it."""
 
 NODELET_BASE = "nodelet::Nodelet"
+
+
+PREFIX = "${prefix}/"
+"""The folder of a package, in what its package.xml exports."""
+
+
+def export_description(document: XmlDocument, file: str) -> XmlEdit:
+    """Let a package.xml tell a nodelet manager of a plugin description.
+
+    Args:
+        document: the package.xml.
+        file: the description, by its path in the package.
+    """
+    from plastron_tui.sources.xml.edits import insert_last
+    from plastron_tui.sources.xml.new_element import NewElement
+
+    tag = NewElement(NODELET, (("plugin", f"{PREFIX}{file}"),))
+    exports = document.root.named("export")
+    if exports:
+        return insert_last(document, exports[-1], tag)
+    return insert_last(document, document.root, NewElement("export", children=(tag,)))
 
 
 class Described(NamedTuple):

@@ -9,14 +9,13 @@ from typing import TYPE_CHECKING
 from plastron_tui.diagnostics import Diagnostic, codes
 
 from .changing import Changed, Needs, remove_dependencies, with_edit
-from .nodelets import NODELET, Described, described_nodelets
+from .nodelets import NODELET, PREFIX, Described, described_nodelets, export_description
 from .reading import CMAKE_LISTS, PACKAGE_XML
 
 if TYPE_CHECKING:
     from plastron_tui.model.package_source import InstalledExecutable, PackageSource
 
 _REMOVABLE = ("exec_depend", "run_depend", "build_depend", "build_export_depend", "depend")
-_PREFIX = "${prefix}/"
 
 
 def remove_built_node(
@@ -56,8 +55,9 @@ def remove_built_node(
     if after.texts is None:
         return after
     lists = after.texts[CMAKE_LISTS]
-    gone = [key for key in gone if not names_package(lists, key)]
-    return remove_dependencies(source, after.texts, gone, _REMOVABLE)
+    before = needs.added or {}
+    gone = [key for key in gone if before.get(key) or not names_package(lists, key)]
+    return remove_dependencies(source, after.texts, gone, _REMOVABLE, ("build", "exec"))
 
 
 def own_files(
@@ -104,7 +104,8 @@ def _needed_no_more(
         if name not in left_out and not name.endswith("plugins.xml")
     }
     nodes = {name: text for name, text in others.items() if name in needs.others_added}
-    wanted = {key for file in files for key in needs.of(texts[file])} | set(needs.added or ())
+    wanted = {key for file in files for key in needs.of(texts[file])}
+    wanted |= {*(needs.added or ()), *(needs.found or ())}
     gone = {}
     for key in sorted(wanted):
         judged = nodes if needs.added is not None and needs.added.get(key) else others
@@ -162,13 +163,23 @@ def _unexported(source: PackageSource, texts: dict[str, bytes], file: str) -> Ch
         return Changed(None, found)
     for export in package.document.root.named("export"):
         for each in export.named(NODELET):
-            if (each.get("plugin") or "").removeprefix(_PREFIX) != file:
+            if (each.get("plugin") or "").removeprefix(PREFIX) != file:
                 continue
-            is_alone = len(export.children) == 1 and not export.text.strip()
-            edit = remove_element(package.document, export if is_alone else each)
-            if edit.document is None:
-                return Changed(None, edit.diagnostics)
-            return Changed({**texts, PACKAGE_XML: edit.document.text})
+            ways = [
+                remove_element(package.document, export),
+                remove_element(package.document, each),
+                remove_element(package.document, each, closes=False),
+            ]
+            plain = ways[1]
+            for edit in ways:
+                if edit.document is None:
+                    continue
+                again = export_description(edit.document, file).document
+                if again is not None and again.text == package.document.text:
+                    return Changed({**texts, PACKAGE_XML: edit.document.text})
+            if plain.document is None:
+                return Changed(None, plain.diagnostics)
+            return Changed({**texts, PACKAGE_XML: plain.document.text})
     return Changed(texts)
 
 

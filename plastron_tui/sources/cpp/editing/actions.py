@@ -18,12 +18,12 @@ from .adding import Addition
 from .calling import waits
 from .computing import computing_for
 from .functions import write_function
+from .handles import handle_for
 from .hearing import bind_manner, existing
 from .interfaces import refuse
 from .logging import log_line
 from .manner import method_naming
 from .members import hold, is_local, type_of
-from .place import handle_for
 from .timers import capture, node_captures, period_of, run_at, timer_name
 
 K = EndpointKind

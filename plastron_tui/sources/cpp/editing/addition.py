@@ -35,6 +35,7 @@ from .adding import Addition
 from .calling import add_requests
 from .computing import computing_for
 from .functions import write_function
+from .handles import handle_for
 from .hearing import (
     bound,
     existing,
@@ -47,7 +48,7 @@ from .logging import log_line
 from .manner import callback_naming, held_by, identifiers, split_words
 from .members import hold, is_local, type_of
 from .parameters import declare_parameter
-from .place import beside, find_place, handle_for, sites_of_node
+from .place import beside, find_place, sites_of_node
 from .plans import Plan
 from .sending import Sender, add_publishing
 from .timers import create_timer, event_parameter, period_of, timer_name

@@ -2,17 +2,18 @@
 
 from __future__ import annotations
 
+from plastron_tui.diagnostics import Diagnostic, codes
 from plastron_tui.model.kinds import Rate
 from plastron_tui.model.source import EndpointKind
 
 from .. import literals
 from .adding import Addition
 from .functions import write_function
+from .handles import handle_for
 from .hearing import bound, wrapped
 from .manner import method_naming
 from .members import hold, is_local, type_of
 from .parameters import read_parameter
-from .place import handle_for
 
 K = EndpointKind
 
@@ -20,6 +21,10 @@ K = EndpointKind
 def period_of(added: Addition, rate: Rate | float) -> str:
     """Write the time between two turns, as the client library takes it."""
     if isinstance(rate, Rate) and rate.parameter is not None:
+        bare = rate.parameter.removeprefix("~/")
+        message = f"the rate of `{added.endpoint.name}` is what `{bare}` is as the node starts"
+        help_ = f"let the timer follow `{bare}` by hand, if that changes while the node runs"
+        added.plan.notes.append(Diagnostic(codes.READ_ONCE, message, added.span, help=help_))
         text = f"1.0 / {read_parameter(added, rate.parameter).text}"
         if added.is_ros2:
             return f"std::chrono::duration<double>({text})"
@@ -99,7 +104,11 @@ def run_at(
         write_function(added, name, event_parameter(added), body)
         create_timer(added, timer, period, name, handle=handle, once=once)
         return
-    taken = f"[{', '.join(dict.fromkeys(captures))}]" if is_local(added) else "[]"
+    node = added.place.node
+    uses_node = bool(node) and any(node in line for line in body)
+    # What the file has is seen without a word.
+    captures = captures if is_local(added) else node_captures(added) if uses_node else ()
+    taken = f"[{', '.join(dict.fromkeys(captures))}]"
     head = f"{_declared(added)}{timer} = {_head(added, handle)}{period}, "
     tail = ", true);" if once else ");"
     change = " mutable" if is_mutable and is_local(added) else ""

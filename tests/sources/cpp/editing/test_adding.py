@@ -723,49 +723,6 @@ CASES = [
         id="a message at a rate, in main",
     ),
     pytest.param(
-        provide("shut", "std_srvs/Trigger"),
-        """
- #include <rclcpp/rclcpp.hpp>
- #include <std_srvs/srv/trigger.hpp>
-
- class Gate : public rclcpp::Node {
- 	rclcpp::Service<std_srvs::srv::Trigger>::SharedPtr _openService;
-+	rclcpp::Service<std_srvs::srv::Trigger>::SharedPtr _shutService;
-
- 	void handleOpen(
- 		const std::shared_ptr<std_srvs::srv::Trigger::Request> req,
- 		std::shared_ptr<std_srvs::srv::Trigger::Response> res)
- 	{
- 		(void)req;
- 		res->success = true;
- 	}
-
-+	void handleShut(
-+		const std::shared_ptr<std_srvs::srv::Trigger::Request> req,
-+		std::shared_ptr<std_srvs::srv::Trigger::Response> res) {
-+		RCLCPP_INFO(get_logger(), "shut: %s", to_yaml(*req).c_str());
-+		(void)res;
-+	}
-+
- public:
- 	Gate() : Node("gate") {
- 		using namespace std::placeholders;
- 		_openService = create_service<std_srvs::srv::Trigger>(
- 			"open", std::bind(&Gate::handleOpen, this, _1, _2));
-+		_shutService = create_service<std_srvs::srv::Trigger>(
-+			"shut", std::bind(&Gate::handleShut, this, _1, _2));
- 	}
- };
-
- int main(int argc, char** argv) {
- 	rclcpp::init(argc, argv);
- 	rclcpp::spin(std::make_shared<Gate>());
- 	rclcpp::shutdown();
- }
-""",
-        id="a service of rclcpp with underscores in front",
-    ),
-    pytest.param(
         request("ask", data=True),
         """
 +#include <chrono>

@@ -1,4 +1,4 @@
-"""C++ nodes with all kinds of endpoints added, compiled: without an error, and without a warning."""
+"""C++ nodes with all kinds of endpoints added, compiled without a warning."""
 
 from __future__ import annotations
 
