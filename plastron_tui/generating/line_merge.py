@@ -163,7 +163,12 @@ def _has_stray_name(sides: Sides, files: FileSet, target: Target) -> bool:
         {word.decode() for _, text in each.texts for word in _NAME.findall(text)}
         for each in (sides.base, sides.mine, files)
     )
-    return any(mentions(target.language, files, name) for name in (before - now) & there)
+    language = target.language
+    return any(
+        # A word of a comment that the program no longer writes is no name.
+        mentions(language, files, name) and mentions(language, sides.base, name)
+        for name in (before - now) & there
+    )
 
 
 def _sites(source: SourceUnit | None) -> Counter[tuple[object, ...]]:

@@ -134,7 +134,11 @@ def own_specs(
         generations: all that it generates, each with its place.
         libraries: the client libraries, by name.
     """
-    by_variable = {(x.generation.node.variable, x.generation.library): x for x in made}
+    by_variable = {
+        (asked.node.variable, asked.library): each
+        for each in made
+        for asked in (*each.earlier, each.generation)
+    }
     packages: dict[tuple[str, str], dict[tuple[str, str], Generation]] = {}
     for each in generations:
         home = each.node.home
@@ -145,7 +149,9 @@ def own_specs(
         found = [by_variable.get(key) for key in asked]
         whole = [each for each in found if each is not None and each.files is not None]
         if len(whole) == len(found):
-            yield folder, _spec(name, whole, libraries)
+            # What the program creates, loads and generates again is one node.
+            nodes = {id(each): each for each in whole}
+            yield folder, _spec(name, list(nodes.values()), libraries)
 
 
 def homes_of(made: Sequence[Generated], generations: Iterable[Generation]) -> dict[str, Home]:
