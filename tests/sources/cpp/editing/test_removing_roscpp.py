@@ -318,6 +318,23 @@ def test_a_removal_takes_what_served_the_endpoint(
     check(patch, Remove(kind, name))
 
 
+def test_a_broadcaster_goes_with_what_it_sends() -> None:
+    text = """
+ #include <ros/ros.h>
+ #include <tf/transform_broadcaster.h>
+ int main(int c, char ** v)
+ {
+   ros::init(c, v, "n");
+   ros::NodeHandle nh;
+-  tf::TransformBroadcaster br;
+   tf::Transform t;
+-  br.sendTransform(tf::StampedTransform(t, ros::Time::now(), "a", "b"));
+   ros::spin();
+ }
+"""
+    check(text, Remove(K.PUBLISHER, "/tf"))
+
+
 RULED = [
     ("if (on_)\n       {};", ""),
     ("if (on_) {};", ""),
