@@ -19,6 +19,8 @@ _OPENING = re.compile(
 )
 _ENDING = re.compile(rb"[ \t]*[})]")
 
+_MACRO = re.compile(rb"(?<!\w)(?P<name>[A-Z][A-Z0-9_]*)(?P<gap>[ \t]+|[ \t]*\r?\n[ \t]*)\Z")
+_VISIBILITY = re.compile(rb"_(?:PUBLIC|LOCAL|EXPORT|API)\Z")
 _RULING = frozenset(
     {"if_statement", "else_clause", "for_statement", "for_range_loop", "while_statement"}
     | {"do_statement"}
@@ -89,7 +91,8 @@ class Deletions:
     def splices(self, file: CppFile) -> list[Splice]:
         """Return the splices for a file."""
         text = file.syntax.text
-        found = _merged(text, [_lines_of(text, start, end) for start, end in self._lines[file]])
+        lines = [(_with_macros(file, start), end) for start, end in self._lines[file]]
+        found = _merged(text, [_lines_of(text, start, end) for start, end in lines])
         whole = [_tidy(text, *_with_comment(text, start, end)) for start, end in found]
         gone = _merged(text, [*whole, *self._parts[file]])
         braces = [
@@ -120,6 +123,17 @@ def _is_idle_if(node: Node) -> bool:
             return False
         stack += each.named_children
     return True
+
+
+def _with_macros(file: CppFile, start: int) -> int:
+    """Return where the macros begin that stand before a declaration, as for its visibility."""
+    text, code = file.syntax.text, file.syntax.code
+    while found := _MACRO.search(text, max(0, start - 120), start):
+        is_code = code[found.start() : found.end()].strip()
+        if is_code or (b"\n" in found["gap"] and not _VISIBILITY.search(found["name"])):
+            break
+        start = found.start()
+    return start
 
 
 def _lines_of(text: bytes, start: int, end: int) -> tuple[int, int]:

@@ -26,6 +26,7 @@ from ..structure import outline
 from ..syntax import parse
 from .addition import plan_addition
 from .clang_format import clang_format_of
+from .guessed_names import tell_guessed_names
 from .plans import Plan, with_splices
 from .refusals import RefusedError
 from .removal import plan_removal
@@ -57,6 +58,7 @@ def edit_cpp(source: SourceUnit, changes: Sequence[Change], catalog: Catalog) ->
     }
     catalog = catalog.with_undefined((kind, name) for kind, name in used if kind is not None)
     edits = _Edits(source, catalog)
+    edits.notes += tell_guessed_names(edits.before, changes)
     try:
         edits.make(changes)
     except RefusedError as refusal:

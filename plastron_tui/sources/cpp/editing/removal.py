@@ -40,7 +40,7 @@ from .statements import calls_method, emptied, local_of, only_calls, only_sets, 
 from .units import sites_of
 from .uses import macro_uses, uses_of
 
-_SENDING = frozenset({"publish"})
+_SENDING = frozenset({"publish", "sendTransform"})
 _ENDING = frozenset(
     {"shutdown", "reset", "cancel", "stop", "on_activate", "on_deactivate", "start", "spin"}
     | {"join", "setAborted"}

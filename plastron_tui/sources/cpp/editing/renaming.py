@@ -7,7 +7,6 @@ from collections.abc import Iterable, Sequence
 
 from tree_sitter import Node
 
-from plastron_tui.diagnostics import Diagnostic, codes
 from plastron_tui.model.source import Rename
 from plastron_tui.ros.names import name_as_read, name_as_written
 
@@ -52,10 +51,6 @@ def plan_renames(analysis: Analysis, changes: Sequence[Rename]) -> Plan:
         plan.lost.append(site)
         kind, _, type_, callback = key_of(site.endpoint)
         plan.added.append((labels.get(site, ""), (kind, change.to, type_, callback)))
-        if site.endpoint.name is None or site.endpoint.is_guess:
-            message = f"the name `{change.name}` in line {site.endpoint.line} is a default, "
-            message += "for which others may give another name"
-            plan.notes.append(Diagnostic(codes.GUESSED_NAME, message, change.span))
     for (name, start, end), text in written.items():
         file = next(each for each in analysis.unit.files if each.name == name)
         plan.replace(file, start, end, text)

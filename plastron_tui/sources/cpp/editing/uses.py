@@ -24,11 +24,18 @@ def uses_of(analysis: Analysis, variable: Variable) -> Iterator[tuple[CppFile, N
             if file is variable.file and found.start() == own:
                 continue
             node = file.syntax.root.named_descendant_for_byte_range(found.start(), found.end())
-            if node is None or node.type not in _NAMES:
+            if node is None or not _is_name(node):
                 continue
             scope = scope_at(file, found.start())
             if _may_be(analysis, variable, node, scope):
                 yield file, node, scope
+
+
+def _is_name(node: Node) -> bool:
+    """Whether a node may name a variable; `T it(name);` is parsed as one with a type in it."""
+    outer = node.parent
+    is_argument = outer is not None and outer.type == "parameter_declaration"
+    return node.type in _NAMES or (node.type == "type_identifier" and is_argument)
 
 
 def _may_be(analysis: Analysis, variable: Variable, node: Node, scope: Scope) -> bool:

@@ -340,6 +340,8 @@ def test_a_removal_takes_what_served_the_endpoint(
 USED = [
     ("return pub_;", "line 9"),
     ("f(pub_);", "line 9"),
+    ("Guard guard(pub_);", "line 9"),
+    ("const Guard<int> guard(pub_);", "line 9"),
     ("map_[1] = pub_;", "line 9"),
     ("int n = pub_->get_subscription_count();", "line 9"),
 ]

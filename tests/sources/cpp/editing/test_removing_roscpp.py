@@ -318,6 +318,49 @@ def test_a_removal_takes_what_served_the_endpoint(
     check(patch, Remove(kind, name))
 
 
+def test_a_broadcaster_goes_with_what_it_sends() -> None:
+    text = """
+ #include <ros/ros.h>
+ #include <tf/transform_broadcaster.h>
+ int main(int c, char ** v)
+ {
+   ros::init(c, v, "n");
+   ros::NodeHandle nh;
+-  tf::TransformBroadcaster br;
+   tf::Transform t;
+-  br.sendTransform(tf::StampedTransform(t, ros::Time::now(), "a", "b"));
+   ros::spin();
+ }
+"""
+    check(text, Remove(K.PUBLISHER, "/tf"))
+
+
+def test_a_macro_before_a_function_goes_with_it() -> None:
+    text = """
+ #include <ros/ros.h>
+-#include <std_msgs/Int32.h>
+ class ROBOT_PUBLIC A {
+  public:
+   ROBOT_PUBLIC A() {
+-    sub_ = nh_.subscribe("a", 1, &A::heard, this);
+   }
+-  ROBOT_LOCAL void heard(const std_msgs::Int32& msg);
+   ROBOT_LOCAL void other();
+   ros::NodeHandle nh_;
+-  ros::Subscriber sub_;
+ };
+
+-ROBOT_LOCAL
+-void A::heard(const std_msgs::Int32& msg) {
+-  ROS_INFO("heard");
+-}
+-
+ ROBOT_LOCAL
+ void A::other() {}
+"""
+    check(text, Remove(K.SUBSCRIPTION, "a"))
+
+
 RULED = [
     ("if (on_)\n       {};", ""),
     ("if (on_) {};", ""),

@@ -65,3 +65,27 @@ def test_functions_that_nothing_calls_any_more_are_told() -> None:
     assert [each.message for each in told] == [
         "nothing in the file calls `heard` (line 5) any more"
     ]
+
+
+@pytest.mark.parametrize(
+    "change", [Remove(K.PUBLISHER, "speed"), Rename(K.PUBLISHER, "speed", "b")]
+)
+def test_a_name_that_others_may_give_otherwise_is_told(change: Remove | Rename) -> None:
+    text = """
+ #include <rclcpp/rclcpp.hpp>
+ #include <std_msgs/msg/string.hpp>
+ class A : public rclcpp::Node {
+  public:
+   A() : Node("a") {
+     auto topic = declare_parameter<std::string>("topic", "speed");
+     pub_ = create_publisher<std_msgs::msg::String>(topic, 1);
+   }
+   rclcpp::Publisher<std_msgs::msg::String>::SharedPtr pub_;
+ };
+"""
+    before, _ = sides(text)
+    files, told = edit(before, change)
+    assert files is not None
+    assert "the name `speed` in line 7 is a default, for which others may give another name" in [
+        each.message for each in told
+    ]
