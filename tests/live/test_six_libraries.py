@@ -12,6 +12,7 @@ from collections.abc import Callable, Mapping
 from dataclasses import asdict, dataclass, replace
 from pathlib import Path
 from typing import Any
+from xmlrpc.client import ServerProxy
 
 import pytest
 from cpp_builds import CppLibrary, describe_rclcpp, find_rclcpp, real_prefix
@@ -170,6 +171,11 @@ def nodes(request: pytest.FixtureRequest, tmp_path: Path, shared_cache: Path) ->
     """The program's nodes, for the client library that is the parameter."""
     name = request.param
     graph: Graph = request.getfixturevalue("ros1" if name in ROS_1 else "ros2_with_services")
+    if name in ROS_1:
+        # One master serves all tests, and keeps what the last node was told.
+        master = ServerProxy(graph.env["ROS_MASTER_URI"])
+        if master.hasParam("/test", "/sentry")[2]:
+            master.deleteParam("/test", "/sentry")
     if name in PYTHON:
         return python_nodes(graph, tmp_path)
     if name in ROS_1:
