@@ -105,6 +105,17 @@ PICTURES = (
         [*_WIZARD, "enter", "enter", "enter", "tab", "tab", "distance", "down"],
     ),
     Picture(
+        "studio-wizard-library", "The wizard: Python or C++",
+        "What each client library is for, and whether this machine has what its nodes are built "
+        "with.",
+        None, (110, 34), [*_WIZARD, "enter", "tab", "tab", "tab"],
+    ),
+    Picture(
+        "studio-cpp", "A node in C++",
+        "The source, its header where it has one, and the package that builds it.",
+        "cpp_and_python.plastron", (150, 40), ["down"] * 8,
+    ),
+    Picture(
         "studio-generate", "Generate",
         "Each file that would be written, and what would change in it.",
         "tour.plastron", (110, 34), ["f6"], "dracula",

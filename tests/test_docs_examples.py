@@ -108,6 +108,20 @@ def test_the_program_grows_and_the_code_that_was_written_by_hand_stays(here: Pat
     assert "def on_alarm" in made
 
 
+def test_the_same_in_cpp_makes_the_files_that_are_named(here: Path) -> None:
+    (command,) = re.findall(r"^plastron (generate .*--output cpp .*)$", TUTORIAL, re.MULTILINE)
+    done = plastron(here, *command.split())
+    assert (done.returncode, done.stderr) == (0, "")
+    named = set(re.findall(r"`(cpp/[\w/.]+)`", TUTORIAL))
+    folder = here / "cpp"
+    made = {
+        path.relative_to(here).as_posix()
+        for path in folder.rglob("*")
+        if path.is_file() and not path.name.startswith(".")
+    }
+    assert made == named
+
+
 def test_the_line_comes_before_the_node_is_generated(here: Path) -> None:
     with (here / "robot.plastron").open("a") as program:
         program.write(only(TUTORIAL, "subscribe listener"))

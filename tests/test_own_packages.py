@@ -237,3 +237,45 @@ def test_inside_a_package_nothing_new_is_begun(tmp_path: Path, inner: str) -> No
     assert (folder / "CMakeLists.txt").read_text(encoding="utf-8") == lists
     # The other generation of ROS does not build here.
     assert "other-ros" in run(generated(talker("rclcpp")))
+
+
+@pytest.mark.parametrize(
+    ("library", "inside", "line"),
+    [
+        ("roscpp", "", '<node pkg="robot" type="talker_pub" name="talker" output="screen"/>'),
+        ("nodelet", "", 'args="standalone robot/TalkerNode"'),
+        ("nodelet", " inside 'all'", 'args="load robot/TalkerNode /all"'),
+        ("rclcpp", "", '<node pkg="robot" exec="talker_pub" name="talker" output="screen"/>'),
+        ("component", " inside 'all'", '<composable_node pkg="robot" plugin="robot::TalkerNode"'),
+    ],
+)
+def test_a_launch_file_starts_nodes_of_the_program_s_own_package(
+    tmp_path: Path, library: str, inside: str, line: str
+) -> None:
+    start = f"create_launch 'bringup' as bringup\nbringup starts talker{inside}\n"
+    generate(tmp_path, f"{generated(talker(library))}{start}generate_launch bringup\n")
+    [launch] = [text for name, text in files(tmp_path).items() if name.startswith("bringup.launch")]
+    assert line in launch
+
+
+def test_the_package_of_nodes_that_are_not_asked_for_is_no_rest(tmp_path: Path) -> None:
+    text = generated(talker("roscpp"), ears("rclcpp"))
+    generate(tmp_path, text)
+    options = Options(None, tmp_path / "output")
+    program = Session(text.encode(), tmp_path / "robot.plastron", options, environ={})
+    made = [each for each in program.generated() if each.generation.node.name == "talker"]
+    _, diagnostics = program.plan_of(made)
+    assert [each.code for each in diagnostics] == []
+
+
+@pytest.mark.parametrize("suffix", [".cpp", ".cc", ".cxx"])
+def test_what_is_built_is_the_file_that_there_is(suffix: str, tmp_path: Path) -> None:
+    source = Path(__file__).parent / "nodes" / "roscpp" / "talker.cpp"
+    (tmp_path / f"talker{suffix}").write_bytes(source.read_bytes())
+    text = (
+        f"load 'talker{suffix}' as it\nit renames topic 'chatter' to 'speech'\ngenerate_node it\n"
+    )
+    assert generate(tmp_path, text) == []
+    found = files(tmp_path)
+    assert f"src/talker{suffix}" in found
+    assert f"src/talker{suffix})" in found["CMakeLists.txt"]

@@ -62,11 +62,17 @@ class Place:
         """Whether the file was changed by hand since the program at hand wrote it."""
         return not are_untouched(self.layers[self.index or 0 :], self.present)
 
-    def owner(self) -> str | None:
-        """Return the program that the file was written by last, None where nothing tells."""
+    def owner(self, output: Manifest, name: str) -> str | None:
+        """Return the program that the file was written by last, None where nothing tells.
+
+        Args:
+            output: what is remembered of the output folder, which the file may be further down in.
+            name: what the file is called there.
+        """
         if self.layers:
             return self.layers[-1].program
-        known = self.manifest.bases.get(self.real.name, {}).get("program")
+        base = self.manifest.bases.get(self.real.name) or output.bases.get(name, {})
+        known = base.get("program")
         return known if isinstance(known, str) and known else None
 
 

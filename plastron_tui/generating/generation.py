@@ -41,11 +41,19 @@ Notes = tuple[Diagnostic, ...]
 
 @dataclass(frozen=True, slots=True)
 class Generated:
-    """The files of one `generate_node`, or why there are none."""
+    """The files of one `generate_node`, or why there are none.
+
+    Attributes:
+        generation: what was asked for.
+        files: the files.
+        diagnostics: what there is to say of them.
+        earlier: what else was asked for, and is the same file before the program loads it.
+    """
 
     generation: Generation
     files: NodeFiles | None
     diagnostics: tuple[Diagnostic, ...] = ()
+    earlier: tuple[Generation, ...] = ()
 
     def path(self, output: Path) -> Path | None:
         """Return the path of the main file in an output folder, None where there are no files."""
@@ -102,37 +110,54 @@ def last_of_each(made: Sequence[Generated], output: Path) -> list[Generated]:
     Of two that are one file the last is kept; or the first, which knows of handwork in what it
     created, where the last neither changes nor changed anything.
     """
-    made = [each for at, each in enumerate(made) if not _is_copy(each, made[:at], output)]
+    rest: list[Generated] = []
+    earlier: dict[int, tuple[Generation, ...]] = {}
+    for at, each in enumerate(made):
+        original = _original_of(each, made[:at], output)
+        if original is None:
+            rest.append(each)
+        else:
+            known = earlier.get(id(original), ())
+            earlier[id(original)] = (*known, each.generation)
     loaded = [
         (at, source, _is_chained(each))
-        for at, each in enumerate(made)
+        for at, each in enumerate(rest)
         if (source := each.generation.node.source) is not None
     ]
     kept = []
-    for index, each in enumerate(made):
+    for index, each in enumerate(rest):
         is_created = each.generation.node.source is None
         path = each.path(output)
-        if path is None or not any(
-            source.path == path and (is_created or (at > index and is_chained))
+        later = [
+            rest[at]
             for at, source, is_chained in loaded
-        ):
+            if source.path == path and (is_created or (at > index and is_chained))
+        ]
+        if path is None or not later:
             kept.append(each)
-    return kept
+        else:
+            known = (*earlier.get(id(later[-1]), ()), *earlier.get(id(each), ()))
+            earlier[id(later[-1])] = (*known, each.generation)
+    return [replace(each, earlier=earlier.get(id(each), ())) for each in kept]
 
 
-def _is_copy(made: Generated, before: Sequence[Generated], output: Path) -> bool:
-    """Tell whether a node is what the program itself creates, loaded and left as it was."""
+def _original_of(made: Generated, before: Sequence[Generated], output: Path) -> Generated | None:
+    """Return what a node is a copy of: what the program creates, loads and leaves as it was."""
     node, files = made.generation.node, made.files
     if node.source is None or files is None or files.path is not None or files.layers is not None:
-        return False
+        return None
     if node.source.library != made.generation.library or changes_of(node):
-        return False
-    return any(
-        other.generation.node.source is None
-        and other.files is not None
-        and other.files.name == files.name
-        and output / files.name == node.source.path
-        for other in before
+        return None
+    return next(
+        (
+            other
+            for other in before
+            if other.generation.node.source is None
+            and other.files is not None
+            and other.files.name == files.name
+            and output / files.name == node.source.path
+        ),
+        None,
     )
 
 
@@ -223,7 +248,7 @@ class _Creation:
             base=base,
             seen=((output, manifest),),
         )
-        owner = _other_program(name, program, manifest)
+        owner = _other_program(output / name, name, self.writing)
         there = files_on_disk(output / name) if owner is not None else None
         if owner is not None and there not in (None, rendered.files):
             # Forced too it is a conflict, so that a backup is kept.
@@ -235,7 +260,7 @@ class _Creation:
         """Write a node where it was before, or where nothing is."""
         path = self.writing.output / files.name
         present = files_on_disk(path)
-        layers = layers_at(path, self.manifest, present, files.name)
+        layers = layers_at(path, _layers_of(path, self.writing), present)
         # What programs that loaded the file made of it lies over what is to be renewed.
         before = layers[0].original if layers else present
         is_foreign = before != files.files and files.name not in self.manifest
@@ -314,9 +339,15 @@ def _called(node: Node, name: str) -> Node:
     return replace(node, file=PurePath(name).name)
 
 
-def _other_program(name: str, program: str, manifest: Manifest) -> str | None:
+def _layers_of(path: Path, writing: Writing) -> Manifest:
+    """Return the manifest that knows what programs made of a file: that of its own folder."""
+    return writing.manifests(Path(os.path.realpath(path)).parent)
+
+
+def _other_program(path: Path, name: str, writing: Writing) -> str | None:
     """Return the other program that a file was made by, None where nothing tells of one."""
-    layers = manifest.layers.get(name, ())
+    program, manifest = writing.author.name, writing.manifests(writing.output)
+    layers = _layers_of(path, writing).layers.get(path.name, ())
     known = manifest.bases.get(name, {}).get("program")
     if layers and layers[0].origin is not None:
         known = layers[0].program

@@ -148,11 +148,10 @@ def _by_lines(
     by_lines = target.read(sides.path, files).source
     if by_lines is None:
         return None
-    if merged.files is None:
-        # Handwork may need what the program no longer has: that is what is refused.
-        if not node[1].endpoints.keys() <= node[0].endpoints.keys():
-            return None
-    elif _sites(by_lines) != _sites(target.read(sides.path, merged.files).source):
+    # Handwork that needs what the program no longer has would have a stray name.
+    if merged.files is not None and _sites(by_lines) != _sites(
+        target.read(sides.path, merged.files).source
+    ):
         return None
     again = merge(by_lines, node[1], node[0], target, catalog)
     return files if again.files == files else None
@@ -164,7 +163,12 @@ def _has_stray_name(sides: Sides, files: FileSet, target: Target) -> bool:
         {word.decode() for _, text in each.texts for word in _NAME.findall(text)}
         for each in (sides.base, sides.mine, files)
     )
-    return any(mentions(target.language, files, name) for name in (before - now) & there)
+    language = target.language
+    return any(
+        # A word of a comment that the program no longer writes is no name.
+        mentions(language, files, name) and mentions(language, sides.base, name)
+        for name in (before - now) & there
+    )
 
 
 def _sites(source: SourceUnit | None) -> Counter[tuple[object, ...]]:

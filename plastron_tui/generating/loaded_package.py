@@ -9,7 +9,7 @@ from __future__ import annotations
 import os
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
-from pathlib import Path
+from pathlib import Path, PurePath
 from typing import TYPE_CHECKING, NamedTuple
 
 from plastron_tui.diagnostics import Diagnostic, Span, codes
@@ -19,8 +19,6 @@ from plastron_tui.model.workspace import Node
 from plastron_tui.output.plan import OutputFile
 from plastron_tui.ros.interfaces import InterfaceKind
 from plastron_tui.ros.launch_names import launch_stem
-from plastron_tui.ros.package_keys import key_of_module
-from plastron_tui.sources import find_language
 from plastron_tui.sources.packages import (
     PACKAGE_XML,
     Changed,
@@ -29,13 +27,16 @@ from plastron_tui.sources.packages import (
     add_launch,
     finds_scripts,
     named_elsewhere,
+    remove_built_node,
     remove_executable,
     remove_launch,
+    staying,
 )
 from plastron_tui.targets.packages.dependencies import needs_of_definitions
 from plastron_tui.targets.packages.spec import PackagedLaunch, PackageSpec
 
 from .launch_files import is_within, name_within
+from .loaded_needs import known_packages, needs_in
 from .loaded_nodes import with_node
 from .loaded_notes import file_stays, script_elsewhere
 from .own_definitions import own_definitions
@@ -55,6 +56,9 @@ if TYPE_CHECKING:
 _DEPENDS = "depends"
 """The dependencies that came with a node's file, as the manifest remembers them."""
 
+
+_FOUND = "found"
+"""The packages that the build finds since a node's file came."""
 
 _INSTALLED = "installed"
 """Whether it was with a node's or a launch file that the package began to install it."""
@@ -139,23 +143,30 @@ class _Change:
         A dependency that the package had before the node came stays, where the manifest tells.
         """
         for name, span in self.package.removed.items():
-            file = self.source.executables[name].file
+            known = self.source.installed(name)
+            file = known.file or next(iter(known.sources), None)
             added = None if file is None else self._added(file)
             ours = {each for each in self.source.texts if self._added(each) is not None}
             was_there = file is not None and self._remembered(file, _INSTALLED) is False
-            changed = remove_executable(
-                self.source,
-                self.texts,
-                name,
-                Needs(self._needs, added, ours),
-                is_installed_elsewhere=was_there,
-            )
+            of, came = needs_in(self.source, self.libraries, file), self._found(file)
+            needs = Needs(of, added, ours, came)
+            if known.built:
+                changed = remove_built_node(
+                    self.source, self.texts, name, needs, is_built_elsewhere=was_there
+                )
+                stay = list(staying(self.source, name))
+            else:
+                changed = remove_executable(
+                    self.source, self.texts, name, needs, is_installed_elsewhere=was_there
+                )
+                stay = [file] if file is not None and file in self.source.texts else []
             if not self._take(changed, span) or file is None:
                 continue
-            is_back = any(each.name == name for each in self.package.contents.values())
-            if file in self.source.texts and not is_back:
-                installed = self.source.executables[name] if was_there else None
-                self.found.append(file_stays(self.source, file, span, installed))
+            names = {name, PurePath(file).stem} if known.built else {name}
+            is_back = any(each.name in names for each in self.package.contents.values())
+            if not is_back:
+                installed = known if was_there else None
+                self.found += (file_stays(self.source, x, span, installed) for x in stay)
 
     def take_out_launches(self) -> None:
         """Take out the launch files that the program takes out of the package."""
@@ -177,20 +188,6 @@ class _Change:
                 return self.manifest.bases[name][what]
         return None
 
-    def _needs(self, text: bytes) -> Mapping[str, Sequence[str]]:
-        """Return what a Python text needs to run, by key, each with its modules."""
-        version = self.source.ros_version
-        known: frozenset[str] = frozenset()
-        for library in self.libraries.values():
-            if library.target.ros_version == version:
-                known = _packages(library)
-        found: dict[str, list[str]] = {}
-        for module in sorted(find_language("python").imports(text)):
-            key = key_of_module(module, version, known)
-            if key is not None and module.partition(".")[0] != self.source.name:
-                found.setdefault(key, []).append(module.partition(".")[0])
-        return found
-
     def put(self, contained: Contained, generated: Generated) -> None:
         """Put a node into the package."""
         if generated.files is None or generated.files.files.main is None:
@@ -204,7 +201,7 @@ class _Change:
             return
         node = packaged_node(contained.name, generated, self.libraries, contained.span)
         before = self.texts
-        packages = _packages(self.libraries[node.library])
+        packages = known_packages(self.libraries[node.library])
         changed, unknown = with_node(self.source, before, node, file, packages)
         self.found += unknown
         if (
@@ -216,7 +213,7 @@ class _Change:
         is_new = self._begins_to_install(before, file)
         for each in generated.files.output_files():
             base = None if each.base is None else {**each.base, _INSTALLED: is_new}
-            self._write_node(replace(each, base=base), changed.added)
+            self._write_node(replace(each, base=base), changed.added, changed.found)
 
     def _begins_to_install(self, before: Mapping[str, bytes], file: str) -> bool:
         """Tell whether it is with a file that the package begins to install it, or did before."""
@@ -324,7 +321,14 @@ class _Change:
             return None
         return {key: value is True for key, value in known.items()}
 
-    def _write_node(self, file: OutputFile, added: Sequence[str]) -> None:
+    def _found(self, file: str | None) -> frozenset[str] | None:
+        """Return the packages that the build finds since a file came, None where nothing tells."""
+        known = None if file is None else self._remembered(file, _FOUND)
+        return frozenset(map(str, known)) if isinstance(known, list) else None
+
+    def _write_node(
+        self, file: OutputFile, added: Sequence[str], found: Sequence[str] = ()
+    ) -> None:
         """Write a file of a node, and remember which dependencies came with it."""
         inner = self._inner(file.name)
         others = {
@@ -332,15 +336,16 @@ class _Change:
             for name, text in self.source.texts.items()
             if name not in (inner, PACKAGE_XML)
         }
-        modules = self._needs(file.text)
+        modules = needs_in(self.source, self.libraries, inner)(file.text)
         came = {key: any(named_elsewhere(others, (key, *modules.get(key, ())))) for key in added}
         self.moved.append(file.name)
         if self._is_in_place(inner):
             came.update(self._added(inner) or {})
+            found = sorted({*found, *(self._found(inner) or ())})
             path, entry = self.source.folder / inner, self._entry(inner)
             file = replace(file, path=path, entry=entry, merged_from=None, layers=None)
         if file.base is not None:
-            file = replace(file, base={**file.base, _DEPENDS: came})
+            file = replace(file, base={**file.base, _DEPENDS: came, _FOUND: list(found)})
         self.written.append(file)
 
     def files(self) -> list[OutputFile]:
@@ -367,7 +372,3 @@ class _Change:
                 )
             )
         return found
-
-
-def _packages(library: Library) -> frozenset[str]:
-    return frozenset(each for kind in InterfaceKind for each in library.catalog.packages(kind))

@@ -44,6 +44,8 @@ class NodeFiles:
     def output_files(self) -> Iterator[OutputFile]:
         """Yield the files, the main one first: with it is remembered what there is of the node."""
         first, *others = self.files.texts
+        # By this a later run knows whose a file is that it no longer writes.
+        part = None if self.base is None else {"program": self.base.get("program")}
         yield OutputFile(
             self.name,
             first[1],
@@ -65,6 +67,7 @@ class NodeFiles:
                 merged_from=None if self.merged_from is None else self.merged_from.get(name),
                 path=None if self.path is None else place_of(self.path, name),
                 has_handwork=self.has_handwork,
+                base=part,
                 problem=self.problem,
                 seen=self.seen,
             )

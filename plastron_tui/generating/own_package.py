@@ -7,6 +7,7 @@ beside them, for neither catkin nor colcon looks for packages in a package.
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import replace
 from pathlib import PurePath
 from typing import TYPE_CHECKING, NamedTuple
 
@@ -26,6 +27,7 @@ from .package_spec import packaged_node
 if TYPE_CHECKING:
     from collections.abc import Callable
 
+    from plastron_tui.model.launches import Launch
     from plastron_tui.targets.base import Target
 
     from .apply_changes import Library
@@ -132,7 +134,11 @@ def own_specs(
         generations: all that it generates, each with its place.
         libraries: the client libraries, by name.
     """
-    by_variable = {(x.generation.node.variable, x.generation.library): x for x in made}
+    by_variable = {
+        (asked.node.variable, asked.library): each
+        for each in made
+        for asked in (*each.earlier, each.generation)
+    }
     packages: dict[tuple[str, str], dict[tuple[str, str], Generation]] = {}
     for each in generations:
         home = each.node.home
@@ -143,7 +149,38 @@ def own_specs(
         found = [by_variable.get(key) for key in asked]
         whole = [each for each in found if each is not None and each.files is not None]
         if len(whole) == len(found):
-            yield folder, _spec(name, whole, libraries)
+            # What the program creates, loads and generates again is one node.
+            nodes = {id(each): each for each in whole}
+            yield folder, _spec(name, list(nodes.values()), libraries)
+
+
+def homes_of(made: Sequence[Generated], generations: Iterable[Generation]) -> dict[str, Home]:
+    """Return where the nodes of a program's own packages are, by variable.
+
+    Args:
+        made: the files of the nodes that the program generates.
+        generations: all that it generates, each with its place.
+    """
+    placed = {(x.node.variable, x.library): x.node.home for x in generations}
+    found = {}
+    for each in made:
+        home = placed.get((each.generation.node.variable, each.generation.library))
+        if home is not None and home.is_own and each.files is not None:
+            executable = PurePath(each.files.name).stem
+            found[each.generation.node.variable] = home._replace(executable=executable)
+    return found
+
+
+def with_homes(launch: Launch, homes: Mapping[str, Home]) -> Launch:
+    """Return a launch file whose nodes are where the program's own packages have them."""
+    starts = {}
+    for name, start in launch.starts.items():
+        node = start.node
+        if node is not None and node.home is None and node.variable in homes:
+            node = node.snapshot()
+            node.home = homes[node.variable]
+        starts[name] = start._replace(node=node)
+    return replace(launch, starts=starts)
 
 
 def _spec(name: str, made: Sequence[Generated], libraries: Mapping[str, Library]) -> PackageSpec:

@@ -33,7 +33,8 @@ def packaged_node(
     """
     assert generated.files is not None, "it can be written"
     (_, main), *others = generated.files.files.texts
-    stem, library = PurePath(generated.files.name).stem, generated.generation.library
+    name, library = PurePath(generated.files.name), generated.generation.library
+    stem = name.stem
     target, node = libraries[library].target, generated.generation.node
     return PackagedNode(
         executable,
@@ -43,8 +44,9 @@ def packaged_node(
         target.language,
         library,
         span,
-        tuple((name.replace("{}", stem), text) for name, text in others),
+        tuple((each.replace("{}", stem), text) for each, text in others),
         target.plugin_class(node),
+        name.suffix if target.language.is_built else "",
     )
 
 

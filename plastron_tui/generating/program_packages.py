@@ -41,7 +41,7 @@ from .launch_files import (
 )
 from .loaded_types import refused_types
 from .own_definitions import Packaged, own_definitions, rendered_definitions, used_packages
-from .own_package import own_specs
+from .own_package import homes_of, own_specs, with_homes
 from .package_spec import package_spec
 
 if TYPE_CHECKING:
@@ -108,6 +108,7 @@ class ProgramPackages:
         self._made = made
         self._is_own = is_own
         self._generations = generations
+        self._homes = homes_of(made, generations)
         self._python_launch = python_launch
         names = dict.fromkeys((*(each.generation.library for each in made), default))
         found = {name: library_of(name) for name in names}
@@ -293,7 +294,7 @@ class ProgramPackages:
                 continue
             name = launch.source.path.name if home is None else name_within(home, launch)
             named = name, PackageFile(written.text)
-            launch = with_parameter_files(launch, home)
+            launch = with_parameter_files(with_homes(launch, self._homes), home)
             file, notes = launch_output(launch, named, self._executable, folder, writing)
             files.append(file)
             found += notes
@@ -341,6 +342,7 @@ class ProgramPackages:
         self, launch: Launch, version: int, home: Package | None = None
     ) -> PackagedLaunch | Diagnostic:
         """Write a launch file into a package, None for none, or say what it cannot say."""
+        launch = with_homes(launch, self._homes)
         for problem in unwritable(launch, version, home, self._workspace.packages):
             return problem
         launch = with_parameter_files(launch, home)

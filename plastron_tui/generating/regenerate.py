@@ -145,7 +145,7 @@ class Derivation:
         elif place.manifest.layers.get(name, ()) != lower:
             layers = lower
         files = replace(files, merged_from=loaded if is_kept else None, layers=layers)
-        owner = place.owner()
+        owner = place.owner(self.writing.manifests(self.writing.output), files.name)
         is_others = owner is not None and author.name not in ("", owner)
         if owner is not None and is_others and present not in (None, loaded, files.files):
             files = replace(files, problem=of_other_program(place.shown, owner))

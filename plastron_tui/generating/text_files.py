@@ -13,10 +13,10 @@ from pathlib import Path
 from typing import NamedTuple
 
 from plastron_tui.diagnostics import Diagnostic, Severity, codes
-from plastron_tui.model.packages import BUILT_FOLDER, SCRIPTS_FOLDER
 from plastron_tui.output.manifest import Manifest
 from plastron_tui.output.merge3 import merge_lines
 from plastron_tui.output.plan import OutputFile
+from plastron_tui.sources.packages.reading import PACKAGE_XML
 from plastron_tui.targets.packages.spec import PackageFile
 
 from .user_edits import kept_handwork, of_other_program, on_disk, unmergeable
@@ -95,9 +95,8 @@ def left_files(
         if name in names or not is_left or base.get("program") != folder.program:
             continue
         if on_disk(folder.output / name) is not None:
-            is_package = "/" in name and package not in packages
             # The folders of a package that the output folder is are none.
-            is_package = is_package and package not in (BUILT_FOLDER, SCRIPTS_FOLDER)
+            is_package = package not in packages and f"{package}/{PACKAGE_XML}" in folder.manifest
             left = package if is_package else name
             told[left] = _left(left, folder.output, is_package=is_package)
     return list(told.values())

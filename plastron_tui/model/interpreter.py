@@ -86,7 +86,7 @@ def interpret(
         diagnostics += tuple(check_meetings(program, workspace, version_of))
         diagnostics += tuple(check_circles(workspace, version_of))
         diagnostics += tuple(late_changes_of_parts(program, workspace))
-        diagnostics += tuple(check_launches(workspace, setting.ros_version))
+        diagnostics += tuple(check_launches(workspace, setting.ros_version, setting.libraries))
     workspace = interpreter.workspace
     own_types = {each: interpreter.own_types(each) for each in (1, 2)} if workspace.types else {}
     return Interpretation(workspace, diagnostics, interpreter.fitters, own_types)

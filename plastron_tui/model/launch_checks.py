@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Iterator
+from collections.abc import Callable, Collection, Iterator, Mapping
 from dataclasses import replace
 from pathlib import Path
 
 from plastron_tui.diagnostics import Diagnostic, Label, codes
 
 from .launches import Launch, ParameterFile
+from .libraries import ClientLibrary
 from .packages import Package
 from .workspace import Workspace
 
@@ -19,7 +20,11 @@ VersionOf = Callable[[str | None], int]
 
 
 def unwritable(
-    launch: Launch, ros_version: int, home: Package | None, packages: Collection[str]
+    launch: Launch,
+    ros_version: int,
+    home: Package | None,
+    packages: Collection[str],
+    own: Collection[str] = (),
 ) -> Iterator[Diagnostic]:
     """Yield what keeps a launch file from being written.
 
@@ -28,10 +33,11 @@ def unwritable(
         ros_version: the generation of ROS that it is for.
         home: the package that it is written into, None for none.
         packages: the variables of the program's packages.
+        own: the variables of nodes that get a package of the program's own.
     """
     for start in launch.starts.values():
-        if start.node is not None and start.node.home is None:
-            variable = start.node.variable
+        variable = "" if start.node is None else start.node.variable
+        if start.node is not None and start.node.home is None and variable not in own:
             yield Diagnostic(
                 codes.IN_NO_PACKAGE,
                 f"`{variable}` is in no package, and a launch file starts what packages have",
@@ -100,8 +106,21 @@ def _within(folder: Path, path: Path) -> str | None:
     return path.relative_to(folder).as_posix() if path.is_relative_to(folder) else None
 
 
-def check_launches(workspace: Workspace, version_of: VersionOf) -> Iterator[Diagnostic]:
-    """Yield what keeps launch files from being written that a program writes."""
+def check_launches(
+    workspace: Workspace, version_of: VersionOf, libraries: Mapping[str, ClientLibrary]
+) -> Iterator[Diagnostic]:
+    """Yield what keeps launch files from being written that a program writes.
+
+    Args:
+        workspace: what the program built.
+        version_of: gives the generation of ROS of a client library.
+        libraries: what is known of the client libraries, by name.
+    """
+    own = {
+        each.node.variable
+        for each in workspace.generations
+        if each.library in libraries and libraries[each.library].is_built
+    }
     written: dict[str, tuple[Launch, Package | None]] = {
         each.launch.variable: (each.launch, None) for each in workspace.written_launches
     }
@@ -112,7 +131,8 @@ def check_launches(workspace: Workspace, version_of: VersionOf) -> Iterator[Diag
                 written[variable] = contained.item, package
         yield from _same_names(package)
     for launch, home in written.values():
-        yield from unwritable(launch, _version(launch, version_of), home, workspace.packages)
+        version = _version(launch, version_of)
+        yield from unwritable(launch, version, home, workspace.packages, own)
 
 
 def _version(launch: Launch, version_of: VersionOf) -> int:

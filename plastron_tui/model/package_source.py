@@ -20,6 +20,7 @@ class InstalledExecutable(NamedTuple):
         line: the line there, from 1.
         target: the function that is called, `MODULE:FUNCTION`; "" where a file is started.
         sources: what it is built from, by paths in the package.
+        built: what the build calls it; "" for what is not built.
     """
 
     file: str | None
@@ -27,6 +28,7 @@ class InstalledExecutable(NamedTuple):
     line: int
     target: str = ""
     sources: tuple[str, ...] = ()
+    built: str = ""
 
 
 @dataclass(frozen=True, slots=True)
@@ -49,6 +51,7 @@ class PackageSource:
         is_whole: whether all files of the package are among `texts` that may name another.
         script_file: the file that has the console scripts of an ament_python package.
         names: all its files, those too that are not read.
+        plugins: the nodes that it builds for another process to load, by what loads them.
     """
 
     folder: Path
@@ -63,6 +66,7 @@ class PackageSource:
     is_whole: bool = True
     script_file: str = "setup.py"
     names: frozenset[str] = frozenset()
+    plugins: Mapping[str, InstalledExecutable] = field(default_factory=dict)
 
     def module_of(self, file: str) -> str:
         """Return what Python calls a file of the package."""
@@ -72,6 +76,22 @@ class PackageSource:
     def executable(self, name: str) -> str | None:
         """Return what starts an executable, which a program may name without `.py`."""
         return next((each for each in (name, f"{name}.py") if each in self.executables), None)
+
+    def node(self, name: str) -> str | None:
+        """Return what starts or loads a node; one that is loaded is called as its source too."""
+        for key, each in self.plugins.items():
+            stems = {file.rpartition("/")[2].rpartition(".")[0] for file in each.sources}
+            if self.executable(name) is None and name in (key, *stems):
+                return key
+        return self.executable(name)
+
+    def installed(self, key: str) -> InstalledExecutable:
+        """Return an executable, or a node that another process loads.
+
+        Raises:
+            KeyError: there is none.
+        """
+        return self.executables[key] if key in self.executables else self.plugins[key]
 
     def launch(self, name: str) -> str | None:
         """Return the launch file that a program may name without its ending."""

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from pathlib import PurePath
 from typing import Any
 
 from plastron_tui.diagnostics import Diagnostic, Label, Severity, Span, codes, guess, write
@@ -248,7 +249,7 @@ def no_longer_contains(run: Run, statement: st.NoLongerContains) -> None:
     held = [key for key, each in package.contents.items() if each.name == name]
     for key in held:
         _take_out(package, key)
-    there = None if package.source is None else package.source.executable(name)
+    there = None if package.source is None else package.source.node(name)
     launch = None if package.source is None else package.source.launch(name)
     if there is not None:
         package.removed[there] = statement.span
@@ -269,9 +270,9 @@ def _tell_not_contained(
     source = package.source
     if source is None:
         raise _not_contained(run, statement, package, names)
-    stems = {file.rpartition("/")[2].removesuffix(".py") for file in source.texts}
+    stems = {PurePath(file).stem for file in source.texts}
     if name.removesuffix(".py") not in stems:
-        names += source.executables
+        names += [*source.executables, *source.plugins]
         for each in _not_contained(run, statement, package, names).diagnostics:
             run.report(statement, each._replace(severity=Severity.WARNING))
 

@@ -129,7 +129,9 @@ class FilePlan:
     @property
     def conflicts(self) -> tuple[Diagnostic, ...]:
         """The diagnostics of the files that only `--force` overwrites."""
-        return tuple(file.problem for file in self.files if file.problem is not None)
+        # Files that belong together have the one of the main file, which is told once.
+        found = (file.problem for file in self.files if file.problem is not None)
+        return tuple(dict.fromkeys(found))
 
 
 def make_plan(

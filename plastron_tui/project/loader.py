@@ -166,7 +166,8 @@ class NodeLoader:
     def _in_front(self, path: Path, others: Sequence[Path]) -> Loaded:
         """Read a file; warn where it hides another, and nothing tells whose it is."""
         loaded = self._read_once(path)
-        others = [other for other in others if os.path.isfile(other)]  # noqa: PTH113
+        there = (other for other in others if os.path.isfile(other))  # noqa: PTH113
+        others = [other for other in there if not self._is_written(other)]
         if not others or loaded.source is None or path.parent != self._output:
             return loaded
         manifest, _ = self._files.manifest(path.parent)
@@ -178,6 +179,14 @@ class NodeLoader:
             help=f"remove `{path}` if an earlier run wrote it, or load the other by its path",
         )
         return loaded._replace(diagnostics=(*loaded.diagnostics, warning))
+
+    def _is_written(self, path: Path) -> bool:
+        """Tell whether a file is among those that are built, and an earlier run wrote it."""
+        if path.parent != self._output / BUILT_FOLDER:
+            return False
+        known, _ = self._files.manifest(path.parent)
+        made, _ = self._files.manifest(self._output)
+        return path.name in known.layers or f"{BUILT_FOLDER}/{path.name}" in made
 
     def _generated(self, request: LoadRequest) -> Iterator[Loaded]:
         for generation in reversed(request.generated):

@@ -8,9 +8,9 @@ from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING, NamedTuple
 
-from plastron_tui.diagnostics import Diagnostic
+from plastron_tui.diagnostics import Diagnostic, Severity
 from plastron_tui.generating.own_package import Around, OwnPackages
-from plastron_tui.model.package_source import LoadedPackage
+from plastron_tui.model.package_source import LoadedPackage, PackageSource
 from plastron_tui.model.workspace import Generation, Workspace
 from plastron_tui.output.plan import OutputFile
 from plastron_tui.sources.packages.reading import PACKAGE_XML
@@ -35,27 +35,35 @@ class FoundPackage(NamedTuple):
 
 
 def find_package_around(
-    output: Path, boundary: Boundary, manifest: Manifest, ros_version: int
+    output: Path, boundary: Boundary, manifest: Manifest, ros_version: int, program: str = ""
 ) -> FoundPackage | None:
     """Return the package that an output folder is, or is in; None where there is none.
 
     Args:
         output: the output folder, which need not be there.
         boundary: the program's project; a package beyond it is somebody else's.
-        manifest: what is remembered of the output folder: a package that was written there is none
-            that was there before.
+        manifest: what is remembered of the output folder: a package that the program wrote there
+            is none that was there before.
         ros_version: what a package counts for that is for both generations of ROS.
+        program: the name of the program's file: its nodes join the package of another program.
     """
     output = Path.cwd() / output
     for folder in (output, *output.parents):
         if not boundary.allows(folder):
             return None
         if (folder / PACKAGE_XML).is_file():
-            if folder == output and PACKAGE_XML in manifest:
+            if folder == output and _is_own(manifest, program):
                 return None
             read = PackageReader(folder, boundary, {})
             return FoundPackage(folder, read(str(folder), ros_version))
     return None
+
+
+def _is_own(manifest: Manifest, program: str) -> bool:
+    """Tell whether the package that an output folder is may be one that the program wrote."""
+    owner = manifest.bases.get(PACKAGE_XML, {}).get("program")
+    is_others = isinstance(owner, str) and owner and program and owner != program
+    return PACKAGE_XML in manifest and not is_others
 
 
 class FilesAround(NamedTuple):
@@ -88,8 +96,10 @@ class BuiltPlaces:
             manifest: what is remembered of the output folder.
         """
         self._configuration = configuration
+        self._workspace = workspace
         self._library_of = library_of
         self._manifest = manifest
+        self._program = program
         self._own = OwnPackages(
             program,
             asked,
@@ -119,6 +129,42 @@ class BuiltPlaces:
         output = self._configuration.output
         return FilesAround(*package_files_around(source, made, libraries, output))
 
+    def files_needed(self, made: Sequence[Generated]) -> FilesAround:
+        """Return what the packages of nodes that are changed in place come to need for them.
+
+        What the program loads as a package is changed there, and is left out here.
+        """
+        from plastron_tui.generating.built_in_place import changed_in_place, needed_files
+        from plastron_tui.output.manifest import Manifest
+
+        libraries = {name: known for name in LIBRARIES if (known := self._library_of(name))}
+        packages = () if self._workspace is None else self._workspace.written_packages
+        sources = (each.package.source for each in packages)
+        loaded = {os.path.realpath(x.folder) for x in sources if x is not None}
+        found: list[Diagnostic] = []
+        nodes: dict[Path, list[tuple[Generated, Path]]] = {}
+        read: dict[Path, PackageSource] = {}
+        boundary = self._configuration.boundary
+        for each, path in changed_in_place(made, libraries):
+            version = libraries[each.generation.library].target.ros_version
+            # Whatever was written there before, the package is there.
+            around = find_package_around(path.parent, boundary, Manifest(), version)
+            if around is None or os.path.realpath(around.folder) in loaded:
+                continue
+            if around.read.source is None:
+                # The node is right all the same, and its package is to be mended first.
+                warning = Severity.WARNING
+                found += (x._replace(severity=warning) for x in around.read.diagnostics)
+                continue
+            read[around.folder] = around.read.source
+            nodes.setdefault(around.folder, []).append((each, path))
+        files: list[OutputFile] = []
+        for folder, source in read.items():
+            changed, notes = needed_files(source, nodes[folder], libraries)
+            files += changed
+            found += notes
+        return FilesAround(files, found)
+
     def _target(self, name: str) -> Target | None:
         library = self._library_of(name)
         return None if library is None else library.target
@@ -136,4 +182,4 @@ class BuiltPlaces:
         configuration = self._configuration
         output, boundary = configuration.output, configuration.boundary
         version = configuration.ros.ros_version
-        return find_package_around(output, boundary, self._manifest, version)
+        return find_package_around(output, boundary, self._manifest, version, self._program)

@@ -199,6 +199,10 @@ class Planner:
             return FilePlan(output, ()), (*found, configuration.output_problem)
         whole, notes = self._whole(made, manifest)
         found += notes
+        if configuration.options.in_place:
+            needed = self._places.files_needed(made)
+            whole += needed.files
+            found += (*needed.diagnostics, *self._leading_out(needed.files))
         sets = (generated.files for generated in made if generated.files is not None)
         files = [file for each in (*sets, *common.files) for file in each.output_files()]
         if params is not None:

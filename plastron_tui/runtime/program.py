@@ -21,6 +21,8 @@ _HEAD = """\
 // The graph does not show what messages, requests and goals hold, nor how often they are sent:
 // `input none` and the rate of 10 hz stand for what is not known.
 """
+_LIBRARY = "// Nor does it show which client library nodes use: `{}` stands for it.\n"
+_LIBRARY_ALONE = "// The graph does not show which client library nodes use: `{}` stands for it.\n"
 _TYPE = re.compile(r"[A-Za-z]\w*/[A-Za-z]\w*", re.ASCII)
 
 
@@ -52,7 +54,10 @@ def to_program(
     ]
     if not blocks:
         return "// no node is running\n"
-    return "\n".join([_HEAD, *blocks] if any(map(_sends, listed)) else blocks)
+    head = _HEAD if any(map(_sends, listed)) else ""
+    if library is not None:
+        head += (_LIBRARY if head else _LIBRARY_ALONE).format(library)
+    return "\n".join([head, *blocks] if head else blocks)
 
 
 def _sends(node: DescribedNode) -> bool:

@@ -133,7 +133,12 @@ class Target:
 
     def port(self, node: Node, source: SourceUnit, catalog: Catalog) -> Rendered:
         """Write a node that was loaded from files of another client library."""
-        return Rendered(None, (self._cannot(f"bring a node of `{source.library}` to"),))
+        message = f"plastron cannot bring a node of `{source.library}` to `{self.name}`"
+        help_ = (
+            f"`plastron inspect --format plastron {source.path.name}` writes the statements of a "
+            f"node like it, to be made `using {self.name}`"
+        )
+        return Rendered(None, (Diagnostic(codes.UNSUPPORTED_TARGET, message, help=help_),))
 
     def _cannot(self, what: str) -> Diagnostic:
         return Diagnostic(codes.UNSUPPORTED_TARGET, f"plastron cannot {what} `{self.name}` yet")

@@ -124,7 +124,6 @@ def test_folders_are_searched_in_order(run: Run, here: Path) -> None:
         ("listner_sub1", "file-not-found", "did you mean `listener_sub1`?"),
         ("'output/listener_sub.py'", "file-not-found", "did you mean `output/listener_sub1.py`?"),
         ("'output'", "unreadable-file", None),
-        ("node", "no-node", None),
         ("'/dev/null'", "outside-project", None),
         (f"'{'x/' * 3000}'", "file-not-found", None),
         ("x" * 400, "file-not-found", None),

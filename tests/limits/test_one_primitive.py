@@ -21,6 +21,7 @@ _OTHERS = {
     "output/locks.py": "it opens folders",
     "ros/catalog/data.py": "it reads Plastron's own data",
     "targets/templates.py": "it reads Plastron's own templates",
+    "sources/cpp/syntax.py": "it reads Plastron's own queries",
     "sources/python/syntax.py": "it reads Plastron's own queries",
     "studio/main/screen.py": "it opens the wizard",
     "studio/editor/state.py": "it opens a session",

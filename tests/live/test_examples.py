@@ -17,8 +17,9 @@ from processes import PLASTRON, Process, generate, own_tracebacks
 pytestmark = pytest.mark.live
 
 # An example that loads a file has nodes of that file's generation only, and managed ones are
-# nodes of ROS 2; one with types of its own is built before it runs.
-_OF_ANOTHER_KIND = r"^load | managed |^create_message_type "
+# nodes of ROS 2; one with types of its own is built before it runs, and one that names client
+# libraries is for those.
+_OF_ANOTHER_KIND = r"^load | managed | using |^create_message_type "
 FOLDER = Path(__file__).parents[2] / "examples"
 EXAMPLES = sorted(
     path
@@ -115,7 +116,7 @@ def test_every_example_that_loads_a_file_is_run() -> None:
     loading = {path.stem for path in FOLDER.glob("*.plastron")} - {path.stem for path in EXAMPLES}
     # What `run` says of managed nodes is for `tests/cli/test_run_managed.py` to prove, and what it
     # builds for `tests/runtime/test_live_builds.py`.
-    assert loading - {"managed", "own_message"} == {name for name, *_ in CHANGED}
+    assert loading - {"managed", "own_message", "cpp_and_python"} == {name for name, *_ in CHANGED}
 
 
 @pytest.mark.long

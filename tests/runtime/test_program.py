@@ -34,6 +34,7 @@ def test_a_graph_is_a_program() -> None:
     program = to_program(nodes, "rclpy")
     head = "".join(f"{line}\n" for line in program.splitlines() if line.startswith("//"))
     assert "not known" in head
+    assert "`rclpy` stands for it" in head
     assert program == f"{head}\n" + (
         "create_node 'talker' as talker using rclpy\n"
         "create_message talker_chatter of message_type std_msgs/String and input none\n"
@@ -125,7 +126,7 @@ def test_parameters_and_actions_are_statements() -> None:
             "odd": ParameterDetails("byte_list", None),
         },
     )
-    assert to_program([node], "rclpy", 2).splitlines()[3:] == [
+    assert to_program([node], "rclpy", 2).splitlines()[4:] == [
         "create_node 'robot' as robot using rclpy",
         "robot has_parameter 'speed' of parameter_type float with default 0.5 between 0 and 2"
         ' described_as "how \\"fast\\""',

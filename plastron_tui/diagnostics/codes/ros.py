@@ -84,7 +84,7 @@ BAD_PARAMETERS = Code(
 
 UNSUPPORTED_TARGET = Code(
     "unsupported-target",
-    "Plastron cannot do this for the client library yet: use `rospy` or `rclpy`. Or the "
-    "client library is another distribution's, which cannot be loaded; the message says "
-    "why.",
+    "Plastron cannot do this for the client library: a loaded node is brought from `rospy` to "
+    "`rclpy` and back, and between no others. Or the client library is another distribution's, "
+    "which cannot be loaded; the message says why.",
 )

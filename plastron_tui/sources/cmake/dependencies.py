@@ -12,7 +12,7 @@ from .arguments import insert_first, insert_words
 from .changing import Facts, applied, build_type_of, change, into_list, removed, word_of
 from .facts import CATKIN, Entry, components, dependencies, exported
 from .places import insert_after, layout_of
-from .reader import Call, CMakeLists
+from .reader import Call, CMakeLists, read_cmake
 from .syntax import Command
 
 # These find what package.xml depends on.
@@ -30,6 +30,13 @@ def add_dependency(text: bytes, path: Path, name: str) -> Edited:
 def remove_dependency(text: bytes, path: Path, name: str) -> Edited:
     """Find a package no more."""
     return change(text, path, lambda lists: _remove(lists, name))
+
+
+def found_packages(text: bytes, path: Path) -> frozenset[str]:
+    """Return the packages that a CMakeLists.txt surely finds; none of one that cannot be read."""
+    lists, _ = read_cmake(text, path)
+    found = () if lists is None else dependencies(lists)
+    return frozenset(each.what for each in found if each.is_plain)
 
 
 def add_exported(text: bytes, path: Path, name: str) -> Edited:

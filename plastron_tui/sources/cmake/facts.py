@@ -64,6 +64,10 @@ INTERFACE_WORDS = frozenset(
 )
 MESSAGE_WORDS = frozenset({"FILES", "DIRECTORY", "NOINSTALL", "BASE_DIR"})
 _COMPONENT_WORDS = frozenset({"PLUGIN", "EXECUTABLE", "EXECUTOR", "RESOURCE_INDEX"})
+_TARGET_WORDS = frozenset(
+    {"EXCLUDE_FROM_ALL", "INTERFACE", "MACOSX_BUNDLE", "MODULE", "OBJECT", "SHARED", "STATIC"}
+    | {"WIN32"}
+)
 CATKIN_INTERFACES = {"msg": "add_message_files", "srv": "add_service_files"}
 CATKIN_INTERFACES["action"] = "add_action_files"
 PROGRAM_CALLS = ("install", "catkin_install_python")
@@ -239,7 +243,7 @@ def targets(lists: CMakeLists) -> Iterator[Entry]:
 
 def sources_of(target: Entry) -> list[str]:
     """Return the sources of a target, by their paths from the package's folder."""
-    return [in_package(each.value) for each in target.call.items[1:]]
+    return [in_package(x.value) for x in target.call.items[1:] if x.value not in _TARGET_WORDS]
 
 
 def executable_of(lists: CMakeLists, target: Entry) -> str:

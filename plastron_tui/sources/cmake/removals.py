@@ -8,25 +8,27 @@ from __future__ import annotations
 
 import re
 from collections import Counter
-from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import replace
+from collections.abc import Container, Iterable, Iterator, Sequence
 from functools import partial
-from itertools import combinations
+from itertools import combinations, pairwise
 from pathlib import Path
 from typing import NamedTuple
 
 from plastron_tui.diagnostics import codes
 from plastron_tui.sources.build_files import Edited, RefusedError, refusal
-from plastron_tui.sources.splices import Splice, apply
+from plastron_tui.sources.splices import Splice, apply, line_end, line_start
 
-from .arguments import argument_removals, command_removals
+from .arguments import argument_removals, begins_line, command_removals
 from .changing import change
 from .dependencies import remove_dependency
 from .facts import INSTALL_WORDS, executable_of, facts, sources_of, targets
-from .reader import Call, CMakeLists, interpret
+from .reader import Call, CMakeLists, interpret, read_cmake
 from .syntax import Argument, Block, Command, Statement, parse_cmake
 from .targets import OF_TARGETS, NewTarget, add_target
 from .variables import Item, reference_of
+
+FOR_ALL = ("enable_language", "include_directories", "rosidl_get_typesupport_target")
+"""The commands above all targets that a first one may bring."""
 
 _MAKING = frozenset({"add_executable", "add_library", "ament_auto_add_executable"})
 _ABOUT = re.compile(rf"{'|'.join(OF_TARGETS)}|rosidl_target_interfaces|target_\w+")
@@ -51,7 +53,13 @@ class _Gone(NamedTuple):
     arguments: tuple[tuple[Command, Argument], ...]
 
 
-def remove_target(text: bytes, path: Path, name: str, packages: Sequence[str] = ()) -> Edited:
+def remove_target(
+    text: bytes,
+    path: Path,
+    name: str,
+    packages: Sequence[str] = (),
+    commands: Container[str] | None = None,
+) -> Edited:
     """Build and install a target no more.
 
     What was written for it alone goes where adding it again writes that too.
@@ -62,6 +70,8 @@ def remove_target(text: bytes, path: Path, name: str, packages: Sequence[str] = 
         name: the target.
         packages: the packages that no source needs any more; found no more, unless a command
             names one of them.
+        commands: those of `FOR_ALL` that came with the target; None where nothing tells, and they
+            go with the last target.
     """
     built = None
 
@@ -82,8 +92,14 @@ def remove_target(text: bytes, path: Path, name: str, packages: Sequence[str] = 
             gone.append(package)
     if built is not None:
         again = built._replace(packages=tuple(reversed(gone)))
-        return change(after, path, partial(_without_extras, before=text, new=again))
+        return change(after, path, partial(_without_extras, before=text, new=again, came=commands))
     return Edited(after)
+
+
+def commands_for_all(text: bytes, path: Path) -> frozenset[str]:
+    """Return those of `FOR_ALL` that a CMakeLists.txt has; none of one that cannot be read."""
+    lists, _ = read_cmake(text, path)
+    return frozenset(() if lists is None else (x.command.name for x in lists.named(*FOR_ALL)))
 
 
 def names_package(text: bytes, package: str) -> bool:
@@ -105,7 +121,7 @@ def _without(lists: CMakeLists, name: str) -> bytes:
     for command, argument in gone.arguments:
         splices += next(iter(argument_removals(listing, command, argument)))
     for group in _groups(lists, gone.commands):
-        splices += _removal(lists, group)
+        splices.append(_removal(lists, group))
     after = apply(listing.text, splices)
     _check(lists, after, name, gone)
     return after
@@ -267,27 +283,32 @@ def _groups(lists: CMakeLists, gone: frozenset[int]) -> Iterator[list[Statement]
     return within(lists.listing.statements)
 
 
-def _removal(lists: CMakeLists, group: Sequence[Statement]) -> list[Splice]:
-    """Return how commands are taken out, with one of the blank lines around them."""
-    listing = lists.listing
-    first = next(x for x in listing.commands() if x.start == group[0].start or not _is_in(x, group))
-    whole = replace(first, start=group[0].start, end=group[-1].end)
-    ways = list(command_removals(listing, whole))
-    if not ways:
-        why = "has something else in its line"
-        raise refusal(listing.text, listing.path, whole.span, why)
-    is_unended = whole.end == len(listing.text)
-    return ways[-2] if is_unended and len(ways) > 2 else ways[0]
-
-
-def _is_in(command: Command, group: Sequence[Statement]) -> bool:
-    return group[0].start <= command.start < group[-1].end
+def _removal(lists: CMakeLists, group: Sequence[Statement]) -> Splice:
+    """Return how commands are taken out: with the blank line above, as they were put in."""
+    text = lists.listing.text
+    start, end = line_start(text, group[0].start), line_end(text, group[-1].end)
+    rest = text[group[-1].end : end].strip()
+    if not begins_line(text, group[0].start) or (rest and not rest.startswith(b"#")):
+        span = (group[0].start, group[-1].end)
+        raise refusal(text, lists.listing.path, span, "has something else in its line")
+    previous = line_start(text, max(start - 1, 0))
+    above = text[previous:start].strip()
+    if end == len(text) and not text.endswith(b"\n") and start:
+        # What ends without a line ending is to end so again.
+        start = previous if not above else start
+        return Splice(start - (2 if text[start - 2 : start] == b"\r\n" else 1), end)
+    if start > previous and not above:
+        return Splice(previous, end)
+    following = line_end(text, end)
+    if not start and not text[end:following].strip():
+        return Splice(start, following)
+    return Splice(start, end)
 
 
 def _as_new(lists: CMakeLists, name: str) -> NewTarget | None:
     """Return a target as one would add it, None where nobody would so."""
     built = next((each for each in targets(lists) if each.what == name), None)
-    sources = [] if built is None else [x for x in sources_of(built) if x != "SHARED"]
+    sources = [] if built is None else sources_of(built)
     if built is None or len(sources) != 1:
         return None
     about = [x for x in lists.calls if x.items and x.items[0].value == name]
@@ -312,33 +333,33 @@ def _as_new(lists: CMakeLists, name: str) -> NewTarget | None:
     for each in about:
         if _REGISTERING.fullmatch(each.command.name):
             given = [item.value for item in each.items]
-            plugin = next((b for a, b in zip(given, given[1:], strict=False) if a == "PLUGIN"), "")
-            executable = next(
-                (b for a, b in zip(given, given[1:], strict=False) if a == "EXECUTABLE"), ""
-            )
+            plugin = next((b for a, b in pairwise(given) if a == "PLUGIN"), "")
+            executable = next((b for a, b in pairwise(given) if a == "EXECUTABLE"), "")
     if plugin is None and built.call.command.name == "add_library":
         plugin = name
     others = tuple(each for each in linked if each != own)
     return NewTarget(executable, sources[0], headers, (), others, plugin, own in linked)
 
 
-def _without_extras(lists: CMakeLists, before: bytes, new: NewTarget) -> bytes:
+def _without_extras(
+    lists: CMakeLists, before: bytes, new: NewTarget, came: Container[str] | None
+) -> bytes:
     """Take out what was written above all targets for one alone.
 
     Only where adding the target writes the same bytes again.
     """
     listing = lists.listing
-    names = ("enable_language", "include_directories", "rosidl_get_typesupport_target")
+    if came is None and list(targets(lists)):
+        return listing.text
+    names = [each for each in FOR_ALL if came is None or each in came]
     found = [x for x in listing.statements if isinstance(x, Command) and x.name in names]
     path = listing.path
     for count in range(min(len(found), 3), 0, -1):
         for some in combinations(found, count):
-            for at in range(2):
-                splices = [list(command_removals(listing, each)) for each in some]
+            splices = [list(command_removals(listing, each)) for each in some]
+            for at in range(max(map(len, splices))):
                 ways = [each[min(at, len(each) - 1)] for each in splices if each]
                 after = apply(listing.text, [y for x in ways for y in x])
                 if add_target(after, path, new).text == before:
                     return after
     return listing.text
-
-

@@ -14,6 +14,14 @@ _COMPONENT = re.compile(
     rb"|CLASS_LOADER_REGISTER_CLASS[ \t]*\([^;{}]*\brclcpp::Node\b)",
     re.MULTILINE,
 )
+_REGISTERED = re.compile(
+    rb"^[ \t]*(?:(?:PLUGINLIB_EXPORT_CLASS|CLASS_LOADER_REGISTER_CLASS"
+    rb"|RCLCPP_COMPONENTS_REGISTER_NODE\w*)[ \t]*\("
+    # Before pluginlib had that: package and name of the class come first.
+    rb"|PLUGINLIB_DECLARE_CLASS[ \t]*\([^,()]*,[^,()]*,)"
+    rb"\s*((?:::)?\w+(?:::\w+)*)\s*[,)]",
+    re.MULTILINE,
+)
 
 
 def is_nodelet(text: bytes) -> bool:
@@ -24,6 +32,11 @@ def is_nodelet(text: bytes) -> bool:
 def is_component(text: bytes) -> bool:
     """Tell whether a text registers a component."""
     return _COMPONENT.search(text) is not None
+
+
+def registered_classes(text: bytes) -> list[str]:
+    """Return the classes that a text registers as plugins or components, with their namespaces."""
+    return [found.decode().removeprefix("::") for found in _REGISTERED.findall(text)]
 
 
 def mentioned_library(text: bytes) -> str | None:

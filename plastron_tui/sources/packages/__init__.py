@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from .built import add_built_node
+from .built import add_built_node, add_needs
 from .changing import Changed, Needs, add_launch, add_node, remove_executable, remove_launch
 from .definitions import add_definition
 from .reading import PACKAGE_XML, PackageFiles, finds_scripts, named_elsewhere, read_package_files
+from .unbuilt import remove_built_node, staying
 
 __all__ = [
     "PACKAGE_XML",
@@ -15,10 +16,13 @@ __all__ = [
     "add_built_node",
     "add_definition",
     "add_launch",
+    "add_needs",
     "add_node",
     "finds_scripts",
     "named_elsewhere",
     "read_package_files",
+    "remove_built_node",
     "remove_executable",
     "remove_launch",
+    "staying",
 ]

@@ -6,22 +6,21 @@ describe the classes of a package's libraries, in an `<export>` for the package 
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from typing import TYPE_CHECKING, NamedTuple
 
 from plastron_tui.model.package_source import PackageSource
 
 from .changing import Changed, add_dependencies, with_edit
+from .nodelets import NODELET, PREFIX, export_description
 from .reading import CMAKE_LISTS, PACKAGE_XML
 
 if TYPE_CHECKING:
     from plastron_tui.sources.cmake.targets import NewTarget
     from plastron_tui.sources.xml.plugins import PluginClass
 
-_LOADER = "nodelet"
 _USUAL_FILE = "nodelet_plugins.xml"
 _NEEDS = ("build", "exec")
-_PREFIX = "${prefix}/"
 
 
 def add_built_node(
@@ -40,6 +39,8 @@ def add_built_node(
         keys: the packages and rosdep keys that it is built with, and runs with.
         plugin: what a file of the package tells of its class, in ROS 1; None for a program.
     """
+    from plastron_tui.sources.cmake.dependencies import found_packages
+    from plastron_tui.sources.cmake.removals import commands_for_all
     from plastron_tui.sources.cmake.targets import add_target
 
     after = Changed(dict(texts))
@@ -48,11 +49,45 @@ def add_built_node(
         after, target = described.changed, target._replace(plugins_file=described.file)
     if after.texts is None:
         return after
-    edited = add_target(after.texts[CMAKE_LISTS], source.folder / CMAKE_LISTS, target)
-    after = with_edit(after.texts, CMAKE_LISTS, edited)
+    path, before = source.folder / CMAKE_LISTS, after.texts[CMAKE_LISTS]
+    after = with_edit(after.texts, CMAKE_LISTS, add_target(before, path, target))
     if after.texts is None:
         return after
-    return add_dependencies(source, after.texts, keys, _NEEDS)
+    now, then = (
+        found_packages(text, path) | commands_for_all(text, path)
+        for text in (after.texts[CMAKE_LISTS], before)
+    )
+    found = tuple(sorted(now - then))
+    return add_dependencies(source, after.texts, keys, _NEEDS)._replace(found=found)
+
+
+def add_needs(
+    source: PackageSource,
+    texts: Mapping[str, bytes],
+    file: str,
+    packages: Sequence[str],
+    linked: Sequence[str],
+) -> Changed:
+    """Let a package build a node that it has with more packages, and depend on them.
+
+    Args:
+        source: the package.
+        texts: what its files hold by now.
+        file: the node's main file, by its path in the package.
+        packages: what the node is built with besides.
+        linked: what each of them is linked to by, in ROS 2.
+    """
+    from plastron_tui.sources.cmake.linking import add_packages
+
+    if CMAKE_LISTS not in texts:
+        return Changed(dict(texts))
+    path = source.folder / CMAKE_LISTS
+    after = with_edit(
+        texts, CMAKE_LISTS, add_packages(texts[CMAKE_LISTS], path, file, packages, linked)
+    )
+    if after.texts is None:
+        return after
+    return add_dependencies(source, after.texts, packages, _NEEDS)
 
 
 class _Described(NamedTuple):
@@ -79,9 +114,9 @@ def _described(
         return _Described(Changed(None, found))
     library = f"lib/lib{target_of(lists, target)}".replace("${PROJECT_NAME}", lists.name or "")
     exported = [
-        (each.get("plugin") or "").removeprefix(_PREFIX)
+        (each.get("plugin") or "").removeprefix(PREFIX)
         for export in package.document.root.named("export")
-        for each in export.named(_LOADER)
+        for each in export.named(NODELET)
     ]
     for file in (each for each in exported if each in texts):
         plugins, _ = read_plugins(texts[file], source.folder / file)
@@ -95,16 +130,25 @@ def _described(
         if edit.plugins is not None:
             changed = {**texts, file: edit.plugins.document.text}
             return _Described(Changed(changed), file)
+    if _describes_alone(texts.get(_USUAL_FILE), plugin):
+        # It was left when the node was taken out before.
+        return _new_file(source, texts, _USUAL_FILE, library, plugin)
     is_free = _USUAL_FILE not in source.names
     file = _USUAL_FILE if is_free else f"{target.stem}_{_USUAL_FILE}"
     return _new_file(source, texts, file, library, plugin)
 
 
+def _describes_alone(text: bytes | None, plugin: PluginClass) -> bool:
+    from plastron_tui.sources.xml.plugins import read_plugins
+
+    plugins = None if text is None else read_plugins(text).plugins
+    classes = [] if plugins is None else [x for each in plugins.libraries for x, _ in each.classes]
+    return [each.type for each in classes] == [plugin.type]
+
+
 def _new_file(
     source: PackageSource, texts: Mapping[str, bytes], file: str, library: str, plugin: PluginClass
 ) -> _Described:
-    from plastron_tui.sources.xml.edits import insert_last
-    from plastron_tui.sources.xml.new_element import NewElement
     from plastron_tui.sources.xml.package_xml import read_package
     from plastron_tui.sources.xml.plugins import add_class, read_plugins
 
@@ -117,15 +161,7 @@ def _new_file(
     made = add_class(plugins, library, plugin)
     if made.plugins is None:
         return _Described(Changed(None, made.diagnostics))
-    tag = NewElement(_LOADER, (("plugin", f"{_PREFIX}{file}"),))
-    exports = package.document.root.named("export")
-    edit = (
-        insert_last(package.document, exports[-1], tag)
-        if exports
-        else insert_last(
-            package.document, package.document.root, NewElement("export", children=(tag,))
-        )
-    )
+    edit = export_description(package.document, file)
     if edit.document is None:
         return _Described(Changed(None, edit.diagnostics))
     changed = {**texts, PACKAGE_XML: edit.document.text, file: made.plugins.document.text}

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Container, Iterable, Mapping
+from collections.abc import Callable, Collection, Container, Iterable, Mapping
 from typing import NamedTuple
 
 from plastron_tui.diagnostics import Diagnostic, codes
@@ -22,11 +22,14 @@ class Changed(NamedTuple):
         texts: what its files hold, None where the change is refused.
         diagnostics: why it is refused.
         added: the dependencies that it did not have.
+        found: the packages that its build did not find, and commands for all targets that it
+            did not have.
     """
 
     texts: dict[str, bytes] | None
     diagnostics: tuple[Diagnostic, ...] = ()
     added: tuple[str, ...] = ()
+    found: tuple[str, ...] = ()
 
 
 class Needs(NamedTuple):
@@ -37,11 +40,14 @@ class Needs(NamedTuple):
         added: the dependencies that came with it, each with whether a file named it before, which
             the package lived with; None where nothing tells.
         others_added: the files of other nodes that came so.
+        found: the packages that the build finds since it came, and commands for all targets;
+            None where nothing tells.
     """
 
     of: Callable[[bytes], Mapping[str, Iterable[str]]]
     added: Mapping[str, bool] | None = None
     others_added: Container[str] = ()
+    found: Collection[str] | None = None
 
 
 def add_node(
@@ -142,7 +148,7 @@ def remove_launch(
         return after
     others = {name: each for name, each in after.texts.items() if name not in (file, PACKAGE_XML)}
     gone = [key for key in keys if not any(named_elsewhere(others, (key,)))]
-    return _remove_dependencies(source, after.texts, gone)
+    return remove_dependencies(source, after.texts, gone)
 
 
 def _folder(file: str) -> str:
@@ -181,7 +187,7 @@ def remove_executable(
     if known.file not in after.texts:
         return after
     gone = _needed_no_more(after.texts, known.file, needs)
-    return _remove_dependencies(source, after.texts, gone)
+    return remove_dependencies(source, after.texts, gone)
 
 
 def _needed_no_more(texts: Mapping[str, bytes], file: str, needs: Needs) -> list[str]:
@@ -270,18 +276,40 @@ def add_dependencies(
     return Changed({**texts, PACKAGE_XML: package.document.text}, (), tuple(added))
 
 
-def _remove_dependencies(
-    source: PackageSource, texts: Mapping[str, bytes], keys: Iterable[str]
+def remove_dependencies(
+    source: PackageSource,
+    texts: Mapping[str, bytes],
+    keys: Iterable[str],
+    tags: Collection[str] = _REMOVABLE,
+    needs: Iterable[str] | None = None,
 ) -> Changed:
-    from plastron_tui.sources.xml.dependencies import remove_dependency
+    """Let a package depend on others no more.
+
+    Args:
+        source: the package.
+        texts: what its files hold by now.
+        keys: packages and rosdep keys.
+        tags: those of the elements that may go.
+        needs: what they were there for; only what that added goes where it shows.
+    """
+    from plastron_tui.sources.xml.dependencies import add_dependency, remove_dependency
     from plastron_tui.sources.xml.package_xml import read_package
 
     package, found = read_package(texts[PACKAGE_XML], source.folder / PACKAGE_XML)
     if package is None:
         return Changed(None, found)
     for key in reversed(list(keys)):
-        edit = remove_dependency(package, key, source.ros_version, _REMOVABLE)
+        edit = remove_dependency(package, key, source.ros_version, tags)
         if edit.package is None:
             return Changed(None, edit.diagnostics)
+        ways = [edit.tags, *((one,) for one in edit.tags)] if needs is not None else []
+        for way in ways:
+            less = remove_dependency(package, key, source.ros_version, way)
+            if less.package is not None and needs is not None:
+                again = add_dependency(less.package, key, needs, source.ros_version).package
+                if again is not None and again.document.text == package.document.text:
+                    edit = less
+                    break
+        assert edit.package is not None, "both were made"
         package = edit.package
     return Changed({**texts, PACKAGE_XML: package.document.text})

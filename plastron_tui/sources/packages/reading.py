@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping
 from pathlib import Path
+from types import MappingProxyType
 from typing import TYPE_CHECKING, NamedTuple
 
 from plastron_tui.diagnostics import Diagnostic, codes
@@ -87,6 +88,7 @@ def read_package_files(files: PackageFiles, ros_version: int) -> LoadedPackage:
             files.is_whole,
             parts.script_file,
             files.names,
+            parts.plugins,
         )
     )
 
@@ -96,6 +98,7 @@ class _Parts(NamedTuple):
     node_folder: str | None
     python_root: str = ""
     script_file: str = SETUP_PY
+    plugins: Mapping[str, InstalledExecutable] = MappingProxyType({})
 
 
 def _text(files: PackageFiles, name: str) -> bytes:
@@ -183,6 +186,8 @@ def _cmake_parts(files: PackageFiles) -> _Parts:
     )
     from plastron_tui.sources.cmake.reader import read_cmake
 
+    from .nodelets import nodelets
+
     text, path = _text(files, CMAKE_LISTS), files.folder / CMAKE_LISTS
     lists, found = read_cmake(text, path)
     if lists is None:
@@ -194,11 +199,17 @@ def _cmake_parts(files: PackageFiles) -> _Parts:
             line = line_number(text, target.call.command.start)
             sources = tuple(sources_of(target))
             name = executable_of(lists, target)
-            executables[name] = InstalledExecutable(None, CMAKE_LISTS, line, sources=sources)
+            executables[name] = InstalledExecutable(
+                None, CMAKE_LISTS, line, sources=sources, built=target.what
+            )
     for each in registered_components(lists):
         line = line_number(text, each.call.command.start)
         executables[each.what] = InstalledExecutable(
-            None, CMAKE_LISTS, line, sources=tuple(component_sources(lists, each))
+            None,
+            CMAKE_LISTS,
+            line,
+            sources=tuple(component_sources(lists, each)),
+            built=each.call.items[0].value,
         )
     for entry in programs(lists):
         if entry.destination != f"lib/{lists.name}":
@@ -212,7 +223,8 @@ def _cmake_parts(files: PackageFiles) -> _Parts:
             executables[name] = InstalledExecutable(file, CMAKE_LISTS, line)
     folders = _usual_folders(each.file for each in executables.values())
     folders += [each for each in _SCRIPT_FOLDERS[:-1] if _has_folder(files, each)]
-    return _Parts(executables, folders[0] if folders else _SCRIPT_FOLDERS[0])
+    folder = folders[0] if folders else _SCRIPT_FOLDERS[0]
+    return _Parts(executables, folder, plugins=nodelets(files.texts, files.folder, lists))
 
 
 def _usual_folders(paths: Iterable[str | None]) -> list[str]:

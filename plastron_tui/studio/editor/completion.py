@@ -267,7 +267,7 @@ def detail_of(
 
 def _library(library: ClientLibrary) -> str:
     """Return what a client library is for, in a few words."""
-    what = library.purpose.partition(":")[0]
+    what = library.purpose.partition(":")[0].partition(",")[0]
     return ", ".join(filter(None, (f"{library.language}, ROS {library.ros_version}", what)))
 
 

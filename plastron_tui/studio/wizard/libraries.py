@@ -72,7 +72,7 @@ def _standing(library: str) -> str:
     if there is None:
         return "not installed here: it can be written, not run"
     if missing:
-        return f"{there.words} is without `{missing[0]}`: it can be written, not run"
+        return f"{there.words} has no `{missing[0]}`: it can be written, not run"
     return there.words
 
 

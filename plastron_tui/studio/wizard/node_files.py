@@ -7,12 +7,14 @@ from collections.abc import Callable, Container, Iterator
 from contextlib import suppress
 from itertools import islice
 from pathlib import Path
+from typing import NamedTuple
 
 from plastron_tui.language import SlotKind
 from plastron_tui.language.sentence import is_module
 from plastron_tui.model.context import LoadRequest
-from plastron_tui.model.source import LARGEST_FILE, SourceUnit
+from plastron_tui.model.source import LARGEST_FILE, SourceUnit, place_of
 from plastron_tui.regular_files import read_regular
+from plastron_tui.sources.base import Language
 from plastron_tui.targets import languages
 
 from .ask import Ask, Choice
@@ -126,8 +128,22 @@ def path_text(path: Path, folder: Path) -> str:
 
 
 def _node_files(folder: Path) -> Iterator[tuple[Path, str]]:
-    """Yield the files below a folder that name a client library, with its name."""
-    return islice(_marked(folder), MOST_FILES)
+    """Yield the files below a folder that name a client library, with its name.
+
+    One that is read with another, as a header is with its source, is left out.
+    """
+    found = list(islice(_marked(folder), MOST_FILES))
+    covered: set[Path] = set()
+    # Those that a new node's file would end in come first: the others belong to them.
+    for path, language, text, _ in sorted(found, key=lambda each: _rank(each.path, each.language)):
+        if path not in covered:
+            beside = (place_of(path, name) for name in language.others(path, text))
+            covered.update(each for each in beside if _rank(path, language) < _rank(each, language))
+    return ((each.path, each.library) for each in found if each.path not in covered)
+
+
+def _rank(path: Path, language: Language) -> int:
+    return language.suffixes.index(path.suffix) if path.suffix in language.suffixes else 0
 
 
 def found_files(
@@ -138,13 +154,23 @@ def found_files(
     return tuple(islice(found, MOST_FILES))
 
 
-def _marked(folder: Path) -> Iterator[tuple[Path, str]]:
+class _Marked(NamedTuple):
+    """A file that names a client library."""
+
+    path: Path
+    language: Language
+    text: bytes
+    library: str
+
+
+def _marked(folder: Path) -> Iterator[_Marked]:
     known = {suffix: each for each in languages() for suffix in each.suffixes}
     for path in islice(files_of(frozenset(known), folder), _MOST_ENTRIES):
         with suppress(OSError):
-            library = known[path.suffix].mentioned_library(read_regular(path, LARGEST_FILE))
+            language, text = known[path.suffix], read_regular(path, LARGEST_FILE)
+            library = language.mentioned_library(text)
             if library is not None:
-                yield path, library
+                yield _Marked(path, language, text, library)
 
 
 def files_of(suffixes: Container[str], folder: Path, depth: int = 0) -> Iterator[Path]:

@@ -16,6 +16,7 @@ from plastron_tui.sources import find_language
 from plastron_tui.sources.base import Language, Rendered
 from plastron_tui.sources.cpp import naming
 from plastron_tui.sources.cpp.layout import lay_out
+from plastron_tui.sources.cpp.mentioned import registered_classes
 from plastron_tui.targets.base import API_VERSION, Target
 from plastron_tui.targets.rendering import CannotRenderError, render_text
 
@@ -53,6 +54,11 @@ class CppTarget(Target):
         """Return the class by which a process of others loads a node, None for a program."""
         if not self.dialect.is_plugin:
             return None
+        source = node.source
+        if source is not None and source.library == self.name:
+            registered = _registered(source)
+            if registered is not None:
+                return registered
         return f"{_namespace(node)}::{naming.class_name(node.name)}"
 
     def render(self, node: Node, catalog: Catalog) -> Rendered:
@@ -113,6 +119,14 @@ class CppTarget(Target):
     def _text(self, template: str, values: dict[str, object]) -> str:
         folders = self.dialect.template_folders
         return render_text(folders, template, values, lay_out, self._template_folder)
+
+
+def _registered(source: SourceUnit) -> str | None:
+    """Return the class that a loaded node registers, None where its files do not say which."""
+    found = [each for _, text in source.files.texts for each in registered_classes(text)]
+    meant = {each.class_name.rpartition("::")[2] for each in source.nodes if each.class_name}
+    named = [each for each in found if each.rpartition("::")[2] in meant]
+    return next(iter(named or (found if len(found) == 1 else ())), None)
 
 
 def _package(node: Node) -> str:

@@ -20,6 +20,9 @@ PLUGINS_FILE = "nodelet_plugins.xml"
 
 NODELET_BASE = "nodelet::Nodelet"
 
+_HEADERS = "../include/"
+"""The folder of a package's headers, from that of its sources."""
+
 # What a package of ROS 2 is linked to by; others say what their targets are in `NAME_TARGETS`.
 _LINKED = {
     "rclcpp": "rclcpp::rclcpp",
@@ -79,8 +82,18 @@ class BuiltNode:
 
     @property
     def has_header(self) -> bool:
-        """Whether it is written in several files."""
-        return bool(self.node.others)
+        """Whether headers in the package's folder for them belong to it."""
+        return any(name.startswith(_HEADERS) for name, _ in self.node.others)
+
+    @property
+    def installs_header(self) -> bool:
+        """Whether one of them is where others look for headers of the package.
+
+        catkin installs what is in a folder of the package's name. A loaded node may bring headers
+        along in a folder of the name of the package that it came from.
+        """
+        folder = f"{_HEADERS}{self.spec.name}/" if self.spec.ros_version == 1 else _HEADERS
+        return any(name.startswith(folder) for name, _ in self.node.others)
 
     @cached_property
     def packages(self) -> tuple[str, ...]:

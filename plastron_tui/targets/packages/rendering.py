@@ -260,7 +260,7 @@ def _built_values(spec: PackageSpec) -> dict[str, object]:
         "plugin_packages": sorted({name for each in plugins for name in each.packages}),
         "plugins_file": PLUGINS_FILE,
         "has_headers": any(each.has_header for each in built),
-        "exports_headers": any(each.has_header for each in plugins),
+        "exports_headers": any(each.installs_header for each in plugins),
     }
 
 

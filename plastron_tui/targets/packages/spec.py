@@ -44,6 +44,7 @@ class PackagedNode(NamedTuple):
         span: the statement that puts it there.
         others: the other files of its source, by their names from the folder of its file.
         plugin: the class that a manager or a container loads it as, None for a program.
+        suffix: what its file ends in, "" for what a new one of its language does.
     """
 
     executable: str
@@ -55,11 +56,12 @@ class PackagedNode(NamedTuple):
     span: Span | None = None
     others: tuple[tuple[str, bytes], ...] = ()
     plugin: str | None = None
+    suffix: str = ""
 
     @property
     def file(self) -> str:
         """The name of its file."""
-        return f"{self.module}{self.language.suffix}"
+        return f"{self.module}{self.suffix or self.language.suffix}"
 
     @property
     def is_built(self) -> bool:

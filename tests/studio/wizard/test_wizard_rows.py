@@ -11,6 +11,7 @@ from wizard_driver import wizard
 
 from plastron_tui.ros import installations
 from plastron_tui.ros.installations import Installation, Origin
+from plastron_tui.studio.wizard import libraries
 from plastron_tui.studio.wizard.flow import PageKind
 from plastron_tui.studio.wizard.rows import Row
 
@@ -147,11 +148,15 @@ async def test_constants_are_offered(here: Path) -> None:
         assert it.statements[0].endswith("and input power_supply_health=1")
 
 
+MISSING = {"rclcpp": ("rclcpp",)}
+
+
 async def test_the_library_is_what_is_installed_and_explained(
     here: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     there = Installation(Origin.EXTRA, 2, "kilted")
     monkeypatch.setattr(installations, "installed", lambda: (there,))
+    monkeypatch.setattr(libraries, "_missing", lambda library, _: MISSING.get(library, ()))
     async with wizard() as it:
         await it.pick(MAKE)
         # The shell takes the same one: it need not be written.
@@ -159,9 +164,15 @@ async def test_the_library_is_what_is_installed_and_explained(
         await it.go_to("library")
         assert it.help == "rclpy for ROS 2 kilted: it is installed"
         about = {choice.text: choice.closed or choice.about for choice in it.form.choices}
-        assert about["rclpy"] == "ROS 2 kilted (from the Python packages)"
-        assert "not installed here" in about["rospy"]
-        assert "not installed here" in about["roscpp"]
+        standing = {name: each.rpartition("; ")[2] for name, each in about.items()}
+        assert standing["rclpy"] == "ROS 2 kilted (from the Python packages)"
+        assert "has no `rclcpp`" in standing["rclcpp"]
+        assert "not installed here" in standing["rospy"]
+        assert "not installed here" in standing["roscpp"]
+        # Each says what it is for, and which of two to take.
+        assert "a script" in about["rclpy"]
+        assert "a manager loads" in about["nodelet"]
+        assert "a container loads" in about["component"]
 
 
 async def test_a_library_of_which_nothing_is_installed_is_explained(

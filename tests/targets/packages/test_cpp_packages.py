@@ -113,6 +113,26 @@ def test_a_header_that_comes_along_is_none_of_others(tmp_path: Path) -> None:
     assert render_package(replace(spec, nodes=(node, *others))).diagnostics == ()
 
 
+@pytest.mark.parametrize(
+    ("header", "folder", "is_installed"),
+    [
+        ("../include/demo/talker.hpp", "include_directories(include $", True),
+        ("../include/robots/talker.hpp", "include_directories(include $", False),
+        ("talker.hpp", "include_directories($", False),
+    ],
+)
+def test_only_headers_that_are_there_are_installed(
+    header: str, folder: str, is_installed: bool, tmp_path: Path
+) -> None:
+    spec = ros1_package(tmp_path)
+    nodes = tuple(each._replace(others=((header, b""),)) for each in spec.nodes if each.is_built)
+    found = render_package(replace(spec, nodes=nodes))
+    assert found.files is not None
+    text = found.files["CMakeLists.txt"].text.decode()
+    assert ("DIRECTORY include/${PROJECT_NAME}/" in text) == is_installed
+    assert folder in text
+
+
 @pytest.mark.parametrize("name", ["test", "install", "demo"])
 def test_no_target_has_the_name_of_another(name: str, tmp_path: Path) -> None:
     spec = replace(ros2_package(tmp_path))

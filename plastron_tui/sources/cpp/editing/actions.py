@@ -18,12 +18,12 @@ from .adding import Addition
 from .calling import waits
 from .computing import computing_for
 from .functions import write_function
-from .hearing import bound, existing
+from .handles import handle_for
+from .hearing import bind_manner, existing
 from .interfaces import refuse
 from .logging import log_line
 from .manner import method_naming
 from .members import hold, is_local, type_of
-from .place import handle_for
 from .timers import capture, node_captures, period_of, run_at, timer_name
 
 K = EndpointKind
@@ -126,18 +126,36 @@ def _serve_in_ros1(added: Addition, class_: str, name: str, is_there: bool) -> N
             f"{variable}->setSucceeded(result);",
         ]
         write_function(added, name, f"const {class_}GoalConstPtr{reference}goal", body)
+    binder, placeholder = bind_manner(added, 1)
+    if not placeholder.startswith("_") and binder.startswith("boost"):
+        added.include(added.place.file, "boost/bind/bind.hpp")
+    assert added.owner is not None, "it was refused otherwise"
+    called = f"{binder}(&{added.owner.name}::{name}, this, {placeholder}1)"
+    given = ", ".join((*_named(added), called, "false"))
+    added.lines += [f"{variable}.reset(new {server}(", f"\t{given}));", f"{variable}->start();"]
+
+
+def _named(added: Addition) -> list[str]:
+    """Return what a part of an action of ROS 1 is named by: a handle, unless it is the usual one.
+
+    It takes a handle by reference, which one that is made for it alone cannot be.
+    """
     handle, given = handle_for(added.analysis, added.place, added.endpoint.name)
-    handle = handle.removesuffix(".")
-    handle = f"*{handle.removesuffix('->')}" if handle.endswith("->") else handle
-    handed, _ = bound(added, name, 1)
-    called = handed[0]
-    if not called.startswith(("boost::bind", "std::bind", "bind")):
-        called = f"boost::bind({called}, this, _1)"
-    added.lines += [
-        f"{variable}.reset(new {server}(",
-        f"\t{handle}, {literals.string(given)}, {called}, false));",
-        f"{variable}->start();",
-    ]
+    text = literals.string(given)
+    if handle.startswith("ros::NodeHandle("):
+        made = handle.removeprefix("ros::NodeHandle").removesuffix(".")
+        if made == "()":
+            return [text]
+        name = added.free("private_nh")
+        added.lines.append(f"ros::NodeHandle {name}{made};")
+        return [name, text]
+    bare = f"*{handle[:-2]}" if handle.endswith("->") else handle.removesuffix(".")
+    if bare.endswith(")"):
+        # What a function returns may be none that can be referred to.
+        name = added.free("action_nh")
+        added.lines.append(f"ros::NodeHandle {name}({bare});")
+        bare = name
+    return [bare, text]
 
 
 def request_action(added: Addition, client: ActionClient, interface: Interface) -> None:
@@ -207,9 +225,7 @@ def _client_of_ros1(added: Addition, class_: str) -> str:
     added.include(where, "actionlib/client/simple_action_client.h")
     added.include(where, "memory")
     added.include_types(where)
-    handle, given = handle_for(added.analysis, added.place, added.endpoint.name)
-    handle = f"*{handle[:-2]}" if handle.endswith("->") else handle.removesuffix(".")
-    made = f"new {client}({handle}, {literals.string(given)}, true)"
+    made = f"new {client}({', '.join(_named(added))}, true)"
     if is_local(added):
         added.lines.append(f"{type_} {variable}({made});")
     else:

@@ -161,6 +161,9 @@ class Addition:
                 break
             offset = above
         written = style.laid_out(lines, _indent(text, node.start_byte))
+        before = text[line_start(text, offset - 1) : offset].strip() if offset else b""
+        if gap and before and not before.endswith(b"{"):
+            written = style.newline + written
         self.plan.replace(file, offset, offset, written + (style.newline if gap else ""))
 
     def put_at_place(self) -> None:

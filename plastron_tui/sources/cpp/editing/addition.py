@@ -35,6 +35,7 @@ from .adding import Addition
 from .calling import add_requests
 from .computing import computing_for
 from .functions import write_function
+from .handles import handle_for
 from .hearing import (
     bound,
     existing,
@@ -44,10 +45,10 @@ from .hearing import (
 )
 from .interfaces import Interfaces, refuse
 from .logging import log_line
-from .manner import callback_naming, held_by, identifiers
+from .manner import callback_naming, held_by, identifiers, split_words
 from .members import hold, is_local, type_of
 from .parameters import declare_parameter
-from .place import beside, find_place, handle_for, sites_of_node
+from .place import beside, find_place, sites_of_node
 from .plans import Plan
 from .sending import Sender, add_publishing
 from .timers import create_timer, event_parameter, period_of, timer_name
@@ -155,7 +156,7 @@ def _repeat(added: Addition, timer: Timer) -> None:
     if existing(added, timer.name) is None:
         body = [log_line(added, f"{naming.label(timer.name, 'a timer')} ticks", "")]
         write_function(added, timer.name, event_parameter(added), body)
-    words = naming.words(timer.name)
+    words = "_".join(split_words(timer.name))
     period = period_of(added, timer.rate or 1.0)
     variable = timer_name(added, words)
     create_timer(added, variable, period, timer.name)
@@ -241,6 +242,17 @@ def _queue(added: Addition) -> str:
     return text if _COPIED.fullmatch(text) else str(DEFAULT.depth or 10)
 
 
+def write_callback(added: Addition) -> str:
+    """Write what an endpoint that is there shall call, where the files have it not.
+
+    Returns its name.
+    """
+    interface = _interface(added)
+    folder = added.kind.facts.interface
+    assert folder is not None, "what calls a function with messages is of a type"
+    return _callback(added, interface, added.interfaces.class_of(interface.name, folder))
+
+
 def _callback(added: Addition, interface: Interface, class_: str) -> str:
     """Return the name of what the endpoint calls; what the files have not is written."""
     wanted = callback_of(added.endpoint)
@@ -265,7 +277,7 @@ def _callback(added: Addition, interface: Interface, class_: str) -> str:
             body += _answer(
                 added, interface, added.endpoint.answer, request.holder, response.holder
             )
-        elif added.is_ros2:
+        else:
             body.append(f"(void){response.name};")
         if not added.is_ros2:
             body.append("return true;")

@@ -19,7 +19,7 @@ from .computing import computing_for
 from .interfaces import refuse
 from .logging import log_line
 from .manner import Naming, variable_naming
-from .members import declare, is_local
+from .members import declare
 from .sending import Sender
 from .timers import capture, node_captures, period_of, run_at, timer_name
 
@@ -107,7 +107,7 @@ def _ask_in_ros2(
     )
     log = log_line(added, added.prose, "to_yaml(*future.get())")
     taken = "this" if added.owner is not None else ", ".join(node_captures(added))
-    if added.owner is None and (not is_local(added) or added.place.node not in log):
+    if added.owner is None and added.place.node not in log:
         taken = ""
     lines += [
         f"{sender.call}async_send_request(",
@@ -161,7 +161,8 @@ def _own_thread(added: Addition) -> str:
         for part in ("queue", "spinner", "nh")
     )
     file = added.place.file
-    if is_local(added):
+    if not is_member and added.place.function.name == "main":
+        # None of them can be there before `ros::init`.
         added.lines.append(f"ros::CallbackQueue {queue};")
         added.lines.append(f"ros::AsyncSpinner {spinner}(1, &{queue});")
         added.lines.append(f"ros::NodeHandle {handle};")

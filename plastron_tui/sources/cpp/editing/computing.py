@@ -15,7 +15,7 @@ def computing_for(added: Addition, span: Span | None) -> tuple[GuardedComputing,
     """Return what writes computed values, with the conditions that it notes."""
 
     def value(name: str) -> tuple[str, Interval | None]:
-        read = read_parameter(added, name)
+        read = read_parameter(added, name, in_method=added.owner is not None)
         return read.text, read.range
 
     assert span is not None, "a statement asks for them"

@@ -6,8 +6,6 @@ from dataclasses import dataclass
 
 from tree_sitter import Node
 
-from plastron_tui.model.source import EndpointKind
-
 from ..analysis import Analysis, Site
 from ..scopes import CppFile, Scope, Variable, last_name
 from ..shapes import OBJECTS
@@ -15,6 +13,7 @@ from .deletions import Deletions
 
 _WRAPPING = frozenset(
     {"argument_list", "call_expression", "new_expression", "parenthesized_expression"}
+    | {"unary_expression"}
 )
 
 
@@ -66,10 +65,13 @@ def creation_of(analysis: Analysis, site: Site) -> Creation | None:
             variable = None if left is None else variable_of(analysis, left, scope)
             if parent is None or parent.type != "expression_statement":
                 return None
-            is_value = site.endpoint.kind is EndpointKind.PARAMETER
-            return None if variable is None and is_value else Creation(file, parent, variable)
+            if variable is None and left is not None and left.type == "field_expression":
+                variable = _only_member(analysis, left.child_by_field_name("field"), scope)
+            return None if variable is None else Creation(file, parent, variable)
         if node.type == "expression_statement":
             return Creation(file, node, _set_by(analysis, site))
+        if node.type == "condition_clause":
+            return _unless_set(analysis, site, node)
         if (
             node is not site.call.node
             and node.type not in _WRAPPING
@@ -78,6 +80,37 @@ def creation_of(analysis: Analysis, site: Site) -> Creation | None:
             return None
         node = parent
     return None
+
+
+def _only_member(analysis: Analysis, name: Node | None, scope: Scope) -> Variable | None:
+    """Return the member of a name that one class alone has."""
+    word = "" if name is None else scope.file.syntax.word(name)
+    found = [
+        each.variables[word][0]
+        for each in analysis.unit.scopes()
+        if each.kind == "class" and word in each.variables
+    ]
+    return found[0] if len(found) == 1 else None
+
+
+def _unless_set(analysis: Analysis, site: Site, condition: Node) -> Creation | None:
+    """Return `if (!nh.hasParam("x")) {nh.setParam("x", 1);}` whose body does no more."""
+    whole = condition.parent
+    if whole is None or whole.type != "if_statement" or site.call.name != "hasParam":
+        return None
+    body = whole.child_by_field_name("consequence")
+    if body is None or whole.child_by_field_name("alternative") is not None:
+        return None
+    parts = body.named_children if body.type == "compound_statement" else [body]
+    same = [
+        each.call.node.parent
+        for each in analysis.sites
+        if each.file is site.file
+        and each.endpoint.kind is site.endpoint.kind
+        and each.endpoint.name == site.endpoint.name
+    ]
+    is_alone = all(any(each is not None and each.id == part.id for each in same) for part in parts)
+    return Creation(site.file, whole, None) if parts and is_alone else None
 
 
 def _declared(file: CppFile, node: Node, site: Site) -> Variable | None:

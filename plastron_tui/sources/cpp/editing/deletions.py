@@ -19,6 +19,15 @@ _OPENING = re.compile(
 )
 _ENDING = re.compile(rb"[ \t]*[})]")
 
+_RULING = frozenset(
+    {"if_statement", "else_clause", "for_statement", "for_range_loop", "while_statement"}
+    | {"do_statement"}
+)
+_DOING = frozenset(
+    {"call_expression", "assignment_expression", "update_expression", "declaration"}
+    | {"init_declarator", "co_await_expression"}
+)
+
 
 class Deletions:
     """Parts of files that go."""
@@ -26,10 +35,41 @@ class Deletions:
     def __init__(self) -> None:
         self._parts: defaultdict[CppFile, list[tuple[int, int]]] = defaultdict(list)
         self._lines: defaultdict[CppFile, list[tuple[int, int]]] = defaultdict(list)
+        self._emptied: defaultdict[CppFile, list[tuple[int, int]]] = defaultdict(list)
+        self._nodes: list[tuple[CppFile, Node]] = []
 
     def statement(self, file: CppFile, node: Node) -> None:
-        """Take out a statement or declaration, with its lines where it has them alone."""
+        """Take out a statement or declaration, with its lines where it has them alone.
+
+        What is alone under an `if` or in a loop goes with that where its condition does nothing,
+        and leaves empty braces elsewhere: it would be the next statement that is under it.
+        """
+        outer = node.parent
+        if outer is not None and outer.type in _RULING and _is_body(node, outer):
+            if outer.type == "if_statement" and _is_idle_if(outer):
+                self.statement(file, outer)
+            else:
+                self._emptied[file].append((node.start_byte, node.end_byte))
+            return
+        self._nodes.append((file, node))
         self._lines[file].append((node.start_byte, node.end_byte))
+
+    def take_empty(self) -> None:
+        """Take out each `if` with braces that nothing is left in, and whose condition is idle."""
+        for file, node in self._nodes:
+            block = node.parent
+            outer = None if block is None else block.parent
+            if block is None or block.type != "compound_statement" or outer is None:
+                continue
+            if outer.type != "if_statement" or not _is_idle_if(outer):
+                continue
+            if (
+                self.covers(file, outer.start_byte)
+                or b"//" in file.syntax.text[block.start_byte : node.start_byte]
+            ):
+                continue
+            if all(self.covers(file, each.start_byte) for each in block.named_children):
+                self.statement(file, outer)
 
     def part(self, file: CppFile, start: int, end: int) -> None:
         """Take out a part of a line."""
@@ -37,20 +77,49 @@ class Deletions:
 
     def covers(self, file: CppFile, offset: int) -> bool:
         """Tell whether what stands at an offset goes."""
-        parts = (*self._parts[file], *self._lines[file])
+        parts = (*self._parts[file], *self._lines[file], *self._emptied[file])
         return any(start <= offset < end for start, end in parts)
 
     @property
     def files(self) -> Iterator[CppFile]:
         """The files that lose something."""
-        yield from dict.fromkeys((*self._parts, *self._lines))
+        found = (self._parts, self._lines, self._emptied)
+        yield from dict.fromkeys(file for each in found for file, parts in each.items() if parts)
 
     def splices(self, file: CppFile) -> list[Splice]:
         """Return the splices for a file."""
         text = file.syntax.text
         found = _merged(text, [_lines_of(text, start, end) for start, end in self._lines[file]])
         whole = [_tidy(text, *_with_comment(text, start, end)) for start, end in found]
-        return [Splice(start, end) for start, end in _merged(text, [*whole, *self._parts[file]])]
+        gone = _merged(text, [*whole, *self._parts[file]])
+        braces = [
+            Splice(start, end, b"{}")
+            for start, end in self._emptied[file]
+            if not any(first <= start < last for first, last in gone)
+        ]
+        return [*(Splice(start, end) for start, end in gone), *braces]
+
+
+def _is_body(node: Node, outer: Node) -> bool:
+    """Tell whether a statement is what a condition or a loop rules, without braces."""
+    fields = ("consequence", "body")
+    named = (outer.child_by_field_name(each) for each in fields)
+    is_else = outer.type == "else_clause"
+    return is_else or any(each is not None and each.id == node.id for each in named)
+
+
+def _is_idle_if(node: Node) -> bool:
+    """Tell whether an `if` has no `else`, and a condition that does nothing."""
+    condition = node.child_by_field_name("condition")
+    if condition is None or node.child_by_field_name("alternative") is not None:
+        return False
+    stack = [condition]
+    while stack:
+        each = stack.pop()
+        if each.type in _DOING:
+            return False
+        stack += each.named_children
+    return True
 
 
 def _lines_of(text: bytes, start: int, end: int) -> tuple[int, int]:

@@ -30,6 +30,7 @@ from .refusals import RefusedError
 from .removal import plan_removal
 from .renaming import plan_renames
 from .replacing import NotInPlaceError
+from .still_named import tell_still_named
 from .uncalled import tell_uncalled
 from .units import Found, analyze_files, endpoints_of, outlines_of
 from .updating import plan_update
@@ -69,6 +70,7 @@ def edit_cpp(source: SourceUnit, changes: Sequence[Change], catalog: Catalog) ->
         message = f"the change of `{source.path.name}` would {problem}"
         return Rendered(None, (Diagnostic(codes.EDIT_REFUSED, message),))
     edits.notes += tell_uncalled(edits.before, edits.analysis, changes)
+    edits.notes += tell_still_named(edits.analysis, changes)
     return Rendered(edits.files, tuple(edits.notes))
 
 

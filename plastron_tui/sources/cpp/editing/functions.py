@@ -21,6 +21,8 @@ def callbacks_of(added: Addition, kind: EndpointKind | None = None) -> list[Func
             continue
         for function in site.callback.functions:
             owner = added.analysis.unit.class_of_function(function)
+            if function.file.is_beside:
+                continue
             if owner is added.owner and all(each is not function for each in found):
                 found.append(function)
     return found

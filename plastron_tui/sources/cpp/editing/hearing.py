@@ -104,6 +104,26 @@ def _with_callbacks(added: Addition, kind: EndpointKind) -> list[Site]:
     return sorted(found, key=lambda each: each is not model)
 
 
+def hearing_functions(added: Addition, site: Site) -> list[Function]:
+    """Return the functions of the files that hear what a subscription gets.
+
+    A lambda that does nothing but hand its message to a method stands for that method.
+    """
+    found = [each for each in site.callback.functions if each.scope is not None]
+    position = site.shape.callback
+    node = site.arguments[position] if position is not None and not found else None
+    if node is not None and node.type == "lambda_expression" and added.owner is not None:
+        body = node.child_by_field_name("body")
+        syntax = site.place.file.syntax
+        text = "" if body is None else syntax.word(body)
+        handed = re.fullmatch(r"\{\s*(?:this->)?(\w+)\(\s*(?:std::move\()?\w+\)?\s*\);\s*\}", text)
+        for each in added.analysis.unit.functions.get(handed[1], ()) if handed else ():
+            is_own = added.analysis.unit.class_of_function(each) is added.owner
+            if each.scope is not None and is_own:
+                found.append(each)
+    return [each for each in found if not each.file.is_beside]
+
+
 def bound(added: Addition, name: str, arguments: int) -> tuple[list[str], bool]:
     """Write what calls a function, as the file's others are handed on.
 
@@ -125,16 +145,27 @@ def bound(added: Addition, name: str, arguments: int) -> tuple[list[str], bool]:
         is_method = any(each.lstrip().startswith("&") for each in texts)
         if is_method or not binds:
             return [f"&{class_}::{name}", "this"], False
-    binder, placeholder = "std::bind", _usual_placeholder(added, arguments)
-    if binds:
-        binder = binds[0].partition("(")[0].strip()
-        given = next((each[1] for text in binds for each in _PLACEHOLDER.finditer(text)), None)
-        if given is not None and (given != "_" or _is_seen(added, binder, arguments)):
-            placeholder = given
-    elif not added.is_ros2:
-        binder, placeholder = "boost::bind", "_"
+    binder, placeholder = bind_manner(added, arguments)
     listed = "".join(f", {placeholder}{at + 1}" for at in range(arguments))
     return [f"{binder}(&{class_}::{name}, this{listed})"], not added.is_ros2
+
+
+def bind_manner(added: Addition, arguments: int) -> tuple[str, str]:
+    """Return what binds a method, and what its placeholders begin with, as the file has them."""
+    texts = _callback_texts(added)
+    binds = [each for each in texts if re.match(r"(?:std::|boost::)?bind\b", each)]
+    if not binds:
+        if added.is_ros2:
+            return "std::bind", _usual_placeholder(added, arguments)
+        return "boost::bind", "boost::placeholders::_"
+    binder = binds[0].partition("(")[0].strip()
+    placeholder = "boost::placeholders::_"
+    if not binder.startswith("boost"):
+        placeholder = _usual_placeholder(added, arguments)
+    given = next((each[1] for text in binds for each in _PLACEHOLDER.finditer(text)), None)
+    if given is not None and (given != "_" or _is_seen(added, binder, arguments)):
+        placeholder = given
+    return binder, placeholder
 
 
 def _usual_placeholder(added: Addition, arguments: int) -> str:

@@ -11,7 +11,7 @@ from ..scopes import CppFile
 from ..unit import Unit
 from .plans import Plan
 
-_INTERFACE = re.compile(r"[\w.+-]+/(?:msg|srv|action)/\w+\.hpp|\w+_(?:msgs|srvs)/\w+\.h")
+_INTERFACE = re.compile(r"[\w.+-]+/(?:msg|srv|action)/\w+\.hpp|\w+_(?:msgs|srvs)/[A-Z]\w*\.h")
 _CONDITION = re.compile(rb"^[ \t]*#[ \t]*(if|endif)", re.MULTILINE)
 _TOP = re.compile(rb"^[ \t]*#[ \t]*(?:pragma[ \t]+once|define[ \t]+\w+)[ \t]*\r?\n", re.MULTILINE)
 

@@ -99,7 +99,10 @@ def _is_log(node: Node, function: Function) -> bool:
 
 def remove_function(function: Function, gone: Deletions) -> None:
     """Take out a definition or a declaration."""
-    gone.statement(function.file, function.node)
+    node = function.node
+    if node.parent is not None and node.parent.type == "template_declaration":
+        node = node.parent
+    gone.statement(function.file, node)
 
 
 def take_types(analysis: Analysis, sites: Sequence[Site], gone: Deletions) -> None:
@@ -154,8 +157,8 @@ def _take_aliases(analysis: Analysis, name: str, gone: Deletions) -> None:
         if file.is_beside:
             continue
         for node in _aliases(file):
-            said = file.syntax.word(node)
-            if gone.covers(file, node.start_byte) or not re.search(rf"\b{name}\b", said):
+            said = file.syntax.word(node).encode(file.syntax.encoding)
+            if gone.covers(file, node.start_byte) or not named(name).search(said):
                 continue
             own = _alias_name(node, file)
             if own and not _is_said(analysis, own, file, node, gone):

@@ -7,7 +7,7 @@ from collections import Counter
 
 from ..nodes import group
 from .adding import Addition
-from .place import _is_nodelet
+from .handles import is_nodelet_place
 
 _ROS2_CALL = re.compile(
     r"\bRCLCPP_(?:DEBUG|INFO|WARN|ERROR)(_STREAM)?\(\s*((?:[^(),]|\([^()]*\))+),"
@@ -38,7 +38,7 @@ def log_line(added: Addition, label: str, value: str, *, level: str = "INFO") ->
 
 def _ros1_macro(added: Addition) -> str:
     text = added.place.file.syntax.code
-    if _is_nodelet(added.analysis, added.place):
+    if is_nodelet_place(added.analysis, added.place):
         return "NODELET" if b"NODELET_" in text or b"ROS_" not in text else "ROS"
     return "ROS"
 

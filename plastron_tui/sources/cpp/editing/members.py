@@ -7,6 +7,7 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
+from plastron_tui.model.kinds import Publisher
 from plastron_tui.model.source import EndpointKind
 from plastron_tui.ros.interfaces import InterfaceName
 
@@ -14,6 +15,7 @@ from ..scopes import CppFile, Scope, Variable
 from .adding import Addition, variables_like
 from .manner import variable_naming
 from .place import is_managed
+from .transitions import follow_transitions
 
 K = EndpointKind
 
@@ -76,7 +78,12 @@ def is_local(added: Addition) -> bool:
     """Tell whether what holds the endpoint may be a variable of the function that creates it."""
     if added.owner is not None:
         return False
-    held = [variable for _, variable in variables_like(added)]
+    endpoint = added.endpoint
+    if isinstance(endpoint, Publisher) and any(x.reaction for x in endpoint.publications):
+        # The function that hears sees what the file has.
+        return False
+    held = [variable for _, variable in variables_like(added, added.kind)]
+    held = held or [variable for _, variable in variables_like(added)]
     globals_ = [each for each in held if each.kind == "global"]
     return added.place.function.name == "main" and len(globals_) * 2 <= len(held)
 
@@ -94,7 +101,10 @@ def hold(
     name = added.free(named.name(words or added.topic), named.end)
     if is_local(added):
         return name, None
-    return name, declare(added, f"{type_} {name};", kind)
+    file = declare(added, f"{type_} {name};", kind)
+    if kind is not K.PARAMETER and is_managed(added.analysis, added.owner):
+        follow_transitions(added, kind, name)
+    return name, file
 
 
 def declare(added: Addition, line: str, kind: EndpointKind | None = None) -> CppFile:

@@ -20,9 +20,10 @@ from plastron_tui.sources import naming
 from .. import literals
 from ..details import Details
 from .adding import Addition
+from .handles import handle_for
 from .interfaces import refuse
 from .members import hold
-from .place import handle_for
+from .place import beside
 
 K = EndpointKind
 
@@ -127,8 +128,13 @@ def _declare_in_ros2(added: Addition, parameter: Parameter, class_: str, value: 
     added.lines += [f"\t{node}declare_parameter{template}({name}, {value}, descriptor);", "}"]
 
 
-def read_parameter(added: Addition, name: str) -> Read:
+def read_parameter(added: Addition, name: str, *, in_method: bool = False) -> Read:
     """Write what reads a parameter of the node, and tell which numbers it may be.
+
+    Args:
+        added: the endpoint.
+        name: the parameter.
+        in_method: whether it is read in what the endpoint calls, and not where it is created.
 
     Raises:
         RefusedError: the files do not say its type, or in ROS 1 its default.
@@ -154,11 +160,36 @@ def read_parameter(added: Addition, name: str) -> Read:
     range_ = {"int": EVERY_INTEGER, "float": EVERY_FLOAT}.get(element)
     added.expect(K.PARAMETER, whole, None, "")
     if added.is_ros2:
+        if not in_method:
+            _follow_declaration(added, whole)
         getter = (_ARRAYS if type_ != element else _GETTERS)[element]
         node = added.place.node
         return Read(f"{node}get_parameter({literals.string(whole)}).{getter}()", range_)
-    handle, own = handle_for(added.analysis, added.place, whole)
+    handle, own = handle_for(added.analysis, added.place, whole, in_method=in_method)
     holds = ParameterType(type_)
     assert default is not None, "it was refused otherwise"
     value = setting_text(default, holds, 1)  # type: ignore[arg-type]
     return Read(f"{handle}param<{class_of(holds, 1)}>({literals.string(own)}, {value})", range_)
+
+
+def _follow_declaration(added: Addition, name: str) -> None:
+    """Create the endpoint behind the call that declares a parameter, which ROS 2 asks for.
+
+    Raises:
+        RefusedError: it is not declared where the endpoint is created.
+    """
+    places = [
+        place
+        for site in added.sites
+        if site.endpoint.kind is K.PARAMETER
+        and site.endpoint.name == name
+        and site.call.name == "declare_parameter"
+        if (place := beside(added.analysis, site)) is not None
+    ]
+    here = [each for each in places if each.function is added.place.function]
+    if any(each.offset <= added.place.offset for each in here):
+        return
+    if not here:
+        message = f"`{name}` is not declared where `{added.endpoint.name}` is created"
+        refuse(codes.EDIT_REFUSED, message, added.span, "write the timer by hand")
+    added.place = here[0]

@@ -12,8 +12,8 @@ from plastron_tui.model.source import Add, EndpointKind
 
 from ..analysis import Analysis, NodeSite, Site
 from ..nodes import group, main_class
-from ..receivers import HANDLE, MANAGED_CLASSES, NODE_CLASSES, joined
-from ..scopes import CppFile, Function, Scope, Variable, last_name
+from ..receivers import HANDLE, MANAGED_CLASSES, NODE_CLASSES
+from ..scopes import CppFile, Function, Scope, Variable
 from ..shapes import TRANSFORMS
 from .manner import held_by
 from .refusals import RefusedError
@@ -94,6 +94,9 @@ def find_place(analysis: Analysis, change: Add, kind: EndpointKind) -> Place:
     for at, site in enumerate(sites_of_node(analysis, change.node)):
         place = beside(analysis, site)
         if place is None or id(place.function.node) in callbacks or site.bindings:
+            continue
+        if place.owner is None and place.file.name:
+            # A variable of a header is one of each source that includes it.
             continue
         if any(place.function.node.id == each.node.id for each in _called_back(analysis)):
             continue
@@ -306,7 +309,9 @@ def _methods(analysis: Analysis, owner: Scope, name: str) -> list[Function]:
     return [
         each
         for each in analysis.unit.functions.get(name, ())
-        if each.scope is not None and analysis.unit.class_of_function(each) is owner
+        if each.scope is not None
+        and not each.file.is_beside
+        and analysis.unit.class_of_function(each) is owner
     ]
 
 
@@ -339,81 +344,3 @@ def _behind_handle(analysis: Analysis, maker: NodeSite) -> Place | None:
 def is_managed(analysis: Analysis, owner: Scope | None) -> bool:
     """Tell whether a class is a managed node of ROS 2."""
     return owner is not None and analysis.receivers.derives_from(owner, MANAGED_CLASSES)
-
-
-def handle_for(analysis: Analysis, place: Place, name: str) -> tuple[str, str]:
-    """Return what stands before a method of a node handle of ROS 1, and the name it is given.
-
-    That of the call beside which the endpoint goes, where its namespace fits; else another one
-    that is seen there; else one made for it alone.
-    """
-    found: list[tuple[str, str]] = []
-    beside = place.beside
-    if beside is not None and beside.shape.on == "handle" and beside.call.receiver is not None:
-        call = beside.call
-        assert call.name_node is not None and call.receiver is not None
-        text = beside.file.syntax.between(call.receiver.start_byte, call.name_node.start_byte)
-        prefix = analysis.receivers.prefix(call.receiver, call.scope)
-        if prefix.text is not None and text.rstrip("->.").strip() not in _queued(analysis):
-            found.append((text.removesuffix("template ").strip(), prefix.text))
-    found += _handles(analysis, place)
-    for text, prefix_text in found:
-        own = _relative(name, prefix_text)
-        if own is not None:
-            return text, own
-    if _is_nodelet(analysis, place):
-        getter = "getPrivateNodeHandle()" if name.startswith("~") else "getNodeHandle()"
-        return f"{getter}.", name.removeprefix("~").lstrip("/") if name[0] == "~" else name
-    if name.startswith("~"):
-        return 'ros::NodeHandle("~").', name[1:].lstrip("/")
-    return "ros::NodeHandle().", name
-
-
-def _queued(analysis: Analysis) -> set[str]:
-    """Return the names of the handles that have a queue of their own."""
-    calls = analysis.unit.calls.get("setCallbackQueue", ())
-    return {last_name(each.receiver, each.scope) for each in calls if each.receiver is not None}
-
-
-def _is_nodelet(analysis: Analysis, place: Place) -> bool:
-    from ..node_sites import is_nodelet
-
-    return place.owner is not None and is_nodelet(analysis, place.owner)
-
-
-def _relative(name: str, prefix: str) -> str | None:
-    """Return a name as a handle of a namespace is given it, None where it cannot be."""
-    if name.startswith("/"):
-        return name
-    if not prefix:
-        return None if name.startswith("~") else name
-    own = name.removeprefix(f"{prefix.rstrip('/')}/")
-    return own if own != name and joined(prefix, own) == name else None
-
-
-def _handles(analysis: Analysis, place: Place) -> Iterator[tuple[str, str]]:
-    """Yield the node handles that are seen at a place, each with its namespace."""
-    seen: set[str] = set()
-    scopes: list[Scope] = list(place.scope.chain)
-    if place.owner is not None:
-        scopes += analysis.unit.bases(place.owner)
-    inner = analysis.unit.function_of(place.scope)
-    del inner
-    for scope in scopes:
-        for name, variables in scope.variables.items():
-            variable = variables[0]
-            if name in seen or analysis.receivers.type_of_variable(variable) != HANDLE:
-                continue
-            if variable.kind in ("local", "parameter") and variable.start > place.offset:
-                continue
-            seen.add(name)
-            if name in _queued(analysis):
-                continue
-            if variable.declarator is None or variable.is_list:
-                continue
-            prefix = analysis.receivers.prefix(variable.declarator, variable.scope)
-            if prefix.text is None:
-                continue
-            written = variable.type
-            is_pointer = variable.is_pointer or "Ptr" in written or "ptr<" in written
-            yield f"{name}{'->' if is_pointer else '.'}", prefix.text

@@ -8,8 +8,14 @@ from plastron_tui.model.endpoint_details import ParameterDetails
 from plastron_tui.model.kinds import Parameter
 
 from .. import literals
+from ..analysis import Site
 from ..read_parameters import parameter_call
 from .replacing import NotInPlaceError, Replacement
+
+
+def says_default(site: Site) -> bool:
+    """Tell whether a call says the default of its parameter."""
+    return parameter_call(site.call).default is not None
 
 
 def redeclare(update: Replacement, parameter: Parameter) -> None:

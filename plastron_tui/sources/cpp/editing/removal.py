@@ -10,8 +10,9 @@ from plastron_tui.model.source import EndpointKind, Remove
 from plastron_tui.sources.splices import line_number
 
 from ..analysis import Analysis, Site
-from ..scopes import CppFile, Function, Scope, Variable
-from .creation import Creation, creation_of
+from ..read_parameters import parameter_call
+from ..scopes import CppFile, Function, Scope, Variable, last_name
+from .creation import Creation, creation_of, variable_of
 from .deletions import Deletions
 from .leftovers import (
     functions_of,
@@ -22,15 +23,27 @@ from .leftovers import (
     take_placeholders,
     take_types,
 )
+from .own_functions import (
+    asking_function,
+    emptied_functions,
+    goal_functions,
+    goal_variables,
+    members_of,
+    mentions,
+    reading_function,
+    repeating_function,
+    unused_helpers,
+)
 from .plans import Plan
 from .refusals import RefusedError, in_use, not_there
-from .statements import calls_method, emptied, local_of, only_sets, statement_of
+from .statements import calls_method, emptied, local_of, only_calls, only_sets, statement_of
 from .units import sites_of
 from .uses import macro_uses, uses_of
 
 _SENDING = frozenset({"publish"})
 _ENDING = frozenset(
     {"shutdown", "reset", "cancel", "stop", "on_activate", "on_deactivate", "start", "spin"}
+    | {"join", "setAborted"}
 )
 
 
@@ -74,11 +87,18 @@ class _Removal:
             message = f"line {site.endpoint.line} creates it among others"
             raise RefusedError(message, self._change.span, "change the line by hand")
         self._plan.lost.append(site)
+        if self._gone.covers(site.file, site.call.node.start_byte) or self._take_reading(site):
+            return
         creation = creation_of(self._analysis, site)
         if creation is None:
             message = f"line {site.endpoint.line} does more than to create it"
             raise RefusedError(message, self._change.span, "change the line by hand")
         creation.delete(self._gone)
+        self._check_others(site)
+        if site.endpoint.kind is EndpointKind.PARAMETER:
+            self._take_descriptor(site)
+        if site.endpoint.kind is EndpointKind.ACTION_SERVER:
+            self._take_goals(site)
         if creation.variable is not None:
             self._take_variable(creation, site)
 
@@ -100,7 +120,7 @@ class _Removal:
         for file, node, scope in uses_of(self._analysis, variable):
             if self._gone.covers(file, node.start_byte):
                 continue
-            if not self._take_use(file, node, scope):
+            if not self._take_use(file, node, scope) and not self._take_asking(scope):
                 left.append((file, node, scope))
         self._take_guards(left)
         self._note_macros(variable)
@@ -148,6 +168,100 @@ class _Removal:
             return True
         return False
 
+    def _take_asking(self, scope: Scope) -> bool:
+        """Take out a function that only asks through the endpoint, and what begins it."""
+        functions = asking_function(self._analysis, scope)
+        if not functions:
+            return False
+        for each in functions:
+            remove_function(each, self._gone)
+        held: list[Variable] = []
+        for file, statement, place in mentions(self._analysis, functions, self._gone):
+            target = statement.named_children[0].child_by_field_name("left")
+            self._gone.statement(file, statement)
+            if target is not None:
+                found = variable_of(self._analysis, target, place)
+                held += [] if found is None else [found]
+            again = repeating_function(self._analysis, place, self._gone)
+            for each in again:
+                remove_function(each, self._gone)
+            for site in self._analysis.sites if again else ():
+                if again[0].name == site.endpoint.callback:
+                    self.take(site)
+        for variable in held:
+            uses = uses_of(self._analysis, variable)
+            if all(self._gone.covers(file, node.start_byte) for file, node, _ in uses):
+                self._gone.statement(variable.file, variable.node)
+        return True
+
+    def _check_others(self, site: Site) -> None:
+        """Refuse to take out a statement that creates other endpoints as well."""
+        for each in self._analysis.sites:
+            is_covered = self._gone.covers(each.file, each.call.node.start_byte)
+            if is_covered and each not in self._plan.lost and each not in self._sites:
+                message = f"line {site.endpoint.line} creates it among others"
+                raise RefusedError(message, self._change.span, "change the line by hand")
+
+    def _take_descriptor(self, site: Site) -> None:
+        """Take out the local variable that describes a parameter, and a block left empty."""
+        node, scope = parameter_call(site.call).descriptor, site.call.scope
+        name = "" if node is None else last_name(node, scope)
+        at = site.call.node.start_byte
+        variable = self._analysis.unit.lookup(name, scope, at) if name else None
+        if variable is None or variable.kind != "local":
+            return
+        setting = []
+        for file, use, _ in uses_of(self._analysis, variable):
+            if self._gone.covers(file, use.start_byte):
+                continue
+            statement = statement_of(use)
+            if statement is None or not (only_sets(statement, use) or only_calls(statement, use)):
+                return
+            setting.append(statement)
+        for each in (*setting, variable.node):
+            self._gone.statement(variable.file, each)
+        block = variable.node.parent
+        outer = None if block is None else block.parent
+        if block is None or outer is None or outer.type != "compound_statement":
+            return
+        if all(self._gone.covers(variable.file, each.start_byte) for each in block.named_children):
+            self._gone.statement(variable.file, block)
+
+    def _take_reading(self, site: Site) -> bool:
+        """Take out a function that reads a parameter as Plastron writes it."""
+        if site.endpoint.kind is not EndpointKind.PARAMETER:
+            return False
+        functions = reading_function(self._analysis, site.call.scope, self._change.name)
+        for file, statement, _ in mentions(self._analysis, functions, self._gone):
+            self.used.append((file, statement.start_point.row + 1))
+        for each in functions:
+            remove_function(each, self._gone)
+        members = (each for one in functions for each in members_of(self._analysis, one))
+        for variable in dict.fromkeys(members):
+            uses = uses_of(self._analysis, variable)
+            if all(self._gone.covers(file, node.start_byte) for file, node, _ in uses):
+                self._gone.statement(variable.file, variable.node)
+        return bool(functions)
+
+    def _take_goals(self, site: Site) -> None:
+        """Take out what works on the goals of an action as Plastron writes it."""
+        functions = [
+            each
+            for listed in goal_functions(self._analysis, site.endpoint.name or "")
+            for each in listed
+        ]
+        for each in functions:
+            remove_function(each, self._gone)
+        for variable in dict.fromkeys(goal_variables(self._analysis, functions)):
+            uses = [
+                each
+                for each in uses_of(self._analysis, variable)
+                if not self._gone.covers(each[0], each[1].start_byte)
+            ]
+            left = [each for each in uses if not self._take_use(*each)]
+            self._take_guards(left)
+            self._gone.statement(variable.file, variable.node)
+
     def _take_message(self, file: CppFile, statement: Node, scope: Scope) -> None:
         """Take out the local variable that was published, where nothing else uses it."""
         message = local_of(self._analysis, statement, scope)
@@ -177,6 +291,15 @@ class _Removal:
     def finish(self) -> Plan:
         """Take out the callbacks and includes that nothing needs any more, and return the plan."""
         self._take_idle()
+        for functions in emptied_functions(self._analysis, self._change.name, self._gone):
+            for each in functions:
+                remove_function(each, self._gone)
+            for file, statement, _ in list(mentions(self._analysis, functions, self._gone)):
+                self._gone.statement(file, statement)
+        while helpers := list(unused_helpers(self._analysis, self._gone)):
+            for functions in helpers:
+                for each in functions:
+                    remove_function(each, self._gone)
         for site in list(self._plan.lost):
             for functions in functions_of(self._analysis, site):
                 if self._is_gone(functions) or has_uses(self._analysis, functions, self._gone):
@@ -184,6 +307,7 @@ class _Removal:
                 if all(is_stub(each) for each in functions if each.scope is not None):
                     for each in functions:
                         remove_function(each, self._gone)
+        self._gone.take_empty()
         take_types(self._analysis, self._plan.lost, self._gone)
         take_placeholders(self._analysis, self._gone)
         for file in self._gone.files:

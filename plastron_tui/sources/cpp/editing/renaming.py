@@ -65,7 +65,7 @@ def plan_renames(analysis: Analysis, changes: Sequence[Rename]) -> Plan:
 def _origin(analysis: Analysis, site: Site, change: Rename, wanted: dict[Site, Rename]) -> Origin:
     """Return the text to change: what decides the name, or the argument of the call itself."""
     found = origin_of(analysis, site)
-    if found is not None and not found.file.is_beside:
+    if found is not None and not found.file.is_beside and not _is_shared(found):
         same = [each for each, other in wanted.items() if other.to == change.to]
         if all(_serves(analysis, uses, same, found) for uses in _uses(analysis, found)):
             return found
@@ -76,6 +76,16 @@ def _origin(analysis: Analysis, site: Site, change: Rename, wanted: dict[Site, R
     if _depends_on_parameter(analysis, given, site.place):
         raise _not_alone(site, change)
     return Origin(site.file, given.start_byte, given.end_byte)
+
+
+def _is_shared(origin: Origin) -> bool:
+    """Tell whether a text is a constant of a header that other nodes may include as well."""
+    name = origin.file.name
+    if not name or "{}" in name:
+        return False
+    defines = origin.file.syntax.defines
+    is_macro = any(each.start <= origin.start < each.end for each in defines)
+    return is_macro or (bool(origin.variables) and origin.variables[-1].kind == "global")
 
 
 def _depends_on_parameter(analysis: Analysis, node: Node, scope: Scope) -> bool:

@@ -18,6 +18,10 @@ class NotInPlaceError(Exception):
     """An endpoint that has to be taken out and written anew."""
 
 
+class OtherCodeError(NotInPlaceError):
+    """A callback that cannot do with messages of another type."""
+
+
 @dataclass(slots=True)
 class Replacement:
     """A change of one call site on its way.

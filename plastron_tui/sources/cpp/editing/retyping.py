@@ -13,23 +13,36 @@ from plastron_tui.ros.interfaces import Interface, InterfaceKind, InterfaceName
 from plastron_tui.sources.splices import line_end, line_start, newline_of
 
 from .. import interface_types
-from ..scopes import CppFile, Function, Scope, Variable
+from ..scopes import CppFile, Function, Scope, Variable, last_name
 from ..shapes import OBJECTS
 from .creation import creation_of
 from .deletions import Deletions
 from .leftovers import functions_of, has_uses, headers_of, is_stub, named
-from .replacing import NotInPlaceError, Replacement
+from .replacing import NotInPlaceError, OtherCodeError, Replacement
 from .uses import scope_at, uses_of, word
 
 _POINTER = re.compile(r"(?:Const)?Ptr\Z|(?:::(?:Const)?(?:Shared|Unique|Weak)?Ptr)\Z")
 _PART = re.compile(r"::(?:Request|Response|Event)(?:Type)?\b.*|(?:Request|Response)(?:Ptr)?\Z")
+_NUMBERS = frozenset(
+    [f"{sign}int{bits}" for sign in ("u", "") for bits in (8, 16, 32, 64)] + ["float32", "float64"]
+)
+_BOTH = 2
 _TYPES = frozenset({"qualified_identifier", "type_identifier"})
 
 
-def retype(update: Replacement, type_: InterfaceName, kind: InterfaceKind) -> None:
+def retype(
+    update: Replacement, type_: InterfaceName, kind: InterfaceKind, *, calls_same: bool
+) -> None:
     """Write another type wherever an endpoint says its own.
 
+    Args:
+        update: the change.
+        type_: the type.
+        kind: its kind.
+        calls_same: whether the endpoint goes on calling what it calls.
+
     Raises:
+        OtherCodeError: what it calls is made for the old type; nothing was written yet.
         NotInPlaceError: something of the file is made for the old type.
     """
     site, analysis = update.site, update.analysis
@@ -38,9 +51,14 @@ def retype(update: Replacement, type_: InterfaceName, kind: InterfaceKind) -> No
         raise NotInPlaceError
     new_class = interface_types.class_name(type_, kind, analysis.ros_version)
     written = _Written(update, old, new_class)
-    is_said = sum(written.put_types(site.file, each) for each in site.call.type_nodes[:1])
+    if calls_same:
+        _check_callback(update, type_, kind)
+    is_said = sum(written.put_types(site.file, each) for each in site.call.type_nodes)
     is_said += _retype_variable(update, written)
-    is_said += _retype_callback(update, written, type_, kind)
+    if calls_same:
+        is_said += _retype_callback(update, written)
+    elif site.shape.type == "callback":
+        is_said = 1
     if not is_said:
         raise NotInPlaceError
     _include(update, old, type_, kind, written.places)
@@ -77,7 +95,7 @@ class _Written:
                 text = "".join(file.syntax.word(each).split())
                 scope = scope_at(file, each.start_byte)
                 has_templates = "<" in text
-                if not has_templates and types.interface(text, scope) == self._old:
+                if not has_templates and types.interface(text, scope, True) == self._old:
                     yield each
                     continue
             if each.type != "compound_statement":
@@ -136,31 +154,42 @@ def _only_ends(node: Node) -> bool:
     return text in (b"shutdown", b"reset", b"on_activate", b"on_deactivate")
 
 
-def _retype_callback(
-    update: Replacement, written: _Written, type_: InterfaceName, kind: InterfaceKind
-) -> int:
+def _retype_callback(update: Replacement, written: _Written) -> int:
     """Write the new type in what the endpoint calls back: its declaration, its definition."""
-    site, analysis = update.site, update.analysis
-    position = site.shape.callback
-    if position is None:
-        return 0
-    given = site.arguments[position] if position < len(site.arguments) else None
+    given, functions = _called(update)
     if given is None:
-        raise NotInPlaceError
-    functions = [each for listed in functions_of(analysis, site) for each in listed]
-    wanted = callback_of(update.change.endpoint)
-    if wanted is not None and wanted != site.endpoint.callback:
         return 0
-    found = written.put_types(site.file, given)
-    if functions:
-        if _serves_others(update, functions):
-            raise NotInPlaceError
-        for each in functions:
-            listed_parameters = each.declarator.child_by_field_name("parameters")
-            if listed_parameters is not None:
-                found += written.put_types(each.file, listed_parameters)
-    _check_body(update, given, functions, type_, kind)
+    found = written.put_types(update.site.place.file, given)
+    for each in functions:
+        listed_parameters = each.declarator.child_by_field_name("parameters")
+        if listed_parameters is not None:
+            found += written.put_types(each.file, listed_parameters)
     return found
+
+
+def _called(update: Replacement) -> tuple[Node | None, list[Function]]:
+    """Return what an endpoint calls back, with the functions of the files that this is."""
+    site, position = update.site, update.site.shape.callback
+    if position is None:
+        return None, []
+    if position >= len(site.arguments):
+        raise NotInPlaceError
+    given, place = site.arguments[position], site.place
+    name = last_name(given, place)
+    if name and update.analysis.unit.lookup(name, place, given.start_byte) is not None:
+        # What a variable holds may be called for others as well.
+        raise NotInPlaceError
+    functions = [each for listed in functions_of(update.analysis, site) for each in listed]
+    return given, functions
+
+
+def _check_callback(update: Replacement, type_: InterfaceName, kind: InterfaceKind) -> None:
+    given, functions = _called(update)
+    if given is None:
+        return
+    if functions and _serves_others(update, functions):
+        raise OtherCodeError
+    _check_body(update, given, functions, type_, kind)
 
 
 def _serves_others(update: Replacement, functions: list[Function]) -> bool:
@@ -196,14 +225,17 @@ def _check_body(
     if functions and all(is_stub(each) for each in functions if each.scope is not None):
         return
     missing: dict[str, None] = {}
+    is_whole = False
+    old = None if site.endpoint.type is None else update.catalog.find(site.endpoint.type, kind)
     for body, file, parameters in bodies:
         for section, name in enumerate(parameters):
+            is_whole = is_whole or _is_handed_on(body, file, name)
             for field in _fields_used(body, file, name):
-                if interface is None or not _has_field(interface, section, field):
+                if not _is_same_field(old, interface, section, field):
                     missing[field] = None
     is_named = callback_of(update.change.endpoint) is not None
-    if missing and not is_named:
-        raise NotInPlaceError
+    if (missing or is_whole) and not is_named:
+        raise OtherCodeError
     if not any(_uses_parameters(*each) for each in bodies):
         return
     what = "its callback" if site.endpoint.callback is None else f"`{site.endpoint.callback}`"
@@ -215,11 +247,34 @@ def _check_body(
     update.plan.notes.append(note)
 
 
-def _has_field(interface: Interface, section: int, field: str) -> bool:
-    sections = interface.sections
-    if section >= len(sections):
+def _is_same_field(old: Interface | None, new: Interface | None, section: int, field: str) -> bool:
+    """Tell whether a field of a new type is one of the old type's, or a number as that is."""
+    types = []
+    for interface in (old, new):
+        if interface is None or section >= len(interface.sections):
+            return False
+        fields = interface.sections[section].fields
+        types += [each.type for each in fields if each.name == field]
+    if len(types) != _BOTH:
+        return False
+    return types[0] == types[1] or all(
+        each.package is None and not each.is_array and each.name in _NUMBERS for each in types
+    )
+
+
+def _is_handed_on(body: Node, file: CppFile, name: str) -> bool:
+    """Tell whether code does more with a parameter than to look into it, or to log it."""
+    if not name:
+        return False
+    code = file.syntax.code
+    for found in word(name).finditer(code, body.start_byte, body.end_byte):
+        if re.match(rb"\s*(?:->|\.)", code[found.end() : found.end() + 8]):
+            continue
+        before = code[max(body.start_byte, found.start() - 16) : found.start()]
+        if re.search(rb"(?:->|\.|\(void\)\s*|static_cast<void>\()\Z", before):
+            continue
         return True
-    return any(each.name == field for each in sections[section].fields)
+    return False
 
 
 def _bodies(

@@ -13,10 +13,12 @@ from plastron_tui.model.source import EndpointKind
 from plastron_tui.ros.interfaces import Field, InterfaceKind
 
 from .. import literals
+from ..analysis import Site
 from .adding import Addition, put_in_body
 from .computing import computing_for
+from .hearing import hearing_functions
 from .interfaces import refuse
-from .members import declare
+from .members import declare, is_local
 from .timers import capture, node_captures, period_of, run_at, timer_name
 from .turns import Turn, may_leave, own_turn
 
@@ -153,14 +155,11 @@ def _once(added: Addition, sender: Sender, publications: Sequence[Publication]) 
     if not added.is_ros2:
         added.lines += lines
         return
-    if added.owner is None:
-        message = f"the function that creates `{added.endpoint.name}` has no place to remember"
-        remedy = "publish it by hand, or let a node that is a class do so"
-        refuse(codes.EDIT_REFUSED, f"{message} whether somebody listens", added.span, remedy)
     timer = timer_name(added, added.topic)
     end = "_" if timer.endswith("_") else ""
     heard = added.free(f"{added.topic}_is_heard{end}", end)
-    declare(added, f"bool {heard} = false;")
+    if not is_local(added):
+        declare(added, f"bool {heard} = false;")
     body = [
         f"const bool was_heard = {heard};",
         f"{heard} = {sender.call}get_subscription_count() > 0;",
@@ -173,7 +172,11 @@ def _once(added: Addition, sender: Sender, publications: Sequence[Publication]) 
             ],
         ),
     ]
-    run_at(added, added.topic, "publish", period_of(added, _ONCE), body, timer=timer)
+    taken = (*_captures(added, sender, body), f"&{timer}", f"{heard} = false")
+    period = period_of(added, _ONCE)
+    run_at(
+        added, added.topic, "publish", period, body, timer=timer, captures=taken, is_mutable=True
+    )
 
 
 def _react(added: Addition, sender: Sender, publication: Publication, reaction: Reaction) -> None:
@@ -189,7 +192,7 @@ def _react(added: Addition, sender: Sender, publication: Publication, reaction: 
         and reaction.topic in (site.endpoint.name, site.endpoint.default)
     ]
     reason = ""
-    functions = [f for site in sites for f in site.callback.functions if f.scope is not None]
+    functions = [each for site in sites for each in hearing_functions(added, site)]
     function = functions[0] if len(functions) == 1 and len(sites) == 1 else None
     body = function.node.child_by_field_name("body") if function is not None else None
     if not sites:
@@ -200,7 +203,7 @@ def _react(added: Addition, sender: Sender, publication: Publication, reaction: 
         reason = f"`{function.name}` takes more or less than the message"
     elif added.analysis.unit.class_of_function(function) is not added.owner or sender.is_local:
         reason = f"`{function.name}` does not see `{sender.variable}`"
-    elif added.analysis.callers.of(function):
+    elif len(added.analysis.callers.of(function)) > (site_is_lambda(sites[0]) and 1):
         reason = f"`{function.name}` is called for something else too"
     if reason or function is None or body is None:
         message = f"`{added.endpoint.name}` is not sent for each message of `{reaction.topic}`"
@@ -226,6 +229,11 @@ def _react(added: Addition, sender: Sender, publication: Publication, reaction: 
     )
     put_in_body(added, function.file, function.node, body, lines, is_end)
     added.include_types(function.file)
+
+
+def site_is_lambda(site: Site) -> bool:
+    """Tell whether a lambda stands between a subscription and the function that hears it."""
+    return not site.callback.functions
 
 
 __all__ = ["Sender", "add_publishing", "sends"]

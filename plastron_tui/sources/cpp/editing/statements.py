@@ -55,6 +55,15 @@ def only_sets(statement: Node, node: Node) -> bool:
     return right is not None
 
 
+def only_calls(statement: Node, node: Node) -> bool:
+    """Tell whether a statement does nothing but call a method of what a node names, or a part."""
+    inner = statement.named_children[0] if statement.named_child_count == 1 else None
+    if statement.type != "expression_statement" or inner is None:
+        return False
+    callee = inner.child_by_field_name("function") if inner.type == "call_expression" else None
+    return callee is not None and callee.start_byte == node.start_byte
+
+
 def local_of(analysis: Analysis, statement: Node, scope: Scope) -> Variable | None:
     """Return the local variable that alone is given to a statement's call."""
     call = statement.named_children[0]

@@ -2,17 +2,18 @@
 
 from __future__ import annotations
 
+from plastron_tui.diagnostics import Diagnostic, codes
 from plastron_tui.model.kinds import Rate
 from plastron_tui.model.source import EndpointKind
 
 from .. import literals
 from .adding import Addition
 from .functions import write_function
+from .handles import handle_for
 from .hearing import bound, wrapped
 from .manner import method_naming
 from .members import hold, is_local, type_of
 from .parameters import read_parameter
-from .place import handle_for
 
 K = EndpointKind
 
@@ -20,6 +21,10 @@ K = EndpointKind
 def period_of(added: Addition, rate: Rate | float) -> str:
     """Write the time between two turns, as the client library takes it."""
     if isinstance(rate, Rate) and rate.parameter is not None:
+        bare = rate.parameter.removeprefix("~/")
+        message = f"the rate of `{added.endpoint.name}` is what `{bare}` is as the node starts"
+        help_ = f"let the timer follow `{bare}` by hand, if that changes while the node runs"
+        added.plan.notes.append(Diagnostic(codes.READ_ONCE, message, added.span, help=help_))
         text = f"1.0 / {read_parameter(added, rate.parameter).text}"
         if added.is_ros2:
             return f"std::chrono::duration<double>({text})"
@@ -77,6 +82,7 @@ def run_at(
     captures: tuple[str, ...] = (),
     handle: str = "",
     once: bool = False,
+    is_mutable: bool = False,
 ) -> None:
     """Let a timer of its own do something: a method of the class, or a lambda in a function.
 
@@ -90,6 +96,7 @@ def run_at(
         captures: the local variables that the body uses.
         handle: the handle of ROS 1 that it is created on, "" for the usual one.
         once: whether it ticks once, in ROS 1.
+        is_mutable: whether the lambda changes what it takes.
     """
     timer = timer or timer_name(added, words)
     if added.owner is not None:
@@ -97,12 +104,25 @@ def run_at(
         write_function(added, name, event_parameter(added), body)
         create_timer(added, timer, period, name, handle=handle, once=once)
         return
-    taken = f"[{', '.join(dict.fromkeys(captures))}]" if is_local(added) else "[]"
+    node = added.place.node
+    uses_node = bool(node) and any(node in line for line in body)
+    # What the file has is seen without a word.
+    captures = captures if is_local(added) else node_captures(added) if uses_node else ()
+    taken = f"[{', '.join(dict.fromkeys(captures))}]"
     head = f"{_declared(added)}{timer} = {_head(added, handle)}{period}, "
     tail = ", true);" if once else ");"
-    added.lines.append(f"{head}{taken}({event_parameter(added)}) {{")
-    added.lines += [f"\t{each}" for each in body]
-    added.lines.append(f"}}{tail}")
+    change = " mutable" if is_mutable and is_local(added) else ""
+    opening = f"{taken}({event_parameter(added)}){change} {{"
+    style = added.style(added.place.file)
+    if len(head) + len(opening) + len(style.indent) <= style.width:
+        added.lines.append(f"{head}{opening}")
+        added.lines += [f"\t{each}" for each in body]
+        added.lines.append(f"}}{tail}")
+    else:
+        first = head.removesuffix(f"{period}, ")
+        added.lines += [first, f"\t{period}, {opening}"]
+        added.lines += [f"\t\t{each}" for each in body]
+        added.lines.append(f"\t}}{tail}")
     added.expect(K.TIMER, period, None, "")
     _include_chrono(added)
 
@@ -116,7 +136,9 @@ def capture(added: Addition, variable: str, *, is_pointer: bool) -> str:
 def node_captures(added: Addition) -> tuple[str, ...]:
     """Return how a lambda of `main` takes the node of ROS 2."""
     node = added.place.node
-    if not node:
+    bare = node.removesuffix("->").removesuffix(".")
+    found = added.analysis.unit.lookup(bare, added.place.scope, added.place.offset)
+    if not node or (found is not None and found.kind == "global"):
         return ()
     return (f"&{node[:-1]}",) if node.endswith(".") else (node.removesuffix("->"),)
 
@@ -124,7 +146,8 @@ def node_captures(added: Addition) -> tuple[str, ...]:
 def _declared(added: Addition) -> str:
     if not is_local(added):
         return ""
-    return "auto " if added.is_ros2 else "ros::Timer "
+    # Not `auto`: what the timer calls may name it.
+    return "rclcpp::TimerBase::SharedPtr " if added.is_ros2 else "ros::Timer "
 
 
 def _head(added: Addition, handle: str) -> str:

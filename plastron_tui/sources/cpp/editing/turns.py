@@ -53,6 +53,7 @@ def _timers(added: Addition) -> Iterator[Turn | None]:
         if details.is_oneshot:
             continue
         functions = [each for each in site.callback.functions if each.scope is not None]
+        functions = [each for each in functions if not each.file.is_beside]
         owners = {id(added.analysis.unit.class_of_function(each)) for each in functions}
         if len(functions) != 1 or owners != {id(added.owner)} or added.owner is None:
             yield None
@@ -82,7 +83,8 @@ def _loops(added: Addition) -> Iterator[Turn | None]:
     seen = set()
     for call in added.analysis.unit.calls.get("sleep", ()):
         type_ = added.analysis.receivers.type_of(call.receiver, call.scope)
-        if not type_.endswith("Rate") or call.receiver is None:
+        is_rate = type_.endswith("Rate") and not call.scope.file.is_beside
+        if not is_rate or call.receiver is None:
             continue
         loop: Node | None = call.node
         while loop is not None and loop.type not in _LOOPS:

@@ -8,6 +8,7 @@ from plastron_tui.model.kinds import (
     Client,
     Parameter,
     Service,
+    Subscription,
     Timer,
     callback_of,
     is_sending,
@@ -17,12 +18,17 @@ from plastron_tui.ros.catalog import Catalog
 
 from ..analysis import Analysis, Site
 from ..scopes import Function
+from .adding import Addition
+from .addition import write_callback
+from .interfaces import Interfaces
 from .leftovers import functions_of, is_stub
+from .manner import identifiers
 from .pacing import set_period
+from .place import beside, sites_of_node
 from .plans import Plan
-from .redeclaring import redeclare
+from .redeclaring import redeclare, says_default
 from .refusals import not_there
-from .replacing import NotInPlaceError, Replacement
+from .replacing import NotInPlaceError, OtherCodeError, Replacement
 from .requalifying import requalify
 from .resending import resend
 from .retyping import retype
@@ -30,6 +36,9 @@ from .units import key_of, labels_of, sites_of
 from .uses import word
 
 _ACTIONS = frozenset({EndpointKind.ACTION_CLIENT, EndpointKind.ACTION_SERVER})
+
+# How many parameters the functions of a kind take.
+_TAKEN = {EndpointKind.SUBSCRIPTION: 1, EndpointKind.SERVICE: 2}
 
 
 def plan_update(analysis: Analysis, change: Update, catalog: Catalog) -> Plan:
@@ -45,6 +54,8 @@ def plan_update(analysis: Analysis, change: Update, catalog: Catalog) -> Plan:
     if change.kind in _ACTIONS:
         raise NotInPlaceError
     if any(each.call is site.call for site in sites for each in analysis.sites if each is not site):
+        raise NotInPlaceError
+    if isinstance(change.endpoint, Parameter) and not any(map(says_default, sites)):
         raise NotInPlaceError
     plan, labels = Plan(), labels_of(analysis)
     for site in sites:
@@ -75,24 +86,29 @@ def _change(update: Replacement) -> tuple[EndpointKind, str | None, str, str]:
         wanted: str | None = endpoint.name
     else:
         wanted = callback_of(endpoint)
-    if endpoint.type is not None and endpoint.type != site.endpoint.type:
+    type_name = endpoint.type or site.endpoint.type
+    calls_other = wanted is not None and wanted != site.endpoint.callback
+    if type_name is not None and type_name != site.endpoint.type:
         interface = update.change.kind.facts.interface
         assert interface is not None, "what has a type has a kind of it"
-        retype(update, endpoint.type, interface)
-        type_ = str(endpoint.type)
-    if wanted is not None and wanted != site.endpoint.callback:
-        _call(update, wanted)
-        callback = wanted
+        try:
+            retype(update, type_name, interface, calls_same=not calls_other)
+        except OtherCodeError:
+            retype(update, type_name, interface, calls_same=False)
+            calls_other = True
+        type_ = str(type_name)
+    if calls_other:
+        callback = _call(update, wanted, is_retyped=type_name != site.endpoint.type)
     requalify(update)
     resend(update)
     return kind, name, type_, callback
 
 
-def _call(update: Replacement, wanted: str) -> None:
-    """Let an endpoint call another function of the file, or its stub be called so.
+def _call(update: Replacement, wanted: str | None, *, is_retyped: bool) -> str:
+    """Let an endpoint call another function of the file, a new one, or its stub be called so.
 
     Raises:
-        NotInPlaceError: the call does not name a function, or the file has none to call.
+        NotInPlaceError: the call does not name a function.
     """
     analysis, site = update.analysis, update.site
     position = site.shape.callback
@@ -108,18 +124,51 @@ def _call(update: Replacement, wanted: str) -> None:
     owner = analysis.unit.class_of_function(own[0])
     others = [
         each
-        for each in analysis.unit.functions.get(wanted, ())
+        for each in analysis.unit.functions.get(wanted or "", ())
         if analysis.unit.class_of_function(each) is owner
     ]
-    if others:
-        if not _takes_same(others[0], own[0]):
+    if wanted is not None and others:
+        if is_retyped or not _takes_same(others[0], own[0]):
             raise NotInPlaceError
         update.put(site.place.file, name_node, wanted)
-        return
-    is_new = all(is_stub(each) for each in own if each.scope is not None)
-    if not is_new or _is_taken(analysis, wanted):
+        return wanted
+    is_stub_alone = all(is_stub(each) for each in own if each.scope is not None)
+    if wanted is not None and is_stub_alone and not is_retyped and not _is_taken(analysis, wanted):
+        _rename_function(update, own, wanted)
+        return wanted
+    if (
+        update.change.kind is EndpointKind.TIMER
+        or len(own[0].parameters) != _TAKEN[site.shape.kind]
+    ):
         raise NotInPlaceError
-    _rename_function(update, own, wanted)
+    name = _write(update, is_retyped=is_retyped)
+    update.put(site.place.file, name_node, name)
+    return name
+
+
+def _write(update: Replacement, *, is_retyped: bool) -> str:
+    """Write a function that logs, in the manner of those that the files have."""
+    analysis, site, change = update.analysis, update.site, update.change
+    place = beside(analysis, site)
+    type_ = change.endpoint.type or site.endpoint.type
+    if place is None or type_ is None or not isinstance(change.endpoint, Subscription | Service):
+        raise NotInPlaceError
+    label = labels_of(analysis).get(site, "")
+    sites = sites_of_node(analysis, change.node)
+    interfaces = Interfaces(update.catalog, analysis.ros_version)
+    endpoint = change.endpoint._replace(type=type_)
+    added = Addition(
+        analysis, change.kind, endpoint, place, interfaces, sites, identifiers(analysis), label
+    )
+    name = write_callback(added)
+    for file, splices in added.plan.splices.items():
+        update.plan.splices[file] += [
+            each
+            for each in splices
+            if not (is_retyped and each.text.lstrip().startswith(b"#include"))
+        ]
+    update.plan.notes += added.plan.notes
+    return name
 
 
 def _named(site: Site, given: Node, name: str | None) -> Node | None:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import pytest
-from patches import check, refusal
+from patches import check, edit, refusal, sides
 
 from plastron_tui.model.source import EndpointKind, Remove
 
@@ -316,6 +316,42 @@ def test_a_removal_takes_what_served_the_endpoint(
     kind: EndpointKind, name: str, patch: str
 ) -> None:
     check(patch, Remove(kind, name))
+
+
+RULED = [
+    ("if (on_)\n       {};", ""),
+    ("if (on_) {};", ""),
+    ("if (on_) {{\n       {};\n     }}", ""),
+    ("if (check())\n       {};", "if (check())\n       {}"),
+    ("for (;;) {};", "for (;;) {}"),
+    ("if (on_) other();\n     else {};", "if (on_) other();\n     else {}"),
+    ("if (on_) {{ {}; }} else {{ other(); }}", "if (on_) {} else { other(); }"),
+]
+
+
+@pytest.mark.parametrize(("before", "after"), RULED)
+def test_the_next_statement_comes_under_no_condition(before: str, after: str) -> None:
+    text = """
+ #include <ros/ros.h>
+ #include <std_msgs/Int32.h>
+ class A {{
+   void f() {{
+     first();
+{}
+     other();
+   }}
+   void init() {{ pub_ = nh_.advertise<std_msgs::Int32>("a", 1); }}
+   ros::NodeHandle nh_;
+   ros::Publisher pub_;
+   std_msgs::Int32 last_;
+ }};
+"""
+    given, _ = sides(text.format("     " + before.format("pub_.publish(last_)")))
+    files, told = edit(given, Remove(K.PUBLISHER, "a"))
+    assert files is not None, told
+    body = files.main.decode().partition("first();\n")[2].partition("    other();\n  }\n")[0]
+    lines = [line.strip() for line in body.splitlines()]
+    assert "\n".join(lines) == "\n".join(line.strip() for line in after.splitlines())
 
 
 def test_an_endpoint_that_is_handed_on_stays() -> None:

@@ -138,6 +138,30 @@ def test_the_name_stays_in_the_namespace_of_its_handle() -> None:
     assert refusal(text, Rename(K.PUBLISHER, "arm/b", "b"))
 
 
+def test_a_constant_of_a_header_that_others_include_stays() -> None:
+    text = """
+ #include <names.hpp>
+ #include "x.hpp"
+ Talker::Talker() : Node("talker") {
+-  a_ = create_publisher<std_msgs::msg::String>(kTopic, 1);
++  a_ = create_publisher<std_msgs::msg::String>("b", 1);
+   c_ = create_publisher<std_msgs::msg::String>(TOPIC, 1);
+ }
+=== {}.hpp
+ #include <rclcpp/rclcpp.hpp>
+ #include <std_msgs/msg/string.hpp>
+-#define TOPIC "c"
++#define TOPIC "d"
+ class Talker : public rclcpp::Node {
+   Talker();
+   rclcpp::Publisher<std_msgs::msg::String>::SharedPtr a_, c_;
+ };
+=== names.hpp
+ const char * const kTopic = "a";
+"""
+    check(text, Rename(K.PUBLISHER, "a", "b"), Rename(K.PUBLISHER, "c", "d"))
+
+
 KINDS = [
     (K.SUBSCRIPTION, 'create_subscription<std_msgs::msg::String>("a", 1, std::bind(f));'),
     (K.SERVICE, 'create_service<std_srvs::srv::Empty>("a", f);'),

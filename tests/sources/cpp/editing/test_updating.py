@@ -19,13 +19,14 @@ from plastron_tui.model.kinds import (
     Timer,
     kind_of,
 )
-from plastron_tui.model.source import Update
+from plastron_tui.model.source import EndpointKind, Update
 from plastron_tui.model.values import MessageValue, Value
 from plastron_tui.ros.interfaces import InterfaceName
 from plastron_tui.ros.parameters import ParameterType
 from plastron_tui.ros.qos import Qos
 from plastron_tui.ros.qos_words import WORDS
 
+K = EndpointKind
 AT = Span(0, 0)
 STRING, INT = InterfaceName("std_msgs", "String"), InterfaceName("std_msgs", "Int32")
 POSE = InterfaceName("geometry_msgs", "PoseStamped")
@@ -224,10 +225,30 @@ UPDATES: list[tuple[str, str, str, Endpoint, list[tuple[str, str | None]]]] = [
         ],
     ),
     (
-        "a callback with code that the new type has the fields for",
+        "a function that the file has not, for one with code in it",
         ROS1,
         "goal",
-        Subscription("goal", INT, None, AT),
+        Subscription("goal", STRING, "arrive", AT),
+        [
+            (
+                '    goal_ = nh_.subscribe("goal", 3, &Robot::onGoal, this);',
+                '    goal_ = nh_.subscribe("goal", 3, &Robot::arrive, this);',
+            ),
+            (
+                "  void onGoal(const std_msgs::StringConstPtr& msg) { goal_text_ = msg->data; }",
+                "  void onGoal(const std_msgs::StringConstPtr& msg) { goal_text_ = msg->data; }\n"
+                "\n"
+                "  void arrive(const std_msgs::StringConstPtr& msg) {\n"
+                '    ROS_INFO_STREAM("goal: " << *msg);\n'
+                "  }",
+            ),
+        ],
+    ),
+    (
+        "a function that the statement names, with code for the old type",
+        ROS1,
+        "goal",
+        Subscription("goal", INT, "onGoal", AT),
         [
             (
                 "  void onGoal(const std_msgs::StringConstPtr& msg) { goal_text_ = msg->data; }",
@@ -366,12 +387,61 @@ def test_a_period_is_written_as_the_file_writes_it(
 
 
 def test_code_for_the_old_type_is_told() -> None:
-    told = check(
-        patched(ROS1, *UPDATES[5][4]), Update(kind_of(Subscription), "goal", UPDATES[5][3], AT)
-    )
+    _, text, name, endpoint, edits = next(each for each in UPDATES if "the statement" in each[0])
+    told = check(patched(text, *edits), Update(K.SUBSCRIPTION, name, endpoint, AT))
     assert [each.message for each in told] == [
-        "`onGoal` was written for `std_msgs/String`, and gets `std_msgs/Int32`"
+        "`onGoal` was written for `std_msgs/String`, and gets `std_msgs/Int32`, which has no `data`"
     ]
+
+
+def test_code_that_cannot_do_with_a_type_is_called_no_longer() -> None:
+    text = patched(
+        ROS1,
+        (
+            '    goal_ = nh_.subscribe("goal", 3, &Robot::onGoal, this);',
+            '    goal_ = nh_.subscribe("goal", 3, &Robot::onGoal_2, this);',
+        ),
+        (
+            "#include <std_msgs/String.h>",
+            "#include <std_msgs/String.h>\n#include <std_msgs/Int32.h>",
+        ),
+        (
+            "  void onGoal(const std_msgs::StringConstPtr& msg) { goal_text_ = msg->data; }",
+            "  void onGoal(const std_msgs::StringConstPtr& msg) { goal_text_ = msg->data; }\n"
+            "\n"
+            "  void onGoal_2(const std_msgs::Int32ConstPtr& msg) {\n"
+            '    ROS_INFO_STREAM("goal: " << *msg);\n'
+            "  }",
+        ),
+    )
+    told = check(text, Update(K.SUBSCRIPTION, "goal", Subscription("goal", INT, None, AT), AT))
+    message = "nothing in the file calls `onGoal` (line 17) any more"
+    assert message in [each.message for each in told]
+
+
+def test_a_number_stays_a_number() -> None:
+    text = """
+ #include <ros/ros.h>
+-#include <std_msgs/Int32.h>
++#include <std_msgs/Float64.h>
+-void heard(const std_msgs::Int32& msg) { ROS_INFO("%d", int(msg.data)); }
++void heard(const std_msgs::Float64& msg) { ROS_INFO("%d", int(msg.data)); }
+ double last;
+-void kept(const std_msgs::Int32::ConstPtr& msg) { last = msg->data; }
++void kept(const std_msgs::Float64::ConstPtr& msg) { last = msg->data; }
+ int main(int c, char** v) {
+   ros::init(c, v, "n");
+   ros::NodeHandle nh;
+   auto a = nh.subscribe("a", 1, heard);
+   auto b = nh.subscribe("b", 1, kept);
+ }
+"""
+    real = InterfaceName("std_msgs", "Float64")
+    check(
+        text,
+        Update(kind_of(Subscription), "a", Subscription("a", real, None, AT), AT),
+        Update(kind_of(Subscription), "b", Subscription("b", real, None, AT), AT),
+    )
 
 
 def test_a_client_that_nothing_calls_gets_another_type() -> None:

@@ -1,0 +1,84 @@
+"""Each kind of endpoint, added to nodes of many manners: what holds for all of them."""
+
+from __future__ import annotations
+
+from difflib import SequenceMatcher
+
+import pytest
+from additions import each_kind
+from manners import RCLCPP, ROSCPP, files
+from patches import edit, read
+
+from plastron_tui.model.source import EndpointKind, FileSet
+
+CASES = [
+    pytest.param(version, name, id=f"{version} {name}")
+    for version, nodes in ((1, ROSCPP), (2, RCLCPP))
+    for name in nodes
+]
+# What a function that is no method cannot have.
+ONLY_OF_CLASSES = {"action server"}
+
+
+def found(unit) -> dict[tuple[EndpointKind, str | None], int]:
+    names: dict[tuple[EndpointKind, str | None], int] = {}
+    for each in unit.endpoints:
+        key = each.kind, each.label or each.callback or each.expression
+        names[key] = names.get(key, 0) + 1
+    return names
+
+
+def kept(before: bytes, after: bytes) -> bool:
+    """Tell whether each line of a text is in another one, in its order; `{}` may be opened."""
+    old, new = before.split(b"\n"), after.split(b"\n")
+    left = [line for line in old if not line.endswith(b"{}")]
+    matcher = SequenceMatcher(None, left, new, autojunk=False)
+    return sum(each.size for each in matcher.get_matching_blocks()) == len(left)
+
+
+@pytest.mark.long
+@pytest.mark.parametrize(("version", "name"), CASES)
+def test_what_is_added_is_read_and_nothing_else_has_changed(version, name):
+    start = files((ROSCPP if version == 1 else RCLCPP)[name])
+    before = read(start)
+    for what, change in each_kind(version).items():
+        changed, told = edit(start, change)
+        if changed is None and what in ONLY_OF_CLASSES:
+            assert "class" in (told[0].help or ""), what
+            continue
+        assert changed is not None, (what, told)
+        after = read(changed)
+        more = {
+            key: count - found(before).get(key, 0)
+            for key, count in found(after).items()
+            if count != found(before).get(key, 0)
+        }
+        endpoint = change.endpoint
+        assert any(key[1] == endpoint.name for key in more), (what, more)
+        for (_, old), (_, new) in zip(start.texts, changed.texts, strict=True):
+            assert kept(old, new), what
+
+
+@pytest.mark.long
+@pytest.mark.parametrize(("version", "name"), CASES)
+def test_all_kinds_go_into_one_node(version, name):
+    current = files((ROSCPP if version == 1 else RCLCPP)[name])
+    wanted = []
+    for what, change in each_kind(version).items():
+        changed, _ = edit(current, change)
+        if changed is not None:
+            current = changed
+            wanted.append((what, change.endpoint.name))
+    names = {each.label or each.name for each in read(current).endpoints}
+    assert [what for what, name in wanted if name not in names] == []
+    assert len(wanted) >= len(each_kind(version)) - len(ONLY_OF_CLASSES)
+
+
+@pytest.mark.parametrize("version", [1, 2])
+def test_windows_line_ends_stay(version):
+    nodes = ROSCPP if version == 1 else RCLCPP
+    start = files(nodes["class with members"])
+    windows = FileSet(tuple((n, text.replace(b"\n", b"\r\n")) for n, text in start.texts))
+    changed, _ = edit(windows, each_kind(version)["subscription"])
+    assert changed is not None
+    assert changed.main.count(b"\n") == changed.main.count(b"\r\n")
