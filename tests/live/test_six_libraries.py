@@ -2,6 +2,10 @@
 
 What it does is seen by scripts that know nothing of Plastron: by the graph, by who plays to its
 topics and services, and by who sends it goals and serves its own.
+
+A nodelet is loaded into a manager, a component into a container. With the stand-in of rclcpp, which
+has no container, a component's class is made a program of; it has no actions either, and who takes
+goals there is not among the tests.
 """
 
 from __future__ import annotations
