@@ -83,8 +83,10 @@ class Built:
 
     def program(self, node: str) -> Path:
         """Return the program of a node."""
-        found = (self.prefix / "lib" / PACKAGE).glob(f"{node}_*")
-        [program] = [each for each in found if "_plugin_" not in each.name]
+        # A file is called as its node is, and by one word for what the node does.
+        own = re.compile(rf"{node}_[a-z0-9]+")
+        folder = self.prefix / "lib" / PACKAGE
+        [program] = [each for each in folder.iterdir() if own.fullmatch(each.name)]
         return program
 
 

@@ -53,7 +53,16 @@ def load_component(graph: CppGraph, built: Built, node: str) -> CppProcess:
         "AMENT_PREFIX_PATH": os.pathsep.join([str(built.prefix), there]),
     }
     process = replace(graph, program_env=environ).run(container)
-    assert graph.load_component("ComponentManager", PACKAGE, class_, node) == f"/{node}"
+    # The service of a container is of a package that is where rclcpp is.
+    modules = [
+        str(folder)
+        for prefix in built.library.prefixes
+        for folder in prefix.glob("lib/python3*/site-packages")
+        if (folder / "composition_interfaces").is_dir()
+    ]
+    path = os.pathsep.join([*modules, graph.env.get("PYTHONPATH", "")])
+    loader = replace(graph, env={**graph.env, **environ, "PYTHONPATH": path})
+    assert loader.load_component("ComponentManager", PACKAGE, class_, node) == f"/{node}"
     return process
 
 

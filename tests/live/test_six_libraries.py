@@ -2,6 +2,10 @@
 
 What it does is seen by scripts that know nothing of Plastron: by the graph, by who plays to its
 topics and services, and by who sends it goals and serves its own.
+
+A nodelet is loaded into a manager, a component into a container. With the stand-in of rclcpp, which
+has no container, a component's class is made a program of; it has no actions either, and who takes
+goals there is not among the tests.
 """
 
 from __future__ import annotations
@@ -12,6 +16,7 @@ from collections.abc import Callable, Mapping
 from dataclasses import asdict, dataclass, replace
 from pathlib import Path
 from typing import Any
+from xmlrpc.client import ServerProxy
 
 import pytest
 from cpp_builds import CppLibrary, describe_rclcpp, find_rclcpp, real_prefix
@@ -170,6 +175,11 @@ def nodes(request: pytest.FixtureRequest, tmp_path: Path, shared_cache: Path) ->
     """The program's nodes, for the client library that is the parameter."""
     name = request.param
     graph: Graph = request.getfixturevalue("ros1" if name in ROS_1 else "ros2_with_services")
+    if name in ROS_1:
+        # One master serves all tests, and keeps what the last node was told.
+        master = ServerProxy(graph.env["ROS_MASTER_URI"])
+        if master.hasParam("/test", "/sentry")[2]:
+            master.deleteParam("/test", "/sentry")
     if name in PYTHON:
         return python_nodes(graph, tmp_path)
     if name in ROS_1:
