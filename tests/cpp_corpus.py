@@ -39,6 +39,7 @@ _CATKIN = (
 _WORD = re.compile(r"""'([^']*)'|"[^"]*"|(?<![\w.])[a-z]\w*(?![\w(])(?!=)""")
 _NAMES = re.compile(r"^create_(?:message|node '\w+' as) (\w+)", re.MULTILINE)
 _LOADED = re.compile(r"^load ", re.MULTILINE)
+_USING = re.compile(r" using \w+$", re.MULTILINE)
 _COMMENT = re.compile(r"^//.*\n", re.MULTILINE)
 
 _CMAKE = """\
@@ -129,7 +130,7 @@ def _programs(managed: bool, actions: bool) -> Iterator[tuple[str, str]]:
             continue
         if "action_type" in text and not actions:
             continue
-        text = text.replace(" using rclpy", "")
+        text = _USING.sub("", text)
         yield file.stem, text if managed else text.replace(" managed", "")
 
 

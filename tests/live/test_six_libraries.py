@@ -28,7 +28,7 @@ from machine import wait_until
 from played_nodes import HEADER, scan, vector
 from processes import Process, generate, own_tracebacks
 from test_goals import CANCELED, outcomes, send, serve, told
-from traffic import Step, call, plain
+from traffic import Step, call, plain, wait
 from traffic import send as send_message
 
 pytestmark = [pytest.mark.live, pytest.mark.long(1)]
@@ -62,6 +62,7 @@ def joy(*axes: float) -> dict[str, Any]:
 
 
 STEPS: list[Step] = [
+    wait("/greeting", {"data": "here I am"}),
     send_message("/scan", scan(1.0, 0.25), "/halt"),
     send_message("/scan", scan(1.0, 2.0)),
     send_message("/joy", joy(0.5, 1.0), "/cmd_vel"),
