@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable, Sequence
-from functools import cached_property
+from functools import cached_property, partial
 from pathlib import Path
 from typing import TYPE_CHECKING, NamedTuple
 
@@ -104,7 +104,7 @@ class BuiltPlaces:
             program,
             asked,
             workspace,
-            self._target,
+            partial(_target_of, library_of),
             in_place=configuration.options.in_place,
             around=self._around,
         )
@@ -165,10 +165,6 @@ class BuiltPlaces:
             found += notes
         return FilesAround(files, found)
 
-    def _target(self, name: str) -> Target | None:
-        library = self._library_of(name)
-        return None if library is None else library.target
-
     def _around(self) -> Around | None:
         if self._found is None:
             return None
@@ -183,3 +179,8 @@ class BuiltPlaces:
         output, boundary = configuration.output, configuration.boundary
         version = configuration.ros.ros_version
         return find_package_around(output, boundary, self._manifest, version, self._program)
+
+
+def _target_of(library_of: Callable[[str], Library | None], name: str) -> Target | None:
+    library = library_of(name)
+    return None if library is None else library.target

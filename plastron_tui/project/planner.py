@@ -8,6 +8,7 @@ from dataclasses import replace
 from functools import cached_property
 from pathlib import Path, PurePath
 from typing import TYPE_CHECKING
+from weakref import proxy
 
 from plastron_tui.diagnostics import Diagnostic, Span, codes, either, has_errors
 from plastron_tui.project.configuration import Configuration
@@ -68,7 +69,14 @@ class Planner:
 
         configuration, name = self._configuration, self._author.name
         known, _ = self._manifest(configuration.output)
-        return BuiltPlaces(configuration, name, self._asked, self._workspace, self._library, known)
+        # Of two that hold each other, only the cycle collector would free any.
+        planner = proxy(self)
+
+        def library_of(name: str) -> Library | None:
+            found: Library | None = planner._library(name)
+            return found
+
+        return BuiltPlaces(configuration, name, self._asked, self._workspace, library_of, known)
 
     @cached_property
     def _generations(self) -> tuple[Generation, ...]:
