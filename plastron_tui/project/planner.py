@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import replace
-from functools import cached_property
+from functools import cached_property, partial
 from pathlib import Path, PurePath
 from typing import TYPE_CHECKING
 from weakref import proxy
@@ -70,13 +70,8 @@ class Planner:
         configuration, name = self._configuration, self._author.name
         known, _ = self._manifest(configuration.output)
         # Of two that hold each other, only the cycle collector would free any.
-        planner = proxy(self)
-
-        def library_of(name: str) -> Library | None:
-            found: Library | None = planner._library(name)
-            return found
-
-        return BuiltPlaces(configuration, name, self._asked, self._workspace, library_of, known)
+        of = partial(Planner._library, proxy(self))
+        return BuiltPlaces(configuration, name, self._asked, self._workspace, of, known)
 
     @cached_property
     def _generations(self) -> tuple[Generation, ...]:
