@@ -19,6 +19,7 @@ from plastron_tui.sources.packages import add_needs
 from plastron_tui.targets.packages.built import linked_of
 
 from .loaded_needs import known_packages
+from .text_files import changed_files
 
 if TYPE_CHECKING:
     from plastron_tui.model.package_source import PackageSource
@@ -86,18 +87,7 @@ def needed_files(
         texts = texts if changed.texts is None else dict(changed.texts)
     if has_errors(found):
         return [], found
-    files = [
-        OutputFile(
-            f"{source.name}/{name}",
-            text,
-            is_executable=False,
-            merged_from=source.texts.get(name),
-            path=source.folder / name,
-        )
-        for name, text in texts.items()
-        if text != source.texts.get(name)
-    ]
-    return files, found
+    return changed_files(source, texts), found
 
 
 def _headers(language: Language, files: FileSet) -> frozenset[str]:

@@ -17,6 +17,7 @@ from plastron_tui.ros.interfaces import InterfaceKind
 
 from .loaded_nodes import with_node
 from .package_spec import packaged_node
+from .text_files import changed_files
 
 if TYPE_CHECKING:
     from .apply_changes import Library
@@ -59,18 +60,7 @@ def package_files_around(
         texts = texts if changed.texts is None else changed.texts
     if has_errors(found):
         return [], found
-    files = [
-        OutputFile(
-            f"{source.name}/{name}",
-            text,
-            is_executable=False,
-            merged_from=source.texts.get(name),
-            path=source.folder / name,
-        )
-        for name, text in texts.items()
-        if text != source.texts.get(name)
-    ]
-    return files, found
+    return changed_files(source, texts), found
 
 
 def _refused(

@@ -13,6 +13,7 @@ from pathlib import Path
 from typing import NamedTuple
 
 from plastron_tui.diagnostics import Diagnostic, Severity, codes
+from plastron_tui.model.package_source import PackageSource
 from plastron_tui.output.manifest import Manifest
 from plastron_tui.output.merge3 import merge_lines
 from plastron_tui.output.plan import OutputFile
@@ -157,3 +158,18 @@ def _text_file(name: str, file: PackageFile, folder: Folder) -> tuple[OutputFile
     )
     is_news = before != text
     return kept, [kept_handwork(path, path.name)] if is_news else []
+
+
+def changed_files(source: PackageSource, texts: Mapping[str, bytes]) -> list[OutputFile]:
+    """Return the files of a package that have other texts now, to be written where they are."""
+    return [
+        OutputFile(
+            f"{source.name}/{name}",
+            text,
+            is_executable=False,
+            merged_from=source.texts.get(name),
+            path=source.folder / name,
+        )
+        for name, text in texts.items()
+        if text != source.texts.get(name)
+    ]
