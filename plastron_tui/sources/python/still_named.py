@@ -6,8 +6,9 @@ from collections.abc import Iterator, Sequence
 
 from tree_sitter import Node
 
-from plastron_tui.diagnostics import Diagnostic, Span, codes, listed
-from plastron_tui.model.source import Change, Remove, Rename, Update
+from plastron_tui.diagnostics import Diagnostic, codes, listed
+from plastron_tui.model.source import Change
+from plastron_tui.sources.gone_names import gone_name
 
 from .analysis import Analysis
 from .creation import line_of
@@ -34,7 +35,7 @@ def tell_still_named(
     """
     left = {(site.endpoint.name or "").lstrip("~/") for site in after.sites}
     for change in changes:
-        old, span = _old_name(change)
+        old, span = gone_name(change)
         bare = (old or "").lstrip("~/")
         if old is None or bare in left or len(bare) < _FEWEST_LETTERS:
             continue
@@ -49,16 +50,6 @@ def tell_still_named(
 def _says(lines: Sequence[int]) -> str:
     numbers = listed(map(str, lines))
     return f"line {numbers} still says" if len(lines) == 1 else f"lines {numbers} still say"
-
-
-def _old_name(change: Change) -> tuple[str | None, Span | None]:
-    """Return the name that a change takes out, and where a statement says so."""
-    match change:
-        case Remove() | Rename():
-            return change.name, change.span
-        case Update() if change.name != change.endpoint.name:
-            return change.name, change.span
-    return None, None
 
 
 def _texts(analysis: Analysis, name: str) -> Iterator[Node]:

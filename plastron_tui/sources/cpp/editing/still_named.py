@@ -5,8 +5,9 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator, Sequence
 
-from plastron_tui.diagnostics import Diagnostic, Span, codes, listed
-from plastron_tui.model.source import Change, Remove, Rename, Update
+from plastron_tui.diagnostics import Diagnostic, codes, listed
+from plastron_tui.model.source import Change
+from plastron_tui.sources.gone_names import gone_name
 from plastron_tui.sources.splices import line_end, line_number, line_start
 
 from ..analysis import Analysis
@@ -29,7 +30,7 @@ def tell_still_named(after: Analysis, changes: Sequence[Change]) -> Iterator[Dia
         (site.endpoint.name or site.endpoint.default or "").lstrip("~/") for site in after.sites
     }
     for change in changes:
-        old, span = _old_name(change)
+        old, span = gone_name(change)
         bare = (old or "").lstrip("~/")
         if old is None or bare in left or len(bare) < _FEWEST_LETTERS:
             continue
@@ -42,16 +43,6 @@ def tell_still_named(after: Analysis, changes: Sequence[Change]) -> Iterator[Dia
             says = "line {} still says" if len(set(found)) == 1 else "lines {} still say"
             message = f"{says.format(lines)} `{old}`"
             yield Diagnostic(codes.STILL_NAMED, message, span, help="change it by hand")
-
-
-def _old_name(change: Change) -> tuple[str | None, Span | None]:
-    """Return the name that a change takes out, and where a statement says so."""
-    match change:
-        case Remove() | Rename():
-            return change.name, change.span
-        case Update() if change.name != change.endpoint.name:
-            return change.name, change.span
-    return None, None
 
 
 def _lines(analysis: Analysis, bare: str) -> Iterator[tuple[CppFile, int]]:
