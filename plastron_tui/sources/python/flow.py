@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from tree_sitter import Node
 
+from plastron_tui.sources.grammars import is_inside
+
 from .scopes import Binding, BindingKind, Scope
 from .syntax import REPEATING
 
@@ -100,11 +102,7 @@ def _comes_round(last: Binding, bindings: list[Binding], node: Node, owner: Scop
         if current.type in REPEATING:
             if current.start_byte <= last.node.start_byte:
                 return False
-            if any(_is_inside(binding.node, current) for binding in bindings):
+            if any(is_inside(binding.node, current) for binding in bindings):
                 return True
         current = current.parent
     return False
-
-
-def _is_inside(node: Node, outer: Node) -> bool:
-    return outer.start_byte <= node.start_byte and node.end_byte <= outer.end_byte

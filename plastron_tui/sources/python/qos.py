@@ -11,6 +11,7 @@ from functools import reduce
 from tree_sitter import Node
 
 from plastron_tui.ros.qos import Qos
+from plastron_tui.sources.grammars import is_inside
 
 from .analysis import Analysis, QosChange, QosChanges
 from .arguments import Arguments
@@ -19,7 +20,7 @@ from .origins import Origin, constant, integer, origins
 from .qos_profiles import FIELDS, copied, made_by, policy
 from .runs import EVERYWHERE
 from .scopes import Scope
-from .syntax import FUNCTIONS, REPEATING, is_inside
+from .syntax import FUNCTIONS, REPEATING
 
 _MOST_COPIES = 4
 _MOST_CHANGES = 32

@@ -7,13 +7,14 @@ from dataclasses import dataclass
 
 from tree_sitter import Node
 
+from plastron_tui.sources.grammars import is_inside
 from plastron_tui.sources.work_limits import Effort
 
 from .classes import Classes
 from .constants import MOST_BINDINGS
 from .containers import Item
 from .scopes import BindingKind, Scope, ScopeTree
-from .syntax import Syntax, is_inside, parts_of
+from .syntax import Syntax, parts_of
 
 LOOPS = frozenset({"for_statement", "for_in_clause"})
 

@@ -10,6 +10,7 @@ from tree_sitter import Node
 
 from plastron_tui.diagnostics import Diagnostic, codes, listed
 from plastron_tui.model.source import Change, Remove, Update
+from plastron_tui.sources.grammars import is_inside
 
 from .analysis import Analysis
 from .creation import line_of
@@ -28,7 +29,7 @@ from .references import (
 from .removal import find_sites
 from .runs import LOOPS
 from .scopes import Scope
-from .syntax import is_inside, nodes_in, parts_of
+from .syntax import nodes_in, parts_of
 from .uncalled import path_of, span_of
 from .unused_locals import value_of
 

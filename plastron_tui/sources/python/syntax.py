@@ -6,11 +6,13 @@ import codecs
 import re
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
-from functools import cache
 from pathlib import Path
+from typing import ClassVar
 
 import tree_sitter_python
-from tree_sitter import Language, Node, Parser, Query, QueryCursor, Tree
+from tree_sitter import Node, Parser
+
+from plastron_tui.sources.grammars import AS_LETTERS, Grammar, ParsedFile, count_errors
 
 from .error_recovery import bound_indents, mask_errors, straighten
 
@@ -23,11 +25,6 @@ _ASCII = bytes([9, 10, *range(32, 127)])
 # In these a part of a file has no meaning of its own, and some take the square of its length.
 _NO_TEXT = frozenset({"idna", "punycode", "raw-unicode-escape", "unicode-escape", "utf-7"})
 
-# A byte that is not UTF-8 ends a string or a comment for tree-sitter. In a file of another
-# encoding every such byte is parsed as a letter, so that no offset moves.
-_AS_LETTERS = bytes(byte if byte < 0x80 else ord("x") for byte in range(256))
-
-
 # Python ends a line there; for tree-sitter the line goes on, and takes the square of its length.
 _OLD_LINE_END = re.compile(rb"\r(?!\n)")
 
@@ -37,49 +34,18 @@ FUNCTIONS = frozenset({"function_definition", "lambda"})
 REPEATING = frozenset({"for_statement", "while_statement"})
 """The statements that repeat what they hold."""
 
-# A node within more others was made to break readers: a query takes the square of the depth.
-_DEEPEST = 1_000
-
-
-@cache
-def language() -> Language:
-    """Return the Python grammar."""
-    return Language(tree_sitter_python.language())
-
-
-@cache
-def query(name: str) -> Query:
-    """Return a compiled query of this package; compiling is slow, so each is compiled once."""
-    # `importlib.resources` would load `zipfile`, which takes as long as reading a node.
-    file = Path(__file__).with_name("queries") / f"{name}.scm"
-    return Query(language(), file.read_text("utf-8"))
-
 
 @dataclass(frozen=True, slots=True)
-class Syntax:
-    """A parsed file: `text` is what is on the disk, `tree` is over the same offsets.
+class Syntax(ParsedFile):
+    """A parsed Python file.
 
     Where the text does not parse, in `errors` places, the tree is of a text of the same length
     in which the lines at fault are masked.
     """
 
-    text: bytes
-    encoding: str
-    tree: Tree
-    errors: int
-
-    @property
-    def root(self) -> Node:
-        """The module."""
-        return self.tree.root_node
-
-    def slice(self, node: Node) -> str:
-        """Return the source of a node."""
-        return self.between(node.start_byte, node.end_byte)
-
-    def between(self, start: int, end: int) -> str:
-        """Return the source between two offsets."""
-        return self.text[start:end].decode(self.encoding, "replace")
+    grammar: ClassVar[Grammar] = Grammar(
+        tree_sitter_python.language, Path(__file__).with_name("queries")
+    )
 
     def called_name(self, call: Node | None) -> str:
         """Return the last name of what a call calls, "" for what has none or is no call."""
@@ -96,22 +62,13 @@ class Syntax:
         """
         return text.encode(self.encoding)
 
-    def captures(self, name: str) -> dict[str, list[Node]]:
-        """Run a query over the whole file; the nodes of a capture are in the order of the text."""
-        cursor = QueryCursor(query(name))
-        cursor.set_max_start_depth(_DEEPEST)
-        found = cursor.captures(self.root)
-        for nodes in found.values():
-            nodes.sort(key=lambda node: (node.start_byte, -node.end_byte))
-        return found
-
 
 def parse(text: bytes) -> Syntax:
     """Parse a file, whatever its encoding, without moving an offset."""
     encoding = _encoding(text)
-    source = text if encoding == "utf-8" else text.translate(_AS_LETTERS)
+    source = text if encoding == "utf-8" else text.translate(AS_LETTERS)
     source = bound_indents(_OLD_LINE_END.sub(b"\n", source))
-    parser = Parser(language())
+    parser = Parser(Syntax.grammar.language())
     tree = parser.parse(source)
     errors = count_errors(tree.root_node)
     if errors and (straight := straighten(source)) != source:
@@ -166,20 +123,6 @@ def parts_of(node: Node | None) -> list[Node]:
     return [child for child in children if child.type not in ("comment", "line_continuation")]
 
 
-def count_errors(root: Node) -> int:
-    """Count the places where the text does not parse."""
-    if not root.has_error:
-        return 0
-    found = 0
-    stack = [root]
-    while stack:
-        node = stack.pop()
-        if node.is_error or node.is_missing:
-            found += 1
-        stack.extend(child for child in node.children if child.has_error)
-    return found
-
-
 def holders(target: Node | None) -> list[Node]:
     """Return `a.b` and `a` of `a.b.c`."""
     found = []
@@ -205,11 +148,6 @@ def is_in_loop(node: Node, loops: frozenset[str] = REPEATING) -> bool:
             if ahead is None or ahead.id != inner.id:
                 return True
     return False
-
-
-def is_inside(node: Node, outer: Node) -> bool:
-    """Whether a node is another one, or in it."""
-    return bool(outer.start_byte <= node.start_byte and node.end_byte <= outer.end_byte)
 
 
 def nodes_in(root: Node, ranges: Iterable[tuple[int, int]]) -> Iterator[Node]:

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from tree_sitter import Node
 
+from plastron_tui.sources.grammars import is_inside
 from plastron_tui.sources.python.scopes import Scope
-from plastron_tui.sources.python.syntax import is_inside
 
 from .port_state import Work, walk
 
