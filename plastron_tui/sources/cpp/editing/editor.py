@@ -28,13 +28,13 @@ from .addition import plan_addition
 from .clang_format import clang_format_of
 from .guessed_names import tell_guessed_names
 from .plans import Plan, with_splices
-from .refusals import RefusedError
+from .refusals import RefusedError, refuse_parts
 from .removal import plan_removal
 from .renaming import plan_renames
 from .replacing import NotInPlaceError
 from .still_named import tell_still_named
 from .uncalled import tell_uncalled
-from .units import Found, analyze_files, endpoints_of, outlines_of
+from .units import Found, analyze_files, endpoints_of, outlines_of, sites_of
 from .updating import plan_update
 
 
@@ -121,6 +121,7 @@ class _Edits:
     def _update(self, asked: Update) -> None:
         """Change an endpoint where it stands, or else take it out and write it anew."""
         change = asked
+        refuse_parts(change, sites_of(self.analysis, change))
         before = self.files, self.analysis, self.expected.copy(), list(self.notes)
         try:
             name = change.endpoint.name

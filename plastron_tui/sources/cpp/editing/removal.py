@@ -35,7 +35,7 @@ from .own_functions import (
     unused_helpers,
 )
 from .plans import Plan
-from .refusals import RefusedError, in_use, not_there
+from .refusals import RefusedError, in_use, not_there, refuse_parts
 from .statements import calls_method, emptied, local_of, only_calls, only_sets, statement_of
 from .units import sites_of
 from .uses import macro_uses, uses_of
@@ -84,6 +84,7 @@ class _Removal:
         if site in self._plan.lost:
             return
         if any(each.call is site.call and each is not site for each in self._analysis.sites):
+            refuse_parts(self._change, [site])
             message = f"line {site.endpoint.line} creates it among others"
             raise RefusedError(message, self._change.span, "change the line by hand")
         self._plan.lost.append(site)
