@@ -309,6 +309,7 @@ class _Removal:
                     for each in functions:
                         remove_function(each, self._gone)
         self._gone.take_empty()
+        self._note_parameters()
         take_types(self._analysis, self._plan.lost, self._gone)
         take_placeholders(self._analysis, self._gone)
         for file in self._gone.files:
@@ -317,6 +318,16 @@ class _Removal:
                 raise RefusedError(message, self._change.span, "change that file first")
             self._plan.splices[file.name] += self._gone.splices(file)
         return self._plan
+
+    def _note_parameters(self) -> None:
+        """Count the parameters as gone that only what goes has read."""
+        self._plan.lost += [
+            site
+            for site in self._analysis.sites
+            if site.endpoint.kind is EndpointKind.PARAMETER
+            and site not in self._plan.lost
+            and self._gone.covers(site.file, site.call.node.start_byte)
+        ]
 
     def _take_idle(self) -> None:
         """Take out the timers whose functions have nothing left to do."""
