@@ -35,7 +35,7 @@ from .own_functions import (
     unused_helpers,
 )
 from .plans import Plan
-from .refusals import RefusedError, in_use, not_there
+from .refusals import RefusedError, in_use, not_there, refuse_parts
 from .statements import calls_method, emptied, local_of, only_calls, only_sets, statement_of
 from .units import sites_of
 from .uses import macro_uses, uses_of
@@ -84,6 +84,7 @@ class _Removal:
         if site in self._plan.lost:
             return
         if any(each.call is site.call and each is not site for each in self._analysis.sites):
+            refuse_parts(self._change, [site])
             message = f"line {site.endpoint.line} creates it among others"
             raise RefusedError(message, self._change.span, "change the line by hand")
         self._plan.lost.append(site)
@@ -308,6 +309,7 @@ class _Removal:
                     for each in functions:
                         remove_function(each, self._gone)
         self._gone.take_empty()
+        self._note_parameters()
         take_types(self._analysis, self._plan.lost, self._gone)
         take_placeholders(self._analysis, self._gone)
         for file in self._gone.files:
@@ -316,6 +318,16 @@ class _Removal:
                 raise RefusedError(message, self._change.span, "change that file first")
             self._plan.splices[file.name] += self._gone.splices(file)
         return self._plan
+
+    def _note_parameters(self) -> None:
+        """Count the parameters as gone that only what goes has read."""
+        self._plan.lost += [
+            site
+            for site in self._analysis.sites
+            if site.endpoint.kind is EndpointKind.PARAMETER
+            and site not in self._plan.lost
+            and self._gone.covers(site.file, site.call.node.start_byte)
+        ]
 
     def _take_idle(self) -> None:
         """Take out the timers whose functions have nothing left to do."""
