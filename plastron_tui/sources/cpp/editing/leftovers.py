@@ -87,7 +87,7 @@ def is_idle(function: Function, gone: Deletions) -> bool:
 
 
 def _body(function: Function) -> list[Node]:
-    body = function.node.child_by_field_name("body")
+    body = function.body
     return [] if body is None else [each for each in body.named_children if each.type != "comment"]
 
 

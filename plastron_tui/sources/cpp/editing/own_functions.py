@@ -88,7 +88,7 @@ def _with_declarations(analysis: Analysis, function: Function) -> list[Function]
 
 
 def _body(function: Function) -> list[Node]:
-    body = function.node.child_by_field_name("body")
+    body = function.body
     return [] if body is None else [each for each in body.named_children if each.type != "comment"]
 
 
