@@ -114,7 +114,9 @@ class CppLibrary:
     def with_types(self, environ: Mapping[str, str], cache: Path) -> CppLibrary:
         """Return it with the interface packages that nodes of an environment find in a cache."""
         libraries = environ["LD_LIBRARY_PATH"].split(os.pathsep)
-        return self.beside(*(Path(each).parent for each in libraries if each.startswith(str(cache))))
+        return self.beside(
+            *(Path(each).parent for each in libraries if each.startswith(str(cache)))
+        )
 
     @property
     def beginning(self) -> tuple[str, ...]:
