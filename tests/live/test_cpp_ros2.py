@@ -164,10 +164,11 @@ def test_parameters(cpp: CppGraph, programs: dict[str, Path]) -> None:
     for name, value in GOOD.items():
         assert cpp.set_parameter("cruiser", name, value) is None
     wait_until(lambda: values(cpp.listen(TYPES, 0.1)) == GOOD, "the new values", 60)
-    for name, (bad, *_) in BAD.items():
-        assert cpp.set_parameter("cruiser", name, bad), (name, bad)
+    for name, bad in BAD.items():
+        for value in bad:
+            assert cpp.set_parameter("cruiser", name, value), (name, value)
     assert values(cpp.listen(TYPES, 0.5)) == GOOD
-    assert cpp.set_parameter("cruiser", "rate", float("nan")) == "a rate is a number"
+    assert cpp.set_parameter("cruiser", "rate", float("nan")) == "rate is not a number"
     assert cpp.set_parameter("cruiser", "rate", 50.0) is None
     assert len(cpp.listen({"/cmd_vel": TYPES["/cmd_vel"]}, 1.0)["/cmd_vel"]) > 20
     assert cpp.set_parameter("cruiser", "ports", [2**31]) is None
