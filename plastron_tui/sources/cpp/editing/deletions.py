@@ -71,21 +71,23 @@ class Deletions:
         self._lines[file].append((node.start_byte, node.end_byte))
 
     def take_empty(self) -> None:
-        """Take out each `if` with braces that nothing is left in, and whose condition is idle."""
+        """Take out each block that nothing is left in, with its `if` where that does nothing."""
         for file, node in self._nodes:
             block = node.parent
             outer = None if block is None else block.parent
             if block is None or block.type != "compound_statement" or outer is None:
                 continue
-            if outer.type != "if_statement" or not _is_idle_if(outer):
+            is_bare = outer.type == "compound_statement"
+            if not is_bare and (outer.type != "if_statement" or not _is_idle_if(outer)):
                 continue
+            whole = block if is_bare else outer
             if (
-                self.covers(file, outer.start_byte)
+                self.covers(file, whole.start_byte)
                 or b"//" in file.syntax.text[block.start_byte : node.start_byte]
             ):
                 continue
             if all(self.covers(file, each.start_byte) for each in block.named_children):
-                self.statement(file, outer)
+                self.statement(file, whole)
 
     def part(self, file: CppFile, start: int, end: int) -> None:
         """Take out a part of a line."""

@@ -103,6 +103,8 @@ class _Removal:
         self._plan.lost.append(site)
         if self._gone.covers(site.file, site.call.node.start_byte) or self._take_reading(site):
             return
+        if site.endpoint.kind is EndpointKind.CLIENT and self._served.take_call(site):
+            return
         creation = creation_of(self._analysis, site)
         if creation is None:
             message = f"line {site.endpoint.line} does more than to create it"

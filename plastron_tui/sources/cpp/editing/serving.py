@@ -47,6 +47,7 @@ class Serving:
     Attributes:
         going: the variables that go: the endpoint's, and those that hold what came of it.
         ending: the variables of timers that may be ended, for they go too.
+        asking: the calls that go, by the ids of their nodes.
         is_alone: whether whole functions are looked at, which set nothing but what is their own
             to constants.
     """
@@ -56,6 +57,7 @@ class Serving:
         self._gone = gone
         self.going: set[Variable] = set()
         self.ending: set[Variable] = set()
+        self.asking: set[int] = set()
         self.is_alone = False
 
     def serves(self, file: CppFile, node: Node, *, leaves: bool = False) -> bool:
@@ -168,8 +170,8 @@ class Serving:
 
     def _is_idle_call(self, file: CppFile, call: Node) -> bool:
         callee = call.child_by_field_name("function")
-        if callee is None:
-            return False
+        if callee is None or call.id in self.asking:
+            return callee is not None
         name = _last_name(file, callee)
         if callee.type == "field_expression":
             root = self.root(file, callee)
