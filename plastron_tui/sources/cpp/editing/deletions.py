@@ -112,7 +112,9 @@ class Deletions:
         text = file.syntax.text
         lines = [(_with_macros(file, start), end) for start, end in self._lines[file]]
         found = _merged(text, [_lines_of(text, start, end) for start, end in lines])
-        whole = [_tidy(text, *_with_comment(text, start, end)) for start, end in found]
+        tidy = [_tidy(text, *_with_comment(text, start, end)) for start, end in found]
+        # What was apart by a comment that goes too is tidied as one.
+        whole = [each if each in tidy else _tidy(text, *each) for each in _joined(tidy)]
         whole += [_tidy(text, *each) for each in _merged(text, self._bare[file])]
         gone = _joined([*whole, *self._parts[file]])
         gone = _joined([*gone, *self._emptied_bodies(file, gone)])
