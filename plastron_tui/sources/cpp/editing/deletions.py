@@ -71,21 +71,23 @@ class Deletions:
         self._lines[file].append((node.start_byte, node.end_byte))
 
     def take_empty(self) -> None:
-        """Take out each `if` with braces that nothing is left in, and whose condition is idle."""
+        """Take out each block that nothing is left in, with its `if` where that does nothing."""
         for file, node in self._nodes:
             block = node.parent
             outer = None if block is None else block.parent
             if block is None or block.type != "compound_statement" or outer is None:
                 continue
-            if outer.type != "if_statement" or not _is_idle_if(outer):
+            is_bare = outer.type == "compound_statement"
+            if not is_bare and (outer.type != "if_statement" or not _is_idle_if(outer)):
                 continue
+            whole = block if is_bare else outer
             if (
-                self.covers(file, outer.start_byte)
+                self.covers(file, whole.start_byte)
                 or b"//" in file.syntax.text[block.start_byte : node.start_byte]
             ):
                 continue
             if all(self.covers(file, each.start_byte) for each in block.named_children):
-                self.statement(file, outer)
+                self.statement(file, whole)
 
     def part(self, file: CppFile, start: int, end: int) -> None:
         """Take out a part of a line."""
@@ -110,7 +112,9 @@ class Deletions:
         text = file.syntax.text
         lines = [(_with_macros(file, start), end) for start, end in self._lines[file]]
         found = _merged(text, [_lines_of(text, start, end) for start, end in lines])
-        whole = [_tidy(text, *_with_comment(text, start, end)) for start, end in found]
+        tidy = [_tidy(text, *_with_comment(text, start, end)) for start, end in found]
+        # What was apart by a comment that goes too is tidied as one.
+        whole = [each if each in tidy else _tidy(text, *each) for each in _joined(tidy)]
         whole += [_tidy(text, *each) for each in _merged(text, self._bare[file])]
         gone = _joined([*whole, *self._parts[file]])
         gone = _joined([*gone, *self._emptied_bodies(file, gone)])

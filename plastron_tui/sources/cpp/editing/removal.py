@@ -104,8 +104,11 @@ class _Removal:
         self._plan.lost.append(site)
         if self._gone.covers(site.file, site.call.node.start_byte) or self._take_reading(site):
             return
+        is_call = site.call.receiver is None and site.call.name == "call"
+        if is_call and self._served.take_call(site):
+            return
         creation = creation_of(self._analysis, site)
-        if creation is None:
+        if creation is None or is_call:
             message = f"line {site.endpoint.line} does more than to create it"
             raise RefusedError(message, self._change.span, "change the line by hand")
         creation.delete(self._gone)
