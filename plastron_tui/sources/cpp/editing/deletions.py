@@ -39,6 +39,7 @@ class Deletions:
         self._lines: defaultdict[CppFile, list[tuple[int, int]]] = defaultdict(list)
         self._emptied: defaultdict[CppFile, list[tuple[int, int]]] = defaultdict(list)
         self._nodes: list[tuple[CppFile, Node]] = []
+        self._replaced: defaultdict[CppFile, list[Splice]] = defaultdict(list)
 
     def statement(self, file: CppFile, node: Node) -> None:
         """Take out a statement or declaration, with its lines where it has them alone.
@@ -77,15 +78,21 @@ class Deletions:
         """Take out a part of a line."""
         self._parts[file].append((start, end))
 
+    def replace(self, file: CppFile, node: Node, text: str) -> None:
+        """Write something else in the place of a part that goes."""
+        encoded = text.encode(file.syntax.encoding)
+        self._replaced[file].append(Splice(node.start_byte, node.end_byte, encoded))
+
     def covers(self, file: CppFile, offset: int) -> bool:
         """Tell whether what stands at an offset goes."""
         parts = (*self._parts[file], *self._lines[file], *self._emptied[file])
-        return any(start <= offset < end for start, end in parts)
+        is_replaced = any(each.start <= offset < each.end for each in self._replaced[file])
+        return is_replaced or any(start <= offset < end for start, end in parts)
 
     @property
     def files(self) -> Iterator[CppFile]:
         """The files that lose something."""
-        found = (self._parts, self._lines, self._emptied)
+        found = (self._parts, self._lines, self._emptied, self._replaced)
         yield from dict.fromkeys(file for each in found for file, parts in each.items() if parts)
 
     def splices(self, file: CppFile) -> list[Splice]:
@@ -95,12 +102,12 @@ class Deletions:
         found = _merged(text, [_lines_of(text, start, end) for start, end in lines])
         whole = [_tidy(text, *_with_comment(text, start, end)) for start, end in found]
         gone = _merged(text, [*whole, *self._parts[file]])
-        braces = [
-            Splice(start, end, b"{}")
-            for start, end in self._emptied[file]
-            if not any(first <= start < last for first, last in gone)
+        written = [Splice(start, end, b"{}") for start, end in self._emptied[file]]
+        written += self._replaced[file]
+        left = [
+            each for each in written if not any(first <= each.start < last for first, last in gone)
         ]
-        return [*(Splice(start, end) for start, end in gone), *braces]
+        return [*(Splice(start, end) for start, end in gone), *left]
 
 
 def _is_body(node: Node, outer: Node) -> bool:

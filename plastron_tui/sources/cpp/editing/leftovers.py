@@ -91,10 +91,15 @@ def _body(function: Function) -> list[Node]:
     return [] if body is None else [each for each in body.named_children if each.type != "comment"]
 
 
+def logs(text: str) -> bool:
+    """Tell whether the text of a statement logs."""
+    return _LOGS.match(text) is not None
+
+
 def _is_log(node: Node, function: Function) -> bool:
     text = function.file.syntax.word(node).strip().rstrip(";")
     is_answer = text in ("return true", "return")
-    return is_answer or bool(_LOGS.match(text) or _VOID.fullmatch(text))
+    return is_answer or logs(text) or _VOID.fullmatch(text) is not None
 
 
 def remove_function(function: Function, gone: Deletions) -> None:

@@ -14,6 +14,7 @@ from ..read_parameters import parameter_call
 from ..scopes import CppFile, Function, Scope, Variable, last_name
 from .creation import Creation, creation_of, variable_of
 from .deletions import Deletions
+from .kept_values import KeptValues
 from .leftovers import (
     functions_of,
     has_uses,
@@ -76,6 +77,7 @@ class _Removal:
         self._sites = sites
         self._change = change
         self._gone = Deletions()
+        self._kept = KeptValues(analysis, sites, self._gone)
         self._plan = Plan()
         self.used: list[tuple[CppFile, int]] = []
 
@@ -88,6 +90,9 @@ class _Removal:
             raise RefusedError(message, self._change.span, "change the line by hand")
         self._plan.lost.append(site)
         if self._gone.covers(site.file, site.call.node.start_byte) or self._take_reading(site):
+            return
+        if site.endpoint.kind is EndpointKind.PARAMETER and self._kept.keep(site):
+            self._take_descriptor(site)
             return
         creation = creation_of(self._analysis, site)
         if creation is None:
