@@ -38,8 +38,9 @@ from .own_functions import (
     unused_helpers,
 )
 from .plans import Plan
-from .refusals import RefusedError, in_use, not_there, refuse_parts
+from .refusals import RefusedError, in_use, not_there
 from .served import ServedCode
+from .shared_statements import SharedStatements
 from .statements import calls_method, emptied, local_of, only_calls, only_sets, statement_of
 from .units import sites_of
 from .uses import hidden_uses, uses_of
@@ -51,8 +52,13 @@ _ENDING = frozenset(
 )
 
 
-def plan_removal(analysis: Analysis, change: Remove) -> Plan:
+def plan_removal(analysis: Analysis, change: Remove, others: Iterable[Remove] = ()) -> Plan:
     """Plan the removal of an endpoint.
+
+    Args:
+        analysis: the files.
+        change: what is asked for.
+        others: what else goes; what one statement makes of it goes with the endpoint.
 
     Raises:
         RefusedError: the files have none such, or use it in another way.
@@ -60,7 +66,8 @@ def plan_removal(analysis: Analysis, change: Remove) -> Plan:
     sites = sites_of(analysis, change)
     if not sites:
         raise not_there(analysis, change)
-    return _Removal(analysis, change, sites).plan()
+    going = [site for other in others for site in sites_of(analysis, other)]
+    return _Removal(analysis, change, sites, going).plan()
 
 
 class _Removal:
@@ -70,11 +77,14 @@ class _Removal:
         used: where the endpoint is used in another way, as file and line.
     """
 
-    def __init__(self, analysis: Analysis, change: Remove, sites: list[Site]) -> None:
+    def __init__(
+        self, analysis: Analysis, change: Remove, sites: list[Site], going: list[Site]
+    ) -> None:
         self._analysis = analysis
         self._sites = sites
         self._change = change
         self._gone = Deletions()
+        self._shared = SharedStatements(analysis, change, [*sites, *going], self._gone)
         self._kept = KeptValues(analysis, sites, self._gone)
         self._served = ServedCode(analysis, self._gone)
         self._plan = Plan()
@@ -99,11 +109,7 @@ class _Removal:
         """Take one call site out, with what holds it and what only served it."""
         if site in self._plan.lost:
             return
-        if any(each.call is site.call and each is not site for each in self._analysis.sites):
-            refuse_parts(self._change, [site])
-            message = f"line {site.endpoint.line} creates it among others"
-            raise RefusedError(message, self._change.span, "change the line by hand")
-        self._plan.lost.append(site)
+        self._plan.lost += [site, *self._shared.created_with(site)]
         if self._gone.covers(site.file, site.call.node.start_byte) or self._take_reading(site):
             return
         if site.endpoint.kind is EndpointKind.PARAMETER and self._kept.keep(site):
@@ -118,7 +124,7 @@ class _Removal:
             raise RefusedError(message, self._change.span, "change the line by hand")
         creation.delete(self._gone)
         self._served.note(creation.file, creation.node)
-        self._check_others(site)
+        self._plan.lost += self._shared.gone_with(site, self._plan.lost)
         if site.endpoint.kind is EndpointKind.PARAMETER:
             self._take_descriptor(site)
         if site.endpoint.kind is EndpointKind.ACTION_SERVER:
@@ -221,14 +227,6 @@ class _Removal:
             if all(self._gone.covers(file, node.start_byte) for file, node, _ in uses):
                 self._gone.statement(variable.file, variable.node)
         return True
-
-    def _check_others(self, site: Site) -> None:
-        """Refuse to take out a statement that creates other endpoints as well."""
-        for each in self._analysis.sites:
-            is_covered = self._gone.covers(each.file, each.call.node.start_byte)
-            if is_covered and each not in self._plan.lost and each not in self._sites:
-                message = f"line {site.endpoint.line} creates it among others"
-                raise RefusedError(message, self._change.span, "change the line by hand")
 
     def _take_descriptor(self, site: Site) -> None:
         """Take out the local variable that describes a parameter, and a block left empty."""
