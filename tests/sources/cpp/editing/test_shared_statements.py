@@ -126,7 +126,7 @@ def test_what_one_call_creates_goes_together() -> None:
 
 def test_a_part_of_what_one_call_creates_is_refused_with_the_other_part() -> None:
     assert refusal(CAMERA, removal(K.PUBLISHER, "image_raw")) == (
-        "edit-refused: line 8 creates the publisher `image_raw` with the publisher `camera_info`"
+        "edit-refused: line 9 creates the publisher `image_raw` with the publisher `camera_info`"
     )
 
 
