@@ -26,6 +26,7 @@ from .leftovers import (
     take_placeholders,
     take_types,
 )
+from .listening import block_for_listeners
 from .own_functions import (
     asking_function,
     emptied_functions,
@@ -308,6 +309,10 @@ class _Removal:
     def _take_guards(self, left: Iterable[tuple[CppFile, Node, Scope]]) -> None:
         """Take out what only asked about the endpoint before it was used."""
         for file, node, _ in left:
+            unheard = block_for_listeners(self._analysis, file, node)
+            if unheard is not None:
+                self._gone.statement(file, unheard)
+                continue
             block = emptied(node, file, self._gone)
             condition = None if block is None else block.child_by_field_name("condition")
             is_asking = condition is not None and self._served.is_asking(file, node, condition)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import pytest
 from additions import parameter, publish, subscribe
 from patches import check, edit, refusal, sides
 
@@ -170,3 +171,58 @@ def test_a_parameter_is_declared_beside_the_others() -> None:
     files, told = edit(sides(RATES)[0], parameter("gain", "float", 0.5))
     assert files is not None, told
     assert files.main.index(b'"rate"') < files.main.index(b'"gain"')
+
+
+LISTENED = """
+ #include <ros/ros.h>
+ #include <std_msgs/String.h>
+
+ class Mapper {
+  public:
+   Mapper() {
+-    pub_ = nh_.advertise<std_msgs::String>("out", 1);
+     other_ = nh_.advertise<std_msgs::String>("other", 1);
+   }
+
+   void send(const Cloud& cloud) {
+-    // for those who look
+-    if (CONDITION) {
+-      std_msgs::String text;
+-      convert(cloud, text);
+-      for (int at = 0; at < limit_; at++) text.data += words(at);
+-      pub_.publish(text);
+-    }
+-
+     std_msgs::String more;
+     other_.publish(more);
+   }
+
+  private:
+   ros::NodeHandle nh_;
+-  ros::Publisher pub_;
+   ros::Publisher other_;
+   int limit_;
+ };
+"""
+
+
+@pytest.mark.parametrize(
+    "condition",
+    ["pub_.getNumSubscribers()", "pub_.getNumSubscribers() > 0", "0 < pub_.getNumSubscribers()",
+     "pub_.getNumSubscribers() != 0u", "this->pub_.getNumSubscribers() >= 1"],
+)  # fmt: skip
+def test_what_is_done_for_listeners_goes_with_their_topic(condition: str) -> None:
+    check(LISTENED.replace("CONDITION", condition), removal(K.PUBLISHER, "out"))
+
+
+@pytest.mark.parametrize(
+    ("condition", "more"),
+    [("pub_.getNumSubscribers() == 0", ""), ("pub_.getNumSubscribers() > 0 || more()", ""),
+     ("pub_.getNumSubscribers() > 0", "other_.publish(text);")],
+)  # fmt: skip
+def test_what_is_not_only_for_listeners_is_in_use(condition: str, more: str) -> None:
+    text = LISTENED.replace("CONDITION", condition)
+    text = text.replace("pub_.publish(text);\n", f"pub_.publish(text); {more}\n")
+    assert refusal(text, removal(K.PUBLISHER, "out")) == (
+        "endpoint-in-use: the publisher `out` is used in line 13"
+    )
