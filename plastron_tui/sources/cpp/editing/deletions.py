@@ -42,6 +42,7 @@ class Deletions:
         self._emptied: defaultdict[CppFile, list[tuple[int, int]]] = defaultdict(list)
         self._nodes: list[tuple[CppFile, Node]] = []
         self._bare: defaultdict[CppFile, list[tuple[int, int]]] = defaultdict(list)
+        self._replaced: defaultdict[CppFile, list[Splice]] = defaultdict(list)
         self._written: dict[CppFile, bytes] = {}
 
     def written(self, file: CppFile) -> bytes:
@@ -93,18 +94,24 @@ class Deletions:
         """Take out a part of a line."""
         self._parts[file].append((start, end))
 
+    def replace(self, file: CppFile, node: Node, text: str) -> None:
+        """Write something else in the place of a part that goes."""
+        encoded = text.encode(file.syntax.encoding)
+        self._replaced[file].append(Splice(node.start_byte, node.end_byte, encoded))
+
     def covers(self, file: CppFile, offset: int) -> bool:
         """Tell whether what stands at an offset goes."""
         parts = (
             *(*self._parts[file], *self._lines[file]),
             *(*self._emptied[file], *self._bare[file]),
         )
-        return any(start <= offset < end for start, end in parts)
+        is_replaced = any(each.start <= offset < each.end for each in self._replaced[file])
+        return is_replaced or any(start <= offset < end for start, end in parts)
 
     @property
     def files(self) -> Iterator[CppFile]:
         """The files that lose something."""
-        found = (self._parts, self._lines, self._emptied, self._bare)
+        found = (self._parts, self._lines, self._emptied, self._bare, self._replaced)
         yield from dict.fromkeys(file for each in found for file, parts in each.items() if parts)
 
     def splices(self, file: CppFile) -> list[Splice]:
@@ -119,17 +126,19 @@ class Deletions:
         gone = _joined([*whole, *self._parts[file]])
         gone = _joined([*gone, *self._emptied_bodies(file, gone)])
         gone = _joined([_whole_lines(text, each, gone) for each in gone])
-        braces = [
-            Splice(start, end, b"{}")
-            for start, end in self._emptied[file]
-            if not any(first <= start < last for first, last in gone)
+        written = [Splice(start, end, b"{}") for start, end in self._emptied[file]]
+        written += self._replaced[file]
+        left = [
+            each for each in written if not any(first <= each.start < last for first, last in gone)
         ]
-        return [*(Splice(start, end) for start, end in gone), *braces]
+        return [*(Splice(start, end) for start, end in gone), *left]
 
     def torn(self, file: CppFile) -> Iterator[tuple[CppFile, int]]:
         """Yield where what goes has a part of a conditional of the preprocessor, as in `in_use`."""
         written = self.written(file)
-        for start, end in (*self._parts[file], *self._lines[file], *self._emptied[file]):
+        parts = [*self._parts[file], *self._lines[file], *self._emptied[file]]
+        parts += [(each.start, each.end) for each in self._replaced[file]]
+        for start, end in parts:
             depth = 0
             for found in _CONDITION.finditer(written, start, end):
                 word = found[1]

@@ -121,13 +121,20 @@ class _Edits:
         renames = [change for change in changes if isinstance(change, Rename)]
         if renames:
             self._apply(plan_renames(self.analysis, renames))
+        removals = [change for change in changes if isinstance(change, Remove)]
         for change in changes:
             if isinstance(change, Add):
                 self._apply(plan_addition(self.analysis, change, self._catalog, self._settings))
             elif isinstance(change, Remove):
-                self._apply(plan_removal(self.analysis, change))
+                self._remove(change, [each for each in removals if each is not change])
             elif isinstance(change, Update):
                 self._update(change)
+
+    def _remove(self, change: Remove, others: Sequence[Remove]) -> None:
+        """Take an endpoint out, unless it went with another one that one statement made too."""
+        is_gone = not sites_of(self.analysis, change) and sites_of(self.before, change)
+        if not is_gone:
+            self._apply(plan_removal(self.analysis, change, others))
 
     def _update(self, asked: Update) -> None:
         """Change an endpoint where it stands, or else take it out and write it anew."""

@@ -42,6 +42,7 @@ _HEADERS = {
         rb"\b(?:make|allocate)_(?:shared|unique)\b|\b(?:shared|unique|weak)_ptr\b"
         rb"|\benable_shared_from_this\b|\b\w+_pointer_cast\b|\baddressof\b|\ballocator"
     ),
+    "rcl_interfaces/msg/parameter_descriptor.hpp": re.compile(rb"\bParameterDescriptor\b"),
     "ros/callback_queue.h": re.compile(rb"\bCallbackQueue"),
     "rclcpp_action/rclcpp_action.hpp": re.compile(rb"\brclcpp_action\b"),
     "thread": re.compile(rb"\bthread\b|\bthis_thread\b"),

@@ -14,6 +14,7 @@ from ..read_parameters import parameter_call
 from ..scopes import CppFile, Function, Scope, Variable, last_name
 from .creation import Creation, creation_of, holder_of, variable_of
 from .deletions import Deletions
+from .kept_values import KeptValues
 from .leftovers import (
     functions_of,
     has_uses,
@@ -25,6 +26,7 @@ from .leftovers import (
     take_placeholders,
     take_types,
 )
+from .listening import block_for_listeners
 from .own_functions import (
     asking_function,
     emptied_functions,
@@ -37,8 +39,9 @@ from .own_functions import (
     unused_helpers,
 )
 from .plans import Plan
-from .refusals import RefusedError, in_use, not_there, refuse_parts
+from .refusals import RefusedError, in_use, not_there
 from .served import ServedCode
+from .shared_statements import SharedStatements
 from .statements import calls_method, emptied, local_of, only_calls, only_sets, statement_of
 from .units import sites_of
 from .uses import hidden_uses, uses_of
@@ -50,8 +53,13 @@ _ENDING = frozenset(
 )
 
 
-def plan_removal(analysis: Analysis, change: Remove) -> Plan:
+def plan_removal(analysis: Analysis, change: Remove, others: Iterable[Remove] = ()) -> Plan:
     """Plan the removal of an endpoint.
+
+    Args:
+        analysis: the files.
+        change: what is asked for.
+        others: what else goes; what one statement makes of it goes with the endpoint.
 
     Raises:
         RefusedError: the files have none such, or use it in another way.
@@ -59,7 +67,8 @@ def plan_removal(analysis: Analysis, change: Remove) -> Plan:
     sites = sites_of(analysis, change)
     if not sites:
         raise not_there(analysis, change)
-    return _Removal(analysis, change, sites).plan()
+    going = [site for other in others for site in sites_of(analysis, other)]
+    return _Removal(analysis, change, sites, going).plan()
 
 
 class _Removal:
@@ -69,11 +78,15 @@ class _Removal:
         used: where the endpoint is used in another way, as file and line.
     """
 
-    def __init__(self, analysis: Analysis, change: Remove, sites: list[Site]) -> None:
+    def __init__(
+        self, analysis: Analysis, change: Remove, sites: list[Site], going: list[Site]
+    ) -> None:
         self._analysis = analysis
         self._sites = sites
         self._change = change
         self._gone = Deletions()
+        self._shared = SharedStatements(analysis, change, [*sites, *going], self._gone)
+        self._kept = KeptValues(analysis, sites, self._gone)
         self._served = ServedCode(analysis, self._gone)
         self._plan = Plan()
         self.used: list[tuple[CppFile, int]] = []
@@ -97,12 +110,11 @@ class _Removal:
         """Take one call site out, with what holds it and what only served it."""
         if site in self._plan.lost:
             return
-        if any(each.call is site.call and each is not site for each in self._analysis.sites):
-            refuse_parts(self._change, [site])
-            message = f"line {site.endpoint.line} creates it among others"
-            raise RefusedError(message, self._change.span, "change the line by hand")
-        self._plan.lost.append(site)
+        self._plan.lost += [site, *self._shared.created_with(site)]
         if self._gone.covers(site.file, site.call.node.start_byte) or self._take_reading(site):
+            return
+        if site.endpoint.kind is EndpointKind.PARAMETER and self._kept.keep(site):
+            self._take_descriptor(site)
             return
         is_call = site.call.receiver is None and site.call.name == "call"
         if is_call and self._served.take_call(site):
@@ -113,7 +125,7 @@ class _Removal:
             raise RefusedError(message, self._change.span, "change the line by hand")
         creation.delete(self._gone)
         self._served.note(creation.file, creation.node)
-        self._check_others(site)
+        self._plan.lost += self._shared.gone_with(site, self._plan.lost)
         if site.endpoint.kind is EndpointKind.PARAMETER:
             self._take_descriptor(site)
         if site.endpoint.kind is EndpointKind.ACTION_SERVER:
@@ -217,14 +229,6 @@ class _Removal:
                 self._gone.statement(variable.file, variable.node)
         return True
 
-    def _check_others(self, site: Site) -> None:
-        """Refuse to take out a statement that creates other endpoints as well."""
-        for each in self._analysis.sites:
-            is_covered = self._gone.covers(each.file, each.call.node.start_byte)
-            if is_covered and each not in self._plan.lost and each not in self._sites:
-                message = f"line {site.endpoint.line} creates it among others"
-                raise RefusedError(message, self._change.span, "change the line by hand")
-
     def _take_descriptor(self, site: Site) -> None:
         """Take out the local variable that describes a parameter, and a block left empty."""
         node, scope = parameter_call(site.call).descriptor, site.call.scope
@@ -305,6 +309,10 @@ class _Removal:
     def _take_guards(self, left: Iterable[tuple[CppFile, Node, Scope]]) -> None:
         """Take out what only asked about the endpoint before it was used."""
         for file, node, _ in left:
+            unheard = block_for_listeners(self._analysis, file, node)
+            if unheard is not None:
+                self._gone.statement(file, unheard)
+                continue
             block = emptied(node, file, self._gone)
             condition = None if block is None else block.child_by_field_name("condition")
             is_asking = condition is not None and self._served.is_asking(file, node, condition)
