@@ -87,8 +87,12 @@ def test_windows_line_ends_stay(version):
 
 
 def lines(unit: FileSet) -> list[str]:
-    """Return what the lines of files say; a header that more than what goes may use can stay."""
-    found = [line for _, text in unit.texts for line in text.decode().split("\n")]
+    """Return what the lines of files say; a header that more than what goes may use can stay.
+
+    Empty braces that were opened can stay as they are in the file's style.
+    """
+    texts = [re.sub(r"\s*\{\s*\}", " {}", text.decode()) for _, text in unit.texts]
+    found = [line for text in texts for line in text.split("\n")]
     return [line for line in found if line.strip() and not STAYING.match(line)]
 
 
@@ -103,7 +107,6 @@ def test_what_was_added_is_taken_out_again(version, name):
         changed, _ = edit(start, change)
         if changed is None:
             continue
-        named = change.endpoint.function if what == "timer" else change.endpoint.name
-        back, told = edit(changed, Remove(kind_of(type(change.endpoint)), named))
+        back, told = edit(changed, Remove(kind_of(type(change.endpoint)), change.endpoint.name))
         assert back is not None, (what, told)
         assert lines(back) == lines(start), what
