@@ -331,6 +331,7 @@ class _Removal:
                     for each in functions:
                         remove_function(each, self._gone)
         self._gone.take_empty()
+        self._gone.take_sections()
         take_types(self._analysis, self._plan.lost, self._gone)
         take_placeholders(self._analysis, self._gone)
         take_literals(self._analysis, self._gone)
