@@ -36,6 +36,7 @@ from .own_functions import (
     repeating_function,
     unused_helpers,
 )
+from .parameter_names import unname_unused
 from .plans import Plan
 from .refusals import RefusedError, in_use, not_there
 from .served import ServedCode
@@ -339,6 +340,7 @@ class _Removal:
         torn = [each for file in self._gone.files for each in self._gone.torn(file)]
         if torn:
             raise in_use(self._change, torn)
+        unname_unused(self._analysis, self._gone, self._plan)
         for file in self._gone.files:
             if file.is_beside:
                 message = "a part of it is in a file of another node"
