@@ -28,7 +28,8 @@ class Shape:
         name: the argument that names the endpoint (a timer's: its period), counted from the
             first that is no node.
         on: what it is called on: a `handle` of ROS 1, a `node` of ROS 2, an image `transport`,
-            a message `filter`; `function` for a function that takes a node before the rest.
+            a message `filter`; `function` for a function that takes a node before the rest;
+            `object` for an object that names it itself.
         type: `template` for the template argument, `callback` where only a callback says it
             where that is missing, `argument` for the type of an argument, `text` for a string
             behind the name, `pkg/msg/Name`.

@@ -56,4 +56,4 @@ def transforms(analysis: Analysis) -> Iterator[Site]:
                     qos=_QOS[kind, topic] if analysis.ros_version == 2 else None,
                 )
                 owner = analysis.unit.class_of(call.scope)
-                yield Site(endpoint, call, Shape(kind), call.arguments, owner)
+                yield Site(endpoint, call, Shape(kind, on="object"), call.arguments, owner)

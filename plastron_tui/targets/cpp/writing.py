@@ -51,7 +51,6 @@ class CppWriting(Writing):
         self.dialect = dialect
         self.headers: set[str] = set()
         self.functions = Functions()
-        self._getters: dict[str, str] = {}
 
     @property
     def computing(self) -> Computing:
@@ -68,11 +67,6 @@ class CppWriting(Writing):
         """Name what holds a sending: it has a thread, which something has to wait for."""
         del is_repeated
         return self.attributes.new(attribute)
-
-    def getter(self, name: str) -> str:
-        """Name the method that reads a parameter."""
-        self._getters[name] = super().getter(name)
-        return self._getters[name]
 
     def method_key(self, name: str, type_: str) -> str:
         """Return what tells a function from others: C++ has several of one name."""
@@ -164,7 +158,7 @@ class CppWriting(Writing):
         assert parameter.holds is not None  # statements say it
         own = parameter.name.removeprefix("~/")
         if not self.is_ros2:
-            return f"{self._getters[own]}()"
+            return f"{self.getter(own)}()"
         kind = {"bool": "bool", "int": "int", "float": "double", "string": "string"}
         element = kind[parameter.holds.element.value]
         array = {"bool": "bool", "int": "integer", "double": "double", "string": "string"}[element]

@@ -121,7 +121,9 @@ def _add(added: Addition) -> None:
     present = [
         site
         for site in added.sites
-        if site.endpoint.kind is added.kind and site.endpoint.name == endpoint.name
+        if site.endpoint.kind is added.kind
+        and site.endpoint.name == endpoint.name
+        and site.shape.on != "object"
     ]
     if present and is_sending(endpoint):
         sender = _present(added, present)

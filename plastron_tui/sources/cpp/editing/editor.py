@@ -17,6 +17,7 @@ from plastron_tui.model.source import (
 )
 from plastron_tui.ros.catalog import Catalog, moved
 from plastron_tui.sources.base import Rendered
+from plastron_tui.sources.left_behind import unread
 
 from ..analysis import Analysis
 from ..beside import sources_beside
@@ -27,14 +28,16 @@ from ..syntax import parse
 from .addition import plan_addition
 from .clang_format import clang_format_of
 from .guessed_names import tell_guessed_names
+from .idle_code import tell_idle
 from .plans import Plan, with_splices
-from .refusals import RefusedError
+from .refusals import RefusedError, refuse_parts
 from .removal import plan_removal
 from .renaming import plan_renames
 from .replacing import NotInPlaceError
 from .still_named import tell_still_named
-from .uncalled import tell_uncalled
-from .units import Found, analyze_files, endpoints_of, outlines_of
+from .still_read import tell_still_read
+from .uncalled import tell_uncalled, uncalled_functions
+from .units import Found, analyze_files, endpoints_of, outlines_of, sites_of
 from .updating import plan_update
 
 
@@ -72,7 +75,15 @@ def edit_cpp(source: SourceUnit, changes: Sequence[Change], catalog: Catalog) ->
     if problem is not None:
         message = f"the change of `{source.path.name}` would {problem}"
         return Rendered(None, (Diagnostic(codes.EDIT_REFUSED, message),))
-    edits.notes += tell_uncalled(edits.before, edits.analysis, changes)
+    before, after = edits.before, edits.analysis
+    uncalled = uncalled_functions(before, after)
+    edits.notes += tell_uncalled(uncalled, changes)
+    edits.notes += tell_still_read(before, after, changes, uncalled)
+    edits.notes += tell_idle(before, after, changes)
+    parameters = unread(
+        (site.endpoint for site in before.sites), (site.endpoint for site in after.sites), changes
+    )
+    edits.notes += [] if parameters is None else [parameters]
     edits.notes += tell_still_named(edits.analysis, changes)
     return Rendered(edits.files, tuple(edits.notes))
 
@@ -121,6 +132,7 @@ class _Edits:
     def _update(self, asked: Update) -> None:
         """Change an endpoint where it stands, or else take it out and write it anew."""
         change = asked
+        refuse_parts(change, sites_of(self.analysis, change))
         before = self.files, self.analysis, self.expected.copy(), list(self.notes)
         try:
             name = change.endpoint.name

@@ -109,7 +109,7 @@ def is_idle(function: Function, gone: Deletions) -> bool:
 
 def body_of(function: Function) -> list[Node]:
     """Return the statements of a definition; none of a declaration."""
-    body = function.node.child_by_field_name("body")
+    body = function.body
     return [] if body is None else [each for each in body.named_children if each.type != "comment"]
 
 

@@ -38,7 +38,7 @@ from .own_functions import (
 )
 from .parameter_names import unname_unused
 from .plans import Plan
-from .refusals import RefusedError, in_use, not_there
+from .refusals import RefusedError, in_use, not_there, refuse_parts
 from .served import ServedCode
 from .statements import calls_method, emptied, local_of, only_calls, only_sets, statement_of
 from .units import sites_of
@@ -99,6 +99,7 @@ class _Removal:
         if site in self._plan.lost:
             return
         if any(each.call is site.call and each is not site for each in self._analysis.sites):
+            refuse_parts(self._change, [site])
             message = f"line {site.endpoint.line} creates it among others"
             raise RefusedError(message, self._change.span, "change the line by hand")
         self._plan.lost.append(site)
@@ -333,6 +334,7 @@ class _Removal:
                         remove_function(each, self._gone)
         self._gone.take_empty()
         self._gone.take_sections()
+        self._note_parameters()
         take_types(self._analysis, self._plan.lost, self._gone)
         take_placeholders(self._analysis, self._gone)
         take_literals(self._analysis, self._gone)
@@ -347,6 +349,16 @@ class _Removal:
                 raise RefusedError(message, self._change.span, "change that file first")
             self._plan.splices[file.name] += self._gone.splices(file)
         return self._plan
+
+    def _note_parameters(self) -> None:
+        """Count the parameters as gone that only what goes has read."""
+        self._plan.lost += [
+            site
+            for site in self._analysis.sites
+            if site.endpoint.kind is EndpointKind.PARAMETER
+            and site not in self._plan.lost
+            and self._gone.covers(site.file, site.call.node.start_byte)
+        ]
 
     def _take_idle(self) -> None:
         """Take out the timers whose functions have nothing left to do."""

@@ -15,7 +15,7 @@ from ..analysis import Analysis, Site
 from ..scopes import Scope
 from .origins import SAME, Origin, name_argument, origin_of
 from .plans import Plan
-from .refusals import RefusedError, not_there
+from .refusals import RefusedError, not_there, refuse_parts
 from .units import key_of, labels_of, sites_of
 from .uses import uses_of
 
@@ -40,6 +40,7 @@ def plan_renames(analysis: Analysis, changes: Sequence[Rename]) -> Plan:
         sites = sites_of(analysis, change)
         if not sites:
             raise not_there(analysis, change)
+        refuse_parts(change, sites)
         wanted.update(dict.fromkeys(sites, change))
     written: dict[tuple[str, int, int], str] = {}
     for site, change in wanted.items():

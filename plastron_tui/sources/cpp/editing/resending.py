@@ -14,6 +14,7 @@ from plastron_tui.model.values import MessageValue
 from .. import literals
 from ..analysis import Site
 from ..scopes import Function, Scope, Variable
+from ..timers import recreated
 from .creation import creation_of
 from .leftovers import functions_of
 from .pacing import set_period
@@ -126,8 +127,9 @@ def _timer_of(update: Replacement, function: Function | None) -> Site | None:
     if function is None:
         return None
     found = []
+    again = recreated(update.analysis, update.analysis.sites)
     for site in update.analysis.sites:
-        if site.endpoint.kind is not EndpointKind.TIMER:
+        if site.endpoint.kind is not EndpointKind.TIMER or site in again:
             continue
         at = site.shape.callback
         given = site.arguments[at] if at is not None and at < len(site.arguments) else None

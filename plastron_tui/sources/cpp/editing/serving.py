@@ -21,8 +21,9 @@ _READING = frozenset(
     {"get", "c_str", "str", "size", "empty", "valid", "to_string", "toString", "getText", "data"}
     | {"length", "count", "seconds", "toSec", "now", "get_clock", "get_logger", "what", "begin"}
     | {"end", "at", "front", "back", "ok", "isValid", "exists", "sleep", "getState", "has_value"}
-    | {"value", "wait_for", "wait_until", "wait", "push_back", "emplace_back", "resize", "reserve"}
+    | {"value", "wait_for", "wait_until", "wait"}
 )
+_FILLING = frozenset({"push_back", "emplace_back", "resize", "reserve"})
 _CALLED = frozenset(
     {"make_shared", "make_unique", "ok", "isShuttingDown", "seconds", "milliseconds", "duration"}
     | {"to_string", "to_yaml", "atoi", "atol", "atoll", "atof", "stoi", "stol", "stod", "move"}
@@ -175,7 +176,8 @@ class Serving:
         name = _last_name(file, callee)
         if callee.type == "field_expression":
             root = self.root(file, callee)
-            return name in _READING or (root is not None and root in self.going)
+            is_filling = name in _FILLING and root is not None and root.kind == "local"
+            return name in _READING or is_filling or (root is not None and root in self.going)
         if name in self._analysis.unit.functions:
             return False
         if name in _CALLED or callee.type == "primitive_type":
