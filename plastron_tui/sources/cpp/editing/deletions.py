@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections import defaultdict
 from collections.abc import Iterator
+from itertools import takewhile
 
 from tree_sitter import Node
 
@@ -89,6 +90,31 @@ class Deletions:
                 continue
             if all(self.covers(file, each.start_byte) for each in block.named_children):
                 self.statement(file, whole)
+
+    def take_sections(self) -> None:
+        """Take out each `private:` that nothing is left of."""
+        for file, node in list(self._nodes):
+            listed = node.parent
+            if listed is None or listed.type != "field_declaration_list":
+                continue
+            parts = [*listed.named_children]
+            at = next((i for i, each in enumerate(parts) if each.id == node.id), 0)
+            while at and parts[at].type != "access_specifier":
+                at -= 1
+            own = parts[at]
+            section = list(takewhile(lambda x: x.type != "access_specifier", parts[at + 1 :]))
+            if own.type != "access_specifier" or self.covers(file, own.start_byte):
+                continue
+            if not all(self.covers(file, each.start_byte) for each in section):
+                continue
+            text, start = file.syntax.text, own.end_byte
+            left = b""
+            for each in section:
+                left += text[start : each.start_byte]
+                start = each.end_byte
+            if not left.strip(b" \t\r\n:;"):
+                end = text.find(b":", own.start_byte) + 1
+                self._lines[file].append((own.start_byte, end))
 
     def part(self, file: CppFile, start: int, end: int) -> None:
         """Take out a part of a line."""

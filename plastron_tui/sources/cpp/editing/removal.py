@@ -38,6 +38,7 @@ from .own_functions import (
     repeating_function,
     unused_helpers,
 )
+from .parameter_names import unname_unused
 from .plans import Plan
 from .refusals import RefusedError, in_use, not_there
 from .served import ServedCode
@@ -340,6 +341,7 @@ class _Removal:
                     for each in functions:
                         remove_function(each, self._gone)
         self._gone.take_empty()
+        self._gone.take_sections()
         self._note_parameters()
         take_types(self._analysis, self._plan.lost, self._gone)
         take_placeholders(self._analysis, self._gone)
@@ -348,6 +350,7 @@ class _Removal:
         torn = [each for file in self._gone.files for each in self._gone.torn(file)]
         if torn:
             raise in_use(self._change, torn)
+        unname_unused(self._analysis, self._gone, self._plan)
         for file in self._gone.files:
             if file.is_beside:
                 message = "a part of it is in a file of another node"
