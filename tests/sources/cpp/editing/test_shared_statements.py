@@ -184,7 +184,8 @@ LISTENED = """
      other_ = nh_.advertise<std_msgs::String>("other", 1);
    }
 
-   void send(const Cloud& cloud) {
+-  void send(const Cloud& cloud) {
++  void send(const Cloud& /*cloud*/) {
 -    // for those who look
 -    if (CONDITION) {
 -      std_msgs::String text;
