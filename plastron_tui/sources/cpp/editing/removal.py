@@ -64,6 +64,18 @@ def plan_removal(analysis: Analysis, change: Remove) -> Plan:
     return removal.finish()
 
 
+def plan_silence(analysis: Analysis, change: Remove) -> Plan:
+    """Plan to take out what publishes through a publisher, which itself stays.
+
+    Raises:
+        RefusedError: nothing of the files holds it.
+    """
+    removal = _Removal(analysis, change, [])
+    for site in sites_of(analysis, change):
+        removal.silence(site)
+    return removal.finish()
+
+
 class _Removal:
     """A removal on its way.
 
@@ -126,6 +138,20 @@ class _Removal:
         self._take_guards(left)
         self._note_macros(variable)
         creation.delete_declaration(self._gone)
+
+    def silence(self, site: Site) -> None:
+        """Take out the statements that publish through a publisher, with what only served them."""
+        creation = creation_of(self._analysis, site)
+        if creation is None or creation.variable is None:
+            message = f"line {site.endpoint.line} does more than to create it"
+            raise RefusedError(message, self._change.span, "change the line by hand")
+        for file, node, scope in uses_of(self._analysis, creation.variable):
+            statement = statement_of(node)
+            if statement is None or self._gone.covers(file, node.start_byte):
+                continue
+            if calls_method(statement, node, file.syntax, _SENDING):
+                self._gone.statement(file, statement)
+                self._take_message(file, statement, scope)
 
     def _pending(self, variable: Variable) -> list[Site]:
         """Return the call sites that are yet to go and give a variable its value."""

@@ -1,144 +1,241 @@
-"""Publishing other values through a publisher of a file, in the lines that set them."""
+"""Sending other values through a publisher or a client of a file, in the lines that send."""
 
 from __future__ import annotations
 
-import math
-from collections.abc import Iterator
+from collections import defaultdict
+from collections.abc import Sequence
 
 from tree_sitter import Node
 
-from plastron_tui.model.kinds import Publication, Publisher, is_sending
-from plastron_tui.model.source import EndpointKind
+from plastron_tui.model.kinds import ActionClient, Client, Publication, Publisher, Service
 from plastron_tui.model.values import MessageValue
+from plastron_tui.ros.interfaces import InterfaceKind
+from plastron_tui.sources.written_anew import no_longer_sends
 
-from .. import literals
-from ..analysis import Site
-from ..scopes import Function, Scope, Variable
-from ..timers import recreated
+from ..scopes import Function, Variable
 from .creation import creation_of
+from .deletions import Deletions
+from .interfaces import Interfaces
 from .leftovers import functions_of
-from .pacing import set_period
+from .place import beside
+from .refilling import Filled, Values, refill
 from .replacing import NotInPlaceError, Replacement
-from .statements import calls_method, local_of, statement_of
-from .uses import uses_of
+from .sent import Runner, Sent, is_rate, runner_of, sent_through
 
-_PUBLISH = frozenset({"publish"})
+PUBLISHING = frozenset({"publish"})
+_ASKING = {
+    Client: frozenset({"async_send_request", "call", "prune_pending_requests"}),
+    ActionClient: frozenset({"async_send_goal", "sendGoal", "sendGoalAndWait"}),
+}
 
 
-def resend(update: Replacement) -> None:
-    """Write other constants for those that a publisher publishes.
+def sent_now(update: Replacement) -> list[Sent]:
+    """Return what a file sends through an endpoint that is to send something else.
 
     Raises:
-        NotInPlaceError: the lines that publish are to be written anew.
+        NotInPlaceError: it is not sent through one variable.
     """
     endpoint = update.change.endpoint
-    if not isinstance(endpoint, Publisher) or not is_sending(endpoint):
-        return
     creation = creation_of(update.analysis, update.site)
     variable = None if creation is None else creation.variable
-    if variable is None or len(endpoint.publications) != 1:
+    if variable is None:
         raise NotInPlaceError
-    publication = endpoint.publications[0]
-    if publication.is_once or publication.reaction or publication.parameter:
-        raise NotInPlaceError
-    published = list(_published(update, variable))
-    if len(published) != 1:
-        raise NotInPlaceError
-    statement, scope = published[0]
-    message = local_of(update.analysis, statement, scope)
-    if message is None:
-        raise NotInPlaceError
-    _set_fields(update, message, publication.message.value)
-    if not publication.is_rate_open:
-        _set_rate(update, statement, scope, publication)
+    methods = _ASKING.get(type(endpoint), PUBLISHING)
+    return list(sent_through(update.analysis, variable, methods))
 
 
-def _published(update: Replacement, variable: Variable) -> Iterator[tuple[Node, Scope]]:
-    for file, node, scope in uses_of(update.analysis, variable):
-        statement = statement_of(node)
-        if statement is not None and calls_method(statement, node, file.syntax, _PUBLISH):
-            yield statement, scope
+def resend(update: Replacement, sent: Sequence[Sent], *, is_retyped: bool) -> None:
+    """Send other values in the calls that there are.
 
+    Args:
+        update: the change.
+        sent: the calls, see `sent_now`.
+        is_retyped: whether what they send is of another type now.
 
-def _set_fields(update: Replacement, message: Variable, value: MessageValue) -> None:
-    """Write the values of the fields that the lines of a message set, and no others."""
-    wanted = dict(_flat(value))
-    said: dict[str, tuple[Node, Scope]] = {}
-    for node, path, given, scope in update.analysis.fields.of(message.name):
-        if update.analysis.unit.lookup(message.name, scope, node.start_byte) is message:
-            if path in said:
-                raise NotInPlaceError
-            said[path] = given, scope
-    if set(said) != set(wanted):
+    Raises:
+        NotInPlaceError: what sends is to be written anew.
+    """
+    endpoint = update.change.endpoint
+    match endpoint:
+        case Publisher(publications=publications):
+            values = _publish(update, sent, publications)
+        case Client(requests=requests):
+            for each, request in zip(sent, requests, strict=False):
+                if request.rate is not None:
+                    _check_rate(update, each, request.rate.hertz, request.rate.parameter)
+            values = [each.value for each in requests]
+        case ActionClient(goals=goals):
+            values = list(goals)
+        case _:
+            return
+    if len(values) != len(sent):
         raise NotInPlaceError
-    for path, (given, scope) in said.items():
-        new = wanted[path]
-        known = update.analysis.evaluator.fold(given, scope)
-        if known is not None and known.value == new and type(known.value) is type(new):
-            continue
-        if isinstance(new, tuple | MessageValue) or known is None or not _is_literal(given):
+    lost: list[str] = []
+    for each, value in zip(sent, values, strict=True):
+        if each.variable is None or each.variable.node.parent is None:
             raise NotInPlaceError
-        assert isinstance(new, bool | int | float | str), "what is computed is no constant"
-        update.put(scope.file, given, literals.scalar(new))
+        lost += refill(update, _filled(update, each, is_retyped), _values(update, value))
+    old = update.site.endpoint
+    name = update.change.name or old.name or old.default or ""
+    update.plan.notes += no_longer_sends(lost, endpoint, name)
 
 
-def _flat(value: MessageValue, prefix: str = "") -> Iterator[tuple[str, object]]:
-    for name, each in value.fields.items():
-        if isinstance(each, MessageValue):
-            yield from _flat(each, f"{prefix}{name}.")
-        else:
-            if not isinstance(each, bool | int | float | str):
-                raise NotInPlaceError
-            yield prefix + name, each
-
-
-def _is_literal(node: Node) -> bool:
-    inner = node.child_by_field_name("argument") if node.type == "unary_expression" else node
-    kinds = ("number_literal", "string_literal", "true", "false")
-    return inner is not None and inner.type in kinds
-
-
-def _set_rate(update: Replacement, statement: Node, scope: Scope, publication: Publication) -> None:
-    """Write another rate for the timer, or the loop, that publishes alone."""
-    function = update.analysis.unit.function_of(scope)
-    timer = _timer_of(update, function)
-    if timer is None or timer.shape.name >= len(timer.arguments):
+def _values(update: Replacement, value: MessageValue) -> Values:
+    """Return what is to be sent, of the part of its type that is sent."""
+    endpoint = update.change.endpoint
+    kind = update.change.kind.facts.interface
+    interfaces = Interfaces(update.catalog, update.analysis.ros_version)
+    type_ = endpoint.type or update.site.endpoint.type
+    assert kind is not None, "what is sent is of a type"
+    if kind is InterfaceKind.MESSAGE:
+        type_ = value.type
+    found = None if type_ is None else update.catalog.find(type_, kind)
+    if found is None:
         raise NotInPlaceError
-    period = getattr(timer.endpoint.details, "period", None)
-    if period and math.isclose(1 / period, publication.rate):
+    is_stamped = kind is InterfaceKind.MESSAGE and interfaces.needs_stamp(value)
+    return Values(found, found.fields, value, is_stamped=is_stamped)
+
+
+def _filled(update: Replacement, sent: Sent, is_retyped: bool) -> Filled:
+    variable = sent.variable
+    assert variable is not None, "it was looked for"
+    block = variable.node.parent
+    assert block is not None, "a local variable is declared in a block"
+    return Filled(
+        variable,
+        sent.file,
+        block,
+        variable.node,
+        _holder(update, variable),
+        (sent.call,),
+        is_retyped,
+    )
+
+
+def _holder(update: Replacement, variable: Variable) -> str:
+    """Return what stands before a field of a message that is sent."""
+    written = variable.type + variable.file.syntax.word(variable.node)
+    is_pointer = variable.is_pointer or "Ptr" in written or "make_" in written
+    is_pointer = is_pointer or "_ptr<" in written
+    dot = "->" if is_pointer else "."
+    is_call = isinstance(update.change.endpoint, Client) and update.analysis.ros_version == 1
+    return f"{variable.name}{dot}{'request.' if is_call else ''}"
+
+
+def _publish(
+    update: Replacement, sent: Sequence[Sent], publications: Sequence[Publication]
+) -> list[MessageValue]:
+    """Return what the calls shall publish in turn, which they then do at the rates asked for."""
+    if any(each.is_once or each.reaction or each.parameter for each in publications):
+        raise NotInPlaceError
+    # What is sent at one rate stands together.
+    rates = list(dict.fromkeys(each.rate for each in publications))
+    ordered = sorted(publications, key=lambda each: rates.index(each.rate))
+    if len(ordered) != len(sent):
+        raise NotInPlaceError
+    wanted: dict[int, set[float]] = defaultdict(set)
+    runners: dict[int, Runner] = {}
+    own: set[int] = set()
+    for each, publication in zip(sent, ordered, strict=True):
+        runner = runner_of(update.analysis, each)
+        if runner is None:
+            raise NotInPlaceError
+        runners[runner.block.id] = runner
+        own |= _own_statements(update, each)
+        if runner.is_own or not publication.is_rate_open:
+            wanted[runner.block.id].add(publication.rate)
+    for key, asked in wanted.items():
+        _pace(update, runners[key], asked, own, sent)
+    return [each.message.value for each in ordered]
+
+
+def _pace(
+    update: Replacement, runner: Runner, asked: set[float], own: set[int], sent: Sequence[Sent]
+) -> None:
+    hertz = runner.hertz(update.analysis)
+    if all(is_rate(hertz, rate) for rate in asked):
         return
+    file = next(each.file for each in sent if each.statement.parent == runner.block)
+    if len(asked) > 1 or not runner.does_only(file, own):
+        raise NotInPlaceError
+    runner.set_to(update, asked.pop())
+
+
+def _own_statements(update: Replacement, sent: Sent) -> set[int]:
+    """Return the statements that make a message and send it."""
+    found = {sent.statement.id}
+    if sent.variable is not None:
+        found.add(sent.variable.node.id)
+        for node, _, _, _ in update.analysis.fields.of(sent.variable.name):
+            found |= {node.parent.id} if node.parent is not None else set()
+    return found
+
+
+def _check_rate(update: Replacement, sent: Sent, hertz: float, parameter: str | None) -> None:
+    """Let a timer ask at another rate, where it does nothing else."""
+    runner = runner_of(update.analysis, sent)
+    if runner is None or parameter is not None:
+        raise NotInPlaceError
+    _pace(update, runner, {hertz}, _own_statements(update, sent), [sent])
+
+
+def answer(update: Replacement, service: Service) -> None:
+    """Answer something else in the function that answers.
+
+    Raises:
+        NotInPlaceError: it does not fill its response alone.
+    """
+    assert service.answer is not None, "somebody asks for it"
+    handler = _handler(update)
+    place = beside(update.analysis, update.site)
+    body = None if handler is None else handler.node.child_by_field_name("body")
+    type_ = service.type or update.site.endpoint.type
+    found = None if type_ is None else update.catalog.find(type_, InterfaceKind.SERVICE)
+    if handler is None or place is None or body is None or found is None:
+        raise NotInPlaceError
+    request, response = handler.parameters[-2:]
+    if not response.name:
+        raise NotInPlaceError
+    filled = Filled(response, handler.file, body, None, _field_of(response))
+    values = Values(found, found.response.fields, service.answer, _field_of(request), found.fields)
+    if "received" in str(service.answer) and not request.name:
+        raise NotInPlaceError
+    lost = refill(update, filled, values)
+    _take_void(update, handler, body, response)
+    name = update.change.name
+    update.plan.notes += no_longer_sends(lost, service, name)
+
+
+def _field_of(parameter: Variable) -> str:
+    text = parameter.file.syntax.word(parameter.node)
+    is_pointer = parameter.is_pointer or "Ptr" in text or "_ptr" in text
+    return f"{parameter.name}{'->' if is_pointer else '.'}"
+
+
+def _handler(update: Replacement) -> Function | None:
+    """Return the function that answers, None where it may answer others too."""
+    analysis, site = update.analysis, update.site
+    named = [each for listed in functions_of(analysis, site) for each in listed]
+    defined = [each for each in named if each.scope is not None]
     others = [
         each
-        for each in _statements(function)
-        if each.id != statement.id and b"publish" in (each.text or b"")
+        for each in analysis.sites
+        if each is not site and set(each.callback.functions) & set(named)
     ]
-    if others:
-        raise NotInPlaceError
-    set_period(update, timer.arguments[timer.shape.name], timer.place, publication.rate)
-
-
-def _statements(function: Function | None) -> list[Node]:
-    body = None if function is None else function.node.child_by_field_name("body")
-    return [] if body is None else body.named_children
-
-
-def _timer_of(update: Replacement, function: Function | None) -> Site | None:
-    """Return the timer that calls a function."""
-    if function is None:
+    if others or len(defined) != 1 or len(defined[0].parameters) not in (2, 3):
         return None
-    found = []
-    again = recreated(update.analysis, update.analysis.sites)
-    for site in update.analysis.sites:
-        if site.endpoint.kind is not EndpointKind.TIMER or site in again:
-            continue
-        at = site.shape.callback
-        given = site.arguments[at] if at is not None and at < len(site.arguments) else None
-        is_lambda = (
-            given is not None
-            and given.start_byte <= function.node.start_byte < given.end_byte
-            and site.file is function.file
-        )
-        named = [each for listed in functions_of(update.analysis, site) for each in listed]
-        if is_lambda or function in named:
-            found.append(site)
-    return found[0] if len(found) == 1 else None
+    return defined[0]
+
+
+def _take_void(update: Replacement, handler: Function, body: Node, response: Variable) -> None:
+    """Take out what says that the response is of no use, where it is filled now."""
+    del handler
+    file = response.file
+    if not any(update.plan.splices[file.name]):
+        return
+    gone = Deletions()
+    for each in body.named_children:
+        text = "".join(file.syntax.word(each).split())
+        if text in (f"(void){response.name};", f"static_cast<void>({response.name});"):
+            gone.statement(file, each)
+    update.plan.splices[file.name] += gone.splices(file)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 
 from tree_sitter import Node
 
@@ -19,6 +19,7 @@ from .creation import creation_of
 from .deletions import Deletions
 from .leftovers import functions_of, has_uses, headers_of, is_stub, named
 from .replacing import NotInPlaceError, OtherCodeError, Replacement
+from .sent import Sent
 from .uses import scope_at, uses_of, word
 
 _POINTER = re.compile(r"(?:Const)?Ptr\Z|(?:::(?:Const)?(?:Shared|Unique|Weak)?Ptr)\Z")
@@ -31,7 +32,12 @@ _TYPES = frozenset({"qualified_identifier", "type_identifier"})
 
 
 def retype(
-    update: Replacement, type_: InterfaceName, kind: InterfaceKind, *, calls_same: bool
+    update: Replacement,
+    type_: InterfaceName,
+    kind: InterfaceKind,
+    *,
+    calls_same: bool,
+    sent: Sequence[Sent] = (),
 ) -> None:
     """Write another type wherever an endpoint says its own.
 
@@ -40,6 +46,7 @@ def retype(
         type_: the type.
         kind: its kind.
         calls_same: whether the endpoint goes on calling what it calls.
+        sent: what is sent through the endpoint, and will be filled anew.
 
     Raises:
         OtherCodeError: what it calls is made for the old type; nothing was written yet.
@@ -54,7 +61,10 @@ def retype(
     if calls_same:
         _check_callback(update, type_, kind)
     is_said = sum(written.put_types(site.file, each) for each in site.call.type_nodes)
-    is_said += _retype_variable(update, written)
+    is_said += _retype_variable(update, written, sent)
+    for each in sent:
+        if each.variable is None or not written.put_types(each.file, each.variable.node):
+            raise NotInPlaceError
     if calls_same:
         is_said += _retype_callback(update, written)
     elif site.shape.type == "callback":
@@ -112,7 +122,7 @@ class _Written:
         return self._new_class + ("" if behind is None else behind[0])
 
 
-def _retype_variable(update: Replacement, written: _Written) -> int:
+def _retype_variable(update: Replacement, written: _Written, sent: Sequence[Sent]) -> int:
     """Write the new type where the variable is declared that holds the endpoint."""
     site = update.site
     creation = creation_of(update.analysis, site)
@@ -120,7 +130,7 @@ def _retype_variable(update: Replacement, written: _Written) -> int:
     if variable is None:
         return 0
     is_sending = not site.shape.callback
-    if is_sending and _is_used(update, variable):
+    if is_sending and _is_used(update, variable, sent):
         # What is sent, or asked for, is of the old type.
         raise NotInPlaceError
     type_node = variable.type_node
@@ -134,7 +144,7 @@ def _retype_variable(update: Replacement, written: _Written) -> int:
     return found
 
 
-def _is_used(update: Replacement, variable: Variable) -> bool:
+def _is_used(update: Replacement, variable: Variable, sent: Sequence[Sent]) -> bool:
     own = update.site.call.node
     creation = creation_of(update.analysis, update.site)
     assert creation is not None
@@ -142,9 +152,14 @@ def _is_used(update: Replacement, variable: Variable) -> bool:
     return any(
         not (file is creation.file and whole.start_byte <= node.start_byte < whole.end_byte)
         and not _only_ends(node)
+        and not any(_is_in(node, each.call) for each in sent if each.file is file)
         for file, node, _ in uses_of(update.analysis, variable)
         if node.id != own.id
     )
+
+
+def _is_in(node: Node, outer: Node) -> bool:
+    return outer.start_byte <= node.start_byte < outer.end_byte
 
 
 def _only_ends(node: Node) -> bool:
@@ -235,7 +250,7 @@ def _check_body(
                     missing[field] = None
     is_named = callback_of(update.change.endpoint) is not None
     if (missing or is_whole) and not is_named:
-        raise OtherCodeError
+        raise OtherCodeError(missing)
     if not any(_uses_parameters(*each) for each in bodies):
         return
     what = "its callback" if site.endpoint.callback is None else f"`{site.endpoint.callback}`"
