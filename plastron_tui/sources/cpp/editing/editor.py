@@ -142,7 +142,9 @@ class _Edits:
         before = self.files, self.analysis, self.expected.copy(), list(self.notes)
         try:
             change = self._rename(asked)
-            self._apply(plan_update(self.analysis, change, self._catalog, self._settings))
+            self._apply(
+                plan_update(self.analysis, change, self._catalog, self._settings, asked.name)
+            )
             if self.problem() is None:
                 return
         except (NotInPlaceError, RefusedError):

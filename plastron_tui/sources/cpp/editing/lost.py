@@ -42,7 +42,7 @@ def lost_sending(analysis: Analysis, change: Update) -> Iterator[Diagnostic]:
         creation = creation_of(analysis, site)
         if creation is not None and creation.variable is not None:
             sent += sent_through(analysis, creation.variable, _PUBLISHING)
-    said = (text for each in sent for text in _worked_out(analysis, each))
+    said = (text for each in sent for text in worked_out(analysis, each))
     yield from no_longer_sends(said, new, change.name)
     places = sorted({(each.file.name, each.call.start_point.row + 1) for each in sent})
     lines = [
@@ -51,7 +51,7 @@ def lost_sending(analysis: Analysis, change: Update) -> Iterator[Diagnostic]:
     yield from no_longer_decides(lines, new, change.name)
 
 
-def _worked_out(analysis: Analysis, sent: Sent) -> Iterator[str]:
+def worked_out(analysis: Analysis, sent: Sent) -> Iterator[str]:
     """Yield what of a message the node works out."""
     variable = sent.variable
     if variable is None:

@@ -31,7 +31,7 @@ from .uses import uses_of
 _STAMP = "header.stamp"
 _BLANKS = re.compile(r"\s+")
 # What makes a value of a type of the standard library from what it is given.
-_MAKING = re.compile(r"(?:std::)?(?:string|vector<[\w: ]+>)|ros::(?:Time|Duration)")
+_MAKING = re.compile(r"(?:std::)?(?:string|vector<[\w: ]+>)|(?:\w+::)*[A-Z]\w*")
 
 
 @dataclass(frozen=True, slots=True)
@@ -57,7 +57,9 @@ class Filled:
     is_retyped: bool = False
 
 
-class _Said(NamedTuple):
+class Said(NamedTuple):
+    """What sets a field: the statement, the expression, and the scope of these."""
+
     statement: Node
     given: Node
     scope: Scope
@@ -109,49 +111,86 @@ def addition_at(update: Replacement) -> Addition:
     return added
 
 
-def refill(update: Replacement, filled: Filled, values: Values) -> list[str]:
+class Refilling(NamedTuple):
+    """How a message gets other values.
+
+    Attributes:
+        filled: the message.
+        added: what writes new code.
+        values: what it is to have.
+        wanted: the expressions of its fields, by their paths.
+        said: what sets its fields now.
+    """
+
+    filled: Filled
+    added: Addition
+    values: Values
+    wanted: dict[str, str]
+    said: dict[str, Said]
+
+
+def prepare(update: Replacement, filled: Filled, values: Values) -> Refilling:
+    """Find out how a message can be filled anew.
+
+    Raises:
+        NotInPlaceError: it is filled in another way than field by field.
+    """
+    added = addition_at(update)
+    wanted = expressions(added, filled.holder, values)
+    return Refilling(filled, added, values, wanted, _said(update, filled))
+
+
+def refill(update: Replacement, refilling: Refilling) -> list[str]:
     """Write other values where a message is filled; return those that go, and were worked out.
 
     A line that gives a field the value which it shall have stays as it is.
-
-    Raises:
-        NotInPlaceError: it is filled in another way.
     """
-    added = addition_at(update)
-    wanted = _wanted(added, filled, values)
-    said = _said(update, filled)
+    filled, added, values, wanted, said = refilling
     lost: list[str] = []
     gone = Deletions()
     anchor = filled.after
     for path, (statement, given, scope) in said.items():
-        text = filled.file.syntax.slice(given)
-        if path == _STAMP and values.is_stamped and path not in wanted:
-            anchor = statement
-            continue
-        if path not in wanted:
+        is_stamp = path == _STAMP and values.is_stamped and path not in wanted
+        if path not in wanted and not is_stamp:
             gone.statement(filled.file, statement)
-        elif not _is_same(update, given, scope, wanted[path]):
-            update.put(filled.file, given, wanted[path])
         else:
             anchor = statement
+        if is_stamp or (path in wanted and _is_same(update, given, scope, wanted[path])):
             continue
-        if is_worked_out(given, filled.file):
-            lost.append(text)
         if path in wanted:
-            anchor = statement
+            update.put(filled.file, given, wanted[path])
+        if is_worked_out(given, filled.file):
+            lost.append(filled.file.syntax.slice(given))
     update.plan.splices[filled.file.name] += gone.splices(filled.file)
     lines = [
         f"{filled.holder}{path} = {text};" for path, text in wanted.items() if path not in said
     ]
     if values.is_stamped and _STAMP not in {*wanted, *said}:
-        now = f"{added.place.node}now()" if added.is_ros2 else "ros::Time::now()"
-        lines.append(f"{filled.holder}{_STAMP} = {now};")
-    _insert(update, added, filled, anchor, lines)
+        lines.append(stamp(added, filled.holder))
+    _insert(filled, added, anchor, lines)
+    take_over(update, added)
     return lost
 
 
-def _wanted(added: Addition, filled: Filled, values: Values) -> dict[str, str]:
-    """Return the expressions that the fields shall have, by their paths."""
+def stamp(added: Addition, holder: str) -> str:
+    """Write what gives a message the time at which it is sent."""
+    now = f"{added.place.node}now()" if added.is_ros2 else "ros::Time::now()"
+    return f"{holder}{_STAMP} = {now};"
+
+
+def take_over(update: Replacement, added: Addition) -> None:
+    """Let a change do what was written for it."""
+    for name, splices in added.plan.splices.items():
+        update.plan.splices[name] += splices
+    update.plan.added += added.plan.added
+
+
+def expressions(added: Addition, holder: str, values: Values) -> dict[str, str]:
+    """Return the expressions that the fields shall have, by their paths.
+
+    Raises:
+        NotInPlaceError: they are not set by one expression each, or only under a condition.
+    """
     before = len(added.lines)
     try:
         computing, conditions = computing_for(added, added.span)
@@ -159,7 +198,7 @@ def _wanted(added: Addition, filled: Filled, values: Values) -> dict[str, str]:
             values.interface,
             values.fields,
             values.value,
-            filled.holder,
+            holder,
             computing,
             added.span,
             values.received,
@@ -170,7 +209,7 @@ def _wanted(added: Addition, filled: Filled, values: Values) -> dict[str, str]:
     if conditions or len(added.lines) > before or any(added.plan.splices.values()):
         raise NotInPlaceError
     found: dict[str, str] = {}
-    setting = re.compile(re.escape(filled.holder) + r"([\w.\[\]]+) = (.*);", re.DOTALL)
+    setting = re.compile(re.escape(holder) + r"([\w.\[\]]+) = (.*);", re.DOTALL)
     for line in lines:
         parts = setting.fullmatch(line)
         if parts is None or parts[1] in found:
@@ -179,11 +218,11 @@ def _wanted(added: Addition, filled: Filled, values: Values) -> dict[str, str]:
     return found
 
 
-def _said(update: Replacement, filled: Filled) -> dict[str, _Said]:
+def _said(update: Replacement, filled: Filled) -> dict[str, Said]:
     """Return what sets the fields; nothing else may be done with the message before it is sent."""
     analysis, variable = update.analysis, filled.variable
     prefix = _BLANKS.sub("", filled.holder)[len(variable.name) :].lstrip(".->")
-    found: dict[str, _Said] = {}
+    found: dict[str, Said] = {}
     for file, node, scope in uses_of(analysis, variable):
         if any(each.start_byte <= node.start_byte < each.end_byte for each in filled.used):
             continue
@@ -212,7 +251,7 @@ def _said(update: Replacement, filled: Filled) -> dict[str, _Said]:
         whole = written.removeprefix(filled.holder)
         if whole in found:
             raise NotInPlaceError
-        found[whole] = _Said(statement, given, scope)
+        found[whole] = Said(statement, given, scope)
     return found
 
 
@@ -253,20 +292,14 @@ def is_worked_out(node: Node, file: CppFile) -> bool:
     return False
 
 
-def _insert(
-    update: Replacement, added: Addition, filled: Filled, anchor: Node | None, lines: list[str]
-) -> None:
+def _insert(filled: Filled, added: Addition, anchor: Node | None, lines: list[str]) -> None:
     if not lines:
         return
     if anchor is not None:
         added.put_behind(filled.file, anchor, lines)
-    else:
-        last = filled.block.named_children[-1] if filled.block.named_child_count else None
-        owner = filled.block.parent
-        if last is not None and last.type == "return_statement":
-            added.put_above(filled.file, last, lines)
-        elif owner is not None:
-            put_in_body(added, filled.file, owner, filled.block, lines, is_end=True)
-    for name, splices in added.plan.splices.items():
-        update.plan.splices[name] += splices
-    update.plan.added += added.plan.added
+        return
+    statements, owner = filled.block.named_children, filled.block.parent
+    if statements and statements[-1].type == "return_statement":
+        added.put_above(filled.file, statements[-1], lines)
+    elif owner is not None:
+        put_in_body(added, filled.file, owner, filled.block, lines, is_end=True)

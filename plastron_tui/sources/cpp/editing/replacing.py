@@ -43,6 +43,7 @@ class Replacement:
         catalog: the interface types.
         plan: what it does.
         settings: what the settings around the files say of their layout.
+        old: the name that the endpoint had before, for what is told.
     """
 
     analysis: Analysis
@@ -51,6 +52,7 @@ class Replacement:
     catalog: Catalog
     plan: Plan
     settings: ClangFormat = field(default_factory=ClangFormat)
+    old: str = ""
     _put: set[tuple[str, int]] = field(default_factory=set)
 
     def put(self, file: CppFile, node: Node, text: str) -> None:

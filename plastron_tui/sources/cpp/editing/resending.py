@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections import defaultdict
 from collections.abc import Sequence
+from typing import NamedTuple
 
 from tree_sitter import Node
 
@@ -17,10 +18,23 @@ from .creation import creation_of
 from .deletions import Deletions
 from .interfaces import Interfaces
 from .leftovers import functions_of
+from .lost import worked_out
 from .place import beside
-from .refilling import Filled, Values, refill
+from .refilling import (
+    Filled,
+    Refilling,
+    Values,
+    addition_at,
+    expressions,
+    prepare,
+    refill,
+    stamp,
+    take_over,
+)
 from .replacing import NotInPlaceError, Replacement
 from .sent import Runner, Sent, is_rate, runner_of, sent_through
+from .statements import only_sets, statement_of
+from .uses import uses_of
 
 PUBLISHING = frozenset({"publish"})
 _ASKING = {
@@ -29,8 +43,26 @@ _ASKING = {
 }
 
 
-def sent_now(update: Replacement) -> list[Sent]:
-    """Return what a file sends through an endpoint that is to send something else.
+class Sending(NamedTuple):
+    """How a call sends something else.
+
+    Attributes:
+        sent: the call.
+        values: what it shall send.
+        refilling: how its message is filled anew, None where it sends another one.
+        unused: the statements that have made its message for nothing else, then.
+    """
+
+    sent: Sent
+    values: Values
+    refilling: Refilling | None = None
+    unused: tuple[Node, ...] = ()
+
+
+def sent_now(update: Replacement, *, is_retyped: bool) -> list[Sending]:
+    """Return the calls that send through an endpoint, with what each shall send.
+
+    At other rates they do so from then on.
 
     Raises:
         NotInPlaceError: it is not sent through one variable.
@@ -41,21 +73,7 @@ def sent_now(update: Replacement) -> list[Sent]:
     if variable is None:
         raise NotInPlaceError
     methods = _ASKING.get(type(endpoint), PUBLISHING)
-    return list(sent_through(update.analysis, variable, methods))
-
-
-def resend(update: Replacement, sent: Sequence[Sent], *, is_retyped: bool) -> None:
-    """Send other values in the calls that there are.
-
-    Args:
-        update: the change.
-        sent: the calls, see `sent_now`.
-        is_retyped: whether what they send is of another type now.
-
-    Raises:
-        NotInPlaceError: what sends is to be written anew.
-    """
-    endpoint = update.change.endpoint
+    sent = list(sent_through(update.analysis, variable, methods))
     match endpoint:
         case Publisher(publications=publications):
             values = _publish(update, sent, publications)
@@ -67,17 +85,82 @@ def resend(update: Replacement, sent: Sequence[Sent], *, is_retyped: bool) -> No
         case ActionClient(goals=goals):
             values = list(goals)
         case _:
-            return
+            values = []
     if len(values) != len(sent):
         raise NotInPlaceError
-    lost: list[str] = []
-    for each, value in zip(sent, values, strict=True):
-        if each.variable is None or each.variable.node.parent is None:
+    return [
+        _sending(update, each, _values(update, value), is_retyped)
+        for each, value in zip(sent, values, strict=True)
+    ]
+
+
+def _sending(update: Replacement, sent: Sent, values: Values, is_retyped: bool) -> Sending:
+    """Tell how a call sends something else: its own message filled anew, or another one."""
+    try:
+        if sent.variable is None:
             raise NotInPlaceError
-        lost += refill(update, _filled(update, each, is_retyped), _values(update, value))
-    old = update.site.endpoint
-    name = update.change.name or old.name or old.default or ""
-    update.plan.notes += no_longer_sends(lost, endpoint, name)
+        refilling = prepare(update, _filled(update, sent, is_retyped), values)
+    except NotInPlaceError:
+        if not isinstance(update.change.endpoint, Publisher) or sent.given is None:
+            raise
+        return Sending(sent, values, unused=_unused(update, sent))
+    return Sending(sent, values, refilling)
+
+
+def resend(update: Replacement, sendings: Sequence[Sending]) -> None:
+    """Send other values in the calls that there are, see `sent_now`.
+
+    Raises:
+        NotInPlaceError: what sends is to be written anew.
+    """
+    lost: list[str] = []
+    for each in sendings:
+        if each.refilling is not None:
+            lost += refill(update, each.refilling)
+        else:
+            lost += _send_new(update, each)
+    update.plan.notes += no_longer_sends(lost, update.change.endpoint, update.old)
+
+
+def _send_new(update: Replacement, sending: Sending) -> list[str]:
+    """Make another message above a call that publishes, and send that instead.
+
+    Returns what it sent, and was worked out.
+    """
+    sent, values = sending.sent, sending.values
+    assert sent.given is not None, "it was looked for"
+    added = addition_at(update)
+    name = added.free(f"{added.topic}_message")
+    class_ = added.interfaces.class_of(values.interface.name, InterfaceKind.MESSAGE)
+    found = expressions(added, f"{name}.", values)
+    lines = [f"{class_} {name};", *(f"{name}.{path} = {text};" for path, text in found.items())]
+    if values.is_stamped and "header.stamp" not in found:
+        lines.append(stamp(added, f"{name}."))
+    update.put(sent.file, sent.given, name)
+    added.put_above(sent.file, sent.statement, lines)
+    take_over(update, added)
+    gone = Deletions()
+    for each in sending.unused:
+        gone.statement(sent.file, each)
+    gone.take_empty()
+    update.plan.splices[sent.file.name] += gone.splices(sent.file)
+    return list(worked_out(update.analysis, sent))
+
+
+def _unused(update: Replacement, sent: Sent) -> tuple[Node, ...]:
+    """Return the statements that make a message, where nothing else uses it."""
+    message = sent.variable
+    if message is None:
+        return ()
+    found = [message.node]
+    for _, node, _ in uses_of(update.analysis, message):
+        if sent.call.start_byte <= node.start_byte < sent.call.end_byte:
+            continue
+        statement = statement_of(node)
+        if statement is None or not only_sets(statement, node):
+            return ()
+        found.append(statement)
+    return tuple(found)
 
 
 def _values(update: Replacement, value: MessageValue) -> Values:
@@ -200,10 +283,9 @@ def answer(update: Replacement, service: Service) -> None:
     values = Values(found, found.response.fields, service.answer, _field_of(request), found.fields)
     if "received" in str(service.answer) and not request.name:
         raise NotInPlaceError
-    lost = refill(update, filled, values)
+    lost = refill(update, prepare(update, filled, values))
     _take_void(update, handler, body, response)
-    name = update.change.name
-    update.plan.notes += no_longer_sends(lost, service, name)
+    update.plan.notes += no_longer_sends(lost, service, update.old)
 
 
 def _field_of(parameter: Variable) -> str:

@@ -19,7 +19,7 @@ from .creation import creation_of
 from .deletions import Deletions
 from .leftovers import functions_of, has_uses, headers_of, is_stub, named
 from .replacing import NotInPlaceError, OtherCodeError, Replacement
-from .sent import Sent
+from .resending import Sending
 from .uses import scope_at, uses_of, word
 
 _POINTER = re.compile(r"(?:Const)?Ptr\Z|(?:::(?:Const)?(?:Shared|Unique|Weak)?Ptr)\Z")
@@ -37,7 +37,7 @@ def retype(
     kind: InterfaceKind,
     *,
     calls_same: bool,
-    sent: Sequence[Sent] = (),
+    sent: Sequence[Sending] = (),
 ) -> None:
     """Write another type wherever an endpoint says its own.
 
@@ -63,8 +63,7 @@ def retype(
     is_said = sum(written.put_types(site.file, each) for each in site.call.type_nodes)
     is_said += _retype_variable(update, written, sent)
     for each in sent:
-        if each.variable is None or not written.put_types(each.file, each.variable.node):
-            raise NotInPlaceError
+        _retype_sent(each, written)
     if calls_same:
         is_said += _retype_callback(update, written)
     elif site.shape.type == "callback":
@@ -72,6 +71,18 @@ def retype(
     if not is_said:
         raise NotInPlaceError
     _include(update, old, type_, kind, written.places)
+
+
+def _retype_sent(sending: Sending, written: _Written) -> None:
+    """Write the new type where a message is made that is sent, or goes."""
+    sent = sending.sent
+    if sending.refilling is not None:
+        if sent.variable is None or not written.put_types(sent.file, sent.variable.node):
+            raise NotInPlaceError
+        return
+    for node in (sent.given, *sending.unused):
+        if node is not None:
+            written.note(sent.file, node)
 
 
 class _Written:
@@ -95,6 +106,12 @@ class _Written:
             self._update.put(file, each, self._text(file.syntax.word(each)))
             found += 1
         return found
+
+    def note(self, file: CppFile, node: Node) -> None:
+        """Note that a part of a file says the old type no longer."""
+        self.places |= {
+            (file.name, each.start_byte, each.end_byte) for each in self._types(file, node)
+        }
 
     def _types(self, file: CppFile, node: Node) -> Iterator[Node]:
         types = self._update.analysis.types
@@ -122,7 +139,7 @@ class _Written:
         return self._new_class + ("" if behind is None else behind[0])
 
 
-def _retype_variable(update: Replacement, written: _Written, sent: Sequence[Sent]) -> int:
+def _retype_variable(update: Replacement, written: _Written, sent: Sequence[Sending]) -> int:
     """Write the new type where the variable is declared that holds the endpoint."""
     site = update.site
     creation = creation_of(update.analysis, site)
@@ -144,7 +161,7 @@ def _retype_variable(update: Replacement, written: _Written, sent: Sequence[Sent
     return found
 
 
-def _is_used(update: Replacement, variable: Variable, sent: Sequence[Sent]) -> bool:
+def _is_used(update: Replacement, variable: Variable, sent: Sequence[Sending]) -> bool:
     own = update.site.call.node
     creation = creation_of(update.analysis, update.site)
     assert creation is not None
@@ -152,7 +169,7 @@ def _is_used(update: Replacement, variable: Variable, sent: Sequence[Sent]) -> b
     return any(
         not (file is creation.file and whole.start_byte <= node.start_byte < whole.end_byte)
         and not _only_ends(node)
-        and not any(_is_in(node, each.call) for each in sent if each.file is file)
+        and not any(_is_in(node, each.sent.call) for each in sent if each.sent.file is file)
         for file, node, _ in uses_of(update.analysis, variable)
         if node.id != own.id
     )

@@ -46,7 +46,11 @@ _TAKEN = {EndpointKind.SUBSCRIPTION: 1, EndpointKind.SERVICE: 2}
 
 
 def plan_update(
-    analysis: Analysis, change: Update, catalog: Catalog, settings: ClangFormat | None = None
+    analysis: Analysis,
+    change: Update,
+    catalog: Catalog,
+    settings: ClangFormat | None = None,
+    old: str | None = None,
 ) -> Plan:
     """Plan a change of an endpoint that has its new name already.
 
@@ -55,6 +59,7 @@ def plan_update(
         change: what is asked for.
         catalog: the interface types.
         settings: what the settings around the files say of their layout.
+        old: the name that it had before, None for the one that it has.
 
     Raises:
         NotInPlaceError: it is to be made apart.
@@ -74,7 +79,9 @@ def plan_update(
     plan, labels = Plan(), labels_of(analysis)
     again = recreated(analysis, sites)
     for site in sites:
-        update = Replacement(analysis, site, change, catalog, plan, settings or ClangFormat())
+        update = Replacement(
+            analysis, site, change, catalog, plan, settings or ClangFormat(), old or change.name
+        )
         if isinstance(change.endpoint, Parameter):
             redeclare(update, change.endpoint)
             continue
@@ -106,7 +113,6 @@ def _change(update: Replacement, *, is_again: bool) -> tuple[EndpointKind, str |
     """
     site, endpoint = update.site, update.change.endpoint
     kind, name, type_, callback = key_of(site.endpoint)
-    sent = sent_now(update) if is_sending(endpoint) else []
     if isinstance(endpoint, Timer):
         try:
             _set_rate(update, endpoint)
@@ -118,6 +124,7 @@ def _change(update: Replacement, *, is_again: bool) -> tuple[EndpointKind, str |
         wanted = callback_of(endpoint)
     type_name = endpoint.type or site.endpoint.type
     is_retyped = type_name is not None and type_name != site.endpoint.type
+    sent = sent_now(update, is_retyped=is_retyped) if is_sending(endpoint) else []
     calls_other = wanted is not None and wanted != site.endpoint.callback
     if type_name is not None and is_retyped:
         if isinstance(endpoint, ActionClient) or (sent and not isinstance(endpoint, Publisher)):
@@ -137,7 +144,7 @@ def _change(update: Replacement, *, is_again: bool) -> tuple[EndpointKind, str |
         answer(update, endpoint)
     requalify(update)
     if is_sending(endpoint):
-        resend(update, sent, is_retyped=is_retyped)
+        resend(update, sent)
     return kind, name, type_, callback
 
 
@@ -231,8 +238,8 @@ def _replace_lambda(
     handed, _ = bound(added, name, takes)
     update.put(site.place.file, given, ", ".join(handed))
     text = " ".join(site.place.file.syntax.slice(given).split())
-    message = f"`{text}` of `{site.endpoint.name}` is not kept for `{endpoint.name}`"
-    update.plan.notes.append(written_anew(message, endpoint, update.change.name))
+    message = f"`{text}` of `{update.old}` is not kept for `{endpoint.name}`"
+    update.plan.notes.append(written_anew(message, endpoint, update.old))
     return name
 
 
