@@ -27,6 +27,7 @@ from ..scopes import Function
 from ..timers import recreated
 from .addition import write_callback
 from .clang_format import ClangFormat
+from .existing_callbacks import misfit
 from .hearing import bound, existing
 from .leftovers import functions_of, is_stub
 from .pacing import set_period
@@ -198,7 +199,10 @@ def _call(update: Replacement, wanted: str | None, *, is_retyped: bool) -> str:
     if wanted is not None and others:
         if _has_answer(update):
             raise NotInPlaceError
-        if is_retyped or not _takes_same(others[0], own[0]):
+        type_ = update.change.endpoint.type or site.endpoint.type
+        if misfit(analysis, update.change.kind, others[0], type_) is not None:
+            raise NotInPlaceError
+        if not is_retyped and not _takes_same(others[0], own[0]):
             raise NotInPlaceError
         update.put(site.place.file, name_node, wanted)
         return wanted
@@ -232,7 +236,11 @@ def _replace_lambda(
     says_type = bool(site.call.type_nodes)
     if takes is None or not says_type or (found is not None and _has_answer(update)):
         raise NotInPlaceError
-    if found is not None and len(found.parameters) != takes:
+    type_ = endpoint.type or site.endpoint.type
+    if found is not None and (
+        len(found.parameters) != takes
+        or misfit(update.analysis, update.change.kind, found, type_) is not None
+    ):
         raise NotInPlaceError
     name = found.name if found is not None else _write(update, is_retyped=is_retyped)
     handed, _ = bound(added, name, takes)
