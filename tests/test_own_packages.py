@@ -254,8 +254,13 @@ def test_a_launch_file_starts_nodes_of_the_program_s_own_package(
 ) -> None:
     start = f"create_launch 'bringup' as bringup\nbringup starts talker{inside}\n"
     generate(tmp_path, f"{generated(talker(library))}{start}generate_launch bringup\n")
-    [launch] = [text for name, text in files(tmp_path).items() if name.startswith("bringup.launch")]
+    made = files(tmp_path)
+    [launch] = [text for name, text in made.items() if name.startswith("launch/bringup.launch")]
     assert line in launch
+    # It is where the package installs it, and goes from there with what installs it.
+    assert "install(\n  DIRECTORY launch\n" in made["CMakeLists.txt"]
+    generate(tmp_path, generated(talker(library)))
+    assert "DIRECTORY launch" not in files(tmp_path)["CMakeLists.txt"]
 
 
 def test_the_package_of_nodes_that_are_not_asked_for_is_no_rest(tmp_path: Path) -> None:

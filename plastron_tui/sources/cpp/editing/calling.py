@@ -8,7 +8,6 @@ from __future__ import annotations
 
 from collections import defaultdict
 
-from plastron_tui.diagnostics import codes
 from plastron_tui.model.kinds import Client, Rate, Request
 from plastron_tui.model.source import EndpointKind
 from plastron_tui.ros.interfaces import InterfaceKind, InterfaceName
@@ -16,7 +15,6 @@ from plastron_tui.ros.interfaces import InterfaceKind, InterfaceName
 from ..guarded import Conditions
 from .adding import Addition
 from .computing import computing_for
-from .interfaces import refuse
 from .logging import log_line
 from .manner import Naming, variable_naming
 from .members import declare
@@ -161,19 +159,16 @@ def _own_thread(added: Addition) -> str:
         for part in ("queue", "spinner", "nh")
     )
     file = added.place.file
-    if not is_member and added.place.function.name == "main":
-        # None of them can be there before `ros::init`.
-        added.lines.append(f"ros::CallbackQueue {queue};")
-        added.lines.append(f"ros::AsyncSpinner {spinner}(1, &{queue});")
-        added.lines.append(f"ros::NodeHandle {handle};")
-    elif is_member:
+    if not is_member:
+        # None of them can be there before `ros::init`; what another function creates stays.
+        kept = "" if added.place.function.name == "main" else "static "
+        added.lines.append(f"{kept}ros::CallbackQueue {queue};")
+        added.lines.append(f"{kept}ros::AsyncSpinner {spinner}(1, &{queue});")
+        added.lines.append(f"{kept}ros::NodeHandle {handle};")
+    else:
         declare(added, f"ros::CallbackQueue {queue};")
         declare(added, f"ros::AsyncSpinner {spinner}{{1, &{queue}}};")
         file = declare(added, f"ros::NodeHandle {handle};")
-    else:
-        message = f"`{added.place.function.name}` has no place for a thread that calls"
-        remedy = "call it by hand, or let a node that is a class do so"
-        refuse(codes.EDIT_REFUSED, f"{message} `{added.endpoint.name}`", added.span, remedy)
     added.include(file, "ros/callback_queue.h")
     added.lines.append(f"{handle}.setCallbackQueue(&{queue});")
     added.lines.append(f"{spinner}.start();")

@@ -36,14 +36,14 @@ class Creation:
         if self.node.type == "field_initializer":
             _delete_item(self.file, self.node, gone)
         elif self.variable is not None and self.node.id == self.variable.node.id:
-            _delete_declarator(self.variable, gone)
+            delete_declarator(self.variable, gone)
         else:
             gone.statement(self.file, self.node)
 
     def delete_declaration(self, gone: Deletions) -> None:
         """Take out the declaration of what held the endpoint."""
         if self.variable is not None and self.node.id != self.variable.node.id:
-            _delete_declarator(self.variable, gone)
+            delete_declarator(self.variable, gone)
 
 
 def creation_of(analysis: Analysis, site: Site) -> Creation | None:
@@ -80,6 +80,12 @@ def creation_of(analysis: Analysis, site: Site) -> Creation | None:
             return None
         node = parent
     return None
+
+
+def holder_of(analysis: Analysis, site: Site) -> Variable | None:
+    """Return what holds an endpoint, None where nothing of the files does."""
+    found = creation_of(analysis, site)
+    return None if found is None else found.variable
 
 
 def _only_member(analysis: Analysis, name: Node | None, scope: Scope) -> Variable | None:
@@ -157,7 +163,7 @@ def variable_of(analysis: Analysis, node: Node, scope: Scope) -> Variable | None
     return analysis.unit.lookup(name, scope, node.start_byte) if name else None
 
 
-def _delete_declarator(variable: Variable, gone: Deletions) -> None:
+def delete_declarator(variable: Variable, gone: Deletions) -> None:
     """Take out a declaration, or one of the names that it declares."""
     node, file = variable.node, variable.file
     declarators = node.children_by_field_name("declarator")

@@ -35,14 +35,14 @@ def add_include(plan: Plan, file: CppFile, header: str, ros_version: int) -> Non
             # The style of ROS 2 has them before those of packages.
             newline = "\r\n" if b"\r\n" in file.syntax.text[:4096] else "\n"
             text = f"#include <{header}>{newline}{newline}"
-            plan.replace(file, first.start, first.start, text)
+            offset = max(first.start, _start_of(file))
+            plan.replace(file, offset, offset, text)
             return
     near = like or includes
     newline = "\r\n" if b"\r\n" in file.syntax.text[:4096] else "\n"
     if not near:
         found = _TOP.search(file.syntax.text)
-        start = 3 if file.syntax.text.startswith(BYTE_ORDER_MARK) else 0
-        offset = found.end() if found is not None else start
+        offset = found.end() if found is not None else _start_of(file)
         plan.replace(file, offset, offset, _written(header, ros_version == 1) + newline)
         return
     is_angled = is_standard or (
@@ -53,7 +53,8 @@ def add_include(plan: Plan, file: CppFile, header: str, ros_version: int) -> Non
     if like and paths == sorted(paths):
         after = [each for each in run if each.path < header]
         if not after:
-            plan.replace(file, run[0].start, run[0].start, _written(header, is_angled) + newline)
+            offset = max(run[0].start, _start_of(file))
+            plan.replace(file, offset, offset, _written(header, is_angled) + newline)
             return
         last = after[-1]
     else:
@@ -63,6 +64,11 @@ def add_include(plan: Plan, file: CppFile, header: str, ros_version: int) -> Non
     if not file.syntax.text[:offset].endswith(b"\n"):
         text = newline + text
     plan.replace(file, offset, offset, text)
+
+
+def _start_of(file: CppFile) -> int:
+    """Return where a file begins, in bytes: a byte order mark stays before all."""
+    return len(BYTE_ORDER_MARK) if file.syntax.text.startswith(BYTE_ORDER_MARK) else 0
 
 
 def _written(header: str, is_angled: bool) -> str:

@@ -181,7 +181,7 @@ def beside(analysis: Analysis, site: Site) -> Place | None:
     if outer is None or outer.kind != "function" or outer.function is None:
         return None
     function = outer.function
-    body = function.node.child_by_field_name("body")
+    body = function.body
     if body is None:
         return None
     after, block = _statement(site.call.node, body)
@@ -246,8 +246,14 @@ def node_prefix(analysis: Analysis, site: Site) -> str | None:
         return text if re.fullmatch(r"[\w.>()\s-]*(?:->|\.)", text) else None
     given = call.argument(0)
     text = "" if given is None else syntax.slice(given)
-    if text == "this":
+    if text in ("this", "*this"):
         return ""
+    owner = analysis.unit.class_of(call.scope)
+    if owner is not None and analysis.receivers.is_node_class(owner):
+        type_ = analysis.receivers.type_of(given, call.scope)
+        if not analysis.receivers.is_node(type_, call.scope):
+            # A part of the node, or one of its interfaces.
+            return ""
     if re.fullmatch(r"[\w.]+|this->\w+", text):
         return f"{text}->"
     return None
@@ -285,7 +291,7 @@ def _of_class(analysis: Analysis, owner: Scope) -> Place | None:
     found = _methods(analysis, owner, "onInit" if is_nodelet else owner.name)
     if len(found) != 1:
         return None
-    body = found[0].node.child_by_field_name("body")
+    body = found[0].body
     if body is None or body.type != "compound_statement":
         return None
     node = _own_node(analysis, owner) if analysis.ros_version == 2 else ""
@@ -323,7 +329,7 @@ def _methods(analysis: Analysis, owner: Scope, name: str) -> list[Function]:
 def _behind(analysis: Analysis, variable: Variable, file: CppFile) -> Place | None:
     """Return the place behind the declaration of a node."""
     function = analysis.unit.function_of(variable.scope)
-    body = function.node.child_by_field_name("body") if function is not None else None
+    body = function.body if function is not None else None
     if function is None or body is None or function.scope is None:
         return None
     after, block = _statement(variable.node, body)

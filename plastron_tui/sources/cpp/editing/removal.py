@@ -12,7 +12,7 @@ from plastron_tui.sources.splices import line_number
 from ..analysis import Analysis, Site
 from ..read_parameters import parameter_call
 from ..scopes import CppFile, Function, Scope, Variable, last_name
-from .creation import Creation, creation_of, variable_of
+from .creation import Creation, creation_of, holder_of, variable_of
 from .deletions import Deletions
 from .leftovers import (
     functions_of,
@@ -20,6 +20,8 @@ from .leftovers import (
     is_idle,
     is_stub,
     remove_function,
+    take_headers,
+    take_literals,
     take_placeholders,
     take_types,
 )
@@ -36,9 +38,10 @@ from .own_functions import (
 )
 from .plans import Plan
 from .refusals import RefusedError, in_use, not_there, refuse_parts
+from .served import ServedCode
 from .statements import calls_method, emptied, local_of, only_calls, only_sets, statement_of
 from .units import sites_of
-from .uses import macro_uses, uses_of
+from .uses import hidden_uses, uses_of
 
 _SENDING = frozenset({"publish", "sendTransform"})
 _ENDING = frozenset(
@@ -56,12 +59,7 @@ def plan_removal(analysis: Analysis, change: Remove) -> Plan:
     sites = sites_of(analysis, change)
     if not sites:
         raise not_there(analysis, change)
-    removal = _Removal(analysis, change, sites)
-    for site in sites:
-        removal.take(site)
-    if removal.used:
-        raise in_use(change, removal.used)
-    return removal.finish()
+    return _Removal(analysis, change, sites).plan()
 
 
 def plan_silence(analysis: Analysis, change: Remove) -> Plan:
@@ -88,8 +86,24 @@ class _Removal:
         self._sites = sites
         self._change = change
         self._gone = Deletions()
+        self._served = ServedCode(analysis, self._gone)
         self._plan = Plan()
         self.used: list[tuple[CppFile, int]] = []
+
+    def plan(self) -> Plan:
+        """Return what the removal does.
+
+        Raises:
+            RefusedError: the endpoint is used in another way.
+        """
+        for site in self._sites:
+            self.take(site)
+        self._take_idle()
+        self._served.finish(self._plan.lost)
+        used = [*self.used, *self._served.used]
+        if used:
+            raise in_use(self._change, used)
+        return self._finish()
 
     def take(self, site: Site) -> None:
         """Take one call site out, with what holds it and what only served it."""
@@ -102,16 +116,23 @@ class _Removal:
         self._plan.lost.append(site)
         if self._gone.covers(site.file, site.call.node.start_byte) or self._take_reading(site):
             return
+        is_call = site.call.receiver is None and site.call.name == "call"
+        if is_call and self._served.take_call(site):
+            return
         creation = creation_of(self._analysis, site)
-        if creation is None:
+        if creation is None or is_call:
             message = f"line {site.endpoint.line} does more than to create it"
             raise RefusedError(message, self._change.span, "change the line by hand")
         creation.delete(self._gone)
+        self._served.note(creation.file, creation.node)
         self._check_others(site)
         if site.endpoint.kind is EndpointKind.PARAMETER:
             self._take_descriptor(site)
         if site.endpoint.kind is EndpointKind.ACTION_SERVER:
             self._take_goals(site)
+            if creation.variable is not None:
+                self._served.begin(creation.variable)
+            self._served.take_named()
         if creation.variable is not None:
             self._take_variable(creation, site)
 
@@ -125,18 +146,19 @@ class _Removal:
         others = [
             each
             for each in self._analysis.sites
-            if each not in self._plan.lost and _holder(self._analysis, each) is variable
+            if each not in self._plan.lost and holder_of(self._analysis, each) is variable
         ]
         if others:
             return
+        self._served.begin(variable)
         left: list[tuple[CppFile, Node, Scope]] = []
         for file, node, scope in uses_of(self._analysis, variable):
-            if self._gone.covers(file, node.start_byte):
+            if self._gone.covers(file, node.start_byte) or self._take_use(file, node, scope):
                 continue
-            if not self._take_use(file, node, scope) and not self._take_asking(scope):
+            if not self._take_asking(scope) and not self._served.take(file, node):
                 left.append((file, node, scope))
         self._take_guards(left)
-        self._note_macros(variable)
+        self._note_hidden(variable)
         creation.delete_declaration(self._gone)
 
     def silence(self, site: Site) -> None:
@@ -158,11 +180,11 @@ class _Removal:
         return [
             each
             for each in self._sites
-            if each not in self._plan.lost and _holder(self._analysis, each) is variable
+            if each not in self._plan.lost and holder_of(self._analysis, each) is variable
         ]
 
-    def _note_macros(self, variable: Variable) -> None:
-        for file, start in macro_uses(self._analysis, variable.name):
+    def _note_hidden(self, variable: Variable) -> None:
+        for file, start in hidden_uses(self._analysis, variable.name, self._gone):
             self.used.append((file, line_number(file.syntax.text, start)))
 
     def _keep_value(self, creation: Creation, variable: Variable) -> None:
@@ -176,7 +198,7 @@ class _Removal:
             if not self._gone.covers(file, node.start_byte)
         ]
         self.used += used
-        self._note_macros(variable)
+        self._note_hidden(variable)
         if not used and variable.kind in ("local", "member") and not variable.file.is_beside:
             creation.delete_declaration(self._gone)
 
@@ -310,14 +332,15 @@ class _Removal:
         """Take out what only asked about the endpoint before it was used."""
         for file, node, _ in left:
             block = emptied(node, file, self._gone)
-            if block is not None:
+            condition = None if block is None else block.child_by_field_name("condition")
+            is_asking = condition is not None and self._served.is_asking(file, node, condition)
+            if block is not None and is_asking:
                 self._gone.statement(file, block)
             else:
                 self.used.append((file, node.start_point.row + 1))
 
-    def finish(self) -> Plan:
+    def _finish(self) -> Plan:
         """Take out the callbacks and includes that nothing needs any more, and return the plan."""
-        self._take_idle()
         for functions in emptied_functions(self._analysis, self._change.name, self._gone):
             for each in functions:
                 remove_function(each, self._gone)
@@ -338,6 +361,11 @@ class _Removal:
         self._note_parameters()
         take_types(self._analysis, self._plan.lost, self._gone)
         take_placeholders(self._analysis, self._gone)
+        take_literals(self._analysis, self._gone)
+        take_headers(self._analysis, self._gone)
+        torn = [each for file in self._gone.files for each in self._gone.torn(file)]
+        if torn:
+            raise in_use(self._change, torn)
         for file in self._gone.files:
             if file.is_beside:
                 message = "a part of it is in a file of another node"
@@ -361,17 +389,16 @@ class _Removal:
             is_timer = site.endpoint.kind is EndpointKind.TIMER
             if not is_timer or site in self._plan.lost:
                 continue
-            for functions in functions_of(self._analysis, site):
-                if any(is_idle(each, self._gone) for each in functions):
-                    self.take(site)
-                    if not has_uses(self._analysis, functions, self._gone):
-                        for each in functions:
-                            remove_function(each, self._gone)
+            functions = list(functions_of(self._analysis, site))
+            is_done = any(is_idle(each, self._gone) for listed in functions for each in listed)
+            if not is_done and not self._served.is_idle(site):
+                continue
+            self.take(site)
+            self._served.take_handle(site)
+            for listed in functions:
+                if not has_uses(self._analysis, listed, self._gone):
+                    for each in listed:
+                        remove_function(each, self._gone)
 
     def _is_gone(self, functions: list[Function]) -> bool:
         return all(self._gone.covers(each.file, each.node.start_byte) for each in functions)
-
-
-def _holder(analysis: Analysis, site: Site) -> Variable | None:
-    found = creation_of(analysis, site)
-    return None if found is None else found.variable

@@ -314,7 +314,7 @@ def _bodies(
 ) -> Iterator[tuple[Node, CppFile, list[str]]]:
     """Yield what an endpoint calls back: the body, its file, the names of its parameters."""
     for each in functions:
-        body = each.node.child_by_field_name("body")
+        body = each.body
         if body is not None:
             yield body, each.file, [parameter.name for parameter in each.parameters]
     stack = [given]

@@ -194,7 +194,7 @@ def _react(added: Addition, sender: Sender, publication: Publication, reaction: 
     reason = ""
     functions = [each for site in sites for each in hearing_functions(added, site)]
     function = functions[0] if len(functions) == 1 and len(sites) == 1 else None
-    body = function.node.child_by_field_name("body") if function is not None else None
+    body = function.body if function is not None else None
     if not sites:
         reason = "the file does not subscribe to it"
     elif function is None or body is None:

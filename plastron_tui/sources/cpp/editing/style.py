@@ -8,7 +8,7 @@ from dataclasses import dataclass
 
 from plastron_tui.sources.splices import line_start, newline_of
 
-from ..scopes import CppFile
+from ..scopes import CppFile, body_of
 from .clang_format import ClangFormat
 
 _TAB = 4
@@ -127,7 +127,7 @@ def style_of(file: CppFile, ros_version: int, said: ClangFormat) -> Style:
     for scope in file.scopes:
         if scope.kind not in ("function", "class"):
             continue
-        body = scope.node.child_by_field_name("body")
+        body = body_of(scope.node)
         if body is None or body.start_point.row == body.end_point.row:
             continue
         outer = _blanks(text, scope.node.start_byte)

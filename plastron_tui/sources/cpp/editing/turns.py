@@ -60,7 +60,7 @@ def _timers(added: Addition) -> Iterator[Turn | None]:
             yield None
             continue
         function = functions[0]
-        body = function.node.child_by_field_name("body")
+        body = function.body
         if body is None or may_leave(body):
             yield None
             continue

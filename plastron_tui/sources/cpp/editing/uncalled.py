@@ -67,7 +67,7 @@ def _uncalled(analysis: Analysis, names: set[str]) -> Iterator[tuple[tuple[str, 
 
 
 def _is_called_by_others(function: Function) -> bool:
-    body = function.node.child_by_field_name("body")
+    body = function.body
     end = function.node.end_byte if body is None else body.start_byte
     code = function.file.syntax.code[function.node.start_byte : end]
     return _CALLED_BY_OTHERS.search(code) is not None
