@@ -35,6 +35,7 @@ from .adding import Addition
 from .calling import add_requests
 from .clang_format import ClangFormat
 from .computing import computing_for
+from .existing_callbacks import check_callback
 from .functions import write_function
 from .handles import handle_for
 from .hearing import (
@@ -52,6 +53,7 @@ from .parameters import declare_parameter
 from .place import beside, find_place, sites_of_node
 from .plans import Plan
 from .sending import Sender, add_publishing
+from .shared_names import shared_name
 from .timers import create_timer, event_parameter, period_of, timer_name
 
 K = EndpointKind
@@ -109,6 +111,8 @@ def plan_addition(
             _add(added)
     added.put_at_place()
     added.include_types(added.place.file)
+    shared = shared_name(added)
+    added.plan.notes += [] if shared is None else [shared]
     for splices in added.plan.splices.values():
         # What is written right behind the includes comes behind those that are new.
         splices.sort(key=lambda splice: not splice.text.lstrip().startswith(b"#include"))
@@ -168,7 +172,10 @@ def _present(added: Addition, present: list[Site]) -> Sender:
 
 def _repeat(added: Addition, timer: Timer) -> None:
     """Call a function at a rate."""
-    if existing(added, timer.name) is None:
+    found = existing(added, timer.name)
+    if found is not None:
+        check_callback(added.analysis, K.TIMER, found, None, added.span)
+    else:
         body = [log_line(added, f"{naming.label(timer.name, 'a timer')} ticks", "")]
         write_function(added, timer.name, event_parameter(added), body)
     words = "_".join(split_words(timer.name))
@@ -271,7 +278,9 @@ def write_callback(added: Addition) -> str:
 def _callback(added: Addition, interface: Interface, class_: str) -> str:
     """Return the name of what the endpoint calls; what the files have not is written."""
     wanted = callback_of(added.endpoint)
-    if wanted is not None and existing(added, wanted) is not None:
+    found = existing(added, wanted) if wanted is not None else None
+    if wanted is not None and found is not None:
+        check_callback(added.analysis, added.kind, found, interface.name, added.span)
         if isinstance(added.endpoint, Service) and added.endpoint.answer is not None:
             message = f"the answer of `{added.endpoint.name}` is not written into a function that"
             remedy = "leave out `answering`, and fill in the response by hand in its function"

@@ -10,10 +10,10 @@ from plastron_tui.model.source import EndpointKind, Remove
 from plastron_tui.sources.splices import line_number
 
 from ..analysis import Analysis, Site
-from ..read_parameters import parameter_call
-from ..scopes import CppFile, Function, Scope, Variable, last_name
+from ..scopes import CppFile, Function, Scope, Variable
 from .creation import Creation, creation_of, holder_of, variable_of
 from .deletions import Deletions
+from .descriptors import take_descriptor
 from .kept_values import KeptValues
 from .leftovers import (
     functions_of,
@@ -43,7 +43,7 @@ from .plans import Plan
 from .refusals import RefusedError, in_use, not_there
 from .served import ServedCode
 from .shared_statements import SharedStatements
-from .statements import calls_method, emptied, local_of, only_calls, only_sets, statement_of
+from .statements import calls_method, emptied, local_of, only_sets, statement_of
 from .units import sites_of
 from .uses import hidden_uses, uses_of
 
@@ -69,7 +69,22 @@ def plan_removal(analysis: Analysis, change: Remove, others: Iterable[Remove] = 
     if not sites:
         raise not_there(analysis, change)
     going = [site for other in others for site in sites_of(analysis, other)]
-    return _Removal(analysis, change, sites, going).plan()
+    removal = _Removal(analysis, change, sites, going)
+    for site in sites:
+        removal.take(site)
+    return removal.plan()
+
+
+def plan_silence(analysis: Analysis, change: Remove) -> Plan:
+    """Plan to take out what publishes through a publisher, which itself stays.
+
+    Raises:
+        RefusedError: nothing of the files holds it.
+    """
+    removal = _Removal(analysis, change, [], [])
+    for site in sites_of(analysis, change):
+        removal.silence(site)
+    return removal.plan()
 
 
 class _Removal:
@@ -98,8 +113,6 @@ class _Removal:
         Raises:
             RefusedError: the endpoint is used in another way.
         """
-        for site in self._sites:
-            self.take(site)
         self._take_idle()
         self._served.finish(self._plan.lost)
         used = [*self.used, *self._served.used]
@@ -115,20 +128,19 @@ class _Removal:
         if self._gone.covers(site.file, site.call.node.start_byte) or self._take_reading(site):
             return
         if site.endpoint.kind is EndpointKind.PARAMETER and self._kept.keep(site):
-            self._take_descriptor(site)
+            take_descriptor(self._analysis, site, self._gone)
             return
         is_call = site.call.receiver is None and site.call.name == "call"
         if is_call and self._served.take_call(site):
             return
         creation = creation_of(self._analysis, site)
         if creation is None or is_call:
-            message = f"line {site.endpoint.line} does more than to create it"
-            raise RefusedError(message, self._change.span, "change the line by hand")
+            raise self._does_more(site)
         creation.delete(self._gone)
         self._served.note(creation.file, creation.node)
         self._plan.lost += self._shared.gone_with(site, self._plan.lost)
         if site.endpoint.kind is EndpointKind.PARAMETER:
-            self._take_descriptor(site)
+            take_descriptor(self._analysis, site, self._gone)
         if site.endpoint.kind is EndpointKind.ACTION_SERVER:
             self._take_goals(site)
             if creation.variable is not None:
@@ -162,6 +174,19 @@ class _Removal:
         self._note_hidden(variable)
         creation.delete_declaration(self._gone)
 
+    def silence(self, site: Site) -> None:
+        """Take out the statements that publish through a publisher, with what only served them."""
+        creation = creation_of(self._analysis, site)
+        if creation is None or creation.variable is None:
+            raise self._does_more(site)
+        for file, node, scope in uses_of(self._analysis, creation.variable):
+            if not self._gone.covers(file, node.start_byte):
+                self._take_sending(file, node, scope)
+
+    def _does_more(self, site: Site) -> RefusedError:
+        message = f"line {site.endpoint.line} does more than to create it"
+        return RefusedError(message, self._change.span, "change the line by hand")
+
     def _pending(self, variable: Variable) -> list[Site]:
         """Return the call sites that are yet to go and give a variable its value."""
         return [
@@ -191,18 +216,25 @@ class _Removal:
 
     def _take_use(self, file: CppFile, node: Node, scope: Scope) -> bool:
         """Take out a statement that does nothing but use the endpoint."""
-        statement = statement_of(node)
+        if self._take_sending(file, node, scope):
+            return True
+        statement, syntax = statement_of(node), file.syntax
         if statement is None or statement.type != "expression_statement":
             return False
-        syntax = file.syntax
-        if calls_method(statement, node, syntax, _SENDING):
-            self._gone.statement(file, statement)
-            self._take_message(file, statement, scope)
-            return True
         if calls_method(statement, node, syntax, _ENDING) or only_sets(statement, node):
             self._gone.statement(file, statement)
             return True
         return False
+
+    def _take_sending(self, file: CppFile, node: Node, scope: Scope) -> bool:
+        statement = statement_of(node)
+        if statement is None or statement.type != "expression_statement":
+            return False
+        if not calls_method(statement, node, file.syntax, _SENDING):
+            return False
+        self._gone.statement(file, statement)
+        self._take_message(file, statement, scope)
+        return True
 
     def _take_asking(self, scope: Scope) -> bool:
         """Take out a function that only asks through the endpoint, and what begins it."""
@@ -229,31 +261,6 @@ class _Removal:
             if all(self._gone.covers(file, node.start_byte) for file, node, _ in uses):
                 self._gone.statement(variable.file, variable.node)
         return True
-
-    def _take_descriptor(self, site: Site) -> None:
-        """Take out the local variable that describes a parameter, and a block left empty."""
-        node, scope = parameter_call(site.call).descriptor, site.call.scope
-        name = "" if node is None else last_name(node, scope)
-        at = site.call.node.start_byte
-        variable = self._analysis.unit.lookup(name, scope, at) if name else None
-        if variable is None or variable.kind != "local":
-            return
-        setting = []
-        for file, use, _ in uses_of(self._analysis, variable):
-            if self._gone.covers(file, use.start_byte):
-                continue
-            statement = statement_of(use)
-            if statement is None or not (only_sets(statement, use) or only_calls(statement, use)):
-                return
-            setting.append(statement)
-        for each in (*setting, variable.node):
-            self._gone.statement(variable.file, each)
-        block = variable.node.parent
-        outer = None if block is None else block.parent
-        if block is None or outer is None or outer.type != "compound_statement":
-            return
-        if all(self._gone.covers(variable.file, each.start_byte) for each in block.named_children):
-            self._gone.statement(variable.file, block)
 
     def _take_reading(self, site: Site) -> bool:
         """Take out a function that reads a parameter as Plastron writes it."""
