@@ -169,6 +169,15 @@ class Addition:
             written = style.newline + written
         self.plan.replace(file, offset, offset, written + (style.newline if gap else ""))
 
+    @property
+    def columns(self) -> int:
+        """The columns that are taken before a statement at the place."""
+        place = self.place
+        node = place.after if place.after is not None else place.function.node
+        blanks = _indent(place.file.syntax.text, node.start_byte)
+        extra = "" if place.after is not None else self.style(place.file).indent
+        return len(f"{blanks}{extra}".expandtabs(4))
+
     def put_at_place(self) -> None:
         """Write the statements that create the endpoint."""
         place = self.place

@@ -10,6 +10,7 @@ from plastron_tui.model.source import EndpointKind
 
 from ..scopes import CppFile, Function, Scope
 from .adding import Addition
+from .lambdas import handed_functions
 from .members import access_of
 
 
@@ -19,7 +20,8 @@ def callbacks_of(added: Addition, kind: EndpointKind | None = None) -> list[Func
     for site in added.sites:
         if kind is not None and site.endpoint.kind is not kind:
             continue
-        for function in site.callback.functions:
+        called = site.callback.functions or handed_functions(added.analysis, site, added.owner)
+        for function in called:
             owner = added.analysis.unit.class_of_function(function)
             if function.file.is_beside:
                 continue

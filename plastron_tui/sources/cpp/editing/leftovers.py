@@ -15,6 +15,7 @@ from .. import interface_types
 from ..analysis import Analysis, Site
 from ..scopes import CppFile, Function
 from .deletions import Deletions
+from .lambdas import handed_functions
 from .uses import word
 
 _LOGS = re.compile(r"(?:ROS|NODELET|RCLCPP)_(?:INFO|DEBUG|WARN|ERROR)\w*\s*\(")
@@ -32,7 +33,9 @@ _KINDS = {
 
 def functions_of(analysis: Analysis, site: Site) -> Iterator[list[Function]]:
     """Yield the functions that an endpoint calls, each with all its declarations."""
-    named = [each for each in site.callback.functions if not each.file.is_beside]
+    owner = analysis.unit.class_of(site.call.scope)
+    called = site.callback.functions or (*handed_functions(analysis, site, owner),)
+    named = [each for each in called if not each.file.is_beside]
     if not named:
         return
     owner = analysis.unit.class_of_function(named[0])
@@ -77,17 +80,16 @@ def _is_declarator(node: Node, file: CppFile, own: set[tuple[str, int]]) -> bool
 
 def is_stub(function: Function) -> bool:
     """Tell whether a function does nothing but log, as a new one does."""
-    return all(_is_log(each, function) for each in _body(function))
+    return all(_is_log(each, function) for each in _statements(function.body))
 
 
-def is_idle(function: Function, gone: Deletions) -> bool:
+def is_idle(file: CppFile, body: Node | None, gone: Deletions) -> bool:
     """Tell whether nothing is left of what a function did."""
-    body = _body(function)
-    return bool(body) and all(gone.covers(function.file, each.start_byte) for each in body)
+    statements = _statements(body)
+    return bool(statements) and all(gone.covers(file, each.start_byte) for each in statements)
 
 
-def _body(function: Function) -> list[Node]:
-    body = function.body
+def _statements(body: Node | None) -> list[Node]:
     return [] if body is None else [each for each in body.named_children if each.type != "comment"]
 
 

@@ -185,13 +185,17 @@ def _affix(core: str, words: Iterable[str]) -> tuple[str, str] | None:
     return None
 
 
-def callback_naming(analysis: Analysis, kind: EndpointKind, sites: Iterable[Site]) -> Naming:
-    """Return how functions are named that endpoints of a kind call."""
-    found = [
-        (site.endpoint.kind, site.endpoint.callback)
-        for site in sites
-        if site.endpoint.callback is not None
-    ]
+def callback_naming(
+    analysis: Analysis, kind: EndpointKind, called: Iterable[tuple[EndpointKind, str]]
+) -> Naming:
+    """Return how functions are named that endpoints of a kind call.
+
+    Args:
+        analysis: what is known of the files.
+        kind: the kind.
+        called: what the node's endpoints call, with the kind of each.
+    """
+    found = [*called]
     like = [name for each, name in found if each is kind] or [name for _, name in found]
     methods = [
         name

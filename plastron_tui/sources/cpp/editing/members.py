@@ -39,7 +39,8 @@ _ROS2 = {
 
 def respelled(text: str, old: InterfaceName, class_: str) -> str | None:
     """Return a text with the class of another type, None where it does not say the old one."""
-    found = re.compile(rf"(?:::\s*)?(?:\b\w+\s*::\s*)*\b{re.escape(old.name)}(?=(?:Const)?(?:Ptr)?\b)")
+    outer = r"(?:::\s*)?(?:\b\w+\s*::\s*)*\b"
+    found = re.compile(rf"{outer}{re.escape(old.name)}(?=(?:Const)?(?:Ptr)?\b)")
     changed, count = found.subn(class_, text)
     return changed if count else None
 

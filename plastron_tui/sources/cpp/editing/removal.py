@@ -14,6 +14,7 @@ from ..read_parameters import parameter_call
 from ..scopes import CppFile, Function, Scope, Variable, last_name
 from .creation import Creation, creation_of, variable_of
 from .deletions import Deletions
+from .lambdas import lambda_of
 from .leftovers import (
     functions_of,
     has_uses,
@@ -323,8 +324,11 @@ class _Removal:
             is_timer = site.endpoint.kind is EndpointKind.TIMER
             if not is_timer or site in self._plan.lost:
                 continue
+            own = lambda_of(self._analysis, site)
+            if own is not None and is_idle(own.scope.file, own.body, self._gone):
+                self.take(site)
             for functions in functions_of(self._analysis, site):
-                if any(is_idle(each, self._gone) for each in functions):
+                if any(is_idle(each.file, each.body, self._gone) for each in functions):
                     self.take(site)
                     if not has_uses(self._analysis, functions, self._gone):
                         for each in functions:

@@ -30,6 +30,10 @@ class Style:
         is_control_broken: whether that of an `if` or a loop has.
         reference: how `const T & x` stands there: ` & `, `& ` or ` &`.
         width: the longest line.
+        continuation: what a line begins with that goes on with a call, behind the indent of its
+            first.
+        is_aligned: whether the lines of a call begin below its first argument.
+        is_spaced: whether an empty line stands between functions.
     """
 
     indent: str
@@ -38,9 +42,14 @@ class Style:
     is_control_broken: bool
     reference: str
     width: int
+    continuation: str = "  "
+    is_aligned: bool = False
+    is_spaced: bool = True
 
     def laid_out(self, lines: list[str], base: str) -> str:
-        """Return lines as the file has them; each level of theirs is a tab.
+        """Return lines as the file has them.
+
+        Each level of theirs is a tab, or a vertical tab where a call goes on.
 
         Args:
             lines: the lines; a `{` that ends one opens a block.
@@ -49,27 +58,31 @@ class Style:
         found = []
         columns = len(base.expandtabs(_TAB))
         for line in (part for whole in lines for part in self._broken(whole, columns)):
-            inner = line.lstrip("\t")
-            depth = len(line) - len(inner)
-            found.append(f"{base}{self.indent * depth}{inner}" if inner else "")
+            inner = line.lstrip("\t\v")
+            blanks = line[: len(line) - len(inner)]
+            steps = {"\t": self.indent, "\v": self.continuation}
+            indent = "".join(steps[each] for each in blanks)
+            found.append(f"{base}{indent}{inner}" if inner else "")
         return "".join(f"{line}{self.newline}" for line in found)
 
     def _broken(self, line: str, columns: int) -> list[str]:
         """Return a call or a head in several lines where it is too long for one."""
-        inner = line.lstrip("\t")
-        tabs = "\t" * (len(line) - len(inner))
-        step = len(self.indent.expandtabs(_TAB))
-        room = self.width - columns - step * len(tabs)
+        inner = line.lstrip("\t\v")
+        tabs = line[: len(line) - len(inner)]
+        widths = {"\t": len(self.indent.expandtabs(_TAB))}
+        widths["\v"] = len(self.continuation.expandtabs(_TAB))
+        room = self.width - columns - sum(widths[each] for each in tabs)
         parts = _call_of(inner) if len(inner) > room else None
         if parts is None:
             return [line]
         head, arguments, tail = parts
-        joined = ", ".join(arguments)
-        room -= step
-        if len(joined) + len(tail) <= room:
-            return [f"{tabs}{head}", f"{tabs}\t{joined}{tail}"]
-        *first, last = arguments
-        return [f"{tabs}{head}", *(f"{tabs}\t{each}," for each in first), f"{tabs}\t{last}{tail}"]
+        longest = max(len(each) for each in arguments)
+        if self.is_aligned and len(head) + longest + len(tail) <= room:
+            first, *more = _filled(arguments, tail, room - len(head))
+            below = " " * len(head)
+            return [f"{tabs}{head}{first}", *(f"{tabs}{below}{each}" for each in more)]
+        lines = _filled(arguments, tail, room - widths["\v"])
+        return [f"{tabs}{head}", *(f"{tabs}\v{each}" for each in lines)]
 
     def opened(self, head: str) -> list[str]:
         """Return the line, or two, that begins a function."""
@@ -79,6 +92,18 @@ class Style:
         """Return an `if` or a loop around lines."""
         first = [head, "{"] if self.is_control_broken else [f"{head} {{"]
         return [*first, *(f"\t{each}" for each in lines), "}"]
+
+
+def _filled(arguments: list[str], tail: str, room: int) -> list[str]:
+    """Return arguments in lines, as many in each as it has room for."""
+    lines: list[str] = []
+    for at, each in enumerate(arguments, 1):
+        written = each + (tail if at == len(arguments) else ",")
+        if lines and len(lines[-1]) + 1 + len(written) <= room:
+            lines[-1] += f" {written}"
+        else:
+            lines.append(written)
+    return lines
 
 
 def _call_of(line: str) -> tuple[str, list[str], str] | None:
@@ -157,7 +182,56 @@ def style_of(file: CppFile, ros_version: int, said: ClangFormat) -> Style:
     if not width:
         width = LONGEST if ros_version == 2 else max(min(longest, 120), 80)
     newline = newline_of(text).decode()
-    return Style(indent, newline, is_broken, is_control_broken, reference, width)
+    continuation, is_aligned = _continuation(file, indent, said)
+    return Style(
+        indent,
+        newline,
+        is_broken,
+        is_control_broken,
+        reference,
+        width,
+        continuation,
+        is_aligned,
+        _is_spaced(file),
+    )
+
+
+def _continuation(file: CppFile, indent: str, said: ClangFormat) -> tuple[str, bool]:
+    """Return how a call goes on in the lines of a file: by which blanks, or below its first."""
+    text = file.syntax.text
+    steps: Counter[str | None] = Counter()
+    for call in file.calls:
+        listed = call.node.child_by_field_name("arguments")
+        given = listed.named_children if listed is not None else []
+        if listed is None or not given or given[-1].start_point.row == listed.start_point.row:
+            continue
+        first, last = given[0], given[-1]
+        if first.start_point.row > listed.start_point.row:
+            outer, inner = _blanks(text, listed.start_byte), _blanks(text, first.start_byte)
+            if inner.startswith(outer) and inner != outer and first.type != "comment":
+                steps[inner.removeprefix(outer)] += 1
+        elif last.start_point.column == first.start_point.column:
+            steps[None] += 1
+    known = [each for each, _ in steps.most_common() if each is not None]
+    is_aligned = steps[None] * 2 > sum(steps.values()) if steps else bool(said.is_aligned)
+    usual = said.continuation or indent
+    if said.continuation and "\t" in indent:
+        usual = indent
+    return known[0] if known else usual, is_aligned
+
+
+def _is_spaced(file: CppFile) -> bool:
+    """Tell whether empty lines stand between the functions of a file."""
+    text = file.syntax.text
+    found: Counter[bool] = Counter()
+    for scope in file.scopes:
+        following = scope.node.next_named_sibling
+        if scope.kind != "function" or following is None:
+            continue
+        if following.type == "function_definition":
+            between = text[scope.node.end_byte : following.start_byte]
+            found[between.count(b"\n") > 1] += 1
+    return found[True] >= found[False]
 
 
 def _blanks(text: bytes, offset: int) -> str:
