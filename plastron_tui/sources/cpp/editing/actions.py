@@ -80,7 +80,8 @@ def _serve_in_ros2(added: Addition, class_: str, name: str, is_there: bool) -> N
             ),
             *style.block("if (rclcpp::ok())", ["goal_handle->succeed(result);"]),
         ]
-        file = write_function(added, name, f"const std::shared_ptr<{handle}> goal_handle", body)
+        parameter = f"const std::shared_ptr<{handle}> goal_handle"
+        file = write_function(added, name, [parameter], body, _said(added))
         _include_action(added, file)
         added.include(added.place.file, "thread")
     called = f"{name}(goal_handle);"
@@ -125,7 +126,8 @@ def _serve_in_ros1(added: Addition, class_: str, name: str, is_there: bool) -> N
             ),
             f"{variable}->setSucceeded(result);",
         ]
-        write_function(added, name, f"const {class_}GoalConstPtr{reference}goal", body)
+        parameter = f"const {class_}GoalConstPtr{reference}goal"
+        write_function(added, name, [parameter], body, _said(added))
     binder, placeholder = bind_manner(added, 1)
     if not placeholder.startswith("_") and binder.startswith("boost"):
         added.include(added.place.file, "boost/bind/bind.hpp")
@@ -133,6 +135,10 @@ def _serve_in_ros1(added: Addition, class_: str, name: str, is_there: bool) -> N
     called = f"{binder}(&{added.owner.name}::{name}, this, {placeholder}1)"
     given = ", ".join((*_named(added), called, "false"))
     added.lines += [f"{variable}.reset(new {server}(", f"\t{given}));", f"{variable}->start();"]
+
+
+def _said(added: Addition) -> str:
+    return f"Works on the goals of {added.prose}."
 
 
 def _named(added: Addition) -> list[str]:

@@ -44,6 +44,8 @@ class Addition:
         settings: what the settings around the files say of their layout.
         plan: what is to be done.
         lines: the statements that go to the place, in order.
+        hidden_functions: the methods of a private part that the class has not yet.
+        hidden_members: the members of it.
     """
 
     analysis: Analysis
@@ -57,6 +59,8 @@ class Addition:
     settings: ClangFormat = field(default_factory=ClangFormat)
     plan: Plan = field(default_factory=Plan)
     lines: list[str] = field(default_factory=list)
+    hidden_functions: list[list[str]] = field(default_factory=list)
+    hidden_members: list[str] = field(default_factory=list)
     _styles: dict[str, Style] = field(default_factory=dict)
     _included: set[tuple[str, str]] = field(default_factory=set)
 
@@ -151,7 +155,11 @@ class Addition:
         written = style.laid_out(lines, indent)
         if not text[:offset].endswith(b"\n"):
             written = style.newline + written
-        self.plan.replace(file, offset, offset, (style.newline if gap else "") + written)
+        if gap and style.is_spaced:
+            below = text[offset : line_end(text, offset)].strip()
+            is_last = not below or below.startswith((b"}", b"#"))
+            written = style.newline + written + ("" if is_last else style.newline)
+        self.plan.replace(file, offset, offset, written)
 
     def put_above(self, file: CppFile, node: Node, lines: list[str], *, gap: bool = False) -> None:
         """Write lines above a definition and the comment that speaks of it."""

@@ -47,7 +47,7 @@ from .interfaces import Interfaces, refuse
 from .lambdas import Lambda, NewLambda, callback_names, model_lambda
 from .logging import log_line
 from .manner import callback_naming, held_by, identifiers, split_words
-from .members import hold, is_local, type_of
+from .members import hold, is_local, open_private, type_of
 from .parameters import declare_parameter
 from .place import beside, find_place, sites_of_node
 from .plans import Plan
@@ -108,6 +108,7 @@ def plan_addition(
         case _:
             _add(added)
     added.put_at_place()
+    open_private(added)
     added.include_types(added.place.file)
     for splices in added.plan.splices.values():
         # What is written right behind the includes comes behind those that are new.
@@ -169,7 +170,8 @@ def _repeat(added: Addition, timer: Timer) -> None:
     added.taken.add(timer.name)
     if existing(added, timer.name) is None:
         body = [log_line(added, f"{naming.label(timer.name, 'a timer')} ticks", "")]
-        write_function(added, timer.name, event_parameter(added), body)
+        event = [each for each in (event_parameter(added),) if each]
+        write_function(added, timer.name, event, body, "Called at a rate.")
     words = "_".join(split_words(timer.name))
     period = period_of(added, timer.rate or 1.0)
     variable = timer_name(added, words)
@@ -285,7 +287,9 @@ def _callback(added: Addition, interface: Interface, class_: str) -> str:
     added.taken.add(name)
     parameters, body = _served(added, interface, class_)
     returns = "bool" if added.kind is K.SERVICE and not added.is_ros2 else "void"
-    file = write_function(added, name, ", ".join(parameters), body, returns)
+    said = "message" if added.kind is K.SUBSCRIPTION else "request"
+    said = f"Called for each {said} of {added.prose}."
+    file = write_function(added, name, parameters, body, said, returns)
     added.include_types(file)
     return name
 

@@ -60,9 +60,7 @@ def message_parameter(added: Addition, class_: str, like: Lambda | None = None) 
             if given is None:
                 continue
             name = given.name
-            said = f"{site.endpoint.name or ''}/{site.endpoint.type.name}".replace("/", "_")
-            is_own = not {*split_words(name)}.isdisjoint(split_words(said))
-            if is_own and given.text.endswith(name):
+            if _is_called_after(name, site) and given.text.endswith(name):
                 # It is called after what the other one hears.
                 return Parameter(f"{given.text.removesuffix(name)}msg", "msg", given.is_pointer)
             return given
@@ -70,6 +68,18 @@ def message_parameter(added: Addition, class_: str, like: Lambda | None = None) 
     if not added.is_ros2:
         return Parameter(f"const {class_}::ConstPtr{reference}msg", "msg", True)
     return Parameter(f"const {class_}::SharedPtr msg", "msg", True)
+
+
+def _is_called_after(name: str, site: Site) -> bool:
+    """Tell whether a parameter is named for what its own callback hears: `js` for `JointState`."""
+    assert site.endpoint.type is not None, "it was asked before"
+    type_ = split_words(site.endpoint.type.name)
+    said = {*type_, *split_words((site.endpoint.name or "").replace("/", "_"))}
+    if not said.isdisjoint(split_words(name)):
+        return True
+    short = name.strip("_").lower()
+    is_start = len(short) < 4 and any(each.startswith(short) for each in said)
+    return is_start or short == "".join(each[0] for each in type_)
 
 
 def service_parameters(

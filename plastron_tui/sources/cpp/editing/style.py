@@ -68,6 +68,8 @@ class Style:
     def _broken(self, line: str, columns: int) -> list[str]:
         """Return a call or a head in several lines where it is too long for one."""
         inner = line.lstrip("\t\v")
+        if inner.lstrip().startswith(("//", "/*", "*")):
+            return [line]
         tabs = line[: len(line) - len(inner)]
         widths = {"\t": len(self.indent.expandtabs(_TAB))}
         widths["\v"] = len(self.continuation.expandtabs(_TAB))

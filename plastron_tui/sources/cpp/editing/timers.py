@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+
 from plastron_tui.diagnostics import Diagnostic, codes
 from plastron_tui.model.kinds import Rate
 from plastron_tui.model.source import EndpointKind
@@ -17,6 +19,8 @@ from .members import hold, is_local, type_of
 from .parameters import read_parameter
 
 K = EndpointKind
+
+_LITERAL = re.compile(rb"\b\d+(?:ns|us|ms|s|min)\b")
 
 
 def period_of(added: Addition, rate: Rate | float) -> str:
@@ -34,12 +38,20 @@ def period_of(added: Addition, rate: Rate | float) -> str:
     milliseconds = round(1000 / hertz)
     is_whole = milliseconds > 0 and 1000 / milliseconds == hertz
     if added.is_ros2:
+        if is_whole and _has_literals(added):
+            return f"{milliseconds}ms" if milliseconds % 1000 else f"{milliseconds // 1000}s"
         if is_whole:
             return f"std::chrono::milliseconds({milliseconds})"
         return f"std::chrono::duration<double>(1.0 / {literals.real(float(hertz))})"
     if is_whole:
         return f"ros::Duration({literals.real(milliseconds / 1000)})"
     return f"ros::Duration(1.0 / {literals.real(float(hertz))})"
+
+
+def _has_literals(added: Addition) -> bool:
+    """Tell whether the file writes times as literals: `500ms`."""
+    is_seen = any("literals" in using for each in added.place.scope.chain for using in each.usings)
+    return is_seen and _LITERAL.search(added.place.file.syntax.code) is not None
 
 
 def event_parameter(added: Addition) -> str:
@@ -104,7 +116,9 @@ def run_at(
             _include_chrono(added)
             return
         name = added.free(method_naming(added.analysis, verb).name(words))
-        write_function(added, name, event_parameter(added), body)
+        said = f"{verb.capitalize()}es" if verb.endswith("sh") else f"{verb.capitalize()}s"
+        event = [each for each in (event_parameter(added),) if each]
+        write_function(added, name, event, body, f"{said} {added.prose}.")
         create_timer(added, timer, period, name, handle=handle, once=once)
         return
     node = added.place.node

@@ -286,11 +286,6 @@ CASES = [
 +  }
 +
 +private:
-+  rclcpp::Client<std_srvs::srv::SetBool>::SharedPtr ask_client_;
-+
-+private:
-+  rclcpp::TimerBase::SharedPtr ask_timer_;
-+
 +  void call_ask()
 +  {
 +    if (!ask_client_->service_is_ready()) {
@@ -305,6 +300,9 @@ CASES = [
 +        RCLCPP_INFO(get_logger(), "ask: %s", to_yaml(*future.get()).c_str());
 +      });
 +  }
++
++  rclcpp::Client<std_srvs::srv::SetBool>::SharedPtr ask_client_;
++  rclcpp::TimerBase::SharedPtr ask_timer_;
  };
 
  int main(int argc, char ** argv)
