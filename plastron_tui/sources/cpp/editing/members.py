@@ -38,6 +38,16 @@ _ROS2 = {
 }
 
 
+_OWN = re.compile(
+    r"(?<!message_filters::)\b(?:Lifecycle)?(?:Publisher|Subscription|Service|Client|Server)\s*<"
+)
+
+
+def _last_part(text: str) -> str:
+    """Return the last name of a type, but for what points to it."""
+    return "".join(text.split()).removesuffix("::SharedPtr").rpartition("::")[2]
+
+
 def respelled(text: str, old: InterfaceName, class_: str) -> str | None:
     """Return a text with the class of another type, None where it does not say the old one."""
     outer = r"(?:::\s*)?(?:\b\w+\s*::\s*)*\b"
@@ -56,8 +66,11 @@ def type_of(added: Addition, kind: EndpointKind, class_: str) -> str:
         if "Lifecycle" in text and not is_managed(added.analysis, added.owner):
             continue
         if kind is K.TIMER or not added.is_ros2:
-            if kind is not K.TIMER or "Timer" in text:
+            usual = _ROS2[kind] if added.is_ros2 else _ROS1.get(kind, "")
+            if _last_part(text) == _last_part(usual):
                 return text
+            continue
+        if _OWN.search(text) is None:
             continue
         if site.endpoint.type is not None:
             again = respelled(text, site.endpoint.type, class_)
