@@ -92,7 +92,10 @@ class Addition:
     def style(self, file: CppFile) -> Style:
         """Return the layout of a file."""
         if file.name not in self._styles:
-            self._styles[file.name] = style_of(file, self.analysis.ros_version, self.settings)
+            files = self.analysis.unit.files
+            self._styles[file.name] = style_of(
+                file, self.analysis.ros_version, self.settings, files
+            )
         return self._styles[file.name]
 
     def free(self, wanted: str, end: str = "") -> str:
@@ -126,6 +129,9 @@ class Addition:
         """Let a file include a header that it does not yet."""
         key = file.name, header
         if key in self._included or is_included(self.analysis.unit, file, header):
+            return
+        if not file.name and any(name and each == header for name, each in self._included):
+            # A header of the unit, which the source includes, gets it.
             return
         self._included.add(key)
         add_include(self.plan, file, header, self.analysis.ros_version)

@@ -76,6 +76,7 @@ def _is_called_after(name: str, site: Site) -> bool:
     type_ = split_words(site.endpoint.type.name)
     said = {*type_, *split_words((site.endpoint.name or "").replace("/", "_"))}
     said |= {each.rstrip("0123456789") for each in said} - {""}
+    said |= {f"{each}s" for each in said}
     if not said.isdisjoint(split_words(name)):
         return True
     short = name.strip("_").lower()

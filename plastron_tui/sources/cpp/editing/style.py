@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections import Counter
+from collections.abc import Iterable
 from dataclasses import dataclass
 
 from plastron_tui.sources.splices import line_start, newline_of
@@ -14,6 +15,10 @@ from .clang_format import ClangFormat
 _TAB = 4
 LONGEST = 100
 """The longest line of ROS 2's style; a file of longer lines is written with these."""
+
+_NARROW = 80
+_LONGEST_OF_ROS1 = 120
+"""What the page "CppStyleGuide" of the wiki of ROS 1 allows."""
 
 _CONTROL = re.compile(rb"^[ \t]*(?:\} )?(?:if|for|while|else|try)\b[^\n;]*?(\{)?[ \t]*\r?$", re.M)
 _REFERENCE = re.compile(r"[\w>]( ?)&( ?)[a-z_]\w*")
@@ -74,17 +79,38 @@ class Style:
         widths = {"\t": len(self.indent.expandtabs(_TAB))}
         widths["\v"] = len(self.continuation.expandtabs(_TAB))
         room = self.width - columns - sum(widths[each] for each in tabs)
-        parts = _call_of(inner) if len(inner) > room else None
+        if len(inner) <= room:
+            return [line]
+        if inner.startswith(("if (", "while (")) and " && " in inner:
+            return self._condition(tabs, inner, room)
+        parts = _call_of(inner)
         if parts is None:
             return [line]
         head, arguments, tail = parts
         longest = max(len(each) for each in arguments)
         if self.is_aligned and len(head) + longest + len(tail) <= room:
             first, *more = _filled(arguments, tail, room - len(head))
-            below = " " * len(head)
-            return [f"{tabs}{head}{first}", *(f"{tabs}{below}{each}" for each in more)]
+            pad = " " * len(head)
+            return [f"{tabs}{head}{first}", *(f"{tabs}{pad}{each}" for each in more)]
         lines = _filled(arguments, tail, room - widths["\v"])
-        return [f"{tabs}{head}", *(f"{tabs}\v{each}" for each in lines)]
+        below = [f"{tabs}\v{each}" for each in lines]
+        if len(lines) == len(arguments) and len(lines[-1]) > room - widths["\v"]:
+            # What does not fit alone is a call itself: `std::bind(…)`.
+            below[-1:] = self._broken(below[-1], columns)
+        return [f"{tabs}{head}", *below]
+
+    def _condition(self, tabs: str, line: str, room: int) -> list[str]:
+        """Return an `if` in several lines, each but the last of which ends in `&&`."""
+        lines: list[str] = []
+        for each in re.split(r"(?<= &&) ", line):
+            if lines and len(lines[-1]) + 1 + len(each) <= room:
+                lines[-1] += f" {each}"
+            else:
+                lines.append(each)
+        first, *more = lines
+        # What is asked stands out against what is done.
+        step = "\v" if len(self.continuation) > len(self.indent) else "\v\v"
+        return [f"{tabs}{first}", *(f"{tabs}{step}{each}" for each in more)]
 
     def opened(self, head: str) -> list[str]:
         """Return the line, or two, that begins a function."""
@@ -143,10 +169,12 @@ def _is_in_template(line: str, start: int, at: int) -> bool:
     return part.count("<") > part.count(">")
 
 
-def style_of(file: CppFile, ros_version: int, said: ClangFormat) -> Style:
+def style_of(
+    file: CppFile, ros_version: int, said: ClangFormat, files: Iterable[CppFile] = ()
+) -> Style:
     """Return the layout of a file: as its lines show it, and else as settings say.
 
-    How long a line may be is what the settings say first.
+    How long a line may be is what the settings say first, and else the files around it.
     """
     text, syntax = file.syntax.text, file.syntax
     steps: Counter[str] = Counter()
@@ -179,10 +207,13 @@ def style_of(file: CppFile, ros_version: int, said: ClangFormat) -> Style:
     )
     known = [each for each, _ in references.most_common() if each.strip() != each]
     reference = known[0] if known else said.reference or (" & " if ros_version == 2 else "& ")
-    longest = max((len(line.rstrip()) for line in text.split(b"\n")), default=0)
     width = said.width or 0
-    if not width:
-        width = LONGEST if ros_version == 2 else max(min(longest, 120), 80)
+    if not width and ros_version == 2:
+        width = LONGEST
+    elif not width:
+        texts = [each.syntax.text for each in (file, *files)]
+        longest = max(len(line.rstrip()) for each in texts for line in each.split(b"\n"))
+        width = min(max(longest, LONGEST), _LONGEST_OF_ROS1) if longest > _NARROW else _NARROW
     newline = newline_of(text).decode()
     continuation, is_aligned = _continuation(file, indent, said)
     return Style(
