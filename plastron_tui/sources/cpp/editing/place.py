@@ -318,6 +318,18 @@ def _own_node(analysis: Analysis, owner: Scope) -> str | None:
     return None
 
 
+def node_in_methods(analysis: Analysis, place: Place) -> str | None:
+    """Return what stands before the methods of the node of ROS 2 in any method of its class.
+
+    None where only the function that creates the endpoint has it, as a parameter.
+    """
+    owner = place.owner
+    first = re.split(r"->|\.", place.node.removeprefix("this->"))[0]
+    if owner is None or not first or analysis.unit.member(owner, first) is not None:
+        return place.node
+    return _own_node(analysis, owner)
+
+
 def _methods(analysis: Analysis, owner: Scope, name: str) -> list[Function]:
     return [
         each
