@@ -17,6 +17,12 @@ CALLS = [
         'nh.subscribe("a", 1, boost::function<void(const std_msgs::StringConstPtr&)>(f));',
         [f"subscription a {STRING} f"],
     ),
+    ('nh.subscribe("a", 1, any<std_msgs::String>);', [f"subscription a {STRING} any"]),
+    ('nh.subscribe("a", 1, &H<std_msgs::String>::hold, &h);', [f"subscription a {STRING} hold"]),
+    (
+        'nh.subscribe("a", 1, &H<int>::both<std_msgs::String>, &h);',
+        [f"subscription a {STRING} both"],
+    ),
     ('nh.advertiseService("a", serve);', ["service a std_srvs/Empty serve"]),
     ('nh.serviceClient<std_srvs::Empty>("a");', ["client a std_srvs/Empty"]),
     ("nh.createTimer(ros::Duration(1), tick);", ["timer tick"]),
@@ -40,6 +46,20 @@ CALLS = [
         'message_filters::Subscriber<std_msgs::String> s; s.subscribe(nh, "a", 1);',
         [f"subscription a {STRING}"],
     ),
+    (
+        'realtime_tools::RealtimePublisher<std_msgs::String> p(nh, "a", 1);',
+        [f"publisher a {STRING}"],
+    ),
+    (
+        'realtime_tools::RealtimePublisher<std_msgs::String> p; p.init(nh, "a", 1);',
+        [f"publisher a {STRING}"],
+    ),
+    (
+        "using P = realtime_tools::RealtimePublisher<std_msgs::String>;"
+        ' boost::scoped_ptr<P> p; p.reset(new P(nh, "a", 1));',
+        [f"publisher a {STRING}"],
+    ),
+    ('Device d; d.init(nh, "a", 1);', []),
     (
         'image_transport::ImageTransport it(nh); it.advertiseCamera("b/image", 1);',
         ["publisher b/image sensor_msgs/Image", "publisher b/camera_info sensor_msgs/CameraInfo"],
@@ -66,6 +86,11 @@ HEAD = """
 void cb(const std_msgs::String::ConstPtr& m);
 void request(const a::SoundRequestConstPtr& m);
 bool serve(std_srvs::Empty::Request& request, std_srvs::Empty::Response& response);
+template <class M> void any(const boost::shared_ptr<M const>& m);
+template <class M> struct H {
+  void hold(const typename M::ConstPtr& m);
+  template <class N> void both(const N& m);
+};
 struct C {
   void by_value(std_msgs::String m);
   void event(const ros::MessageEvent<std_msgs::String const>& m);
