@@ -113,6 +113,7 @@ def _place(scope: Scope) -> Scope:
 def _add_declaration(node: Node, scope: Scope) -> None:
     type_node = node.child_by_field_name("type")
     if type_node is None:
+        _add_constructor(node, scope)
         return
     syntax = scope.file.syntax
     value = node.child_by_field_name("default_value")
@@ -157,6 +158,15 @@ def _add_declaration(node: Node, scope: Scope) -> None:
             reference,
         )
         _place(scope).variables.setdefault(found.name, []).append(found)
+
+
+def _add_constructor(node: Node, scope: Scope) -> None:
+    """Note the declaration of a constructor, which has no type."""
+    place = _place(scope)
+    name, _, function, _, _ = declared(node.child_by_field_name("declarator"), scope.file.syntax)
+    if place.kind == "class" and function is not None and name == place.name:
+        made = Function(name, "", node, function, None, scope)
+        place.functions.setdefault(name, []).append(made)
 
 
 def _add_enumerator(node: Node, scope: Scope) -> None:
