@@ -5,6 +5,8 @@ from __future__ import annotations
 import pytest
 from reading import ROS1, endpoints, in_main, read
 
+from plastron_tui.model.endpoint_details import TimerDetails
+
 STRING = "std_msgs/String"
 
 CALLS = [
@@ -172,3 +174,39 @@ def test_two_names_of_one_node_are_none() -> None:
     inits = [f'void f{name}() {{ ros::init(c, v, "{name}"); }}' for name in "ab"]
     assert [node.name for node in read(ROS1 + inits[0]).nodes] == ["a"]
     assert [node.name for node in read(ROS1 + "".join(inits)).nodes] == [None]
+
+
+SERVING = [
+    (
+        "/// Publish to a; called at its rate.",
+        "publish_a",
+        "message.data = 1; pub.publish(message);",
+        True,
+    ),
+    ("", "publish_a", "std_msgs::String message; message.data = 1; pub.publish(message);", True),
+    ("", "publishA", "pub.publish(message); count();", False),
+    (
+        "/// Publish to a; called at its rate.",
+        "publish_a",
+        "pub.publish(message); drive(1);",
+        False,
+    ),
+    ("/// Warn as long as nobody listens to a.", "await_a", 'ROS_WARN("a");', True),
+    ("/// Give the timers whose rates have changed their new ones.", "follow_rates", "", True),
+    ("/// Do what is to be done.", "repeat_it", "pub.publish(last);", True),
+    ("/// Publish to a.", "tick", "pub.publish(message);", False),
+]
+
+
+@pytest.mark.parametrize(("description", "name", "body", "serves"), SERVING)
+def test_a_timer_may_serve_another_endpoint(
+    description: str, name: str, body: str, serves: bool
+) -> None:
+    source = read(
+        f"{ROS1}ros::Publisher pub;\n{description}\n"
+        f"void {name}(const ros::TimerEvent&) {{ {body} }}\n"
+        f"int main() {{ ros::NodeHandle nh; nh.createTimer(ros::Duration(1), {name}); }}"
+    )
+    (details,) = (each.details for each in source.endpoints)
+    assert isinstance(details, TimerDetails)
+    assert details.serves is serves
