@@ -212,7 +212,10 @@ class Callers:
             for each in file.scopes:
                 for variables in each.variables.values():
                     for variable in variables:
-                        if variable.type_node is None or variable.kind in ("parameter", "loop"):
+                        type_node = variable.type_node
+                        if type_node is None or variable.kind in ("parameter", "loop"):
+                            continue
+                        if type_node.type == "primitive_type":
                             continue
                         if variable.is_pointer or variable.is_reference:
                             continue

@@ -108,8 +108,9 @@ def _endpoint(
         default=named.default,
         file=call.scope.file.name,
         is_guess=named.is_guess,
+        qos=qos_of(analysis, found),
     )
-    return endpoint._replace(qos=qos_of(analysis, found)), callback
+    return endpoint, callback
 
 
 def _name(analysis: Analysis, found: Found, node: Node | None) -> _Name:

@@ -11,6 +11,7 @@ from .arguments import arguments_of, call_of
 from .scopes import _FUNCTION_LIKE, _KINDS, CppFile, Function, Scope, Variable, declared, type_text
 from .syntax import Syntax
 
+_CLASSES = ("class_specifier", "struct_specifier")
 MOST_SCOPES_DEEP = 200
 """Scopes within more others are taken for the innermost of these."""
 
@@ -34,6 +35,8 @@ def outline(name: str, syntax: Syntax) -> CppFile:
         inner = stack[-1]
         if capture == "scope":
             if node.type == "compound_statement" and inner.kind == "function":
+                continue
+            if node.type in _CLASSES and node.child_by_field_name("body") is None:
                 continue
             scope = _scope(node, inner, start, -end)
             file.scopes.append(scope)

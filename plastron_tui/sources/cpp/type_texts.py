@@ -28,6 +28,8 @@ def template_arguments(text: str) -> list[str]:
 
 def split_outside(text: str, mark: str) -> list[str]:
     """Return the parts of a text between marks that are in no brackets."""
+    if mark not in text:
+        return [text]
     found, depth, start, at = [], 0, 0, 0
     while at < len(text):
         letter = text[at]
