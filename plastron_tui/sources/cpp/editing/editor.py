@@ -63,6 +63,7 @@ def edit_cpp(source: SourceUnit, changes: Sequence[Change], catalog: Catalog) ->
         if each.type is not None and moved(each.type, catalog.ros_version) is None
     }
     catalog = catalog.with_undefined((kind, name) for kind, name in used if kind is not None)
+    where = changes[0].endpoint.span if isinstance(changes[0], Add) else changes[0].span
     edits = _Edits(source, catalog)
     edits.notes += tell_guessed_names(edits.before, changes)
     try:
@@ -72,12 +73,14 @@ def edit_cpp(source: SourceUnit, changes: Sequence[Change], catalog: Catalog) ->
     except UnicodeEncodeError as error:
         character = error.object[error.start]
         message = f"`{source.path.name}` is in {error.encoding}, which has no `{character}`"
-        found = Diagnostic(codes.EDIT_REFUSED, message, help="save the file in UTF-8 first")
+        help_ = "save the file in UTF-8 first"
+        found = Diagnostic(codes.EDIT_REFUSED, message, where, help=help_)
         return Rendered(None, (found,))
     problem = edits.problem()
     if problem is not None:
         message = f"the change of `{source.path.name}` would {problem}"
-        return Rendered(None, (Diagnostic(codes.EDIT_REFUSED, message),))
+        help_ = "make this change in the file by hand"
+        return Rendered(None, (Diagnostic(codes.EDIT_REFUSED, message, where, help=help_),))
     before, after = edits.before, edits.analysis
     uncalled = uncalled_functions(before, after)
     edits.notes += tell_uncalled(uncalled, changes)
