@@ -11,7 +11,7 @@ from cpp_builds import find_rclcpp
 from graph import Graph
 from processes import Process
 
-pytestmark = [pytest.mark.live, pytest.mark.long(1)]
+pytestmark = [pytest.mark.live, pytest.mark.long(0.5)]
 
 PROGRAM = """\
 create_node 'talker' as talker using rclcpp
