@@ -24,6 +24,9 @@ _LOOPS = frozenset({"while_statement", "for_statement", "do_statement"})
 _IDLE = re.compile(
     r"(?:ros::)?spinOnce\(|rclcpp::spin_some\(|\w+(?:->|\.)sleep\(|(?:ROS|RCLCPP)_[A-Z_]+\("
 )
+_HELPERS = frozenset({"ask", "call", "send_goal"})
+PUBLISHING = frozenset({"publish"})
+"""The methods that publish."""
 _OWN = re.compile(r"_?(?:publish|call|send)(?:_|[A-Z])")
 
 
@@ -48,16 +51,34 @@ class Sent(NamedTuple):
 
 
 def sent_through(analysis: Analysis, variable: Variable, methods: frozenset[str]) -> Iterator[Sent]:
-    """Yield the calls of some methods of what a variable holds."""
+    """Yield the calls of some methods of what a variable holds.
+
+    So does what hands it, with a message behind it, to a function that Plastron writes.
+    """
     for file, node, scope in uses_of(analysis, variable):
         call = _called(file, node, methods)
+        if call is None and methods is not PUBLISHING:
+            call = _helped(analysis, file, node)
         statement = None if call is None else statement_of(call)
         if call is None or statement is None:
             continue
         listed = call.child_by_field_name("arguments")
-        given = listed.named_children[0] if listed is not None and listed.named_children else None
+        arguments = listed.named_children if listed is not None else []
+        is_helped = any(each.start_byte <= node.start_byte < each.end_byte for each in arguments)
+        given = arguments[-1 if is_helped else 0] if arguments else None
         message = None if given is None else _local(analysis, given, scope, statement)
         yield Sent(file, scope, call, statement, given, message)
+
+
+def _helped(analysis: Analysis, file: CppFile, node: Node) -> Node | None:
+    """Return the call of a function that Plastron writes, which is given what a node names."""
+    listed: Node | None = node.parent
+    while listed is not None and listed.type == "pointer_expression":
+        listed = listed.parent
+    call = None if listed is None or listed.type != "argument_list" else listed.parent
+    called = None if call is None else call.child_by_field_name("function")
+    name = "" if called is None else file.syntax.word(called)
+    return call if name in _HELPERS and name in analysis.unit.functions else None
 
 
 def _called(file: CppFile, node: Node, methods: frozenset[str]) -> Node | None:
@@ -165,6 +186,18 @@ def runner_of(analysis: Analysis, sent: Sent) -> Runner | None:
     if timer is None:
         return None
     return Runner(block, timer, is_own=_OWN.match(function.name) is not None)
+
+
+def timer_behind(analysis: Analysis, sent: Sent) -> Site | None:
+    """Return the timer of ROS 2 or 1 that begins a sending of Plastron's, and nothing else."""
+    function = analysis.unit.function_of(sent.scope)
+    calls = [] if function is None else analysis.callers.of(function)
+    around = calls[0].scope.enclosing("function") if len(calls) == 1 else None
+    if around is None or around.function is None:
+        return None
+    body = around.function.node.child_by_field_name("body")
+    is_alone = body is not None and body.named_child_count == 1
+    return _timer_of(analysis, around.function) if is_alone else None
 
 
 def _loop(analysis: Analysis, sent: Sent, block: Node) -> Runner | None:
