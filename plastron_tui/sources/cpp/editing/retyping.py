@@ -22,6 +22,12 @@ from .uses import scope_at, uses_of
 
 _POINTER = re.compile(r"(?:Const)?Ptr\Z|(?:::(?:Const)?(?:Shared|Unique|Weak)?Ptr)\Z")
 _PART = re.compile(r"::(?:Request|Response|Event)(?:Type)?\b.*|(?:Request|Response)(?:Ptr)?\Z")
+# Methods that are the same whatever the type is.
+_ANY_TYPE = frozenset(
+    {b"shutdown", b"reset", b"on_activate", b"on_deactivate", b"service_is_ready", b"isValid"}
+    | {b"wait_for_service", b"waitForExistence", b"exists", b"getService", b"getTopic"}
+    | {b"get_service_name", b"get_topic_name", b"getNumSubscribers", b"get_subscription_count"}
+)
 _TYPES = frozenset({"qualified_identifier", "type_identifier"})
 
 
@@ -177,7 +183,7 @@ def _only_ends(node: Node) -> bool:
     outer = node.parent
     field = None if outer is None else outer.child_by_field_name("field")
     text = b"" if field is None else field.text or b""
-    return text in (b"shutdown", b"reset", b"on_activate", b"on_deactivate")
+    return text in _ANY_TYPE
 
 
 def _retype_callback(update: Replacement, written: _Written) -> int:

@@ -18,7 +18,7 @@ from .leftovers import functions_of
 from .pacing import set_period, set_rate
 from .replacing import NotInPlaceError, Replacement
 from .statements import statement_of
-from .uses import uses_of
+from .uses import scope_at, uses_of, word
 
 _LOOPS = frozenset({"while_statement", "for_statement", "do_statement"})
 _IDLE = re.compile(
@@ -40,6 +40,7 @@ class Sent(NamedTuple):
         statement: the statement that it is in.
         given: what it sends.
         variable: the local variable of the same block that it sends, None for another expression.
+        is_helped: whether a function does it that Plastron writes, for any type.
     """
 
     file: CppFile
@@ -48,6 +49,7 @@ class Sent(NamedTuple):
     statement: Node
     given: Node | None
     variable: Variable | None
+    is_helped: bool = False
 
 
 def sent_through(analysis: Analysis, variable: Variable, methods: frozenset[str]) -> Iterator[Sent]:
@@ -67,7 +69,7 @@ def sent_through(analysis: Analysis, variable: Variable, methods: frozenset[str]
         is_helped = any(each.start_byte <= node.start_byte < each.end_byte for each in arguments)
         given = arguments[-1 if is_helped else 0] if arguments else None
         message = None if given is None else _local(analysis, given, scope, statement)
-        yield Sent(file, scope, call, statement, given, message)
+        yield Sent(file, scope, call, statement, given, message, is_helped)
 
 
 def _helped(analysis: Analysis, file: CppFile, node: Node) -> Node | None:
@@ -189,15 +191,16 @@ def runner_of(analysis: Analysis, sent: Sent) -> Runner | None:
 
 
 def timer_behind(analysis: Analysis, sent: Sent) -> Site | None:
-    """Return the timer of ROS 2 or 1 that begins a sending of Plastron's, and nothing else."""
+    """Return the timer whose function begins a sending in a thread, as Plastron writes it."""
     function = analysis.unit.function_of(sent.scope)
-    calls = [] if function is None else analysis.callers.of(function)
-    around = calls[0].scope.enclosing("function") if len(calls) == 1 else None
-    if around is None or around.function is None:
-        return None
-    body = around.function.node.child_by_field_name("body")
-    is_alone = body is not None and body.named_child_count == 1
-    return _timer_of(analysis, around.function) if is_alone else None
+    found: set[Function] = set()
+    for file in () if function is None else analysis.unit.files:
+        for use in word(function.name).finditer(file.syntax.code) if function else ():
+            around = scope_at(file, use.start()).enclosing("function")
+            other = None if around is None else around.function
+            if other is not None and other.name.startswith("repeat_"):
+                found.add(other)
+    return _timer_of(analysis, found.pop()) if len(found) == 1 else None
 
 
 def _loop(analysis: Analysis, sent: Sent, block: Node) -> Runner | None:

@@ -126,7 +126,8 @@ def _change(update: Replacement, *, is_again: bool) -> tuple[EndpointKind, str |
     sent = sent_now(update, is_retyped=is_retyped) if is_sending(endpoint) else []
     calls_other = wanted is not None and wanted != site.endpoint.callback
     if type_name is not None and is_retyped:
-        if isinstance(endpoint, ActionClient) or (sent and not isinstance(endpoint, Publisher)):
+        is_any = isinstance(endpoint, Publisher) or all(each.sent.is_helped for each in sent)
+        if isinstance(endpoint, ActionClient) or not is_any:
             raise NotInPlaceError
         interface = update.change.kind.facts.interface
         assert interface is not None, "what has a type has a kind of it"
