@@ -63,6 +63,7 @@ def edit_cpp(source: SourceUnit, changes: Sequence[Change], catalog: Catalog) ->
         if each.type is not None and moved(each.type, catalog.ros_version) is None
     }
     catalog = catalog.with_undefined((kind, name) for kind, name in used if kind is not None)
+    where = changes[0].endpoint.span if isinstance(changes[0], Add) else changes[0].span
     edits = _Edits(source, catalog)
     edits.notes += tell_guessed_names(edits.before, changes)
     try:
@@ -72,12 +73,14 @@ def edit_cpp(source: SourceUnit, changes: Sequence[Change], catalog: Catalog) ->
     except UnicodeEncodeError as error:
         character = error.object[error.start]
         message = f"`{source.path.name}` is in {error.encoding}, which has no `{character}`"
-        found = Diagnostic(codes.EDIT_REFUSED, message, help="save the file in UTF-8 first")
+        help_ = "save the file in UTF-8 first"
+        found = Diagnostic(codes.EDIT_REFUSED, message, where, help=help_)
         return Rendered(None, (found,))
     problem = edits.problem()
     if problem is not None:
         message = f"the change of `{source.path.name}` would {problem}"
-        return Rendered(None, (Diagnostic(codes.EDIT_REFUSED, message),))
+        help_ = "make this change in the file by hand"
+        return Rendered(None, (Diagnostic(codes.EDIT_REFUSED, message, where, help=help_),))
     before, after = edits.before, edits.analysis
     uncalled = uncalled_functions(before, after)
     edits.notes += tell_uncalled(uncalled, changes)
@@ -125,15 +128,25 @@ class _Edits:
         renames = [change for change in changes if isinstance(change, Rename)]
         if renames:
             self._apply(plan_renames(self.analysis, renames))
+        removals = [change for change in changes if isinstance(change, Remove)]
         for change in changes:
             if isinstance(change, Add):
                 self._add(change)
             elif isinstance(change, Remove):
-                self._remove(change)
+                self._remove(change, [each for each in removals if each is not change])
             elif isinstance(change, Update):
                 self._update(change)
         said = ((site.endpoint, options_of(site)) for site in self.analysis.sites)
         self.notes += self._exchange.notes(said)
+
+    def _remove(self, change: Remove, others: Sequence[Remove] = ()) -> None:
+        """Take an endpoint out, unless it went with another one that one statement made too."""
+        sites = sites_of(self.analysis, change)
+        if not sites and sites_of(self.before, change):
+            return
+        for site in sites:
+            self._exchange.take((site.endpoint, options_of(site)), change.name)
+        self._apply(plan_removal(self.analysis, change, others))
 
     def _update(self, asked: Update) -> None:
         """Change an endpoint where it stands, or else take it out and write it anew."""
@@ -189,11 +202,6 @@ class _Edits:
         rename = Rename(change.kind, change.name, name, change.span, change.node)
         self._apply(plan_renames(self.analysis, [rename]))
         return change._replace(name=name)
-
-    def _remove(self, change: Remove) -> None:
-        for site in sites_of(self.analysis, change):
-            self._exchange.take((site.endpoint, options_of(site)), change.name)
-        self._apply(plan_removal(self.analysis, change))
 
     def _add(self, change: Add) -> None:
         self._exchange.add(change.endpoint)

@@ -296,7 +296,7 @@ def test_what_only_asks_is_gone(statement: str) -> None:
     before, _ = sides(ASKING.format(statement))
     files, told = edit(before, Remove(K.CLIENT, "set"))
     assert files is not None, told
-    body = files.main.decode().partition("NodeHandle & nh) {\n")[2]
+    body = files.main.decode().partition("NodeHandle & /*nh*/) {\n")[2]
     assert body == '  int kept = 0;\n  ROS_INFO("end");\n  return kept;\n}\n'
 
 
