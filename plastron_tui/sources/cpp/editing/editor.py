@@ -71,7 +71,10 @@ def edit_cpp(source: SourceUnit, changes: Sequence[Change], catalog: Catalog) ->
     problem = edits.problem()
     if problem is not None:
         message = f"the change of `{source.path.name}` would {problem}"
-        return Rendered(None, (Diagnostic(codes.EDIT_REFUSED, message),))
+        remedy = "make this change in the file by hand"
+        spans = [each.endpoint.span if isinstance(each, Add) else each.span for each in changes]
+        span = next((each for each in spans if each is not None), None)
+        return Rendered(None, (Diagnostic(codes.EDIT_REFUSED, message, span, help=remedy),))
     edits.notes += tell_uncalled(edits.before, edits.analysis, changes)
     edits.notes += tell_still_named(edits.analysis, changes)
     return Rendered(edits.files, tuple(edits.notes))
