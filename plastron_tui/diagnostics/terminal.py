@@ -67,6 +67,11 @@ def visible_line(text: str, *, in_colour: bool) -> str:
     return "".join(part + colour for part, colour in pairs)
 
 
+def is_only_colour(text: str) -> bool:
+    """Tell whether a line of a program's output has nothing but colours."""
+    return bool(text) and not _COLOUR.sub("", text)
+
+
 def visible_text(text: str, *, in_colour: bool = False) -> str:
     """Return a text of several lines with what a terminal would obey escaped, as in each line."""
     if text.isprintable():

@@ -152,8 +152,9 @@ def _loading(
     yield NodeFile(name, manager, environment, folders=folders, is_host=True)
     for each in plugins:
         plugin = f"{each.package}/{(each.plugin or '').rpartition('::')[2]}"
-        # The manager is in no namespace, whatever that of the node is.
-        load = (str(loader), "load", plugin, f"/{name}", f"__name:={each.name}")
+        # The manager is in no namespace, whatever that of the node is. It unloads by way of what
+        # it has not any more where it ends while a bond breaks, and the run ends both anyway.
+        load = (str(loader), "load", plugin, f"/{name}", "--no-bond", f"__name:={each.name}")
         yield NodeFile(
             each.name,
             load,

@@ -8,7 +8,7 @@ import os
 from collections.abc import Callable, Iterable, Mapping
 from typing import TextIO
 
-from plastron_tui.diagnostics.terminal import visible, visible_line, wants_colour
+from plastron_tui.diagnostics.terminal import is_only_colour, visible, visible_line, wants_colour
 
 from .child import Exit, Process, Role
 from .table import Screen
@@ -58,7 +58,13 @@ class Console:
         self.labelled(process.name, text)
 
     def labelled(self, name: str, text: str) -> None:
-        """Write a line under a name."""
+        """Write a line under a name.
+
+        roscpp ends the text of a message with a line break, and rosconsole puts the end of its
+        colour behind that: there is nothing to see in such a line.
+        """
+        if is_only_colour(text):
+            return
         code = self._colour_of.get(name, _DIM)
         shown = visible_line(text, in_colour=self._out_colour)
         self._write(self._out, self._label(name, code, self._out_colour) + shown)

@@ -6,7 +6,13 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from plastron_tui.diagnostics.terminal import visible, visible_line, wants_colour, width
+from plastron_tui.diagnostics.terminal import (
+    is_only_colour,
+    visible,
+    visible_line,
+    wants_colour,
+    width,
+)
 
 
 class Terminal(io.StringIO):
@@ -64,3 +70,17 @@ def test_nothing_that_a_terminal_obeys_is_left(text: str) -> None:
     assert visible(text).isprintable()
     line = visible_line(text, in_colour=False)
     assert not set(line) & {chr(code) for code in (*range(9), *range(10, 32), *range(127, 160))}
+
+
+@pytest.mark.parametrize(
+    ("text", "told"),
+    [
+        ("\x1b[0m", True),
+        ("\x1b[0m\x1b[1;31m", True),
+        ("", False),
+        ("\x1b[0m ", False),
+        ("a", False),
+    ],
+)
+def test_a_line_of_colours_alone(text: str, told: bool) -> None:
+    assert is_only_colour(text) is told

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+import signal
 from dataclasses import replace
 from pathlib import Path
 from xmlrpc.client import ServerProxy
@@ -105,11 +106,12 @@ def cpp(ros1: Graph) -> CppGraph:
     return CppGraph("rospy", *parts)
 
 
-def end(*nodes: Process) -> None:
-    """Ctrl-C ends each node, with status 0, and nobody complains of it."""
+def end(*nodes: Process, by: signal.Signals = signal.SIGINT) -> None:
+    """Ctrl-C, or what a service manager sends, ends nodes with status 0; nobody complains."""
     for each in nodes:
         before = len(COMPLAINT.findall(each.output))
-        assert each.interrupt(20) == 0, each.output
+        each.send(by)
+        assert each.wait(20) == 0, each.output
         assert len(COMPLAINT.findall(each.output)) == before, each.output
 
 
@@ -139,7 +141,7 @@ def test_a_node_and_its_peers(cpp: CppGraph, programs: Programs) -> None:
     # What works on a goal tells its client that the node ends.
     sender = send(cpp)
     wait_until(lambda: told(sender, "feedback"), "a feedback")
-    end(node)
+    end(node, by=signal.SIGTERM)
     assert outcomes(sender) == {0: "aborted"}
 
 
@@ -148,7 +150,7 @@ def test_a_node_that_ends_after_its_calls(cpp: CppGraph, programs: Programs) -> 
     alone = cpp.run(pilot)
     alone.wait_to_print("/enable_motor: nobody serves it")
     alone.wait_to_print("/ready: nobody serves it")
-    end(alone)
+    end(alone, by=signal.SIGTERM)
     mute = peer(cpp, "answer", 600)
     mute.wait_to_print('"serving"')
     server = peer(cpp, "serve", "count", TYPE["rospy"], "abort", FEEDBACK, RESULT)

@@ -50,5 +50,9 @@ def test_a_program_is_built_started_and_loaded(ros1: Graph, tmp_path: Path) -> N
     assert "/chatter" in manager["subscriptions"]
     assert "/words" in ros1.endpoints("echo")["subscriptions"]
     assert run.interrupt() == 128 + signal.SIGINT, run.output
-    said = run.output.replace("\n", " ")
+    lines = run.output.splitlines()
+    said = " ".join(lines)
     assert "chatter: data: hello" in said
+    # Neither what a message's text ends in, nor an end that somebody has to be told of.
+    assert "robot_manager | " not in lines
+    assert "abort" not in said and "SIG" not in said

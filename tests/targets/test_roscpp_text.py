@@ -130,7 +130,9 @@ WRITTEN = {
         "if (is_served(on_client_)) { std_srvs::SetBool call; call.request.data = true; "
         "ask(on_client_, call); }",
         "int main(int argc, char ** argv) { "
-        'ros::init(argc, argv, "robot"); RobotNode node; return node.run(); }',
+        'ros::init(argc, argv, "robot"); // roscpp handles SIGINT alone. '
+        "std::signal(SIGTERM, [](int) {ros::requestShutdown();}); "
+        "RobotNode node; return node.run(); }",
         "return ros::ok() ? exit_status_ : 0;",
     ),
     "calls beside other work": (

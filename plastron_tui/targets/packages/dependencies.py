@@ -79,19 +79,20 @@ def _for_tests(spec: PackageSpec) -> set[str]:
     if spec.is_bare:
         return set()
     if spec.ros_version == 1:
-        nodes = {"python3-pytest", "rosgraph", "rosmaster"} if spec.scripts else set()
-        return nodes | ({"roslaunch"} if spec.launches else set())
+        needed = {"python3-pytest", "rosgraph", "rosmaster"} if spec.nodes else set()
+        needed |= {"roslib"} if spec.built else set()
+        return needed | ({"roslaunch"} if spec.launches else set())
     needed = set(_LINTERS[spec.builds])
     if spec.built:
-        needed |= {"ament_cmake_cpplint", "ament_cmake_uncrustify"}
-        needed |= {"ament_cmake_flake8", "ament_cmake_pep257"} if spec.scripts else set()
-    if spec.scripts:
+        needed |= {f"ament_cmake_{each}" for each in ("cpplint", "flake8", "pep257", "uncrustify")}
+        needed |= {"ament_index_python", "rclpy"}
+    if spec.nodes:
         needed |= {"domain_coordinator"}
         if spec.builds is BuildType.AMENT_PYTHON:
             needed.add("python3-pytest")
         else:
             needed.add("ament_cmake_pytest")
-        if any(each.node.is_managed for each in spec.scripts):
+        if any(each.node.is_managed for each in spec.nodes):
             needed.add("lifecycle_msgs")
     return needed
 

@@ -215,10 +215,10 @@ def _filled(spec: PackageSpec, template: str) -> bytes:
                 "executable": each.executable,
                 "module": each.module,
                 "path": node_path(spec, each),
-                "test": _test_of(each),
             }
             for each in spec.scripts
         ],
+        "tested": _tested(spec),
         "folders": [
             *(["launch"] if spec.launches else []),
             *(["config"] if spec.configs else []),
@@ -270,19 +270,19 @@ def _tests(spec: PackageSpec) -> dict[str, bytes]:
     shared = {
         "package": spec.name,
         "has_localhost_only": spec.for_distribution in ("foxy", "galactic", "humble"),
-        "is_managed": any(each.node.is_managed for each in spec.scripts),
+        "is_managed": any(each.node.is_managed for each in spec.nodes),
+        "has_scripts": bool(spec.scripts),
+        "has_programs": bool(spec.built),
     }
     folder = "ros1" if spec.ros_version == 1 else "ros2"
-    if spec.scripts:
+    if spec.nodes:
         files["test/conftest.py"] = _render(f"tests/{folder}_conftest.py.j2", shared)
-    for node in spec.scripts:
+    for node in spec.nodes:
         values = shared | {
             "node": python_string(node.node.name),
             "label": node.node.name,
             "test": _test_of(node),
-            "started": python_string(
-                node_path(spec, node) if spec.ros_version == 1 else f"{spec.modules}.{node.module}"
-            ),
+            "running": _running(spec, node),
             "is_managed": node.node.is_managed,
             "expected": [
                 ", ".join(python_string(part) for part in each if part)
@@ -294,6 +294,28 @@ def _tests(spec: PackageSpec) -> dict[str, bytes]:
         for name in ("flake8", "pep257"):
             files[f"test/test_{name}.py"] = _render(f"tests/{name}.py.j2", {})
     return files
+
+
+def _tested(spec: PackageSpec) -> list[dict[str, str | None]]:
+    """Return the tests of the nodes, and the target that has to be built before each."""
+    targets = {each.node.module: each.target for each in built_nodes(spec)}
+    return [
+        {"test": _test_of(each), "target": targets.get(each.module) if each.is_built else None}
+        for each in spec.nodes
+    ]
+
+
+def _running(spec: PackageSpec, node: PackagedNode) -> str:
+    """Return the call of the fixture that starts a node."""
+    if not node.is_built:
+        is_file = spec.ros_version == 1
+        started = node_path(spec, node) if is_file else f"{spec.modules}.{node.module}"
+        return f"running({python_string(started)})"
+    words = [spec.name, node.executable]
+    if node.plugin is not None and spec.ros_version == 1:
+        named = f"__name:={node.node.name}"
+        words = ["nodelet", "nodelet", "standalone", plugin_name(spec, node), named]
+    return f"running_program({', '.join(map(python_string, words))})"
 
 
 def _test_of(node: PackagedNode) -> str:

@@ -8,7 +8,9 @@ from pathlib import Path
 from made_packages import ADA, nodes_of, packages_of, with_types
 
 from plastron_tui.diagnostics import Span
+from plastron_tui.model.kinds.publisher import Publisher
 from plastron_tui.model.workspace import Node
+from plastron_tui.ros.interfaces import InterfaceName
 from plastron_tui.sources import find_language
 from plastron_tui.targets.packages import PackagedNode, PackageSpec
 
@@ -17,6 +19,8 @@ create_node 'echo' as echo
 subscribe echo to 'chatter' of message_type String
 generate_node echo
 """
+
+VALUE = ("value", "std_msgs/Float64")
 
 _HEADER = """\
 #ifndef {guard}
@@ -231,14 +235,23 @@ RCLCPP_COMPONENTS_REGISTER_NODE(demo::Relay)
 
 
 def _node(
-    name: str, library: str, text: str, header: str | None = None, plugin: str | None = None
+    name: str,
+    library: str,
+    text: str,
+    header: str | None = None,
+    plugin: str | None = None,
+    sends: tuple[str, str] = ("level", "demo/Level"),
 ) -> PackagedNode:
+    """Return a node by its files, and by the topic that it sends to."""
+    topic, type_ = sends
+    node = Node(name, name, Span(0, 0), library)
+    node.put(Publisher(topic, InterfaceName(*type_.split("/"))))
     others = () if header is None else ((f"../include/demo/{name}.hpp", header.encode()),)
     return PackagedNode(
         name,
         name,
         text.encode(),
-        Node(name, name, Span(0, 0), library),
+        node,
         find_language("cpp"),
         library,
         others=others,
@@ -251,7 +264,7 @@ def ros1_package(folder: Path) -> PackageSpec:
     header = _HEADER.format(guard="DEMO_TALKER_HPP", client="<ros/ros.h>")
     nodes = (
         _node("talker", "roscpp", _TALKER_1, header),
-        _node("relay", "nodelet", _RELAY_1, plugin="demo::Relay"),
+        _node("relay", "nodelet", _RELAY_1, plugin="demo::Relay", sends=VALUE),
         *nodes_of(PYTHON, "rospy", folder),
     )
     return with_types(_spec(nodes, 1))
@@ -261,7 +274,7 @@ def ros2_package(folder: Path) -> PackageSpec:
     """Return a package with types, a program in two files, a script, and a component."""
     nodes = (
         _node("talker", "rclcpp", _TALKER_2, _HEADER_2),
-        _node("relay", "component", _RELAY_2, _RELAY_HEADER_2, "demo::Relay"),
+        _node("relay", "component", _RELAY_2, _RELAY_HEADER_2, "demo::Relay", VALUE),
         *nodes_of(PYTHON, "rclpy", folder),
     )
     return replace(with_types(_spec(nodes, 2)), builds_types=True)
@@ -276,7 +289,8 @@ def plain_package(folder: Path) -> PackageSpec:
             ".value", ".data"
         )
 
-    talker = _node("talker", "rclcpp", plain(_TALKER_2), plain(_HEADER_2))
+    sends = ("level", VALUE[1])
+    talker = _node("talker", "rclcpp", plain(_TALKER_2), plain(_HEADER_2), sends=sends)
     return _spec((talker, *nodes_of(PYTHON, "rclpy", folder)), 2)
 
 

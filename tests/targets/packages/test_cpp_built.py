@@ -24,13 +24,16 @@ def rclcpp(tmp_path_factory: pytest.TempPathFactory) -> CppLibrary:
 
 
 def test_catkin_builds_a_program_a_nodelet_and_a_script(tmp_path: Path) -> None:
-    skip_without("catkin_make", path=SYSTEM)
+    skip_without("catkin_make", "rosmaster", path=SYSTEM)
     write(render_package(ros1_package(tmp_path)), tmp_path / "src/demo")
     call(["catkin_make", "install"], tmp_path, {"PATH": SYSTEM, **STRICT})
     installed = tmp_path / "install"
     for name in ("talker", "echo.py"):
         assert os.access(installed / "lib/demo" / name, os.X_OK)
     assert (installed / "lib/libdemo_relay.so").is_file()
+    call(["catkin_make", "run_tests"], tmp_path, {"PATH": SYSTEM})
+    told = call(["catkin_test_results", "build"], tmp_path, {"PATH": SYSTEM})
+    assert "3 tests, 0 errors, 0 failures" in told
 
 
 def test_colcon_builds_a_program_and_a_script(rclcpp: CppLibrary, tmp_path: Path) -> None:
@@ -42,3 +45,6 @@ def test_colcon_builds_a_program_and_a_script(rclcpp: CppLibrary, tmp_path: Path
     for name in ("talker", "echo", *(["relay"] if rclcpp.is_real else [])):
         assert os.access(tmp_path / "install/demo/lib/demo" / name, os.X_OK)
     assert not list((tmp_path / "install/demo").rglob("*.hpp")) or rclcpp.is_real
+    call(["colcon", "test"], tmp_path, environ)
+    told = call(["colcon", "test-result", "--verbose"], tmp_path, environ)
+    assert ", 0 errors, 0 failures" in told, told

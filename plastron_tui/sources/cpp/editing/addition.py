@@ -35,6 +35,7 @@ from .adding import Addition
 from .calling import add_requests
 from .clang_format import ClangFormat
 from .computing import computing_for
+from .existing_callbacks import check_callback
 from .functions import write_function
 from .handles import handle_for
 from .hearing import (
@@ -53,6 +54,7 @@ from .parameters import declare_parameter
 from .place import beside, find_place, sites_of_node
 from .plans import Plan
 from .sending import Sender, add_publishing
+from .shared_names import shared_name
 from .timers import create_timer, event_parameter, node_captures, period_of, timer_name
 
 K = EndpointKind
@@ -111,6 +113,8 @@ def plan_addition(
     added.put_at_place()
     open_private(added)
     added.include_types(added.place.file)
+    shared = shared_name(added)
+    added.plan.notes += [] if shared is None else [shared]
     for splices in added.plan.splices.values():
         order_includes(splices)
     return added.plan
@@ -122,7 +126,9 @@ def _add(added: Addition) -> None:
     present = [
         site
         for site in added.sites
-        if site.endpoint.kind is added.kind and site.endpoint.name == endpoint.name
+        if site.endpoint.kind is added.kind
+        and site.endpoint.name == endpoint.name
+        and site.shape.on != "object"
     ]
     if present and is_sending(endpoint):
         sender = _present(added, present)
@@ -169,7 +175,10 @@ def _present(added: Addition, present: list[Site]) -> Sender:
 def _repeat(added: Addition, timer: Timer) -> None:
     """Call a function at a rate."""
     added.taken.add(timer.name)
-    if existing(added, timer.name) is None:
+    found = existing(added, timer.name)
+    if found is not None:
+        check_callback(added.analysis, K.TIMER, found, None, added.span)
+    else:
         body = [log_line(added, f"{naming.label(timer.name, 'a timer')} ticks", "")]
         event = [each for each in (event_parameter(added),) if each]
         write_function(added, timer.name, event, body, "Called at a rate.")
@@ -278,7 +287,9 @@ def write_callback(added: Addition) -> str:
 def _callback(added: Addition, interface: Interface, class_: str) -> str:
     """Return the name of what the endpoint calls; what the files have not is written."""
     wanted = callback_of(added.endpoint)
-    if wanted is not None and existing(added, wanted) is not None:
+    found = existing(added, wanted) if wanted is not None else None
+    if wanted is not None and found is not None:
+        check_callback(added.analysis, added.kind, found, interface.name, added.span)
         if isinstance(added.endpoint, Service) and added.endpoint.answer is not None:
             message = f"the answer of `{added.endpoint.name}` is not written into a function that"
             remedy = "leave out `answering`, and fill in the response by hand in its function"

@@ -23,7 +23,7 @@ from .adding import Addition
 from .handles import handle_for
 from .interfaces import refuse
 from .members import hold
-from .place import beside, node_in_methods
+from .place import beside, node_in_methods, start_rank
 
 K = EndpointKind
 
@@ -193,6 +193,12 @@ def _follow_declaration(added: Addition, name: str) -> None:
     here = [each for each in places if each.function is added.place.function]
     if any(each.offset <= added.place.offset for each in here):
         return
+    # What runs once as the node starts is as good a place.
+    here += [
+        each
+        for each in places
+        if each.owner is added.place.owner and start_rank(added.analysis, each.function) is not None
+    ]
     if not here:
         message = f"`{name}` is not declared where `{added.endpoint.name}` is created"
         refuse(codes.EDIT_REFUSED, message, added.span, "write the timer by hand")

@@ -100,7 +100,7 @@ def find_place(analysis: Analysis, change: Add, kind: EndpointKind) -> Place:
             continue
         if any(place.function.node.id == each.node.id for each in _called_back(analysis)):
             continue
-        rank = _rank(analysis, place.function)
+        rank = start_rank(analysis, place.function)
         if rank is None:
             continue
         is_parameter = site.endpoint.kind is EndpointKind.PARAMETER
@@ -148,14 +148,16 @@ def is_model(site: Site) -> bool:
     return is_own and not is_listener and "message_filters" not in site.call.qualifier
 
 
-def _rank(analysis: Analysis, function: Function, depth: int = 0) -> int | None:
+def start_rank(analysis: Analysis, function: Function, depth: int = 0) -> int | None:
     """Tell how sure a function runs once as the node starts: 0 is sure, None is not at all."""
     owner = analysis.unit.class_of_function(function)
     if function.name in ("main", "onInit") or (owner is not None and owner.name == function.name):
         return 0
     if depth > 4:
         return None
-    calls = analysis.callers.of(function)
+    # `Base::onInitialize()` in an `onInitialize` is that of the base class.
+    found = analysis.callers.of(function)
+    calls = [each for each in found if analysis.unit.function_of(each.scope) is not function]
     if len(calls) > 1:
         # Of several constructors one runs.
         outers = [analysis.unit.function_of(each.scope) for each in calls]
@@ -174,7 +176,7 @@ def _rank(analysis: Analysis, function: Function, depth: int = 0) -> int | None:
     outer = analysis.unit.function_of(call.scope)
     if outer is None or inner is None or inner.type == "lambda_expression":
         return None
-    return _rank(analysis, outer, depth + 1)
+    return start_rank(analysis, outer, depth + 1)
 
 
 def beside(analysis: Analysis, site: Site) -> Place | None:

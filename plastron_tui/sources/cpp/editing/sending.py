@@ -20,6 +20,7 @@ from .computing import computing_for
 from .hearing import hearing_functions
 from .interfaces import refuse
 from .members import declare, is_local
+from .parameter_names import commented_name, give_name
 from .place import node_in_methods
 from .timers import capture, node_captures, period_of, run_at, timer_name
 from .turns import Turn, may_leave, own_turn
@@ -203,7 +204,7 @@ def _react(added: Addition, sender: Sender, publication: Publication, reaction: 
         reason = "the file does not subscribe to it"
     elif function is None or body is None:
         reason = "no one function of the file hears it"
-    elif len(function.parameters) != 1 or not function.parameters[0].name:
+    elif len(function.parameters) != 1:
         reason = f"`{function.name or 'a lambda'}` takes more or less than the message"
     elif not _sees(added, function, sender):
         reason = f"`{function.name or 'a lambda'}` does not see `{sender.variable}`"
@@ -222,10 +223,16 @@ def _react(added: Addition, sender: Sender, publication: Publication, reaction: 
     interface = None
     if type_ is not None:
         interface = added.interfaces.find(type_, InterfaceKind.MESSAGE, publication.span)
-    holder = f"{parameter.name}{'->' if is_pointer else '.'}"
+    name = parameter.name
+    if not name:
+        commented = commented_name(function, parameter)
+        name = "msg" if commented is None else commented[0]
+    holder = f"{name}{'->' if is_pointer else '.'}"
     variable = added.free(f"{added.topic}_message")
     fields = interface.fields if interface is not None else ()
     lines = sends(added, sender, publication, variable, holder, fields)
+    if not parameter.name and any(holder in line for line in lines):
+        give_name(added.plan, function, parameter, name)
     # What the function may leave early, or moves away, is sent at its start.
     syntax = function.file.syntax
     is_end = (
