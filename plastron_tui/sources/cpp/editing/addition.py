@@ -152,6 +152,9 @@ def _present(added: Addition, present: list[Site]) -> Sender:
             place = beside(added.analysis, site)
             if variable is None or place is None:
                 continue
+            if place.owner is not None or place.function.name != "main":
+                # It is gone, or not seen, where something is sent later.
+                continue
             added.place = place
         qos = site.endpoint.qos
         if once and (qos is None or qos.durability != "transient_local"):

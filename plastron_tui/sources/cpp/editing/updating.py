@@ -214,6 +214,9 @@ def _call(update: Replacement, wanted: str | None, *, is_retyped: bool) -> str:
         or len(own[0].parameters) != _TAKEN[site.shape.kind]
     ):
         raise NotInPlaceError
+    if analysis.unit.class_of(site.place) is not owner:
+        # A new function would be of the class that creates the endpoint.
+        raise NotInPlaceError
     name = _write(update, is_retyped=is_retyped)
     update.put(site.place.file, name_node, name)
     return name
