@@ -153,3 +153,56 @@ def test_a_package_that_cannot_be_read_is_told(tmp_path):
     assert [(x.severity, x.file) for x in told] == [("warning", folder / "package.xml")]
     after = texts(folder)
     assert {name for name in after if after[name] != before[name]} == {"src/talker.cpp"}
+
+
+NOTHING = PROGRAM.format("")
+LISTS = [("roscpp", CATKIN), *(("rclcpp", AMENT.replace("LINKED", each)) for each in LINKED)]
+
+
+HAD = "<build_depend>sensor_msgs</build_depend>\n  "
+WAYS = [(*each, *way) for each in LISTS for way in (("", "\n"), (HAD, "\n"), (HAD, "\r\n"))]
+
+
+@pytest.mark.parametrize(
+    ("library", "lists", "declared", "end"), mostly_long(WAYS, [WAYS[2], WAYS[3]])
+)
+def test_what_came_with_an_endpoint_goes_with_it(tmp_path, library, lists, declared, end):
+    folder = package(tmp_path, library, lists)
+    tag = "<depend>std_msgs</depend>"
+    xml = (folder / "package.xml").read_text().replace(tag, f"{declared}{tag}")
+    for path, text in (("package.xml", xml), ("CMakeLists.txt", lists)):
+        (folder / path).write_bytes(text.replace("\n", end).encode())
+    before = texts(folder)
+    for _ in range(2):
+        run(HEARS, tmp_path, library, in_place=True)
+        after = texts(folder)
+        assert all(after[name] != before[name] for name in before)
+        run(NOTHING, tmp_path, library, in_place=True)
+        assert texts(folder) == before
+
+
+def test_what_another_node_includes_stays(tmp_path):
+    folder = package(tmp_path, "rclcpp", AMENT.replace("LINKED", next(iter(LINKED))))
+    run(HEARS, tmp_path, "rclcpp", in_place=True)
+    (folder / "src/other.cpp").write_text("#include <sensor_msgs/msg/image.hpp>\n")
+    lists = texts(folder)["CMakeLists.txt"]
+    assert changed(tmp_path, NOTHING, "rclcpp") == []
+    assert texts(folder)["CMakeLists.txt"] == lists
+    # Once that is gone too, so is what came.
+    (folder / "src/other.cpp").unlink()
+    assert changed(tmp_path, NOTHING, "rclcpp") == [
+        "+ament_target_dependencies(talker rclcpp std_msgs)",
+        "-find_package(sensor_msgs REQUIRED)",
+        "-ament_target_dependencies(talker rclcpp sensor_msgs std_msgs)",
+        "-  <depend>sensor_msgs</depend>",
+    ]
+
+
+def test_what_was_there_before_stays(tmp_path):
+    lists = AMENT.replace("LINKED", next(iter(LINKED)))
+    found = "find_package(sensor_msgs REQUIRED)\nfind_package(std_msgs"
+    folder = package(tmp_path, "rclcpp", lists.replace("find_package(std_msgs", found))
+    before = texts(folder)
+    run(HEARS, tmp_path, "rclcpp", in_place=True)
+    run(NOTHING, tmp_path, "rclcpp", in_place=True)
+    assert texts(folder) == before

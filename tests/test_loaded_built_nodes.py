@@ -136,3 +136,31 @@ def test_what_another_node_needs_by_now_stays(tmp_path: Path) -> None:
     assert b"find_package(std_msgs REQUIRED)" in now["CMakeLists.txt"]
     assert b"<depend>std_msgs</depend>" in now["package.xml"]
     assert b"talker" not in now["CMakeLists.txt"]
+
+
+DECLARED = {
+    "<build_depend>std_msgs</build_depend>": "<exec_depend>std_msgs</exec_depend>",
+    "<exec_depend>std_msgs</exec_depend>": "<build_depend>std_msgs</build_depend>",
+    "<build_depend>std_msgs</build_depend>\n  <exec_depend>std_msgs</exec_depend>": None,
+    "<depend>std_msgs</depend>": None,
+    "<test_depend>std_msgs</test_depend>": "<depend>std_msgs</depend>",
+}
+
+
+@pytest.mark.parametrize("library", ["roscpp", "rclcpp"])
+@pytest.mark.parametrize("declared", DECLARED)
+def test_elements_that_were_there_before_stay(tmp_path: Path, declared: str, library: str) -> None:
+    kind = "catkin, full" if library == "roscpp" else "ament, full"
+    files = package(kind)
+    tag = f"<depend>{library}</depend>"
+    files["package.xml"] = files["package.xml"].replace(tag, f"{tag}\n  {declared}")
+    folder = lay(tmp_path, files)
+    before = texts(folder)
+    run(program(library), tmp_path, library, in_place=True)
+    after = texts(folder)["package.xml"].decode()
+    new = DECLARED[declared]
+    assert after.count("std_msgs") == declared.count("std_msgs") + (new is not None)
+    assert new is None or new in after
+    run(OUT, tmp_path, library, in_place=True)
+    assert texts(folder)["package.xml"] == before["package.xml"]
+    assert texts(folder)["CMakeLists.txt"] == before["CMakeLists.txt"]

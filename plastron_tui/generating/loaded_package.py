@@ -57,6 +57,9 @@ _DEPENDS = "depends"
 """The dependencies that came with a node's file, as the manifest remembers them."""
 
 
+_TAGS = "tags"
+"""The elements of package.xml that came with a node's file, by dependency."""
+
 _FOUND = "found"
 """The packages that the build finds since a node's file came."""
 
@@ -149,7 +152,7 @@ class _Change:
             ours = {each for each in self.source.texts if self._added(each) is not None}
             was_there = file is not None and self._remembered(file, _INSTALLED) is False
             of, came = needs_in(self.source, self.libraries, file), self._found(file)
-            needs = Needs(of, added, ours, came)
+            needs = Needs(of, added, ours, came, self._tags(file))
             if known.built:
                 changed = remove_built_node(
                     self.source, self.texts, name, needs, is_built_elsewhere=was_there
@@ -321,13 +324,19 @@ class _Change:
             return None
         return {key: value is True for key, value in known.items()}
 
+    def _tags(self, file: str | None) -> dict[str, tuple[str, ...]]:
+        """Return the elements that came with a file, by dependency, as far as that is told."""
+        known = None if file is None else self._remembered(file, _TAGS)
+        found = known.items() if isinstance(known, dict) else ()
+        return {key: tuple(map(str, tags)) for key, tags in found if isinstance(tags, list)}
+
     def _found(self, file: str | None) -> frozenset[str] | None:
         """Return the packages that the build finds since a file came, None where nothing tells."""
         known = None if file is None else self._remembered(file, _FOUND)
         return frozenset(map(str, known)) if isinstance(known, list) else None
 
     def _write_node(
-        self, file: OutputFile, added: Sequence[str], found: Sequence[str] = ()
+        self, file: OutputFile, added: Mapping[str, Sequence[str]], found: Sequence[str] = ()
     ) -> None:
         """Write a file of a node, and remember which dependencies came with it."""
         inner = self._inner(file.name)
@@ -338,14 +347,18 @@ class _Change:
         }
         modules = needs_in(self.source, self.libraries, inner)(file.text)
         came = {key: any(named_elsewhere(others, (key, *modules.get(key, ())))) for key in added}
+        tags = {key: list(each) for key, each in added.items()}
         self.moved.append(file.name)
         if self._is_in_place(inner):
             came.update(self._added(inner) or {})
+            for key, each in self._tags(inner).items():
+                tags[key] = list(dict.fromkeys((*each, *tags.get(key, ()))))
             found = sorted({*found, *(self._found(inner) or ())})
             path, entry = self.source.folder / inner, self._entry(inner)
             file = replace(file, path=path, entry=entry, merged_from=None, layers=None)
         if file.base is not None:
-            file = replace(file, base={**file.base, _DEPENDS: came, _FOUND: list(found)})
+            remembered = {_DEPENDS: came, _TAGS: tags, _FOUND: list(found)}
+            file = replace(file, base={**file.base, **remembered})
         self.written.append(file)
 
     def files(self) -> list[OutputFile]:
