@@ -78,6 +78,22 @@ def changed_in_place(
             yield each, each.files.path
 
 
+def loaded_from(
+    source: PackageSource, made: Sequence[Generated], libraries: Mapping[str, Library]
+) -> Iterator[tuple[Generated, Path]]:
+    """Yield the nodes that are built, and were loaded from files of a package, with their paths."""
+    folder = os.path.realpath(source.folder)
+    for each in made:
+        loaded, library = each.generation.node.source, libraries.get(each.generation.library)
+        if loaded is None or library is None or each.files is None:
+            continue
+        if not library.target.language.is_built:
+            continue
+        inner = os.path.relpath(os.path.realpath(loaded.path), folder)
+        if inner.replace(os.sep, "/") in source.texts:
+            yield each, source.folder / inner
+
+
 def new_packages(generated: Generated, library: Library) -> list[str]:
     """Return the packages whose headers a loaded node includes that it did not before."""
     loaded, files = generated.generation.node.source, generated.files

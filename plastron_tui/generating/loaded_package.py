@@ -35,6 +35,7 @@ from plastron_tui.sources.packages import (
 from plastron_tui.targets.packages.dependencies import needs_of_definitions
 from plastron_tui.targets.packages.spec import PackagedLaunch, PackageSpec
 
+from .built_in_place import Memory, loaded_from, remember, remembered, with_needs
 from .launch_files import is_within, name_within
 from .loaded_needs import known_packages, needs_in
 from .loaded_nodes import with_node
@@ -122,6 +123,7 @@ def loaded_package_files(
             work.put(contained, generated)
         elif isinstance(contained.item, Launch) and variable in launches:
             work.put_launch(contained, contained.item, launches[variable])
+    work.put_needs([each for each in made if each.generation.node.variable not in package.contents])
     if any(each.severity is Severity.ERROR for each in work.found):
         return LoadedFiles((), frozenset(), tuple(work.found))
     return LoadedFiles((*work.files(), *work.written), frozenset(work.moved), tuple(work.found))
@@ -138,6 +140,7 @@ class _Change:
     texts: dict[str, bytes]
     found: list[Diagnostic] = field(default_factory=list)
     written: list[OutputFile] = field(default_factory=list)
+    _needs: tuple[Memory, Memory] = ({}, {})
     moved: list[str] = field(default_factory=list)
 
     def take_out(self) -> None:
@@ -217,6 +220,14 @@ class _Change:
         for each in generated.files.output_files():
             base = None if each.base is None else {**each.base, _INSTALLED: is_new}
             self._write_node(replace(each, base=base), changed.added, changed.found)
+
+    def put_needs(self, made: Sequence[Generated]) -> None:
+        """Let the package build what nodes of its files, each loaded by itself, come to need."""
+        nodes = list(loaded_from(self.source, made, self.libraries))
+        known = remembered(self.source, self.output, self.manifest) if self.in_place else {}
+        needed = with_needs(self.source, self.texts, nodes, self.libraries, known)
+        self.found += needed.diagnostics
+        self.texts, self._needs = dict(needed.texts), (known, needed.memory)
 
     def _begins_to_install(self, before: Mapping[str, bytes], file: str) -> bool:
         """Tell whether it is with a file that the package begins to install it, or did before."""
@@ -365,7 +376,7 @@ class _Change:
         """Return the files that were there and are changed."""
         found = []
         for name, text in self.texts.items():
-            before = self.source.texts.get(name)
+            original = self.source.texts.get(name)
             is_over = self._is_in_place(name)
             # What an earlier run changed is as it was before when nothing of it is left. What it
             # copied has a base.
@@ -373,15 +384,16 @@ class _Change:
             is_left = not is_over and there in manifest and there not in manifest.bases
             # What becomes of a definition that is there is said by who loads it.
             is_left = is_left and not name.endswith(_DEFINITIONS)
-            if text == before and not is_left:
+            if text == original and not is_left:
                 continue
             found.append(
                 OutputFile(
                     f"{self.source.name}/{name}",
                     text,
                     is_executable=False,
-                    merged_from=before if is_over else None,
+                    merged_from=original if is_over else None,
                     path=self.source.folder / name if is_over else None,
                 )
             )
-        return found
+        before, needs = self._needs
+        return remember(found, self.source, needs, before, self.output) if self.in_place else found
