@@ -42,6 +42,7 @@ from .loaded_nodes import with_node
 from .loaded_notes import file_stays, script_elsewhere
 from .own_definitions import own_definitions
 from .package_spec import packaged_node
+from .renamed_nodes import renamed_nodes
 from .text_files import entry_of
 
 if TYPE_CHECKING:
@@ -112,7 +113,7 @@ def loaded_package_files(
     source = package.source
     assert source is not None, "the package was loaded"
     work = _Change(package, source, libraries, output, manifest, in_place, dict(source.texts))
-    work.take_out()
+    work.take_out(renamed_nodes(package, made, output, manifest) if in_place else {})
     work.take_out_launches()
     for own in types:
         work.put_type(own)
@@ -143,12 +144,12 @@ class _Change:
     _needs: tuple[Memory, Memory] = ({}, {})
     moved: list[str] = field(default_factory=list)
 
-    def take_out(self) -> None:
-        """Take out what the program takes out of the package.
+    def take_out(self, renamed: Mapping[str, Span]) -> None:
+        """Take out what the program takes out of the package, or calls otherwise now.
 
         A dependency that the package had before the node came stays, where the manifest tells.
         """
-        for name, span in self.package.removed.items():
+        for name, span in {**renamed, **self.package.removed}.items():
             known = self.source.installed(name)
             file = known.file or next(iter(known.sources), None)
             added = None if file is None else self._added(file)
