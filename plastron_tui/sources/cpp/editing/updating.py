@@ -245,7 +245,7 @@ def _replace_lambda(
     ):
         raise NotInPlaceError
     name = found.name if found is not None else _write(update, is_retyped=is_retyped)
-    handed, _ = bound(added, name, takes)
+    handed = bound(added, name, takes)
     update.put(site.place.file, given, ", ".join(handed))
     text = " ".join(site.place.file.syntax.slice(given).split())
     message = f"`{text}` of `{update.old}` is not kept for `{endpoint.name}`"
