@@ -51,8 +51,9 @@ from .logging import log_line
 from .manner import callback_naming, held_by, identifiers, split_words
 from .members import hold, is_local, open_private, type_of
 from .parameters import declare_parameter
-from .place import beside, find_place, sites_of_node
+from .place import find_place, sites_of_node
 from .plans import Plan
+from .sender_place import goes_where_it_is_seen
 from .sending import Sender, add_publishing
 from .shared_names import shared_name
 from .timers import create_timer, event_parameter, node_captures, period_of, timer_name
@@ -148,14 +149,8 @@ def _present(added: Addition, present: list[Site]) -> Sender:
     once = isinstance(endpoint, Publisher) and any(each.is_once for each in endpoint.publications)
     for site in reversed(present):
         variable = held_by(added.analysis, site)
-        if variable is None or (variable.kind == "local" and site is not added.place.beside):
-            place = beside(added.analysis, site)
-            if variable is None or place is None:
-                continue
-            if place.owner is not None or place.function.name != "main":
-                # It is gone, or not seen, where something is sent later.
-                continue
-            added.place = place
+        if variable is None or not goes_where_it_is_seen(added, site, variable):
+            continue
         qos = site.endpoint.qos
         if once and (qos is None or qos.durability != "transient_local"):
             how = "transient_local" if added.is_ros2 else "latched"

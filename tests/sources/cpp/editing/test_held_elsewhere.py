@@ -115,3 +115,44 @@ def test_a_callback_of_another_class_is_not_written_into_this_one() -> None:
     # A method that `&Teleop::Impl::` names is one of `Impl`.
     for name in (b"heard_2", b"heard2"):
         assert b"&Teleop::Impl::" + name not in text
+
+
+PARTS = """
+ #include <rclcpp/rclcpp.hpp>
+ #include <std_msgs/msg/string.hpp>
+
+ class Images
+ {
+ public:
+   explicit Images(rclcpp::Node * node) : node_(node)
+   {
+     pub_ = node_->create_publisher<std_msgs::msg::String>("image", 10);
+   }
+
+ private:
+   rclcpp::Node * node_;
+   rclcpp::Publisher<std_msgs::msg::String>::SharedPtr pub_;
+ };
+
+ class Scans
+ {
+ public:
+   explicit Scans(rclcpp::Node * node) : node_(node)
+   {
+     pub_ = node_->create_publisher<std_msgs::msg::String>("scan", 10);
+   }
+
+ private:
+   rclcpp::Node * node_;
+   rclcpp::Publisher<std_msgs::msg::String>::SharedPtr pub_;
+ };
+"""
+
+
+@pytest.mark.parametrize(("topic", "own"), [("image", b"Images"), ("scan", b"Scans")])
+def test_what_a_class_holds_is_sent_by_that_class(topic: str, own: bytes) -> None:
+    files, told = edit(sides(PARTS)[0], publish(topic, rate=2.0, data="hi"))
+    assert files is not None, told
+    classes = files.main.split(b"\nclass ")
+    found = [each.partition(b"\n")[0] for each in classes if b"pub_->publish(" in each]
+    assert found == [own]
