@@ -31,7 +31,7 @@ from ..analysis import Analysis, Site
 from ..nodes import group
 from ..qos_code import latch, profile
 from .actions import request_action, serve_action
-from .adding import Addition
+from .adding import Addition, variables_like
 from .calling import add_requests
 from .clang_format import ClangFormat
 from .computing import computing_for
@@ -229,10 +229,7 @@ def _create(added: Addition) -> str:
     if written is not None and added.kind is K.SERVICE and not added.is_ros2:
         template = f"<{class_}::Request, {class_}::Response>"
     head = f"{before}{_METHODS[added.analysis.ros_version, added.kind]}{template}("
-    declared = ""
-    if is_local(added):
-        declared = "auto " if added.is_ros2 else f"{type_} "
-    head = f"{declared}{variable} = {head}"
+    head = f"{_declared(added, type_)}{variable} = {head}"
     if written is not None:
         called = written.name
         added.lines += written.lines(added, head, arguments)
@@ -240,6 +237,14 @@ def _create(added: Addition) -> str:
         added.lines.append(f"{head}{', '.join(arguments)});")
     added.expect(added.kind, name, interface.name, called)
     return variable
+
+
+def _declared(added: Addition, type_: str) -> str:
+    """Write the type before a local variable that holds the endpoint; "" for any other."""
+    if not is_local(added):
+        return ""
+    autos = [each.type == "auto" for _, each in variables_like(added, added.kind)]
+    return "auto " if added.is_ros2 or autos.count(True) * 2 > len(autos) else f"{type_} "
 
 
 def _queue(added: Addition) -> str:
