@@ -111,6 +111,13 @@ class CppLibrary:
             environ={**self.environ, "LD_LIBRARY_PATH": os.pathsep.join(paths)},
         )
 
+    def with_types(self, environ: Mapping[str, str], cache: Path) -> CppLibrary:
+        """Return it with the interface packages that nodes of an environment find in a cache."""
+        libraries = environ["LD_LIBRARY_PATH"].split(os.pathsep)
+        return self.beside(
+            *(Path(each).parent for each in libraries if each.startswith(str(cache)))
+        )
+
     @property
     def beginning(self) -> tuple[str, ...]:
         """What begins a source with the client library's header, which is compiled already."""

@@ -223,9 +223,7 @@ def build_with_colcon(cache: Path, rclcpp: CppLibrary, environ: Mapping[str, str
         rclcpp: what the nodes are compiled with.
         environ: the variables of a graph, by whose libraries of types the types are found.
     """
-    libraries_of_types = environ["LD_LIBRARY_PATH"].split(os.pathsep)
-    overlays = [Path(each).parent for each in libraries_of_types if each.startswith(str(cache))]
-    library = rclcpp.beside(*overlays)
+    library = rclcpp.with_types(environ, cache)
     folder = cache / "colcon_corpus"
     package = folder / "src" / PACKAGE
     with locked(folder):

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Iterator, Mapping
+from collections.abc import Collection, Iterator, Mapping
 
 from plastron_tui.model.kinds import (
     EDITABLE,
@@ -11,6 +11,7 @@ from plastron_tui.model.kinds import (
     Endpoint,
     EndpointKind,
     Parameter,
+    Publisher,
     Service,
     Subscription,
     callback_of,
@@ -47,13 +48,27 @@ def changes_of(node: Node) -> tuple[Change, ...]:
     changed = (
         change for kind in EDITABLE for change in _changes(node, node.source, kind, present[kind])
     )
-    # Values of parameters are used by what else is new.
-    ordered = sorted(changed, key=lambda each: not _is_new_parameter(each))
-    return (*renames, *ordered)
+    # Values of parameters are used by what else is new, and what is heard by what answers to it.
+    heard = {
+        sent.reaction.topic
+        for publisher in node.of(Publisher).values()
+        for sent in publisher.publications
+        if sent.reaction is not None
+    }
+    return (*renames, *sorted(changed, key=lambda each: _turn(each, heard)))
 
 
-def _is_new_parameter(change: Change) -> bool:
-    return isinstance(change, Add | Update) and isinstance(change.endpoint, Parameter)
+def _turn(change: Change, heard: Collection[str]) -> int:
+    """Return when a change is made; those of the same turn are made in their order."""
+    if not isinstance(change, Add | Update):
+        return 2
+    match change.endpoint:
+        case Parameter():
+            return 0
+        case Subscription(name=name) if name in heard:
+            return 1
+        case _:
+            return 2
 
 
 def _renames(node: Node, source: SourceUnit) -> list[Rename]:

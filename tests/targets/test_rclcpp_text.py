@@ -64,13 +64,13 @@ WRITTEN = {
     "rate": (
         f"{HELLO}n publish m to 'out' of message_type String at 2 hz",
         'out_publisher_ = create_publisher<std_msgs::msg::String>("out", 10);',
-        "create_wall_timer(std::chrono::milliseconds(500), std::bind(&RobotNode::publish_out, this)"
-        ");",
+        "rclcpp::create_timer(this, get_clock(), std::chrono::milliseconds(500), "
+        "std::bind(&RobotNode::publish_out, this));",
         'std_msgs::msg::String message; message.data = "hello"; out_publisher_->publish(message);',
     ),
     "rate of no whole milliseconds": (
         f"{HELLO}n publish m to 'out' of message_type String at 3 hz",
-        "create_wall_timer(std::chrono::duration<double>(1.0 / 3.0), ",
+        "rclcpp::create_timer(this, get_clock(), std::chrono::duration<double>(1.0 / 3.0), ",
     ),
     "quality": (
         f"{HELLO}n publish m to 'out' of message_type String at 2 hz "
@@ -165,9 +165,9 @@ WRITTEN = {
         "descriptor.floating_point_range[0].from_value = 1.0;",
         'declare_parameter<double>("often", 5.0, descriptor);',
         'std::chrono::duration<double>(1.0 / get_parameter("often").as_double())',
-        'parameter.get_name() == "often" && std::isnan(parameter.as_double())) {',
-        'if (parameter.get_name() == "often") { out_timer_ = create_wall_timer('
-        "std::chrono::duration<double>(1.0 / parameter.as_double()), ",
+        "is_nan && !describe_parameter(parameter.get_name()).floating_point_range.empty()) {",
+        'if (parameter.get_name() == "often" && out_timer_) { out_timer_ = rclcpp::create_timer('
+        "this, get_clock(), std::chrono::duration<double>(1.0 / parameter.as_double()), ",
     ),
     "described": (
         "n has_parameter 'count' of parameter_type int with default 3 described_as \"how many\"",
@@ -252,7 +252,7 @@ def test_what_the_transitions_of_a_managed_node_do(library: str) -> None:
     state = r"\(const rclcpp_lifecycle::State &(?: state)?\)"
     methods = dict(re.findall(rf"\b(on_\w+){state}(?: override)? \{{(.*?) return ", source))
     assert "out_publisher_ = create_publisher" in methods["on_configure"]
-    assert "is_active_ = true; out_timer_ = create_wall_timer(" in methods["on_activate"]
+    assert "is_active_ = true; out_timer_ = rclcpp::create_timer(" in methods["on_activate"]
     for transition in ("on_deactivate", "on_shutdown", "on_error"):
         assert "destroy_timers(); end_tasks();" in methods[transition]
     for transition in ("on_cleanup", "on_shutdown", "on_error"):
@@ -318,7 +318,7 @@ REFUSED = {
     "the class": ("n repeats RobotNode at 4 hz", "is a name that every"),
     "a method": ("n repeats get_parameter at 4 hz", "is a name that every"),
     "what is found by its argument": ("n repeats to_yaml at 4 hz", "is a name that every"),
-    "an attribute": ("n repeats rate_callback_ at 4 hz", "is a name that every"),
+    "an attribute": ("n repeats parameters_callback_ at 4 hz", "is a name that every"),
     "a task": (f"{CALLS}subscribe n to 'a' of message_type String calling fail", "with calls or"),
 }
 

@@ -13,6 +13,7 @@ from plastron_tui.model.kinds import (
     ActionServer,
     Client,
     Message,
+    Parameter,
     Publication,
     Publisher,
     Rate,
@@ -20,9 +21,10 @@ from plastron_tui.model.kinds import (
     Service,
     Subscription,
 )
-from plastron_tui.model.values import MessageValue, Value
+from plastron_tui.model.values import Computed, MessageValue, OfParameter, Value
 from plastron_tui.model.workspace import Node
-from plastron_tui.ros.interfaces import InterfaceName
+from plastron_tui.ros.interfaces import FieldType, InterfaceName
+from plastron_tui.ros.parameters import ParameterType
 from plastron_tui.session import Session
 from plastron_tui.targets import find_target
 from plastron_tui.targets.base import Rendered
@@ -313,6 +315,25 @@ def test_a_broken_template_is_a_diagnostic(tmp_path: Path, template: str) -> Non
     rendered = render(with_subscription(STRING), "rospy", tmp_path)
     assert rendered.files is None
     assert [each.code for each in rendered.diagnostics] == ["template-error"]
+
+
+@pytest.mark.parametrize(
+    ("library", "second", "written"),
+    [
+        ("rospy", "a/b", "data=self.get_a_b_2()"),
+        ("rclpy", "a.b", 'data=self.get_parameter("a.b").value'),
+    ],
+)
+def test_each_of_two_names_that_are_alike_in_words_is_read(
+    library: str, second: str, written: str
+) -> None:
+    double = FieldType("float64")
+    value = Computed(OfParameter(second), (), double, is_float=True)
+    node = publishing("std_msgs/Float64", ({"data": value}, 4.0))
+    for name in ("a_b", second):
+        name = f"~/{name}" if library == "rospy" else name
+        node.put(Parameter(name, None, ParameterType.FLOAT, 1.0, span=SPAN))
+    assert written in text(node, library)
 
 
 def test_targets_are_found_by_name() -> None:

@@ -11,6 +11,7 @@ from .analysis import Analysis, NodeSite, Site
 from .details import Details
 from .node_sites import find_nodes
 from .scopes import Scope
+from .timers import recreated
 
 
 def group(analysis: Analysis) -> tuple[SourceNode, ...]:
@@ -19,8 +20,9 @@ def group(analysis: Analysis) -> tuple[SourceNode, ...]:
         find_nodes(analysis)
     details = Details(analysis)
     makers = analysis.nodes
+    again = recreated(analysis, analysis.sites)
     if not makers:
-        known = tuple(map(details.of, analysis.sites))
+        known = tuple(details.of(each) for each in analysis.sites if each not in again)
         owner = main_class(analysis)
         name = owner.name if owner is not None else None
         return (SourceNode(None, "", known, None, name),) if known else ()
@@ -28,7 +30,7 @@ def group(analysis: Analysis) -> tuple[SourceNode, ...]:
     if analysis.ros_version == 1 and len(makers) == 1 and makers[0].owner is None:
         makers = [replace(makers[0], owner=main_class(analysis))]
     return tuple(
-        _source_node(maker, tuple(map(details.of, sites)))
+        _source_node(maker, tuple(details.of(each) for each in sites if each not in again))
         for maker, sites in zip(makers, owned, strict=True)
     )
 

@@ -89,6 +89,27 @@ def blank(text: bytearray, start: int, end: int) -> None:
 
 def preprocess(text: bytes) -> Preprocessed:
     """Return a text as it can be parsed, with its includes and macros."""
+    return _preprocessed(*_without_comments(text))[0]
+
+
+def written_code(text: bytes) -> bytes:
+    """Return all that a text says in any branch, of the same length: macros and conditions as well.
+
+    There are blanks for comments, includes, and what is never compiled.
+    """
+    code, bare = _without_comments(text)
+    said = bytearray(code)
+    _, dead = _preprocessed(code, bare)
+    for branch in dead:
+        blank(said, branch.start, branch.end)
+    for directive in list(_DIRECTIVE.finditer(bytes(said))):
+        if directive[1] == b"include":
+            blank(said, *directive.span())
+    return bytes(said)
+
+
+def _without_comments(text: bytes) -> tuple[bytearray, bytearray]:
+    """Return a text with blanks for comments, and one with blanks for strings as well."""
     code = bytearray(_END_OF_LINE.sub(b"\n", text))
     bare = bytearray(code)
     tokens = _TOKEN if _RARE.search(code) is None else _RARE_TOKEN
@@ -102,6 +123,14 @@ def preprocess(text: bytes) -> Preprocessed:
     if text.startswith(b"\xef\xbb\xbf"):
         blank(code, 0, 3)
         blank(bare, 0, 3)
+    return code, bare
+
+
+def _preprocessed(code: bytearray, bare: bytearray) -> tuple[Preprocessed, list[_Branch]]:
+    """Put blanks over the directives of a text, and the branches that cannot stay.
+
+    Returns it with the branches that are never compiled.
+    """
     # A directive that names a file does so in quotes, which are blank in `bare`.
     includes: list[Include] = []
     defines: list[Define] = []
@@ -129,11 +158,12 @@ def preprocess(text: bytes) -> Preprocessed:
     never = bytearray(len(code) + 1)
     for gone in dead:
         never[gone.start : gone.end] = b"x" * (gone.end - gone.start)
-    return Preprocessed(
+    found = Preprocessed(
         code,
         tuple(each for each in includes if not never[each.start]),
         tuple(each for each in defines if not never[each.start]),
     )
+    return found, dead
 
 
 def _choose(

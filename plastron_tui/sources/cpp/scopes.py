@@ -31,7 +31,10 @@ _FUNCTION_LIKE = ("function", "lambda")
 
 def type_text(text: str) -> str:
     """Return a type without blanks, `const`, references and pointers: `a::B<c::D>`."""
-    text = "".join(_CV.sub(" ", text).split())
+    words = text.split()
+    if len(words) != 1 or "..." in text:
+        words = _CV.sub(" ", text).split()
+    text = "".join(words)
     return text.rstrip("&*").removeprefix("::")
 
 
@@ -102,6 +105,15 @@ class Variable:
         return "" if node is None else type_text(self.file.syntax.word(node))
 
 
+def body_of(definition: Node) -> Node | None:
+    """Return the block of a function, or of the `try` that it is, None where it has none."""
+    body = definition.child_by_field_name("body")
+    if body is None and definition.type == "function_definition":
+        parts = [each for each in definition.children if each.type == "try_statement"]
+        body = parts[0].child_by_field_name("body") if parts else None
+    return body
+
+
 @dataclass(slots=True, eq=False)
 class Function:
     """A function or method that is declared or defined.
@@ -138,9 +150,14 @@ class Function:
         return self._parameters
 
     @property
+    def body(self) -> Node | None:
+        """Its block, which may be that of a `try` that is the function's, None for none."""
+        return body_of(self.node)
+
+    @property
     def returned(self) -> Node | None:
         """What it returns where it does nothing else."""
-        body = self.node.child_by_field_name("body")
+        body = self.body
         statements = body.named_children if body is not None else []
         if len(statements) != 1 or statements[0].type != "return_statement":
             return None

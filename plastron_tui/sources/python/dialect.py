@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import keyword
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 
 from plastron_tui.model.kinds import Parameter
@@ -73,8 +73,8 @@ class Dialect:
         """Return what the constructor of a message calls a field."""
         return name
 
-    def parameter(self, parameter: Parameter) -> str:
-        """Write what reads a parameter of the node."""
+    def parameter(self, parameter: Parameter, getter: Callable[[str], str]) -> str:
+        """Write what reads a parameter of the node; `getter` names a method that does."""
         raise AssertionError(f"{self.library} has no parameters")
 
     def unusable(self, interface: Interface, catalog: Catalog) -> str | None:

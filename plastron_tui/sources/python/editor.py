@@ -10,6 +10,7 @@ from plastron_tui.diagnostics import Diagnostic, codes
 from plastron_tui.model.source import Change, Rename, SourceUnit
 from plastron_tui.ros.catalog import Catalog, moved
 from plastron_tui.sources.base import Rendered
+from plastron_tui.sources.left_behind import unread
 
 from .analysis import Analysis
 from .calls import LIBRARIES
@@ -31,7 +32,6 @@ from .splices import apply
 from .still_named import tell_still_named
 from .still_read import tell_still_read
 from .uncalled import tell_uncalled, uncalled_functions
-from .unread_parameters import tell_unread
 from .unresolved import Meanings, lost_names, meanings
 from .wrapping import wrap_new_lines
 
@@ -104,7 +104,11 @@ def edit_python(
         tell_still_read(before, analysis, changes, uncalled),
         tell_idle(before, analysis, changes),
         tell_unused_results(before, analysis, changes),
-        tell_unread(before, analysis, changes),
+        unread(
+            (site.endpoint for site in before.sites),
+            (site.endpoint for site in analysis.sites),
+            changes,
+        ),
         tell_still_named(analysis, changes, uncalled),
     )
     edits.notes += [each for each in told if each is not None]

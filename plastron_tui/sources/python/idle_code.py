@@ -9,6 +9,7 @@ from tree_sitter import Node
 
 from plastron_tui.diagnostics import Diagnostic, codes, listed
 from plastron_tui.model.source import Change, Remove, Update
+from plastron_tui.sources.left_behind import idle, taking
 
 from .analysis import Analysis, NodeSite
 from .creation import line_of
@@ -27,8 +28,7 @@ def tell_idle(before: Analysis, after: Analysis, changes: Sequence[Change]) -> D
         after: the file as it is.
         changes: what was asked for.
     """
-    spans = [change.span for change in changes if isinstance(change, Remove | Update)]
-    if not spans:
+    if not taking(changes):
         return None
     had = Counter(path for path, _ in _idle(before))
     found = []
@@ -36,11 +36,7 @@ def tell_idle(before: Analysis, after: Analysis, changes: Sequence[Change]) -> D
         had[path] -= 1
         if had[path] < 0:
             found.append(what)
-    if not found:
-        return None
-    message = f"nothing is left to do for {listed(found)}"
-    span = spans[0] if len(spans) == 1 else None
-    return Diagnostic(codes.IDLE_CODE, message, span, help="remove it by hand if nothing needs it")
+    return idle(found, changes)
 
 
 def tell_unused_results(

@@ -7,6 +7,7 @@ from dataclasses import replace
 
 from plastron_tui.diagnostics import Diagnostic, codes, listed
 from plastron_tui.model.source import Remove, Rename, Update
+from plastron_tui.sources.parts import refuse_part
 
 from .analysis import Analysis, Site
 from .base_classes import inherited
@@ -26,8 +27,7 @@ def not_there(analysis: Analysis, change: Remove | Rename) -> RefusedError:
     """Say that a file has no such endpoint, and what it has of that name."""
     message = f"the file has no {change.kind.word} `{change.name}`"
     for site in find_sites(replace(analysis, sites=analysis.disguised), change):
-        line, what = site.endpoint.line, site.endpoint.expression
-        message = f"the {change.kind.word} `{change.name}` is a part of `{what}` in line {line}"
+        return RefusedError(refuse_part(change, site.endpoint.expression, site.endpoint.line))
     for each in inherited(analysis, None):
         if each.kind is change.kind and change.name in (each.name, each.default):
             place = f"`{each.file}`, line {each.line}"

@@ -8,9 +8,10 @@ from typing import NamedTuple
 
 from tree_sitter import Node
 
-from plastron_tui.diagnostics import Diagnostic, codes, listed
+from plastron_tui.diagnostics import Diagnostic
 from plastron_tui.model.source import Change, Remove, Update
 from plastron_tui.sources.grammars import is_inside
+from plastron_tui.sources.left_behind import no_longer_set
 
 from .analysis import Analysis
 from .creation import line_of
@@ -51,9 +52,6 @@ _EMPTY = frozenset(
     | {b"dict()", b"list()", b"set()", b"deque()"}
 )
 
-# A warning names so many for each variable.
-_MOST_READERS = 2
-
 Path = tuple[str, ...]
 
 
@@ -87,19 +85,12 @@ def tell_still_read(
     for variable, paths in _set_in(before, _callbacks(before, changes)).items():
         if (same := _found_again(after, variable)) is not None:
             found.setdefault(same, set()).update(paths)
-    told = []
+    told: list[tuple[str, list[str]]] = []
     for variable, paths in found.items():
         if any(variable.scope.is_within(each) for each in gone):
             continue
-        readers = list(_Uses(after, variable, gone).readers(paths))
-        if readers:
-            told.append(f"`{_written(variable)}` ({_few(readers)})")
-    if not told:
-        return None
-    message = f"no longer set: {listed(told)}"
-    span = span_of(before, changes, {each.name for each in uncalled})
-    help_ = "set it elsewhere, or remove by hand what reads it"
-    return Diagnostic(codes.STILL_READ, message, span, help=help_)
+        told.append((_written(variable), list(_Uses(after, variable, gone).readers(paths))))
+    return no_longer_set(told, span_of(before, changes, {each.name for each in uncalled}))
 
 
 def _never_run(analysis: Analysis, uncalled: Sequence[Scope]) -> list[Scope]:
@@ -162,12 +153,6 @@ def _found_again(after: Analysis, variable: Variable) -> Variable | None:
     path = path_of(variable.scope)
     scope = next((each for each in after.scopes.all if path_of(each) == path), None)
     return Variable(scope, variable.name, variable.is_attribute) if scope is not None else None
-
-
-def _few(readers: Sequence[str]) -> str:
-    """Return the first readers, and how many there are besides."""
-    shown, more = readers[:_MOST_READERS], len(readers) - _MOST_READERS
-    return "; ".join([*shown, f"{more} more"] if more > 0 else shown)
 
 
 def _written(variable: Variable) -> str:

@@ -26,12 +26,20 @@ class CppPlan(NamedTuple):
         headers: the headers of the interfaces that it uses, sorted.
         overloaded: the names that several of its methods have.
         has_private: whether any of its names is a private one, of ROS 1.
+        keeps_out_nan: whether a parameter has a range, which rclcpp lets NaN through
+            (`NodeParameters`: it refuses what is less than the least or more than the most).
     """
 
     node: NodePlan
     headers: tuple[str, ...]
     overloaded: frozenset[str]
     has_private: bool
+    keeps_out_nan: bool
+
+    @property
+    def checks_parameters(self) -> bool:
+        """Whether the node is asked before a parameter changes (ROS 2)."""
+        return self.keeps_out_nan or bool(self.node.following)
 
 
 def plan_node(node: Node, catalog: Catalog, dialect: Dialect) -> CppPlan | Diagnostic:
@@ -48,7 +56,13 @@ def plan_node(node: Node, catalog: Catalog, dialect: Dialect) -> CppPlan | Diagn
     plan.summary = summary(node)
     plan.functions = frozenset(writing.functions)
     plan.class_name = naming.class_name(node.name)
-    return CppPlan(plan, tuple(sorted(writing.headers)), _overloaded(plan), _has_private(plan))
+    return CppPlan(
+        plan,
+        tuple(sorted(writing.headers)),
+        _overloaded(plan),
+        _has_private(plan),
+        keeps_out_nan=any(each.type == "double" and each.check for each in plan.parameters),
+    )
 
 
 def _overloaded(plan: NodePlan) -> frozenset[str]:

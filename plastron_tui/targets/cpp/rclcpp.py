@@ -52,7 +52,7 @@ DIALECT = Dialect(
     ros_version=2,
     method_names=frozenset(_NODE_METHODS.split()),
     # `to_yaml` is found by the type of what it is given, unless the class has one of its own.
-    attribute_names=frozenset({"follow_rates", "rate_callback", "to_yaml"}),
+    attribute_names=frozenset({"check_parameters", "parameters_callback", "to_yaml"}),
     task_names=frozenset(_TASK_NAMES.split()),
     managed_names=frozenset(_MANAGED.split()),
     base="rclcpp::Node",

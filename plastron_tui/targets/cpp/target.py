@@ -73,6 +73,8 @@ class CppTarget(Target):
         base_name = base.rpartition("::")[2]
         values = {
             "node": plan.node,
+            "keeps_out_nan": plan.keeps_out_nan,
+            "checks_parameters": plan.checks_parameters,
             "headers": self._headers(plan),
             "overloaded": plan.overloaded,
             "has_private": plan.has_private,
@@ -106,7 +108,7 @@ class CppTarget(Target):
             found.add(dialect.action_header)
         if dialect.ros_version == 2 and any(each.descriptor for each in node.parameters):
             found.add("rcl_interfaces/msg/parameter_descriptor.hpp")
-        if dialect.ros_version == 2 and node.following:
+        if dialect.ros_version == 2 and plan.checks_parameters:
             found.add("rcl_interfaces/msg/set_parameters_result.hpp")
         return tuple(sorted(found - {""}))
 

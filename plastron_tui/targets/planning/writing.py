@@ -76,6 +76,7 @@ class Writing(ABC):
         self.serving = serving
         self.methods: dict[str, MethodPlan] = {}
         self._heard: Sequence[Field] = ()
+        self._getters: dict[str, str] = {}
 
     @property
     def is_ros2(self) -> bool:
@@ -172,8 +173,14 @@ class Writing(ABC):
         return self.attributes.new(attribute) if self.is_ros2 and is_repeated else ""
 
     def getter(self, name: str) -> str:
-        """Name the method that reads a parameter, by the parameter's name in ROS 1."""
-        return self.attributes.new(f"get_{naming.words(name)}")
+        """Name the method that reads a parameter in ROS 1, the same one whenever it is asked for.
+
+        Names that differ may be alike in words: those of `a_b` and of `a/b` are numbered.
+        """
+        own = name.removeprefix("~/")
+        if own not in self._getters:
+            self._getters[own] = self.attributes.new(f"get_{naming.words(own)}")
+        return self._getters[own]
 
     def method_key(self, name: str, type_: str) -> str:
         """Return what tells a function from others; in some languages its type does as well."""

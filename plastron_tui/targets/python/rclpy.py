@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import keyword
+from collections.abc import Callable
 from typing import ClassVar
 
 from plastron_tui.model.kinds import Parameter
@@ -109,8 +110,9 @@ class _Rclpy(Dialect):
                     left += [part] if part is not None else []
         return None
 
-    def parameter(self, parameter: Parameter) -> str:
+    def parameter(self, parameter: Parameter, getter: Callable[[str], str]) -> str:
         """Write what reads a parameter; rclpy keeps it of its type, and in its range."""
+        del getter
         return f"self.get_parameter({literals.string(parameter.name.removeprefix('~/'))}).value"
 
 

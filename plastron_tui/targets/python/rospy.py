@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 import keyword
+from collections.abc import Callable
 from typing import ClassVar
 
 from plastron_tui.model.kinds import Parameter
 from plastron_tui.model.values import Value
 from plastron_tui.ros.interfaces import FieldType, InterfaceKind, InterfaceName
-from plastron_tui.sources.python import naming
 from plastron_tui.sources.python.dialect import Dialect, plain_scalar
 from plastron_tui.sources.python.import_block import Imports
 
@@ -33,9 +33,9 @@ class _Rospy(Dialect):
         """Return a field's name; genpy puts `_` behind one that is a word of Python's own."""
         return f"{name}_" if keyword.iskeyword(name) else name
 
-    def parameter(self, parameter: Parameter) -> str:
+    def parameter(self, parameter: Parameter, getter: Callable[[str], str]) -> str:
         """Write what reads a parameter: the parameter server takes whatever it is told."""
-        return f"self.get_{naming.words(parameter.name.removeprefix('~/'))}()"
+        return f"self.{getter(parameter.name)}()"
 
     def class_of(self, type_: InterfaceName, kind: InterfaceKind, imports: Imports) -> str:
         """Return the class of a type; that of an action is the message that genaction makes."""

@@ -176,7 +176,8 @@ class PythonWriting(Writing):
 
     def parameter(self, name: str) -> str:
         """Write the value that a parameter of the node has."""
-        return self.dialect.parameter(self.parameter_of(name))
+        parameter = self.parameter_of(name)
+        return self.dialect.parameter(parameter, self.getter)
 
     def _parameter_value(self, name: str) -> tuple[str, Interval | None]:
         parameter = self.parameter_of(name)

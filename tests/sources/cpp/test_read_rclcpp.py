@@ -41,6 +41,20 @@ CALLS = [
         [f"subscription a {STRING}"],
     ),
     (
+        f'{S} m; rclcpp::wait_for_message<{S}>(m, shared_from_this(), "a", 1s);',
+        [f"subscription a {STRING}"],
+    ),
+    (f'{S} m; rclcpp::wait_for_message(m, node, "a");', [f"subscription a {STRING}"]),
+    (
+        'get_node_parameters_interface()->declare_parameter("a", rclcpp::ParameterValue(1));',
+        ["parameter a"],
+    ),
+    (
+        "std::shared_ptr<rclcpp::node_interfaces::NodeParametersInterface> p;"
+        ' p->declare_parameter("a", rclcpp::ParameterValue(1));',
+        ["parameter a"],
+    ),
+    (
         'image_transport::create_publisher(this, "a");',
         ["publisher a sensor_msgs/Image"],
     ),
@@ -117,6 +131,48 @@ def test_a_period_is_in_seconds(written: str, seconds: float | None) -> None:
     (details,) = (each.details for each in source.endpoints)
     assert isinstance(details, TimerDetails)
     assert details.period == seconds
+
+
+TICK, TOCK = "std::bind(&A::tick, this)", "std::bind(&A::tock, this)"
+RECREATED = [
+    (f"t_ = create_wall_timer(p, {TICK}); t_ = create_wall_timer(2s, {TICK});", ["tick 2.0"]),
+    (f"t_ = create_wall_timer(1s, {TICK}); this->t_ = create_timer(p, {TICK});", ["tick 1.0"]),
+    (
+        "t_ = create_wall_timer(1s, [this]{f();}); t_ = create_timer(p, [this] {f();});",
+        ["None 1.0"],
+    ),
+    (
+        f"t_ = create_wall_timer(1s, {TICK}); u_ = create_timer(p, {TICK});",
+        ["tick 1.0", "tick None"],
+    ),
+    (
+        f"t_ = create_wall_timer(1s, {TICK}); t_ = create_timer(p, {TOCK});",
+        ["tick 1.0", "tock None"],
+    ),
+    (
+        f"l_[0] = create_wall_timer(1s, {TICK}); l_[1] = create_timer(p, {TICK});",
+        ["tick 1.0", "tick None"],
+    ),
+    (
+        f"m_[k] = create_wall_timer(1s, {TICK}); m_[j] = create_timer(p, {TICK});",
+        ["tick 1.0", "tick None"],
+    ),
+]
+
+
+@pytest.mark.parametrize(("body", "expected"), RECREATED)
+def test_a_timer_that_is_created_again_is_one(body: str, expected: list[str]) -> None:
+    members = (
+        "rclcpp::TimerBase::SharedPtr t_, u_; std::vector<rclcpp::TimerBase::SharedPtr> l_; "
+        "std::map<std::string, rclcpp::TimerBase::SharedPtr> m_; void tick() {} void tock() {}"
+    )
+    made, _, again = body.partition("; ")
+    source = read(
+        f'{ROS2}class A : public rclcpp::Node {{ A() : Node("a") {{ {made}; }}\n'
+        f"void change() {{ {again} }} {members} }};"
+    )
+    found = [(each.callback, each.details) for each in source.endpoints]
+    assert [f"{name} {getattr(details, 'period', None)}" for name, details in found] == expected
 
 
 PARAMETERS = [

@@ -64,11 +64,19 @@ def test_what_is_added_leaves_them_alone(text):
 
 
 @pytest.mark.parametrize(
-    "change", [Remove(SUB, "/tf", AT), Update(SUB, "/tf", Subscription("/tf", BOOL, None, AT), AT)]
+    ("change", "help_"),
+    [
+        (Remove(SUB, "/tf", AT), "change the line by hand"),
+        (Update(SUB, "/tf", Subscription("/tf", BOOL, None, AT), AT), "change the line by hand"),
+        (
+            Rename(SUB, "/tf", "/tg", AT),
+            "remap it where the node is started: `starts … remapping '/tf' to '/tg'`",
+        ),
+    ],
 )
-def test_what_an_object_of_a_library_creates_is_not_taken_out(change):
+def test_what_an_object_of_a_library_creates_is_not_taken_out(change, help_):
     rendered = edit(f"{HEAD}import tf\nlistener = tf.TransformListener()\n", change)
     assert rendered.files is None
     (found,) = rendered.diagnostics
     message = "the subscription `/tf` is a part of `tf.TransformListener` in line 6"
-    assert (found.code, found.message) == ("edit-refused", message)
+    assert (found.code, found.message, found.help) == ("edit-refused", message, help_)

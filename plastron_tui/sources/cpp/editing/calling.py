@@ -8,7 +8,6 @@ from __future__ import annotations
 
 from collections import defaultdict
 
-from plastron_tui.diagnostics import codes
 from plastron_tui.model.kinds import Client, Rate, Request
 from plastron_tui.model.source import EndpointKind
 from plastron_tui.ros.interfaces import InterfaceKind, InterfaceName
@@ -16,10 +15,10 @@ from plastron_tui.ros.interfaces import InterfaceKind, InterfaceName
 from ..guarded import Conditions
 from .adding import Addition
 from .computing import computing_for
-from .interfaces import refuse
 from .logging import log_line
 from .manner import Naming, variable_naming
 from .members import declare
+from .place import node_in_methods
 from .sending import Sender
 from .timers import capture, node_captures, period_of, run_at, timer_name
 
@@ -87,8 +86,10 @@ def waits(added: Addition, is_there: str, what: str) -> list[str]:
     head, _, rest = said.partition("(")
     if added.is_ros2:
         logger, text = rest.rsplit(', "', 1)
-        clock = f"*{added.place.node}get_clock()"
-        said = f'{head}_THROTTLE({logger}, {clock}, 10000, "{text}'
+        node = node_in_methods(added.analysis, added.place)
+        throttled = f'{head}_THROTTLE({logger}, *{node}get_clock(), 10000, "{text}'
+        # There is no clock without a node.
+        said = throttled if node is not None else f"{head}_ONCE({rest}"
     else:
         said = f"{head}_THROTTLE(10, {rest}"
     return added.style(added.place.file).block(f"if (!{is_there})", [said, "return;"])
@@ -111,9 +112,9 @@ def _ask_in_ros2(
         taken = ""
     lines += [
         f"{sender.call}async_send_request(",
-        f"\t{name}, [{taken}](rclcpp::Client<{class_}>::SharedFuture future) {{",
-        f"\t\t{log}",
-        "\t});",
+        f"\v{name}, [{taken}](rclcpp::Client<{class_}>::SharedFuture future) {{",
+        f"\v\t{log}",
+        "\v});",
     ]
     return _guarded(added, conditions, lines)
 
@@ -161,19 +162,16 @@ def _own_thread(added: Addition) -> str:
         for part in ("queue", "spinner", "nh")
     )
     file = added.place.file
-    if not is_member and added.place.function.name == "main":
-        # None of them can be there before `ros::init`.
-        added.lines.append(f"ros::CallbackQueue {queue};")
-        added.lines.append(f"ros::AsyncSpinner {spinner}(1, &{queue});")
-        added.lines.append(f"ros::NodeHandle {handle};")
-    elif is_member:
+    if not is_member:
+        # None of them can be there before `ros::init`; what another function creates stays.
+        kept = "" if added.place.function.name == "main" else "static "
+        added.lines.append(f"{kept}ros::CallbackQueue {queue};")
+        added.lines.append(f"{kept}ros::AsyncSpinner {spinner}(1, &{queue});")
+        added.lines.append(f"{kept}ros::NodeHandle {handle};")
+    else:
         declare(added, f"ros::CallbackQueue {queue};")
         declare(added, f"ros::AsyncSpinner {spinner}{{1, &{queue}}};")
         file = declare(added, f"ros::NodeHandle {handle};")
-    else:
-        message = f"`{added.place.function.name}` has no place for a thread that calls"
-        remedy = "call it by hand, or let a node that is a class do so"
-        refuse(codes.EDIT_REFUSED, f"{message} `{added.endpoint.name}`", added.span, remedy)
     added.include(file, "ros/callback_queue.h")
     added.lines.append(f"{handle}.setCallbackQueue(&{queue});")
     added.lines.append(f"{spinner}.start();")

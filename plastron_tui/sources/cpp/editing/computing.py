@@ -12,13 +12,18 @@ from .parameters import read_parameter
 
 
 def computing_for(added: Addition, span: Span | None) -> tuple[GuardedComputing, Conditions]:
-    """Return what writes computed values, with the conditions that it notes."""
+    """Return what writes computed values, with the conditions that it notes.
+
+    Args:
+        added: what is added.
+        span: the statement that makes the endpoint; None where the file has it, and it gets more.
+    """
 
     def value(name: str) -> tuple[str, Interval | None]:
         read = read_parameter(added, name, in_method=added.owner is not None)
         return read.text, read.range
 
-    assert span is not None, "a statement asks for them"
     conditions = Conditions()
     catalog, version = added.interfaces.catalog, added.analysis.ros_version
-    return GuardedComputing(catalog, version, span, value, Functions(), conditions), conditions
+    where = span or Span(0, 0)  # what is received is of a known type: nothing is told of it here
+    return GuardedComputing(catalog, version, where, value, Functions(), conditions), conditions

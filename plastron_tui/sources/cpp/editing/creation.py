@@ -16,6 +16,8 @@ _WRAPPING = frozenset(
     | {"unary_expression"}
 )
 
+_ASKING = frozenset({"hasParam", "has_parameter"})
+
 
 @dataclass(frozen=True, slots=True)
 class Creation:
@@ -36,14 +38,14 @@ class Creation:
         if self.node.type == "field_initializer":
             _delete_item(self.file, self.node, gone)
         elif self.variable is not None and self.node.id == self.variable.node.id:
-            _delete_declarator(self.variable, gone)
+            delete_declarator(self.variable, gone)
         else:
             gone.statement(self.file, self.node)
 
     def delete_declaration(self, gone: Deletions) -> None:
         """Take out the declaration of what held the endpoint."""
         if self.variable is not None and self.node.id != self.variable.node.id:
-            _delete_declarator(self.variable, gone)
+            delete_declarator(self.variable, gone)
 
 
 def creation_of(analysis: Analysis, site: Site) -> Creation | None:
@@ -82,6 +84,12 @@ def creation_of(analysis: Analysis, site: Site) -> Creation | None:
     return None
 
 
+def holder_of(analysis: Analysis, site: Site) -> Variable | None:
+    """Return what holds an endpoint, None where nothing of the files does."""
+    found = creation_of(analysis, site)
+    return None if found is None else found.variable
+
+
 def _only_member(analysis: Analysis, name: Node | None, scope: Scope) -> Variable | None:
     """Return the member of a name that one class alone has."""
     word = "" if name is None else scope.file.syntax.word(name)
@@ -96,7 +104,7 @@ def _only_member(analysis: Analysis, name: Node | None, scope: Scope) -> Variabl
 def _unless_set(analysis: Analysis, site: Site, condition: Node) -> Creation | None:
     """Return `if (!nh.hasParam("x")) {nh.setParam("x", 1);}` whose body does no more."""
     whole = condition.parent
-    if whole is None or whole.type != "if_statement" or site.call.name != "hasParam":
+    if whole is None or whole.type != "if_statement" or site.call.name not in _ASKING:
         return None
     body = whole.child_by_field_name("consequence")
     if body is None or whole.child_by_field_name("alternative") is not None:
@@ -157,7 +165,7 @@ def variable_of(analysis: Analysis, node: Node, scope: Scope) -> Variable | None
     return analysis.unit.lookup(name, scope, node.start_byte) if name else None
 
 
-def _delete_declarator(variable: Variable, gone: Deletions) -> None:
+def delete_declarator(variable: Variable, gone: Deletions) -> None:
     """Take out a declaration, or one of the names that it declares."""
     node, file = variable.node, variable.file
     declarators = node.children_by_field_name("declarator")

@@ -5,11 +5,13 @@ from __future__ import annotations
 import re
 from collections import defaultdict
 from collections.abc import Iterator
+from itertools import takewhile
 
 from tree_sitter import Node
 
-from plastron_tui.sources.splices import Splice, line_end, line_start
+from plastron_tui.sources.splices import Splice, line_end, line_number, line_start
 
+from ..preprocessing import written_code
 from ..scopes import CppFile
 
 _COMMENT = re.compile(rb"[ \t]*(?://[^\n]*|/\*[^\n]*\*/[ \t]*)?\r?\n?")
@@ -17,6 +19,7 @@ _COMMENT_LINE = re.compile(rb"[ \t]*(?://|/\*[^\n]*\*/[ \t]*\r?\n?$)")
 _OPENING = re.compile(
     rb"(?:.*\{|[ \t]*(?:public|private|protected)[^\n]*:)[ \t]*\r?\n?\Z", re.DOTALL
 )
+_CONDITION = re.compile(rb"^[ \t]*#[ \t]*(if|ifdef|ifndef|elif|else|endif)\b", re.MULTILINE)
 _ENDING = re.compile(rb"[ \t]*[})]")
 
 _MACRO = re.compile(rb"(?<!\w)(?P<name>[A-Z][A-Z0-9_]*)(?P<gap>[ \t]+|[ \t]*\r?\n[ \t]*)\Z")
@@ -39,6 +42,19 @@ class Deletions:
         self._lines: defaultdict[CppFile, list[tuple[int, int]]] = defaultdict(list)
         self._emptied: defaultdict[CppFile, list[tuple[int, int]]] = defaultdict(list)
         self._nodes: list[tuple[CppFile, Node]] = []
+        self._bare: defaultdict[CppFile, list[tuple[int, int]]] = defaultdict(list)
+        self._replaced: defaultdict[CppFile, list[Splice]] = defaultdict(list)
+        self._written: dict[CppFile, bytes] = {}
+
+    def written(self, file: CppFile) -> bytes:
+        """Return all that a file says in any branch or macro, see `written_code`."""
+        if file not in self._written:
+            self._written[file] = written_code(file.syntax.text)
+        return self._written[file]
+
+    def line(self, file: CppFile, start: int, end: int) -> None:
+        """Take out whole lines as they are; the comment above them stays."""
+        self._bare[file].append((start, end))
 
     def statement(self, file: CppFile, node: Node) -> None:
         """Take out a statement or declaration, with its lines where it has them alone.
@@ -57,35 +73,71 @@ class Deletions:
         self._lines[file].append((node.start_byte, node.end_byte))
 
     def take_empty(self) -> None:
-        """Take out each `if` with braces that nothing is left in, and whose condition is idle."""
+        """Take out each block that nothing is left in, with its `if` where that does nothing."""
         for file, node in self._nodes:
             block = node.parent
             outer = None if block is None else block.parent
             if block is None or block.type != "compound_statement" or outer is None:
                 continue
-            if outer.type != "if_statement" or not _is_idle_if(outer):
+            is_bare = outer.type == "compound_statement"
+            if not is_bare and (outer.type != "if_statement" or not _is_idle_if(outer)):
                 continue
+            whole = block if is_bare else outer
             if (
-                self.covers(file, outer.start_byte)
+                self.covers(file, whole.start_byte)
                 or b"//" in file.syntax.text[block.start_byte : node.start_byte]
             ):
                 continue
             if all(self.covers(file, each.start_byte) for each in block.named_children):
-                self.statement(file, outer)
+                self.statement(file, whole)
+
+    def take_sections(self) -> None:
+        """Take out each `private:` that nothing is left of."""
+        for file, node in list(self._nodes):
+            listed = node.parent
+            if listed is None or listed.type != "field_declaration_list":
+                continue
+            parts = [*listed.named_children]
+            at = next((i for i, each in enumerate(parts) if each.id == node.id), 0)
+            while at and parts[at].type != "access_specifier":
+                at -= 1
+            own = parts[at]
+            section = list(takewhile(lambda x: x.type != "access_specifier", parts[at + 1 :]))
+            if own.type != "access_specifier" or self.covers(file, own.start_byte):
+                continue
+            if not all(self.covers(file, each.start_byte) for each in section):
+                continue
+            text, start = file.syntax.text, own.end_byte
+            left = b""
+            for each in section:
+                left += text[start : each.start_byte]
+                start = each.end_byte
+            if not left.strip(b" \t\r\n:;"):
+                end = text.find(b":", own.start_byte) + 1
+                self._lines[file].append((own.start_byte, end))
 
     def part(self, file: CppFile, start: int, end: int) -> None:
         """Take out a part of a line."""
         self._parts[file].append((start, end))
 
+    def replace(self, file: CppFile, node: Node, text: str) -> None:
+        """Write something else in the place of a part that goes."""
+        encoded = text.encode(file.syntax.encoding)
+        self._replaced[file].append(Splice(node.start_byte, node.end_byte, encoded))
+
     def covers(self, file: CppFile, offset: int) -> bool:
         """Tell whether what stands at an offset goes."""
-        parts = (*self._parts[file], *self._lines[file], *self._emptied[file])
-        return any(start <= offset < end for start, end in parts)
+        parts = (
+            *(*self._parts[file], *self._lines[file]),
+            *(*self._emptied[file], *self._bare[file]),
+        )
+        is_replaced = any(each.start <= offset < each.end for each in self._replaced[file])
+        return is_replaced or any(start <= offset < end for start, end in parts)
 
     @property
     def files(self) -> Iterator[CppFile]:
         """The files that lose something."""
-        found = (self._parts, self._lines, self._emptied)
+        found = (self._parts, self._lines, self._emptied, self._bare, self._replaced)
         yield from dict.fromkeys(file for each in found for file, parts in each.items() if parts)
 
     def splices(self, file: CppFile) -> list[Splice]:
@@ -93,14 +145,61 @@ class Deletions:
         text = file.syntax.text
         lines = [(_with_macros(file, start), end) for start, end in self._lines[file]]
         found = _merged(text, [_lines_of(text, start, end) for start, end in lines])
-        whole = [_tidy(text, *_with_comment(text, start, end)) for start, end in found]
-        gone = _merged(text, [*whole, *self._parts[file]])
-        braces = [
-            Splice(start, end, b"{}")
-            for start, end in self._emptied[file]
-            if not any(first <= start < last for first, last in gone)
+        tidy = [_tidy(text, *_with_comment(text, start, end)) for start, end in found]
+        # What was apart by a comment that goes too is tidied as one.
+        whole = [each if each in tidy else _tidy(text, *each) for each in _joined(tidy)]
+        whole += [_tidy(text, *each) for each in _merged(text, self._bare[file])]
+        gone = _joined([*whole, *self._parts[file]])
+        gone = _joined([*gone, *self._emptied_bodies(file, gone)])
+        gone = _joined([_whole_lines(text, each, gone) for each in gone])
+        written = [Splice(start, end, b"{}") for start, end in self._emptied[file]]
+        written += self._replaced[file]
+        left = [
+            each for each in written if not any(first <= each.start < last for first, last in gone)
         ]
-        return [*(Splice(start, end) for start, end in gone), *braces]
+        return [*(Splice(start, end) for start, end in gone), *left]
+
+    def torn(self, file: CppFile) -> Iterator[tuple[CppFile, int]]:
+        """Yield where what goes has a part of a conditional of the preprocessor, as in `in_use`."""
+        written = self.written(file)
+        parts = [*self._parts[file], *self._lines[file], *self._emptied[file]]
+        parts += [(each.start, each.end) for each in self._replaced[file]]
+        for start, end in parts:
+            depth = 0
+            for found in _CONDITION.finditer(written, start, end):
+                word = found[1]
+                if word.startswith(b"e") and not depth:
+                    yield file, line_number(written, found.start())
+                    break
+                depth += word.startswith(b"if") - (word == b"endif")
+            else:
+                if depth:
+                    yield file, line_number(written, start)
+
+    def _emptied_bodies(
+        self, file: CppFile, gone: list[tuple[int, int]]
+    ) -> Iterator[tuple[int, int]]:
+        """Yield what is in bodies of functions that are left without anything, as in `f() {}`.
+
+        Those whose brace has a line of its own keep their lines.
+        """
+        text = file.syntax.text
+        for node in (each for known, each in self._nodes if known is file):
+            block = node.parent
+            outer = None if block is None else block.parent
+            if block is None or outer is None or block.type != "compound_statement":
+                continue
+            start, end = block.start_byte + 1, block.end_byte - 1
+            is_apart = not text[line_start(text, start) : start - 1].strip()
+            if outer.type != "function_definition" or is_apart:
+                continue
+            left, at = b"", start
+            for first, last in gone:
+                if first < end and at < last:
+                    left += text[at:first]
+                    at = last
+            if not (left + text[at:end]).strip():
+                yield start, end
 
 
 def _is_body(node: Node, outer: Node) -> bool:
@@ -163,7 +262,7 @@ def _with_comment(text: bytes, first: int, last: int) -> tuple[int, int]:
     """Return whole lines with the comment above them that speaks of them alone."""
     if first != line_start(text, first) or last != line_end(text, last - 1):
         return first, last
-    top = first
+    top = _doc_block(text, first)
     while top > 0:
         above = line_start(text, top - 1)
         if not _COMMENT_LINE.match(text[above:top]):
@@ -173,6 +272,19 @@ def _with_comment(text: bytes, first: int, last: int) -> tuple[int, int]:
     is_apart = not below.strip() or _ENDING.match(below) or _COMMENT_LINE.match(below)
     is_doc = text[top:first].lstrip().startswith((b"///", b"/**", b"//!"))
     return (top if is_doc or is_apart else first), last
+
+
+def _doc_block(text: bytes, first: int) -> int:
+    """Return where `/** ... */` begins that ends in the line above, or else the line itself."""
+    if not text[:first].rstrip(b"\r\n").rstrip(b" \t").endswith(b"*/"):
+        return first
+    start = text.rfind(b"/*", 0, first)
+    top = line_start(text, start)
+    is_doc = text.startswith((b"/**", b"/*!"), start) and not text[top:start].strip()
+    is_above = text[start:first].count(b"*/") == 1 and not text[:first].endswith(
+        (b"\n\n", b"\n\r\n")
+    )
+    return top if is_doc and is_above else first
 
 
 def _is_edge(line: bytes) -> bool:
@@ -189,6 +301,30 @@ def _merged(text: bytes, parts: list[tuple[int, int]]) -> list[tuple[int, int]]:
                 found[-1] = found[-1][0], max(end, found[-1][1])
                 continue
         found.append((start, end))
+    return found
+
+
+def _whole_lines(
+    text: bytes, part: tuple[int, int], gone: list[tuple[int, int]]
+) -> tuple[int, int]:
+    """Return a part that goes with its line, where nothing of that is left."""
+    first, last = line_start(text, part[0]), line_end(text, part[1] - 1)
+    left, at = b"", first
+    for start, end in gone:
+        if start < last and at < end:
+            left += text[at:start]
+            at = end
+    return part if (left + text[at:last]).strip() else (first, max(last, part[1]))
+
+
+def _joined(parts: list[tuple[int, int]]) -> list[tuple[int, int]]:
+    """Join parts that overlap, or touch."""
+    found: list[tuple[int, int]] = []
+    for start, end in sorted(parts):
+        if found and start <= found[-1][1]:
+            found[-1] = found[-1][0], max(end, found[-1][1])
+        else:
+            found.append((start, end))
     return found
 
 

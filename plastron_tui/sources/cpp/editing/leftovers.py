@@ -13,9 +13,10 @@ from plastron_tui.sources.splices import line_end, line_start
 
 from .. import interface_types
 from ..analysis import Analysis, Site
-from ..scopes import CppFile, Function
+from ..scopes import CppFile, Function, Variable
 from .deletions import Deletions
-from .uses import word
+from .lambdas import handed_functions
+from .uses import hidden_uses, uses_of, word
 
 _LOGS = re.compile(r"(?:ROS|NODELET|RCLCPP)_(?:INFO|DEBUG|WARN|ERROR)\w*\s*\(")
 _VOID = re.compile(r"\(void\)\s*\w+|static_cast<void>\(\w+\)")
@@ -29,10 +30,32 @@ _KINDS = {
     EndpointKind.ACTION_CLIENT: InterfaceKind.ACTION,
 }
 
+_ACTIONLIB = "actionlib/{}/simple_action_{}.h"
+_DURATION = rb"\b\d[\d.']*(?:ns|us|ms|s|min|h)\b"
+_BIND = re.compile(rb"\bboost::(?:placeholders|bind)\b|(?<![\w:])bind\s*\(")
+_HEADERS = {
+    _ACTIONLIB.format("client", "client"): re.compile(rb"\bSimple(?:Action)?Client"),
+    _ACTIONLIB.format("server", "server"): re.compile(rb"\bSimpleActionServer\b"),
+    "boost/bind.hpp": _BIND,
+    "boost/bind/bind.hpp": _BIND,
+    "chrono": re.compile(rb"\bchrono|" + _DURATION),
+    "memory": re.compile(
+        rb"\b(?:make|allocate)_(?:shared|unique)\b|\b(?:shared|unique|weak)_ptr\b"
+        rb"|\benable_shared_from_this\b|\b\w+_pointer_cast\b|\baddressof\b|\ballocator"
+    ),
+    "rcl_interfaces/msg/parameter_descriptor.hpp": re.compile(rb"\bParameterDescriptor\b"),
+    "ros/callback_queue.h": re.compile(rb"\bCallbackQueue"),
+    "rclcpp_action/rclcpp_action.hpp": re.compile(rb"\brclcpp_action\b"),
+    "thread": re.compile(rb"\bthread\b|\bthis_thread\b"),
+}
+"""What a header is for, as far as it can tell: it goes with the last use of that."""
+
 
 def functions_of(analysis: Analysis, site: Site) -> Iterator[list[Function]]:
     """Yield the functions that an endpoint calls, each with all its declarations."""
-    named = [each for each in site.callback.functions if not each.file.is_beside]
+    owner = analysis.unit.class_of(site.call.scope)
+    called = site.callback.functions or (*handed_functions(analysis, site, owner),)
+    named = [each for each in called if not each.file.is_beside]
     if not named:
         return
     owner = analysis.unit.class_of_function(named[0])
@@ -50,6 +73,8 @@ def has_uses(analysis: Analysis, functions: Sequence[Function], gone: Deletions)
     own = {(each.file.name, each.declarator.start_byte) for each in functions}
     bodies = [(each.file, each.node.start_byte, each.node.end_byte) for each in functions]
     pattern = re.compile(rb"(?<![A-Za-z0-9_])" + re.escape(name.encode()) + rb"(?!\w)")
+    if any(hidden_uses(analysis, name, gone)):
+        return True
     for file in analysis.unit.files:
         for found in pattern.finditer(file.syntax.code):
             if gone.covers(file, found.start()):
@@ -77,24 +102,63 @@ def _is_declarator(node: Node, file: CppFile, own: set[tuple[str, int]]) -> bool
 
 def is_stub(function: Function) -> bool:
     """Tell whether a function does nothing but log, as a new one does."""
-    return all(_is_log(each, function) for each in _body(function))
+    return all(_is_log(each, function) for each in body_of(function))
 
 
 def is_idle(function: Function, gone: Deletions) -> bool:
     """Tell whether nothing is left of what a function did."""
-    body = _body(function)
+    body = body_of(function)
     return bool(body) and all(gone.covers(function.file, each.start_byte) for each in body)
 
 
-def _body(function: Function) -> list[Node]:
-    body = function.node.child_by_field_name("body")
+def body_of(function: Function) -> list[Node]:
+    """Return the statements of a definition; none of a declaration."""
+    body = function.body
     return [] if body is None else [each for each in body.named_children if each.type != "comment"]
 
 
-def _is_log(node: Node, function: Function) -> bool:
-    text = function.file.syntax.word(node).strip().rstrip(";")
+def _is_log(node: Node, of: Function | Variable) -> bool:
+    text = of.file.syntax.word(node).strip().rstrip(";")
     is_answer = text in ("return true", "return")
-    return is_answer or bool(_LOGS.match(text) or _VOID.fullmatch(text))
+    return is_answer or logs(text) or _VOID.fullmatch(text) is not None
+
+
+def logs(text: str) -> bool:
+    """Tell whether the text of a statement logs."""
+    return _LOGS.match(text) is not None
+
+
+def take_callbacks(analysis: Analysis, sites: Sequence[Site], gone: Deletions) -> None:
+    """Take out the stubs that call sites called, where nothing else uses them."""
+    for site in sites:
+        for functions in functions_of(analysis, site):
+            is_gone = all(gone.covers(each.file, each.node.start_byte) for each in functions)
+            if is_gone or has_uses(analysis, functions, gone):
+                continue
+            if all(is_stub(each) for each in functions if each.scope is not None):
+                for each in functions:
+                    remove_function(each, gone)
+        for variable in _given_lambdas(analysis, site):
+            uses = uses_of(analysis, variable)
+            if all(gone.covers(file, node.start_byte) for file, node, _ in uses):
+                gone.statement(variable.file, variable.node)
+
+
+def _given_lambdas(analysis: Analysis, site: Site) -> Iterator[Variable]:
+    """Yield the local variables that hold a stub which a call gets."""
+    for given in site.call.arguments:
+        if given.type != "identifier":
+            continue
+        name = site.file.syntax.word(given)
+        variable = analysis.unit.lookup(name, site.call.scope, given.start_byte)
+        if variable is None or variable.kind != "local" or variable.value is None:
+            continue
+        if variable.value.type != "lambda_expression":
+            continue
+        body = variable.value.child_by_field_name("body")
+        parts = [] if body is None else [x for x in body.named_children if x.type != "comment"]
+        if all(_is_log(each, variable) for each in parts):
+            yield variable
 
 
 def remove_function(function: Function, gone: Deletions) -> None:
@@ -122,7 +186,44 @@ def take_types(analysis: Analysis, sites: Sequence[Site], gone: Deletions) -> No
             for include in file.syntax.includes:
                 if include.path in headers_of(type_, kind, analysis.ros_version):
                     start = line_start(text, include.start)
-                    gone.part(file, start, line_end(text, start))
+                    gone.line(file, start, line_end(text, start))
+
+
+def take_literals(analysis: Analysis, gone: Deletions) -> None:
+    """Take out `using namespace std::chrono_literals;` where what had such literals goes."""
+    for file in analysis.unit.files:
+        nodes = [] if file.is_beside else _aliases(file)
+        for node in nodes:
+            if node.type != "using_declaration" or not _LITERALS.search(file.syntax.word(node)):
+                continue
+            if _only_in_gone(analysis, re.compile(_DURATION), gone):
+                gone.statement(file, node)
+
+
+_LITERALS = re.compile(r"namespace\s+std::(?:literals::)?chrono_literals")
+
+
+def _only_in_gone(analysis: Analysis, pattern: re.Pattern[bytes], gone: Deletions) -> bool:
+    """Tell whether all that a pattern finds goes, and that it finds something."""
+    uses = [
+        gone.covers(each, found.start())
+        for each in analysis.unit.files
+        for found in pattern.finditer(gone.written(each))
+    ]
+    return bool(uses) and all(uses)
+
+
+def take_headers(analysis: Analysis, gone: Deletions) -> None:
+    """Take out the includes of what only code that goes has used, such as `<chrono>`."""
+    for file in analysis.unit.files:
+        if file.is_beside:
+            continue
+        text = file.syntax.text
+        for include in file.syntax.includes:
+            pattern = _HEADERS.get(include.path)
+            if pattern is not None and _only_in_gone(analysis, pattern, gone):
+                start = line_start(text, include.start)
+                gone.line(file, start, line_end(text, start))
 
 
 def take_placeholders(analysis: Analysis, gone: Deletions) -> None:
@@ -196,7 +297,7 @@ def _is_said(analysis: Analysis, name: str, file: CppFile, node: Node, gone: Del
         not gone.covers(each, found.start())
         and not (each is file and node.start_byte <= found.start() < node.end_byte)
         for each in analysis.unit.files
-        for found in word(name).finditer(each.syntax.code)
+        for found in word(name).finditer(gone.written(each))
     )
 
 
@@ -212,5 +313,5 @@ def _is_named(analysis: Analysis, name: str, gone: Deletions) -> bool:
     return any(
         not gone.covers(file, found.start())
         for file in analysis.unit.files
-        for found in pattern.finditer(file.syntax.code)
+        for found in pattern.finditer(gone.written(file))
     )

@@ -7,12 +7,11 @@ from collections.abc import Iterator, Sequence
 
 from tree_sitter import Node
 
-from plastron_tui.sources.splices import line_start
-
 from ..analysis import Analysis
 from ..scopes import CppFile, Function, Scope, Variable
+from ..serving import description_of
 from .deletions import Deletions
-from .leftovers import has_uses
+from .leftovers import body_of, has_uses
 from .uses import scope_at, word
 
 _WAITS = ("wait_until_served", "wait_for_action")
@@ -87,13 +86,8 @@ def _with_declarations(analysis: Analysis, function: Function) -> list[Function]
     ]
 
 
-def _body(function: Function) -> list[Node]:
-    body = function.node.child_by_field_name("body")
-    return [] if body is None else [each for each in body.named_children if each.type != "comment"]
-
-
 def _only_asks(function: Function) -> bool:
-    body = _body(function)
+    body = body_of(function)
     return bool(body) and all(_is_asking(each, function.file) for each in body)
 
 
@@ -127,18 +121,18 @@ def emptied_functions(analysis: Analysis, name: str, gone: Deletions) -> Iterato
         if not own.startswith(("publish_", "end_goals")):
             continue
         defined = [each for each in functions if each.scope is not None]
-        if len(defined) != 1 or not _body(defined[0]):
+        if len(defined) != 1 or not body_of(defined[0]):
             continue
         function = defined[0]
         is_empty = all(
             gone.covers(function.file, each.start_byte)
             or b"lock_guard" in function.file.syntax.code[each.start_byte : each.end_byte]
-            for each in _body(function)
+            for each in body_of(function)
         )
         if gone.covers(function.file, function.node.start_byte) or not is_empty:
             continue
         starts = (f"Publish to {name};", *_ENDS_GOALS)
-        if any(_description(each).startswith(starts) for each in functions):
+        if any(description_of(each).startswith(starts) for each in functions):
             yield functions
 
 
@@ -152,7 +146,7 @@ def goal_functions(analysis: Analysis, name: str) -> Iterator[list[Function]]:
         function, kind = defined[0], own.partition("_")[0]
         node, text = function.node, function.file.syntax.text
         is_step = kind != "execute" or _STEP in text[node.start_byte : node.end_byte]
-        if not is_step or len(_body(function)) not in _GOAL_STATEMENTS[kind]:
+        if not is_step or len(body_of(function)) not in _GOAL_STATEMENTS[kind]:
             continue
         descriptions = (
             f"Work on a goal of {name}.",
@@ -179,12 +173,22 @@ def reading_function(analysis: Analysis, scope: Scope, name: str) -> list[Functi
     """Return the function that reads a parameter as Plastron writes it, with its declarations."""
     around = scope.enclosing("function")
     function = None if around is None else around.function
-    if function is None or len(_body(function)) not in (4, 5):
+    if function is None or len(body_of(function)) not in range(3, 9):
         return []
     found = _with_declarations(analysis, function)
     bare = name.removeprefix("~").removeprefix("/")
     description = f"Return the parameter {bare}, or its last good value."
     return found if any(_is_described(each, description) for each in found) else []
+
+
+def getter_of(analysis: Analysis, name: str) -> Function | None:
+    """Return the function that reads a parameter as Plastron writes it, None for none."""
+    bare = name.removeprefix("~").removeprefix("/")
+    description = f"Return the parameter {bare}, or its last good value."
+    for own, functions in analysis.unit.functions.items():
+        if own.startswith("get_") and any(_is_described(each, description) for each in functions):
+            return functions[0]
+    return None
 
 
 def members_of(analysis: Analysis, function: Function) -> Iterator[Variable]:
@@ -236,7 +240,7 @@ def repeating_function(analysis: Analysis, scope: Scope, gone: Deletions) -> lis
     function = None if around is None else around.function
     if function is None or not function.name.startswith("repeat_"):
         return []
-    for each in _body(function):
+    for each in body_of(function):
         if each.type == "declaration" or gone.covers(function.file, each.start_byte):
             continue
         inner = each.child_by_field_name("consequence")
@@ -256,7 +260,7 @@ def unused_helpers(analysis: Analysis, gone: Deletions) -> Iterator[list[Functio
         if not functions or all(gone.covers(each.file, each.node.start_byte) for each in functions):
             continue
         defined = [each for each in functions if each.scope is not None]
-        if len(defined) != 1 or len(_body(defined[0])) != statements:
+        if len(defined) != 1 or len(body_of(defined[0])) != statements:
             continue
         if not any(_is_described(each, description) for each in functions):
             continue
@@ -266,18 +270,4 @@ def unused_helpers(analysis: Analysis, gone: Deletions) -> Iterator[list[Functio
 
 def _is_described(function: Function, description: str) -> bool:
     """Tell whether the first line of the comment above a function is as it was written."""
-    return _description(function) == description
-
-
-def _description(function: Function) -> str:
-    """Return the first line of the comment above a function."""
-    node, text = function.node, function.file.syntax.text
-    if node.parent is not None and node.parent.type == "template_declaration":
-        node = node.parent
-    first, at = b"", line_start(text, node.start_byte)
-    while at > 0:
-        above = line_start(text, at - 1)
-        if not text[above:at].lstrip().startswith(b"///"):
-            break
-        first, at = text[above:at].strip(), above
-    return first.removeprefix(b"///").strip().decode(function.file.syntax.encoding, "replace")
+    return description_of(function) == description

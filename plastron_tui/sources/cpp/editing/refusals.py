@@ -6,8 +6,9 @@ from collections.abc import Sequence
 
 from plastron_tui.diagnostics import Diagnostic, Span, codes, listed
 from plastron_tui.model.source import Remove, Rename, Update
+from plastron_tui.sources.parts import refuse_part
 
-from ..analysis import Analysis
+from ..analysis import Analysis, Site
 from ..scopes import CppFile
 
 
@@ -21,8 +22,30 @@ class RefusedError(Exception):
 
 def not_there(analysis: Analysis, change: Remove | Rename | Update) -> RefusedError:
     """Say that the files have no such endpoint."""
-    del analysis
-    return RefusedError(f"the file has no {change.kind.word} `{change.name}`", change.span)
+    found = sorted(
+        {
+            each.endpoint.label
+            for each in analysis.sites
+            if each.endpoint.kind is change.kind and each.endpoint.label
+        }
+    )
+    remedy = f"it has {listed(f'`{each}`' for each in found)}" if found else "look at what it has"
+    message = f"the file has no {change.kind.word} `{change.name}`"
+    return RefusedError(message, change.span, remedy)
+
+
+def refuse_parts(change: Remove | Rename | Update, sites: Sequence[Site]) -> None:
+    """Refuse to change what an object of a library creates and names.
+
+    Raises:
+        RefusedError: one of the call sites makes such an object.
+    """
+    for site in sites:
+        if site.shape.on == "object":
+            refusal = RefusedError("")
+            found = site.endpoint
+            refusal.diagnostic = refuse_part(change, found.expression, found.line)
+            raise refusal
 
 
 def in_use(change: Remove, used: Sequence[tuple[CppFile, int]]) -> RefusedError:

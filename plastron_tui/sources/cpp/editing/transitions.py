@@ -9,6 +9,7 @@ import re
 
 from plastron_tui.model.source import EndpointKind
 
+from ..scopes import body_of
 from .adding import Addition, variables_like
 
 _DONE = re.compile(r"(?:->on_activate\(\)|->on_deactivate\(\)|\.reset\(\)|\s*=\s*nullptr)\s*;")
@@ -22,7 +23,7 @@ def follow_transitions(added: Addition, kind: EndpointKind, name: str) -> None:
         for file in added.analysis.unit.files:
             last = {}
             for scope in file.scopes:
-                body = scope.node.child_by_field_name("body") if scope.kind == "function" else None
+                body = body_of(scope.node) if scope.kind == "function" else None
                 for statement in body.named_children if body is not None else ():
                     text = file.syntax.word(statement)
                     own = next((x for x in names if text.startswith((x, f"this->{x}"))), None)

@@ -12,7 +12,7 @@ from plastron_tui.model.source import EndpointKind
 
 from ..arguments import Call
 from ..scopes import CppFile
-from ..timers import timer_details
+from ..timers import recreated, timer_details
 from .adding import Addition
 
 _LOOPS = frozenset({"while_statement", "for_statement", "do_statement"})
@@ -46,8 +46,9 @@ def own_turn(added: Addition) -> Turn | None:
 
 
 def _timers(added: Addition) -> Iterator[Turn | None]:
+    again = recreated(added.analysis, added.sites)
     for site in added.sites:
-        if site.endpoint.kind is not EndpointKind.TIMER:
+        if site.endpoint.kind is not EndpointKind.TIMER or site in again:
             continue
         details = timer_details(added.analysis, site)
         if details.is_oneshot:
@@ -59,7 +60,7 @@ def _timers(added: Addition) -> Iterator[Turn | None]:
             yield None
             continue
         function = functions[0]
-        body = function.node.child_by_field_name("body")
+        body = function.body
         if body is None or may_leave(body):
             yield None
             continue

@@ -18,20 +18,28 @@ _WORD = re.compile(rb"[A-Za-z_]\w*")
 _CALLED_BY_OTHERS = re.compile(rb"\b(?:override|virtual|final)\b")
 
 
-def tell_uncalled(
-    before: Analysis, after: Analysis, changes: Sequence[Change]
-) -> Iterator[Diagnostic]:
-    """Warn of the functions that the files called before and do not call any more."""
+def uncalled_functions(before: Analysis, after: Analysis) -> list[Function]:
+    """Return the functions that the files called before and do not call any more."""
+    # What is written anew may say the name in its log.
     rarer = {word.decode() for word in _words(before) - _words(after)}
+    rarer |= _callbacks(before) - _callbacks(after)
     was_called = {name for name, _ in _uncalled(before, rarer)}
-    found = [each for name, each in _uncalled(after, rarer) if name not in was_called]
+    return [each for name, each in _uncalled(after, rarer) if name not in was_called]
+
+
+def tell_uncalled(found: Sequence[Function], changes: Sequence[Change]) -> Iterator[Diagnostic]:
+    """Warn of functions that the files do not call any more."""
     if not found:
         return
     names = listed(f"`{each.name}` (line {each.node.start_point.row + 1})" for each in found)
     message = f"nothing in the file calls {names} any more"
     it = "it if it is" if len(found) == 1 else "them if they are"
-    span = _span(changes)
+    span = span_of(changes)
     yield Diagnostic(codes.UNCALLED_FUNCTION, message, span, help=f"remove {it} of no other use")
+
+
+def _callbacks(analysis: Analysis) -> set[str]:
+    return {site.endpoint.callback for site in analysis.sites if site.endpoint.callback}
 
 
 def _words(analysis: Analysis) -> Counter[bytes]:
@@ -59,12 +67,13 @@ def _uncalled(analysis: Analysis, names: set[str]) -> Iterator[tuple[tuple[str, 
 
 
 def _is_called_by_others(function: Function) -> bool:
-    body = function.node.child_by_field_name("body")
+    body = function.body
     end = function.node.end_byte if body is None else body.start_byte
     code = function.file.syntax.code[function.node.start_byte : end]
     return _CALLED_BY_OTHERS.search(code) is not None
 
 
-def _span(changes: Sequence[Change]) -> Span | None:
+def span_of(changes: Sequence[Change]) -> Span | None:
+    """Return the first statement that takes something out."""
     spans = [each.span for each in changes if isinstance(each, Remove | Update)]
     return spans[0] if spans else None

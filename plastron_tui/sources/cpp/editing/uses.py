@@ -9,6 +9,7 @@ from tree_sitter import Node
 
 from ..analysis import Analysis
 from ..scopes import CppFile, Scope, Variable
+from .deletions import Deletions
 
 _NAMES = frozenset({"identifier", "field_identifier"})
 
@@ -56,12 +57,16 @@ def _may_be(analysis: Analysis, variable: Variable, node: Node, scope: Scope) ->
     return analysis.unit.lookup(variable.name, scope, node.start_byte) is variable
 
 
-def macro_uses(analysis: Analysis, name: str) -> Iterator[tuple[CppFile, int]]:
-    """Yield the macros without arguments that name something, each with its file and offset."""
+def hidden_uses(analysis: Analysis, name: str, gone: Deletions) -> Iterator[tuple[CppFile, int]]:
+    """Yield where a name stands in what was not parsed, each with its file and offset.
+
+    That are macros, and branches of the preprocessor that stand for another one.
+    """
     for file in analysis.unit.files:
-        for define in file.syntax.defines:
-            if word(name).search(file.syntax.text, define.start, define.end):
-                yield file, define.start
+        for found in word(name).finditer(gone.written(file)):
+            start, end = found.span()
+            if not file.syntax.code[start:end].strip() and not gone.covers(file, start):
+                yield file, start
 
 
 def word(name: str) -> re.Pattern[bytes]:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import pytest
-from additions import parameter, publish, request, subscribe
+from additions import publish, request, subscribe
 from patches import check
 
 CASES = [
@@ -224,17 +224,18 @@ CASES = [
          "speed", rclcpp::QoS(1),
          [this](const std_msgs::msg::Float64::ConstSharedPtr msg) { onSpeed(msg); });
 +    imu_subscriber_ = create_subscription<sensor_msgs::msg::Imu>(
-+        "imu", rclcpp::QoS(1), std::bind(&DriveNode::imuCallback, this, std::placeholders::_1));
-+}
-+
-+void DriveNode::imuCallback(const sensor_msgs::msg::Imu::SharedPtr msg) {
-+    RCLCPP_INFO(logger_, "imu: %s", to_yaml(*msg).c_str());
++        "imu", rclcpp::QoS(1),
++        [this](const sensor_msgs::msg::Imu::ConstSharedPtr msg) { onImu(msg); });
  }
 
  void DriveNode::onSpeed(const std_msgs::msg::Float64::ConstSharedPtr& msg) {
      RCLCPP_INFO(logger_, "speed: %f", msg->data);
  }
 
++void DriveNode::onImu(const sensor_msgs::msg::Imu::ConstSharedPtr& msg) {
++    RCLCPP_INFO(logger_, "imu: %s", to_yaml(*msg).c_str());
++}
++
  }  // namespace drive
 === x.hpp
  #pragma once
@@ -252,7 +253,7 @@ CASES = [
 
  private:
      void onSpeed(const std_msgs::msg::Float64::ConstSharedPtr& msg);
-+    void imuCallback(const sensor_msgs::msg::Imu::SharedPtr msg);
++    void onImu(const sensor_msgs::msg::Imu::ConstSharedPtr& msg);
 
      rclcpp::Logger logger_ = get_logger();
      rclcpp::Publisher<std_msgs::msg::String>::SharedPtr state_publisher_;
@@ -263,41 +264,6 @@ CASES = [
  }  // namespace drive
 """,
         id="a subscription of rclcpp, in a source with its header",
-    ),
-    pytest.param(
-        publish("state", rate=2.0, data="on"),
-        """
-+#include <chrono>
-+
- #include "rclcpp/rclcpp.hpp"
- #include "std_msgs/msg/string.hpp"
-
- rclcpp::Node::SharedPtr g_node = nullptr;
-
- void topic_callback(const std_msgs::msg::String::SharedPtr msg)
- {
-   RCLCPP_INFO(g_node->get_logger(), "I heard: '%s'", msg->data.c_str());
- }
-
- int main(int argc, char * argv[])
- {
-   rclcpp::init(argc, argv);
-   g_node = rclcpp::Node::make_shared("listener");
-   auto subscription =
-     g_node->create_subscription<std_msgs::msg::String>("topic", 10, topic_callback);
-+  auto state_pub = g_node->create_publisher<std_msgs::msg::String>("state", 10);
-+  rclcpp::TimerBase::SharedPtr state_timer = g_node->create_wall_timer(
-+    std::chrono::milliseconds(500), [state_pub]() {
-+      std_msgs::msg::String message;
-+      message.data = "on";
-+      state_pub->publish(message);
-+    });
-   rclcpp::spin(g_node);
-   rclcpp::shutdown();
-   return 0;
- }
-""",
-        id="a message at a rate, in main",
     ),
     pytest.param(
         request("ask", data=True),
@@ -320,11 +286,6 @@ CASES = [
 +  }
 +
 +private:
-+  rclcpp::Client<std_srvs::srv::SetBool>::SharedPtr ask_client_;
-+
-+private:
-+  rclcpp::TimerBase::SharedPtr ask_timer_;
-+
 +  void call_ask()
 +  {
 +    if (!ask_client_->service_is_ready()) {
@@ -339,6 +300,9 @@ CASES = [
 +        RCLCPP_INFO(get_logger(), "ask: %s", to_yaml(*future.get()).c_str());
 +      });
 +  }
++
++  rclcpp::Client<std_srvs::srv::SetBool>::SharedPtr ask_client_;
++  rclcpp::TimerBase::SharedPtr ask_timer_;
  };
 
  int main(int argc, char ** argv)
@@ -349,59 +313,6 @@ CASES = [
  }
 """,
         id="a request of rclcpp",
-    ),
-    pytest.param(
-        parameter("speed", "int", 5, minimum=1, maximum=9),
-        """
- #include <memory>
- #include <string>
-
- #include "geometry_msgs/msg/twist.hpp"
-+#include "rcl_interfaces/msg/parameter_descriptor.hpp"
- #include "rclcpp/rclcpp.hpp"
-
- namespace wheels
- {
- using geometry_msgs::msg::Twist;
-
- class Wheels final : public rclcpp::Node
- {
- public:
-   explicit Wheels(const rclcpp::NodeOptions & options = rclcpp::NodeOptions())
-   : rclcpp::Node("wheels", options)
-   {
-     gain_ = this->declare_parameter<double>("gain", 1.0);
-+    {
-+      rcl_interfaces::msg::ParameterDescriptor descriptor;
-+      descriptor.integer_range.resize(1);
-+      descriptor.integer_range[0].from_value = 1;
-+      descriptor.integer_range[0].to_value = 9;
-+      this->declare_parameter<int64_t>("speed", 5, descriptor);
-+    }
-     sub_twist_ = this->create_subscription<Twist>(
-       "cmd_vel", rclcpp::SensorDataQoS(),
-       std::bind(&Wheels::onTwist, this, std::placeholders::_1));
-   }
-
- private:
-   void onTwist(Twist::UniquePtr twist)
-   {
-     RCLCPP_DEBUG(this->get_logger(), "%f", gain_ * twist->linear.x);
-   }
-
-   double gain_;
-   rclcpp::Subscription<Twist>::SharedPtr sub_twist_;
- };
- }  // namespace wheels
-
- int main(int argc, char ** argv)
- {
-   rclcpp::init(argc, argv);
-   rclcpp::spin(std::make_shared<wheels::Wheels>());
-   rclcpp::shutdown();
- }
-""",
-        id="a parameter of rclcpp with a range",
     ),
     pytest.param(
         publish("b"),

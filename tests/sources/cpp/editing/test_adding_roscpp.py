@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import pytest
-from additions import parameter, provide, publish, request, subscribe
+from additions import provide, publish, request, subscribe
 from patches import check
 
 CASES = [
@@ -118,8 +118,7 @@ CASES = [
      m_pubState.publish(state);
  }
 
-+bool Driver::onGo(
-+    std_srvs::Trigger::Request &req, std_srvs::Trigger::Response &res) {
++bool Driver::onGo(std_srvs::Trigger::Request &req, std_srvs::Trigger::Response &res) {
 +    ROS_INFO_STREAM("go: " << req);
 +    res.success = true;
 +    return true;
@@ -151,8 +150,7 @@ CASES = [
  private:
      void onSpeed(const std_msgs::Float64ConstPtr &speed);
      void onTimer(const ros::TimerEvent &);
-+    bool onGo(
-+        std_srvs::Trigger::Request &req, std_srvs::Trigger::Response &res);
++    bool onGo(std_srvs::Trigger::Request &req, std_srvs::Trigger::Response &res);
 
      ros::NodeHandle m_nh;
      ros::NodeHandle m_pnh;
@@ -243,62 +241,6 @@ CASES = [
         id="a subscription of roscpp, bound as the others are",
     ),
     pytest.param(
-        publish("state", data="on"),
-        """
- #include <ros/ros.h>
- #include <std_msgs/String.h>
-
- int main(int argc, char **argv)
- {
-     ros::init(argc, argv, "talker");
-     ros::NodeHandle nh;
-     ros::Publisher pub = nh.advertise<std_msgs::String>("chatter", 1000);
-+    ros::Publisher state_pub = nh.advertise<std_msgs::String>("state", 1000);
-     ros::Rate loop_rate(10);
-     while (ros::ok()) {
-         std_msgs::String msg;
-         msg.data = "hello";
-         pub.publish(msg);
-+        std_msgs::String state_message;
-+        state_message.data = "on";
-+        state_pub.publish(state_message);
-         ros::spinOnce();
-         loop_rate.sleep();
-     }
-     return 0;
- }
-""",
-        id="a message in the loop of main",
-    ),
-    pytest.param(
-        publish("echo", heard="chatter", data="x"),
-        """
- #include "ros/ros.h"
- #include "std_msgs/String.h"
-+
-+ros::Publisher echo_pub;
-
- void chatterCallback(const std_msgs::String::ConstPtr& msg)
- {
-   ROS_INFO("I heard: [%s]", msg->data.c_str());
-+  std_msgs::String echo_message;
-+  echo_message.data = "x";
-+  echo_pub.publish(echo_message);
- }
-
- int main(int argc, char **argv)
- {
-   ros::init(argc, argv, "listener");
-   ros::NodeHandle n;
-   ros::Subscriber sub = n.subscribe("chatter", 1000, chatterCallback);
-+  echo_pub = n.advertise<std_msgs::String>("echo", 10);
-   ros::spin();
-   return 0;
- }
-""",
-        id="a message for each that main hears",
-    ),
-    pytest.param(
         request("ask", data=True),
         """
  #include <nodelet/nodelet.h>
@@ -331,8 +273,8 @@ CASES = [
 +  void callAsk(const ros::TimerEvent&) {
 +    std_srvs::SetBool call;
 +    call.request.data = true;
-+    if (
-+      ask_client_.waitForExistence(ros::Duration(10.0)) && ask_client_.call(call)) {
++    if (ask_client_.waitForExistence(ros::Duration(10.0)) &&
++        ask_client_.call(call)) {
 +      NODELET_INFO_STREAM("ask: " << call.response);
 +    } else {
 +      NODELET_ERROR("ask: there was no answer");
@@ -394,41 +336,6 @@ CASES = [
  }
 """,
         id="a service beside one that an initializer creates",
-    ),
-    pytest.param(
-        parameter("~/gain", "float", 2.5),
-        """
- #include <nodelet/nodelet.h>
- #include <pluginlib/class_list_macros.hpp>
- #include <ros/ros.h>
- #include <std_msgs/Bool.h>
-
- namespace lamps {
-
- class LampNodelet : public nodelet::Nodelet {
-  private:
-   void onInit() override {
-     ros::NodeHandle& nh = getNodeHandle();
-     ros::NodeHandle& private_nh = getPrivateNodeHandle();
-     private_nh.param("dim", dim_, 0.5);
-+    private_nh.param<double>("gain", gain_, 2.5);
-     switch_sub_ = nh.subscribe("switch", 1, &LampNodelet::SwitchCb, this);
-   }
-
-   void SwitchCb(const std_msgs::BoolConstPtr& msg) {
-     NODELET_INFO("switch: %d", msg->data);
-   }
-
-   double dim_;
-+  double gain_;
-   ros::Subscriber switch_sub_;
- };
-
- }  // namespace lamps
-
- PLUGINLIB_EXPORT_CLASS(lamps::LampNodelet, nodelet::Nodelet)
-""",
-        id="a parameter of a nodelet",
     ),
 ]
 

@@ -5,9 +5,14 @@ from __future__ import annotations
 import pytest
 from patches import edit, sides
 
-from plastron_tui.model.source import EndpointKind, Remove, Rename
+from plastron_tui.diagnostics import Span
+from plastron_tui.model.kinds import Message, Publication, Publisher, Subscription
+from plastron_tui.model.source import Add, EndpointKind, Remove, Rename, Update
+from plastron_tui.model.values import MessageValue
+from plastron_tui.ros.interfaces import InterfaceName
 
 K = EndpointKind
+AT = Span(0, 0)
 
 SAID = [
     ("// publishes on the topic speed", ["line 10 still says `speed`"]),
@@ -89,3 +94,64 @@ def test_a_name_that_others_may_give_otherwise_is_told(change: Remove | Rename) 
     assert "the name `speed` in line 7 is a default, for which others may give another name" in [
         each.message for each in told
     ]
+
+
+LISTENER = "auto listener = std::make_shared<tf2_ros::TransformListener>(*buffer);"
+SENDER = "tf2_ros::TransformBroadcaster sender(node);"
+STRING = InterfaceName("std_msgs", "String")
+REMAP = "remap it where the node is started: `starts … remapping '/tf' to '/tg'`"
+BY_HAND = "change the line by hand"
+PARTS: list[tuple[str, Remove | Rename | Update, str]] = [
+    (LISTENER, Rename(K.SUBSCRIPTION, "/tf", "/tg"), REMAP),
+    (LISTENER, Remove(K.SUBSCRIPTION, "/tf"), BY_HAND),
+    (LISTENER, Update(K.SUBSCRIPTION, "/tf", Subscription("/tf", STRING, None, AT)), BY_HAND),
+    (SENDER, Rename(K.PUBLISHER, "/tf", "/tg"), REMAP),
+    (SENDER, Update(K.PUBLISHER, "/tf", Publisher("/tf", STRING, (), AT)), BY_HAND),
+    (SENDER, Update(K.PUBLISHER, "/tf", Publisher("/tg", STRING, (), AT)), REMAP),
+]
+
+
+@pytest.mark.parametrize(("line", "change", "help_"), PARTS)
+def test_what_an_object_of_a_library_names_is_not_changed(
+    line: str, change: Remove | Rename | Update, help_: str
+) -> None:
+    text = f"""
+ #include <rclcpp/rclcpp.hpp>
+ #include <tf2_ros/transform_broadcaster.h>
+ #include <tf2_ros/transform_listener.h>
+ int main(int c, char** v) {{
+   rclcpp::init(c, v);
+   auto node = std::make_shared<rclcpp::Node>("n");
+   {line}
+   rclcpp::spin(node);
+ }}
+"""
+    before, _ = sides(text)
+    files, (found,) = edit(before, change)
+    assert files is None
+    what = "Listener" if line is LISTENER else "Broadcaster"
+    word = change.kind.word
+    assert found.message == f"the {word} `/tf` is a part of `tf2_ros::Transform{what}` in line 7"
+    assert found.help == help_
+
+
+def test_a_message_of_transforms_gets_a_publisher_of_its_own() -> None:
+    text = """
+ #include <rclcpp/rclcpp.hpp>
+ #include <tf2_msgs/msg/tf_message.hpp>
+ #include <tf2_ros/transform_broadcaster.h>
+ class A : public rclcpp::Node {
+  public:
+   A() : Node("a") {
+     sender_ = std::make_shared<tf2_ros::TransformBroadcaster>(this);
+   }
+   std::shared_ptr<tf2_ros::TransformBroadcaster> sender_;
+ };
+"""
+    before, _ = sides(text)
+    type_ = InterfaceName("tf2_msgs", "TFMessage")
+    sent = Publication(Message("m", MessageValue(type_, {}), AT), 10.0, AT)
+    files, _ = edit(before, Add(Publisher("/tf", type_, (sent,), AT)))
+    assert files is not None
+    assert b'create_publisher<tf2_msgs::msg::TFMessage>("/tf", 10)' in files.main
+    assert b"sender_->publish" not in files.main
