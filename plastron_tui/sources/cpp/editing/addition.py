@@ -40,6 +40,7 @@ from .handles import handle_for
 from .hearing import (
     bound,
     existing,
+    idle_callback,
     message_parameter,
     service_parameters,
     wrapped,
@@ -278,6 +279,9 @@ def _callback(added: Addition, interface: Interface, class_: str) -> str:
             refuse(codes.EDIT_REFUSED, f"{message} is there", added.span, remedy)
         return wanted
     manner = callback_naming(added.analysis, added.kind, added.sites)
+    left = None if wanted else idle_callback(added, manner.name(added.topic), class_)
+    if left is not None:
+        return left
     name = wanted or added.free(manner.name(added.topic), manner.end)
     added.taken.add(name)
     if added.kind is K.SUBSCRIPTION:
