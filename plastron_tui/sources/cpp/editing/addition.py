@@ -41,6 +41,7 @@ from .handles import handle_for
 from .hearing import (
     bound,
     existing,
+    idle_callback,
     message_parameter,
     service_parameters,
 )
@@ -48,7 +49,7 @@ from .include_place import order_includes
 from .interfaces import Interfaces, refuse
 from .lambdas import Lambda, NewLambda, callback_names, model_lambda
 from .logging import log_line
-from .manner import callback_naming, held_by, identifiers, split_words
+from .manner import Naming, callback_naming, held_by, identifiers, split_words
 from .members import hold, is_local, open_private, type_of
 from .parameters import declare_parameter
 from .place import find_place, sites_of_node
@@ -298,6 +299,9 @@ def _callback(added: Addition, interface: Interface, class_: str) -> str:
             remedy = "leave out `answering`, and fill in the response by hand in its function"
             refuse(codes.EDIT_REFUSED, f"{message} is there", added.span, remedy)
         return wanted
+    left = None if wanted else idle_callback(added, _naming(added).name(added.topic), class_)
+    if left is not None:
+        return left
     name = wanted or _callback_name(added)
     added.taken.add(name)
     parameters, body = _served(added, interface, class_)
@@ -309,9 +313,13 @@ def _callback(added: Addition, interface: Interface, class_: str) -> str:
     return name
 
 
-def _callback_name(added: Addition) -> str:
+def _naming(added: Addition) -> Naming:
     called = callback_names(added.analysis, added.sites)
-    manner = callback_naming(added.analysis, added.kind, called)
+    return callback_naming(added.analysis, added.kind, called)
+
+
+def _callback_name(added: Addition) -> str:
+    manner = _naming(added)
     return added.free(manner.name(added.topic), manner.end)
 
 
