@@ -30,6 +30,8 @@ from .. import literals
 from ..analysis import Analysis, Site
 from ..nodes import group
 from ..qos_code import latch, profile
+from ..scopes import Function
+from ..shapes import TRANSFORMS
 from .actions import request_action, serve_action
 from .adding import Addition
 from .calling import add_requests
@@ -49,7 +51,7 @@ from .logging import log_line
 from .manner import callback_naming, held_by, identifiers, split_words
 from .members import hold, is_local, type_of
 from .parameters import declare_parameter
-from .place import beside, find_place, sites_of_node
+from .place import behind_creation, beside, find_place, sees, sites_of_node
 from .plans import Plan
 from .sending import Sender, add_publishing
 from .timers import create_timer, event_parameter, period_of, timer_name
@@ -143,9 +145,18 @@ def _present(added: Addition, present: list[Site]) -> Sender:
     once = isinstance(endpoint, Publisher) and any(each.is_once for each in endpoint.publications)
     for site in reversed(present):
         variable = held_by(added.analysis, site)
-        if variable is None or (variable.kind == "local" and site is not added.place.beside):
-            place = beside(added.analysis, site)
-            if variable is None or place is None:
+        if variable is None or site.endpoint.type == TRANSFORMS:
+            continue
+        if added.analysis.receivers.type_of_variable(variable).endswith("::CameraPublisher"):
+            # It publishes an image together with what its camera is like.
+            continue
+        is_local = variable.kind == "local"
+        if not sees(added.analysis, added.place, variable) or (
+            is_local and site is not added.place.beside
+        ):
+            find = behind_creation if is_local else beside
+            place = find(added.analysis, site) if not site.bindings else None
+            if place is None:
                 continue
             added.place = place
         qos = site.endpoint.qos
@@ -168,13 +179,26 @@ def _present(added: Addition, present: list[Site]) -> Sender:
 
 def _repeat(added: Addition, timer: Timer) -> None:
     """Call a function at a rate."""
-    if existing(added, timer.name) is None:
+    added.taken.add(timer.name)
+    function = existing(added, timer.name)
+    if function is not None and not _takes_tick(added, function):
+        message = f"`{timer.name}` takes something else than a timer gives"
+        refuse(codes.EDIT_REFUSED, message, added.span, "name another function")
+    if function is None:
         body = [log_line(added, f"{naming.label(timer.name, 'a timer')} ticks", "")]
         write_function(added, timer.name, event_parameter(added), body)
     words = "_".join(split_words(timer.name))
     period = period_of(added, timer.rate or 1.0)
     variable = timer_name(added, words)
     create_timer(added, variable, period, timer.name)
+
+
+def _takes_tick(added: Addition, function: Function) -> bool:
+    """Tell whether a timer can call a function: in ROS 1 with its event, or else with nothing."""
+    types = [each.type for each in function.parameters]
+    if added.is_ros2:
+        return types in ([], ["rclcpp::TimerBase"])
+    return len(types) == 1 and types[0].rpartition("::")[2] == "TimerEvent"
 
 
 def _interface(added: Addition) -> Interface:
@@ -292,7 +316,7 @@ def _callback(added: Addition, interface: Interface, class_: str) -> str:
             body += _answer(
                 added, interface, added.endpoint.answer, request.holder, response.holder
             )
-        else:
+        if not any(response.holder in line for line in body):
             body.append(f"(void){response.name};")
         if not added.is_ros2:
             body.append("return true;")

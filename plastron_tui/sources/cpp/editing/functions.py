@@ -10,7 +10,7 @@ from plastron_tui.model.source import EndpointKind
 
 from ..scopes import CppFile, Function, Scope
 from .adding import Addition
-from .members import access_of
+from .place import access_of
 
 
 def callbacks_of(added: Addition, kind: EndpointKind | None = None) -> list[Function]:

@@ -19,7 +19,8 @@ _CHRONO = re.compile(
 )
 _REAL = re.compile(
     r"(?P<head>(?:ros::(?:Wall|Steady)?Duration|rclcpp::Duration::from_seconds"
-    r"|(?:std::)?chrono::duration<(?:double|float)>)[({]\s*)[\d.']+f?(?P<tail>\s*[)}])"
+    r"|(?:std::)?chrono::duration<(?:double|float)>)\s*[({]\s*)(?P<ratio>1(?:\.0?)?\s*/\s*)?[\d.']+f?"
+    r"(?P<tail>\s*[)}])"
 )
 _UNITS = (("s", "seconds", 1), ("ms", "milliseconds", 10**3), ("us", "microseconds", 10**6),
           ("ns", "nanoseconds", 10**9))  # fmt: skip
@@ -65,7 +66,9 @@ def _period(text: str, period: float) -> str:
                 count = round(period * scale)
                 return f"{found['head']}{unit}{found['open']}{count}{found['close']}"
     if found := _REAL.fullmatch(text):
-        return f"{found['head']}{literals.real(period)}{found['tail']}"
+        ratio = found["ratio"] or ""
+        number = literals.real(round(1 / period, 9) if ratio else period)
+        return f"{found['head']}{ratio}{number}{found['tail']}"
     raise NotInPlaceError
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from tree_sitter import Node
 
@@ -194,6 +194,39 @@ def beside(analysis: Analysis, site: Site) -> Place | None:
     if not is_own_node or (node is None):
         return None
     return Place(site.file, function, block, after, owner, node, site)
+
+
+def behind_creation(analysis: Analysis, site: Site) -> Place | None:
+    """Return the place behind the statement of a call, in the block that has it."""
+    place = beside(analysis, site)
+    node = site.call.node
+    while node.parent is not None and node.parent.type != "compound_statement":
+        node = node.parent
+    if place is None or node.parent is None or _leaves(node):
+        return None
+    return replace(place, body=node.parent, after=node)
+
+
+def sees(analysis: Analysis, place: Place, variable: Variable) -> bool:
+    """Tell whether what is written at a place may name a variable of the files."""
+    if variable.kind == "global":
+        return True
+    if variable.kind != "member":
+        return analysis.unit.lookup(variable.name, place.scope, place.offset) is variable
+    if place.owner is None or place.owner is variable.scope:
+        return place.owner is not None
+    is_inherited = any(each is variable.scope for each in analysis.unit.bases(place.owner))
+    return is_inherited and access_of(variable.scope, variable.node) != "private"
+
+
+def access_of(owner: Scope, node: Node) -> str:
+    """Return who may name a member: `public`, `protected` or `private`."""
+    body = owner.node.child_by_field_name("body")
+    found = "public" if owner.node.type == "struct_specifier" else "private"
+    for each in body.named_children if body is not None else ():
+        if each.type == "access_specifier" and each.start_byte < node.start_byte:
+            found = owner.file.syntax.word(each).strip()
+    return found
 
 
 def _with_uses(analysis: Analysis, site: Site, after: Node | None) -> Node | None:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+
 from tree_sitter import Node
 
 from plastron_tui.model.endpoint_details import ParameterDetails
@@ -9,8 +11,13 @@ from plastron_tui.model.kinds import Parameter
 
 from .. import literals
 from ..analysis import Site
+from ..details import Details
 from ..read_parameters import parameter_call
+from .parameters import setting_text
 from .replacing import NotInPlaceError, Replacement
+
+_SUFFIX = re.compile(r"(?<=[\d.])[uUlLfF]+$")
+"""What says of which type a number is."""
 
 
 def says_default(site: Site) -> bool:
@@ -25,7 +32,7 @@ def redeclare(update: Replacement, parameter: Parameter) -> None:
         NotInPlaceError: its type or its range differs, or no literal says its default.
     """
     site = update.site
-    details = site.endpoint.details
+    details = Details(update.analysis).of(site).details
     found = details if isinstance(details, ParameterDetails) else ParameterDetails()
     said = parameter_call(site.call)
     if said.default is None:
@@ -44,7 +51,12 @@ def redeclare(update: Replacement, parameter: Parameter) -> None:
         return
     if not _is_literal(said.default) or isinstance(default, tuple):
         raise NotInPlaceError
-    update.put(site.place.file, said.default, literals.scalar(default))
+    written = literals.scalar(default)
+    if parameter.holds is not None:
+        written = setting_text(default, parameter.holds, update.analysis.ros_version)
+    # `param("limit", limit, 0.5f)` is none of a `double`.
+    suffix = _SUFFIX.search(site.place.file.syntax.slice(said.default))
+    update.put(site.place.file, said.default, written + (suffix[0] if suffix else ""))
 
 
 def _is_literal(node: Node) -> bool:

@@ -222,7 +222,13 @@ def _check_body(
     """
     site, interface = update.site, update.catalog.find(type_, kind)
     bodies = list(_bodies(update, given, functions))
-    if functions and all(is_stub(each) for each in functions if each.scope is not None):
+    uses_fields = any(
+        [*_fields_used(body, file, name)]
+        for body, file, parameters in bodies
+        for name in parameters
+    )
+    is_stubs = all(is_stub(each) for each in functions if each.scope is not None)
+    if functions and is_stubs and not uses_fields:
         return
     missing: dict[str, None] = {}
     is_whole = False

@@ -153,6 +153,10 @@ def _write(update: Replacement, *, is_retyped: bool) -> str:
     type_ = change.endpoint.type or site.endpoint.type
     if place is None or type_ is None or not isinstance(change.endpoint, Subscription | Service):
         raise NotInPlaceError
+    own = [each for listed in functions_of(analysis, site) for each in listed]
+    if any(analysis.unit.class_of_function(each) is not place.owner for each in own):
+        # The call names the class of its function.
+        raise NotInPlaceError
     label = labels_of(analysis).get(site, "")
     sites = sites_of_node(analysis, change.node)
     interfaces = Interfaces(update.catalog, analysis.ros_version)
