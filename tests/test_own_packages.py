@@ -254,8 +254,13 @@ def test_a_launch_file_starts_nodes_of_the_program_s_own_package(
 ) -> None:
     start = f"create_launch 'bringup' as bringup\nbringup starts talker{inside}\n"
     generate(tmp_path, f"{generated(talker(library))}{start}generate_launch bringup\n")
-    [launch] = [text for name, text in files(tmp_path).items() if name.startswith("bringup.launch")]
+    made = files(tmp_path)
+    [launch] = [text for name, text in made.items() if name.startswith("launch/bringup.launch")]
     assert line in launch
+    # It is where the package installs it, and goes from there with what installs it.
+    assert "install(\n  DIRECTORY launch\n" in made["CMakeLists.txt"]
+    generate(tmp_path, generated(talker(library)))
+    assert "DIRECTORY launch" not in files(tmp_path)["CMakeLists.txt"]
 
 
 def test_the_package_of_nodes_that_are_not_asked_for_is_no_rest(tmp_path: Path) -> None:
@@ -279,3 +284,26 @@ def test_what_is_built_is_the_file_that_there_is(suffix: str, tmp_path: Path) ->
     found = files(tmp_path)
     assert f"src/talker{suffix}" in found
     assert f"src/talker{suffix})" in found["CMakeLists.txt"]
+
+
+@pytest.mark.parametrize("file", ["src/a/talker.cpp", "include/demo/talker.hpp"])
+def test_files_too_far_apart_for_the_output_folder_are_told(file: str, tmp_path: Path) -> None:
+    sources = {
+        "include/demo/talker.hpp": "#include <ros/ros.h>\nclass Talker {ros::NodeHandle nh_;};\n",
+        "src/a/talker.cpp": (
+            '#include "demo/talker.hpp"\n'
+            'int main(int c, char ** v) {ros::init(c, v, "talker"); Talker t; ros::spin();}\n'
+        ),
+        "package.xml": "<package><name>demo</name></package>\n",
+    }
+    for name, source in sources.items():
+        path = tmp_path / "demo" / name
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_text(source, encoding="utf-8")
+    text = f"load 'demo/{file}' as talker\ngenerate_node talker\n"
+    options = Options(None, tmp_path / "output")
+    session = Session(text.encode(), tmp_path / "robot.plastron", options, environ={})
+    plan, [found] = session.plan()
+    assert (found.code, plan.files) == ("outside-output", ())
+    assert found.span is not None and found.help is not None
+    assert text[found.span.start : found.span.end].startswith("load ")

@@ -13,7 +13,7 @@ from plastron_tui.model.launches import Launch, LaunchSource
 from plastron_tui.model.package_source import PackageSource
 from plastron_tui.model.packages import Package
 from plastron_tui.output.plan import OutputFile
-from plastron_tui.ros.launch import Include, StartedNode, items_of
+from plastron_tui.ros.launch import Argument, Include, StartedNode, items_of
 from plastron_tui.ros.launch_text import Kind, Substitution
 from plastron_tui.sources.launch.edits import add, remove
 from plastron_tui.sources.launch.xml_reader import read_launch_xml
@@ -162,3 +162,10 @@ def needs_of_launch(launch: Launch, version: int) -> frozenset[str]:
             *((loader,) if is_loading else ()),
         }
     )
+
+
+def is_open(launch: Launch) -> bool:
+    """Tell whether who starts a launch file has to give it an argument."""
+    there = () if launch.source is None else items_of(launch.source.launch.items, Argument)
+    defaults = (each.default for each in (*launch.arguments.values(), *there))
+    return any(default is None for default in defaults)

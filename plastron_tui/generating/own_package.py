@@ -125,7 +125,7 @@ def own_specs(
     generations: Iterable[Generation],
     libraries: Mapping[str, Library],
 ) -> Iterator[tuple[str, PackageSpec]]:
-    """Yield a program's own packages, each with its folder in the output folder, "" for that.
+    """Yield a program's own packages, each with the way to it from the output folder.
 
     One of which a node is not made, or cannot be written, is left out.
 
@@ -141,9 +141,7 @@ def own_specs(
     }
     packages: dict[tuple[str, str], dict[tuple[str, str], Generation]] = {}
     for each in generations:
-        home = each.node.home
-        if home is not None and home.is_own and home.above is None:
-            place = "" if home.is_output else home.package, home.package
+        if (place := _place(each)) is not None:
             packages.setdefault(place, {})[each.node.variable, each.library] = each
     for (folder, name), asked in packages.items():
         found = [by_variable.get(key) for key in asked]
@@ -152,6 +150,28 @@ def own_specs(
             # What the program creates, loads and generates again is one node.
             nodes = {id(each): each for each in whole}
             yield folder, _spec(name, list(nodes.values()), libraries)
+
+
+def own_places(
+    generations: Iterable[Generation], libraries: Mapping[str, Library]
+) -> dict[int, str]:
+    """Return the way to a program's own package from the output folder, by generation of ROS.
+
+    It ends in a slash where it leads anywhere.
+    """
+    return {
+        libraries[each.library].target.ros_version: place[0]
+        for each in generations
+        if each.library in libraries and (place := _place(each)) is not None
+    }
+
+
+def _place(generation: Generation) -> tuple[str, str] | None:
+    """Return the way to the program's own package that a node is in, and its name."""
+    home = generation.node.home
+    if home is None or not home.is_own or home.above is not None:
+        return None
+    return "" if home.is_output else f"{home.package}/", home.package
 
 
 def homes_of(made: Sequence[Generated], generations: Iterable[Generation]) -> dict[str, Home]:

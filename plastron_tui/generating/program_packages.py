@@ -11,7 +11,6 @@ from plastron_tui.model.launch_checks import unwritable, with_parameter_files
 from plastron_tui.model.launches import Launch, LaunchGeneration
 from plastron_tui.model.packages import SCRIPTS_FOLDER, nodes_folder
 from plastron_tui.model.workspace import Node, Workspace
-from plastron_tui.ros.launch import Argument, items_of
 from plastron_tui.sources.launch.new_elements import CannotWriteError
 from plastron_tui.targets.launch.program import ExecutableName, request_of
 from plastron_tui.targets.launch.python import write_python
@@ -34,6 +33,7 @@ from plastron_tui.targets.packages.spec import (
 from .launch_files import (
     edited_launch,
     executable_of,
+    is_open,
     is_within,
     launch_output,
     name_within,
@@ -41,7 +41,7 @@ from .launch_files import (
 )
 from .loaded_types import refused_types
 from .own_definitions import Packaged, own_definitions, rendered_definitions, used_packages
-from .own_package import homes_of, own_specs, with_homes
+from .own_package import homes_of, own_places, own_specs, with_homes
 from .package_spec import package_spec
 
 if TYPE_CHECKING:
@@ -63,13 +63,6 @@ def _are_apart(spec: PackageSpec) -> bool:
     folders = (nodes_folder(spec.name), SCRIPTS_FOLDER)
     homes = (each.node.home for each in spec.scripts)
     return all(home is not None and home.folder in folders for home in homes)
-
-
-def _is_open(launch: Launch) -> bool:
-    """Tell whether who starts a launch file has to give it an argument."""
-    there = () if launch.source is None else items_of(launch.source.launch.items, Argument)
-    defaults = (each.default for each in (*launch.arguments.values(), *there))
-    return any(default is None for default in defaults)
 
 
 class Made(NamedTuple):
@@ -127,7 +120,6 @@ class ProgramPackages:
             *(self._package(each) for each in last.values() if each.source is None),
             *self._own_packages(),
             *self._definitions_alone(),
-            *self._launches_alone(),
         ):
             files.update(part.files)
             diagnostics += part.diagnostics
@@ -167,12 +159,26 @@ class ProgramPackages:
         return Made(files, tuple(found))
 
     def _own_packages(self) -> Iterator[Made]:
-        """Make the packages of nodes that have to be built, and are in none that is named."""
+        """Make the packages of nodes that have to be built, and are in none that is named.
+
+        They install the launch files of their generation that are in no other package.
+        """
+        alone = list(self._launches_alone())
+        places = own_places(self._generations, self._libraries)
+        for version, written in alone:
+            if isinstance(written, Diagnostic):
+                yield Made({}, (written,))
+            else:
+                folder = f"{places[version]}launch/" if version in places else ""
+                yield Made({f"{folder}{written.name}": PackageFile(written.text)})
         for folder, spec in own_specs(self._made, self._generations, self._libraries):
+            launches = (each for version, each in alone if version == spec.ros_version)
+            held = (each for each in launches if isinstance(each, PackagedLaunch))
+            spec = replace(spec, launches=tuple(held))
             rendered = render_package(spec)
             nodes = {path for each in spec.nodes for path in node_paths(spec, each)}
             files = {
-                "/".join(part for part in (folder, path) if part): file
+                f"{folder}{path}": file
                 for path, file in (rendered.files or {}).items()
                 if path not in nodes
             }
@@ -254,19 +260,13 @@ class ProgramPackages:
                     launches.append(written._replace(span=contained.span))
         return tuple(launches), problems
 
-    def _launches_alone(self) -> Iterator[Made]:
-        """Yield the launch files that are written for their own sake."""
-        assert self._default is not None
+    def _launches_alone(self) -> Iterator[tuple[int, PackagedLaunch | Diagnostic]]:
+        """Yield the launch files that are written for their own sake, with their ROS."""
         last = {each.launch.variable: each.launch for each in self._workspace.written_launches}
         for variable, launch in last.items():
-            if variable in self._held or launch.source is not None:
-                continue
-            version = self._version_of(launch)
-            written = self._written(launch, version)
-            if isinstance(written, Diagnostic):
-                yield Made({}, (written,))
-            else:
-                yield Made({written.name: PackageFile(written.text)})
+            if variable not in self._held and launch.source is None:
+                version = self._version_of(launch)
+                yield version, self._written(launch, version)
 
     def loaded_launches(
         self, folder: Folder, writing: Writing
@@ -351,7 +351,7 @@ class ProgramPackages:
             return name_and_text
         name, text = name_and_text
         needs = needs_of_launch(launch, version)
-        return PackagedLaunch(name, text, needs, is_open=_is_open(launch))
+        return PackagedLaunch(name, text, needs, is_open=is_open(launch))
 
     def _name_and_text(self, launch: Launch, version: int) -> tuple[str, bytes] | Diagnostic:
         if launch.source is not None:

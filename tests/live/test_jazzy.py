@@ -16,7 +16,7 @@ import test_transitions
 from graph import Graph
 from processes import generate
 
-pytestmark = [pytest.mark.live, pytest.mark.long(minutes=1)]
+pytestmark = [pytest.mark.live, pytest.mark.long(1)]
 
 CHECKS: list[Callable[[Graph, Path], None]] = [
     test_both.test_a_node_does_all_four_things,

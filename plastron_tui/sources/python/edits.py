@@ -21,6 +21,7 @@ from plastron_tui.model.kinds import (
 from plastron_tui.model.source import Add, Change, Remove, Rename, Update
 from plastron_tui.ros.catalog import Catalog
 from plastron_tui.ros.interfaces import InterfaceName
+from plastron_tui.sources.written_anew import Exchange, or_renames
 
 from .adding import plan_addition
 from .aligning import realigned
@@ -31,7 +32,7 @@ from .dialect import Dialect
 from .existing_callbacks import NotCallableError
 from .found_endpoints import Found, endpoints_of, respell
 from .imports import unused_imports
-from .lost import Exchange, or_renames
+from .lost import options_of, said_by
 from .messages import CannotAddError
 from .nodes import group, labels_of, part_of
 from .other_updates import is_as_asked, plan_other
@@ -124,7 +125,7 @@ class Edits:
                 self._remove(change)
             elif isinstance(change, Update):
                 self._update(change)
-        self.notes += self._exchange.notes(self.analysis)
+        self.notes += self._exchange.notes(said_by(self.analysis))
 
     def _rename(self, changes: Sequence[Rename]) -> None:
         """Give endpoints other names, all at once."""
@@ -157,7 +158,7 @@ class Edits:
             raise not_there(self.analysis, change)
         refuse_passes(change, sites)
         for site in sites:
-            self._exchange.take(self.analysis, site, change.name)
+            self._exchange.take((site.endpoint, options_of(self.analysis, site)), change.name)
         removal = plan_removal(self.analysis, sites)
         if removal.lines:
             raise in_use(change, removal)

@@ -7,12 +7,13 @@ from typing import NamedTuple
 
 from tree_sitter import Node
 
-from plastron_tui.diagnostics import Diagnostic, listed
-from plastron_tui.model.kinds import Publication, Publisher
+from plastron_tui.diagnostics import Diagnostic
+from plastron_tui.model.kinds import Publisher
+from plastron_tui.sources.written_anew import no_longer_decides, no_longer_sends
 
 from .analysis import Analysis, Site
 from .creation import Removal, line_of, remove_creation
-from .lost import is_computed, written_anew
+from .lost import is_computed
 from .references import Reference, Use, Variable, identifiers, references
 from .same_message import Interfaces, is_message
 from .syntax import parts_of
@@ -53,35 +54,17 @@ def lost_sending(
     """
     publishing, values = publishing_on(analysis, variable), new.publications
     gone = [
-        f"`{' '.join(analysis.syntax.slice(sent.expression).split())}`"
+        analysis.syntax.slice(sent.expression)
         for sent in sent_by(analysis, publishing)
         if is_computed(analysis, sent.expression)
         and not any(
             is_message(analysis, interfaces, sent.expression, each.message.value) for each in values
         )
     ]
-    if gone:
-        said = listed(dict.fromkeys(gone))
-        message = f"`{new.name}` no longer sends {said}, which the node works out"
-        yield written_anew(message, new, old)
-    lines = sorted({line_of(each.statement) for each in publishing})
-    if lines and values and not is_in_place:
-        rates = dict.fromkeys(_often(each) for each in values if not each.is_rate_open)
-        often = " and ".join(rates)
-        numbers = listed(map(str, lines))
-        is_one = len(lines) == 1
-        who = f"line {numbers} no longer decides" if is_one else f"lines {numbers} no longer decide"
-        message = f"{who} when `{new.name}` is sent"
-        message += f": that is {often}" if often else ""
-        yield written_anew(message, new, old)
-
-
-def _often(sent: Publication) -> str:
-    if sent.reaction is not None:
-        return f"for each message of `{sent.reaction.topic}`"
-    if sent.parameter is not None:
-        return f"as often as `{sent.parameter.removeprefix('~/')}` says"
-    return f"{sent.rate:g} times a second" if sent.rate else "once"
+    yield from no_longer_sends(gone, new, old)
+    if not is_in_place:
+        lines = sorted({line_of(each.statement) for each in publishing})
+        yield from no_longer_decides(list(map(str, lines)), new, old)
 
 
 def lost_of_site(

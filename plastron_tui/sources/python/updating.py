@@ -9,6 +9,7 @@ from plastron_tui.model.kinds import callback_of
 from plastron_tui.model.source import Update
 from plastron_tui.ros.catalog import Catalog
 from plastron_tui.ros.interfaces import Interface
+from plastron_tui.sources.written_anew import written_anew
 
 from .adding import callback_for
 from .addition import Addition
@@ -21,7 +22,6 @@ from .functions import callback_scope
 from .generated import body_of, is_stub
 from .handed_on import HandedOn, handed_by_call, handed_by_partial
 from .leftovers import stub_callbacks
-from .lost import written_anew
 from .message_filters import hands_on, takers
 from .place import beside
 from .qos_arguments import requalify

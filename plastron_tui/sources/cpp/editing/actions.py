@@ -80,7 +80,8 @@ def _serve_in_ros2(added: Addition, class_: str, name: str, is_there: bool) -> N
             ),
             *style.block("if (rclcpp::ok())", ["goal_handle->succeed(result);"]),
         ]
-        file = write_function(added, name, f"const std::shared_ptr<{handle}> goal_handle", body)
+        parameter = f"const std::shared_ptr<{handle}> goal_handle"
+        file = write_function(added, name, [parameter], body, _said(added))
         _include_action(added, file)
         added.include(added.place.file, "thread")
     called = f"{name}(goal_handle);"
@@ -89,11 +90,11 @@ def _serve_in_ros2(added: Addition, class_: str, name: str, is_there: bool) -> N
     text = literals.string(name_as_written(added.endpoint.name, 2))
     added.lines += [
         f"{variable} = rclcpp_action::create_server<{class_}>(",
-        f"\t{added.place.node_argument}, {text},",
-        "\t[](const auto &, const auto &) "
+        f"\v{added.place.node_argument}, {text},",
+        "\v[](const auto &, const auto &) "
         "{return rclcpp_action::GoalResponse::ACCEPT_AND_EXECUTE;},",
-        "\t[](const auto &) {return rclcpp_action::CancelResponse::ACCEPT;},",
-        f"\t[this](const auto & goal_handle) {{{called}}});",
+        "\v[](const auto &) {return rclcpp_action::CancelResponse::ACCEPT;},",
+        f"\v[this](const auto & goal_handle) {{{called}}});",
     ]
 
 
@@ -125,14 +126,19 @@ def _serve_in_ros1(added: Addition, class_: str, name: str, is_there: bool) -> N
             ),
             f"{variable}->setSucceeded(result);",
         ]
-        write_function(added, name, f"const {class_}GoalConstPtr{reference}goal", body)
+        parameter = f"const {class_}GoalConstPtr{reference}goal"
+        write_function(added, name, [parameter], body, _said(added))
     binder, placeholder = bind_manner(added, 1)
     if not placeholder.startswith("_") and binder.startswith("boost"):
         added.include(added.place.file, "boost/bind/bind.hpp")
     assert added.owner is not None, "it was refused otherwise"
     called = f"{binder}(&{added.owner.name}::{name}, this, {placeholder}1)"
     given = ", ".join((*_named(added), called, "false"))
-    added.lines += [f"{variable}.reset(new {server}(", f"\t{given}));", f"{variable}->start();"]
+    added.lines += [f"{variable}.reset(new {server}({given}));", f"{variable}->start();"]
+
+
+def _said(added: Addition) -> str:
+    return f"Works on the goals of {added.prose}."
 
 
 def _named(added: Addition) -> list[str]:
@@ -213,7 +219,7 @@ def _client_of_ros2(added: Addition, class_: str) -> str:
     text = literals.string(name_as_written(added.endpoint.name, 2))
     declared = "auto " if is_local(added) else ""
     head = f"{declared}{variable} = rclcpp_action::create_client<{class_}>("
-    added.lines += [head, f"\t{added.place.node_argument}, {text});"]
+    added.lines.append(f"{head}{added.place.node_argument}, {text});")
     return variable
 
 

@@ -30,13 +30,13 @@ from .. import literals
 from ..analysis import Analysis, Site
 from ..nodes import group
 from ..qos_code import latch, profile
-from ..scopes import Function
 from ..shapes import TRANSFORMS
 from .actions import request_action, serve_action
 from .adding import Addition
 from .calling import add_requests
 from .clang_format import ClangFormat
 from .computing import computing_for
+from .existing_callbacks import check_callback
 from .functions import write_function
 from .handles import handle_for
 from .hearing import (
@@ -44,17 +44,19 @@ from .hearing import (
     existing,
     message_parameter,
     service_parameters,
-    wrapped,
 )
 from .interfaces import Interfaces, refuse
+from .lambdas import Lambda, NewLambda, callback_names, model_lambda
 from .logging import log_line
 from .manner import callback_naming, held_by, identifiers, split_words
-from .members import hold, is_local, type_of
+from .members import hold, is_local, open_private, type_of
 from .parameters import declare_parameter
-from .place import behind_creation, beside, find_place, sees, sites_of_node
+from .place import behind_creation, beside, find_place, sites_of_node
 from .plans import Plan
 from .sending import Sender, add_publishing
-from .timers import create_timer, event_parameter, period_of, timer_name
+from .shared_names import shared_name
+from .timers import create_timer, event_parameter, node_captures, period_of, timer_name
+from .visibility import sees
 
 K = EndpointKind
 
@@ -110,7 +112,10 @@ def plan_addition(
         case _:
             _add(added)
     added.put_at_place()
+    open_private(added)
     added.include_types(added.place.file)
+    shared = shared_name(added)
+    added.plan.notes += [] if shared is None else [shared]
     for splices in added.plan.splices.values():
         # What is written right behind the includes comes behind those that are new.
         splices.sort(key=lambda splice: not splice.text.lstrip().startswith(b"#include"))
@@ -168,7 +173,7 @@ def _present(added: Addition, present: list[Site]) -> Sender:
             )
             remedy = f"make it {how} by hand, or let the node stop publishing to it first"
             refuse(codes.EDIT_REFUSED, f"{message} who listen later", added.span, remedy)
-        written = variable.type
+        written = added.analysis.types.expand(variable.type, variable.scope)
         is_pointer = variable.is_pointer or "Ptr" in written or "ptr<" in written
         is_pointer = is_pointer or (written == "auto" and added.is_ros2)
         return Sender(variable.name, is_pointer, variable.kind == "local")
@@ -180,25 +185,17 @@ def _present(added: Addition, present: list[Site]) -> Sender:
 def _repeat(added: Addition, timer: Timer) -> None:
     """Call a function at a rate."""
     added.taken.add(timer.name)
-    function = existing(added, timer.name)
-    if function is not None and not _takes_tick(added, function):
-        message = f"`{timer.name}` takes something else than a timer gives"
-        refuse(codes.EDIT_REFUSED, message, added.span, "name another function")
-    if function is None:
+    found = existing(added, timer.name)
+    if found is not None:
+        check_callback(added.analysis, K.TIMER, found, None, added.span)
+    else:
         body = [log_line(added, f"{naming.label(timer.name, 'a timer')} ticks", "")]
-        write_function(added, timer.name, event_parameter(added), body)
+        event = [each for each in (event_parameter(added),) if each]
+        write_function(added, timer.name, event, body, "Called at a rate.")
     words = "_".join(split_words(timer.name))
     period = period_of(added, timer.rate or 1.0)
     variable = timer_name(added, words)
     create_timer(added, variable, period, timer.name)
-
-
-def _takes_tick(added: Addition, function: Function) -> bool:
-    """Tell whether a timer can call a function: in ROS 1 with its event, or else with nothing."""
-    types = [each.type for each in function.parameters]
-    if added.is_ros2:
-        return types in ([], ["rclcpp::TimerBase"])
-    return len(types) == 1 and types[0].rpartition("::")[2] == "TimerEvent"
 
 
 def _interface(added: Addition) -> Interface:
@@ -218,14 +215,16 @@ def _create(added: Addition) -> str:
     class_ = added.interfaces.class_of(interface.name, folder)
     arguments: list[str] = []
     needs_type = added.is_ros2 or added.kind in (K.PUBLISHER, K.CLIENT)
-    called = ""
+    called, written = "", None
     if added.kind in (K.SUBSCRIPTION, K.SERVICE):
-        called = _callback(added, interface, class_)
-        handed, is_silent = bound(added, called, 1 if added.kind is K.SUBSCRIPTION else 2)
-        needs_type = needs_type or (is_silent and added.kind is K.SUBSCRIPTION)
-        if is_silent and added.kind is K.SERVICE:
-            handed, _ = [f"&{added.owner.name if added.owner else ''}::{called}", "this"], False
-        arguments += handed
+        like = model_lambda(added, added.kind) if callback_of(added.endpoint) is None else None
+        if like is not None:
+            written = _lambda(added, interface, class_, like)
+        else:
+            called = _callback(added, interface, class_)
+            arguments += _handed(added, called)
+            is_bound = added.owner is not None and len(arguments) == 1
+            needs_type = needs_type or (is_bound and added.kind is K.SUBSCRIPTION)
     name, queue = added.endpoint.name, _queue(added)
     if added.is_ros2:
         before, given = added.place.node, name_as_written(name, 2)
@@ -238,27 +237,21 @@ def _create(added: Addition) -> str:
     variable, declaring = hold(added, added.kind, type_)
     if declaring is not None and added.is_ros2:
         added.include_types(declaring)
-    template = f"<{class_}>" if needs_type else ""
+    template = f"<{class_}>" if needs_type or written is not None else ""
+    if written is not None and added.kind is K.SERVICE and not added.is_ros2:
+        template = f"<{class_}::Request, {class_}::Response>"
     head = f"{before}{_METHODS[added.analysis.ros_version, added.kind]}{template}("
     declared = ""
     if is_local(added):
         declared = "auto " if added.is_ros2 else f"{type_} "
-    style = added.style(added.place.file)
-    used = _columns(added)
-    added.lines += wrapped(f"{declared}{variable} = {head}", arguments, ");", style, used)
+    head = f"{declared}{variable} = {head}"
+    if written is not None:
+        called = written.name
+        added.lines += written.lines(added, head, arguments)
+    else:
+        added.lines.append(f"{head}{', '.join(arguments)});")
     added.expect(added.kind, name, interface.name, called)
     return variable
-
-
-def _columns(added: Addition) -> int:
-    place = added.place
-    node = place.after if place.after is not None else place.function.node
-    text = place.file.syntax.text
-    start = text.rfind(b"\n", 0, node.start_byte) + 1
-    line = text[start : node.start_byte]
-    blanks = line[: len(line) - len(line.lstrip())].decode("latin-1")
-    extra = 0 if place.after is not None else len(added.style(place.file).indent)
-    return len(blanks.expandtabs(4)) + extra
 
 
 def _queue(added: Addition) -> str:
@@ -281,6 +274,15 @@ def _queue(added: Addition) -> str:
     return text if _COPIED.fullmatch(text) else str(DEFAULT.depth or 10)
 
 
+def _handed(added: Addition, called: str) -> list[str]:
+    """Write what is called as the call that creates the endpoint is handed it."""
+    handed = bound(added, called, 1 if added.kind is K.SUBSCRIPTION else 2)
+    if added.is_ros2 or added.owner is None or added.kind is K.SUBSCRIPTION or len(handed) > 1:
+        return handed
+    # What is bound does not say the types of a service of ROS 1.
+    return [f"&{added.owner.name}::{called}", "this"]
+
+
 def write_callback(added: Addition) -> str:
     """Write what an endpoint that is there shall call, where the files have it not.
 
@@ -295,40 +297,78 @@ def write_callback(added: Addition) -> str:
 def _callback(added: Addition, interface: Interface, class_: str) -> str:
     """Return the name of what the endpoint calls; what the files have not is written."""
     wanted = callback_of(added.endpoint)
-    if wanted is not None and existing(added, wanted) is not None:
+    found = existing(added, wanted) if wanted is not None else None
+    if wanted is not None and found is not None:
+        check_callback(added.analysis, added.kind, found, interface.name, added.span)
         if isinstance(added.endpoint, Service) and added.endpoint.answer is not None:
             message = f"the answer of `{added.endpoint.name}` is not written into a function that"
             remedy = "leave out `answering`, and fill in the response by hand in its function"
             refuse(codes.EDIT_REFUSED, f"{message} is there", added.span, remedy)
         return wanted
-    manner = callback_naming(added.analysis, added.kind, added.sites)
-    name = wanted or added.free(manner.name(added.topic), manner.end)
+    name = wanted or _callback_name(added)
     added.taken.add(name)
-    if added.kind is K.SUBSCRIPTION:
-        parameter = message_parameter(added, class_)
-        value = f"to_yaml({parameter.value})" if added.is_ros2 else parameter.value
-        file = write_function(added, name, parameter.text, [log_line(added, added.prose, value)])
-    else:
-        request, response = service_parameters(added, class_)
-        value = f"to_yaml({request.value})" if added.is_ros2 else request.value
-        body = [log_line(added, added.prose, value)]
-        if isinstance(added.endpoint, Service) and added.endpoint.answer is not None:
-            body += _answer(
-                added, interface, added.endpoint.answer, request.holder, response.holder
-            )
-        if not any(response.holder in line for line in body):
-            body.append(f"(void){response.name};")
-        if not added.is_ros2:
-            body.append("return true;")
-        file = write_function(
-            added,
-            name,
-            f"{request.text}, {response.text}",
-            body,
-            "void" if added.is_ros2 else "bool",
-        )
+    parameters, body = _served(added, interface, class_)
+    returns = "bool" if added.kind is K.SERVICE and not added.is_ros2 else "void"
+    said = "message" if added.kind is K.SUBSCRIPTION else "request"
+    said = f"Called for each {said} of {added.prose}."
+    file = write_function(added, name, parameters, body, said, returns)
     added.include_types(file)
     return name
+
+
+def _callback_name(added: Addition) -> str:
+    called = callback_names(added.analysis, added.sites)
+    manner = callback_naming(added.analysis, added.kind, called)
+    return added.free(manner.name(added.topic), manner.end)
+
+
+def _lambda(added: Addition, interface: Interface, class_: str, like: Lambda) -> NewLambda:
+    """Write a lambda for the endpoint as another one is written.
+
+    What that one does nothing but hand on is handed on to a method here too.
+    """
+    own = like if like.site.endpoint.kind is added.kind else None
+    if not like.handed_to or added.owner is None:
+        parameters, body = _served(added, interface, class_, own)
+        name = _callback_name(added) if like.variable is not None else ""
+        captures = None
+        if added.owner is None:
+            uses_node = bool(added.place.node) and any(added.place.node in each for each in body)
+            # Without any, a lambda is a pointer to a function too, and a call of ROS 1 ambiguous.
+            none = () if added.is_ros2 else ("&",)
+            captures = node_captures(added) if uses_node else none
+        return NewLambda(like, parameters, body, name, captures)
+    called = _callback(added, interface, class_)
+    if added.kind is K.SUBSCRIPTION:
+        given = [message_parameter(added, class_, own)]
+    else:
+        given = [*service_parameters(added, class_, own)]
+    handed = ", ".join(
+        f"std::move({each.name})" if "UniquePtr" in each.text else each.name for each in given
+    )
+    returned = "return " if added.kind is K.SERVICE and not added.is_ros2 else ""
+    name = _callback_name(added) if like.variable is not None else ""
+    return NewLambda(like, [each.text for each in given], [f"{returned}{called}({handed});"], name)
+
+
+def _served(
+    added: Addition, interface: Interface, class_: str, like: Lambda | None = None
+) -> tuple[list[str], list[str]]:
+    """Return what a callback takes, and what it does."""
+    if added.kind is K.SUBSCRIPTION:
+        parameter = message_parameter(added, class_, like)
+        value = f"to_yaml({parameter.value})" if added.is_ros2 else parameter.value
+        return [parameter.text], [log_line(added, added.prose, value)]
+    request, response = service_parameters(added, class_, like)
+    value = f"to_yaml({request.value})" if added.is_ros2 else request.value
+    body = [log_line(added, added.prose, value)]
+    if isinstance(added.endpoint, Service) and added.endpoint.answer is not None:
+        body += _answer(added, interface, added.endpoint.answer, request.holder, response.holder)
+    if not any(response.holder in line for line in body):
+        body.append(f"(void){response.name};")
+    if not added.is_ros2:
+        body.append("return true;")
+    return [request.text, response.text], body
 
 
 def _answer(

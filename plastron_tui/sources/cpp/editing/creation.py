@@ -16,6 +16,8 @@ _WRAPPING = frozenset(
     | {"unary_expression"}
 )
 
+_ASKING = frozenset({"hasParam", "has_parameter"})
+
 
 @dataclass(frozen=True, slots=True)
 class Creation:
@@ -102,7 +104,7 @@ def _only_member(analysis: Analysis, name: Node | None, scope: Scope) -> Variabl
 def _unless_set(analysis: Analysis, site: Site, condition: Node) -> Creation | None:
     """Return `if (!nh.hasParam("x")) {nh.setParam("x", 1);}` whose body does no more."""
     whole = condition.parent
-    if whole is None or whole.type != "if_statement" or site.call.name != "hasParam":
+    if whole is None or whole.type != "if_statement" or site.call.name not in _ASKING:
         return None
     body = whole.child_by_field_name("consequence")
     if body is None or whole.child_by_field_name("alternative") is not None:

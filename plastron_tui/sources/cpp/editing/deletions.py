@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections import defaultdict
 from collections.abc import Iterator
+from itertools import takewhile
 
 from tree_sitter import Node
 
@@ -42,6 +43,7 @@ class Deletions:
         self._emptied: defaultdict[CppFile, list[tuple[int, int]]] = defaultdict(list)
         self._nodes: list[tuple[CppFile, Node]] = []
         self._bare: defaultdict[CppFile, list[tuple[int, int]]] = defaultdict(list)
+        self._replaced: defaultdict[CppFile, list[Splice]] = defaultdict(list)
         self._written: dict[CppFile, bytes] = {}
         self._declarators: defaultdict[CppFile, dict[int, tuple[Node, set[int]]]]
         self._declarators = defaultdict(dict)
@@ -99,25 +101,57 @@ class Deletions:
                     yield declarators[at - 1].end_byte, declarators[at].end_byte
 
     def take_empty(self) -> None:
-        """Take out each `if` with braces that nothing is left in, and whose condition is idle."""
+        """Take out each block that nothing is left in, with its `if` where that does nothing."""
         for file, node in self._nodes:
             block = node.parent
             outer = None if block is None else block.parent
             if block is None or block.type != "compound_statement" or outer is None:
                 continue
-            if outer.type != "if_statement" or not _is_idle_if(outer):
+            is_bare = outer.type == "compound_statement"
+            if not is_bare and (outer.type != "if_statement" or not _is_idle_if(outer)):
                 continue
+            whole = block if is_bare else outer
             if (
-                self.covers(file, outer.start_byte)
+                self.covers(file, whole.start_byte)
                 or b"//" in file.syntax.text[block.start_byte : node.start_byte]
             ):
                 continue
             if all(self.covers(file, each.start_byte) for each in block.named_children):
-                self.statement(file, outer)
+                self.statement(file, whole)
+
+    def take_sections(self) -> None:
+        """Take out each `private:` that nothing is left of."""
+        for file, node in list(self._nodes):
+            listed = node.parent
+            if listed is None or listed.type != "field_declaration_list":
+                continue
+            parts = [*listed.named_children]
+            at = next((i for i, each in enumerate(parts) if each.id == node.id), 0)
+            while at and parts[at].type != "access_specifier":
+                at -= 1
+            own = parts[at]
+            section = list(takewhile(lambda x: x.type != "access_specifier", parts[at + 1 :]))
+            if own.type != "access_specifier" or self.covers(file, own.start_byte):
+                continue
+            if not all(self.covers(file, each.start_byte) for each in section):
+                continue
+            text, start = file.syntax.text, own.end_byte
+            left = b""
+            for each in section:
+                left += text[start : each.start_byte]
+                start = each.end_byte
+            if not left.strip(b" \t\r\n:;"):
+                end = text.find(b":", own.start_byte) + 1
+                self._lines[file].append((own.start_byte, end))
 
     def part(self, file: CppFile, start: int, end: int) -> None:
         """Take out a part of a line."""
         self._parts[file].append((start, end))
+
+    def replace(self, file: CppFile, node: Node, text: str) -> None:
+        """Write something else in the place of a part that goes."""
+        encoded = text.encode(file.syntax.encoding)
+        self._replaced[file].append(Splice(node.start_byte, node.end_byte, encoded))
 
     def covers(self, file: CppFile, offset: int) -> bool:
         """Tell whether what stands at an offset goes."""
@@ -125,12 +159,13 @@ class Deletions:
             *(*self._parts[file], *self._lines[file]),
             *(*self._emptied[file], *self._bare[file]),
         )
-        return any(start <= offset < end for start, end in parts)
+        is_replaced = any(each.start <= offset < each.end for each in self._replaced[file])
+        return is_replaced or any(start <= offset < end for start, end in parts)
 
     @property
     def files(self) -> Iterator[CppFile]:
         """The files that lose something."""
-        found = (self._parts, self._lines, self._emptied, self._bare)
+        found = (self._parts, self._lines, self._emptied, self._bare, self._replaced)
         yield from dict.fromkeys(file for each in found for file, parts in each.items() if parts)
 
     def splices(self, file: CppFile) -> list[Splice]:
@@ -138,22 +173,26 @@ class Deletions:
         text = file.syntax.text
         lines = [(_with_macros(file, start), end) for start, end in self._lines[file]]
         found = _merged(text, [_lines_of(text, start, end) for start, end in lines])
-        whole = [_tidy(text, *_with_comment(text, start, end)) for start, end in found]
+        tidy = [_tidy(text, *_with_comment(text, start, end)) for start, end in found]
+        # What was apart by a comment that goes too is tidied as one.
+        whole = [each if each in tidy else _tidy(text, *each) for each in _joined(tidy)]
         whole += [_tidy(text, *each) for each in _merged(text, self._bare[file])]
         gone = _joined([*whole, *self._parts[file], *self._commas(file)])
         gone = _joined([*gone, *self._emptied_bodies(file, gone)])
         gone = _joined([_whole_lines(text, each, gone) for each in gone])
-        braces = [
-            Splice(start, end, b"{}")
-            for start, end in self._emptied[file]
-            if not any(first <= start < last for first, last in gone)
+        written = [Splice(start, end, b"{}") for start, end in self._emptied[file]]
+        written += self._replaced[file]
+        left = [
+            each for each in written if not any(first <= each.start < last for first, last in gone)
         ]
-        return [*(Splice(start, end) for start, end in gone), *braces]
+        return [*(Splice(start, end) for start, end in gone), *left]
 
     def torn(self, file: CppFile) -> Iterator[tuple[CppFile, int]]:
         """Yield where what goes has a part of a conditional of the preprocessor, as in `in_use`."""
         written = self.written(file)
-        for start, end in (*self._parts[file], *self._lines[file], *self._emptied[file]):
+        parts = [*self._parts[file], *self._lines[file], *self._emptied[file]]
+        parts += [(each.start, each.end) for each in self._replaced[file]]
+        for start, end in parts:
             depth = 0
             for found in _CONDITION.finditer(written, start, end):
                 word = found[1]

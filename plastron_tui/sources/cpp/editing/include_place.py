@@ -14,6 +14,9 @@ from .plans import Plan
 _INTERFACE = re.compile(r"[\w.+-]+/(?:msg|srv|action)/\w+\.hpp|\w+_(?:msgs|srvs)/[A-Z]\w*\.h")
 _CONDITION = re.compile(rb"^[ \t]*#[ \t]*(if|endif)", re.MULTILINE)
 _TOP = re.compile(rb"^[ \t]*#[ \t]*(?:pragma[ \t]+once|define[ \t]+\w+)[ \t]*\r?\n", re.MULTILINE)
+_CODE = frozenset({"namespace_definition", "class_specifier", "struct_specifier"}) | frozenset(
+    {"function_definition", "template_declaration"}
+)
 
 
 def is_included(unit: Unit, file: CppFile, header: str) -> bool:
@@ -103,4 +106,8 @@ def _unconditional(file: CppFile) -> list[Include]:
         depths.append(sum(1 if word == b"if" else -1 for word in before))
     least = min(depths, default=0)
     pairs = zip(file.syntax.includes, depths, strict=True)
-    return [each for each, depth in pairs if depth == least]
+    found = [each for each, depth in pairs if depth == least]
+    # What registers a component is often included at the end, behind what needs the header.
+    first = next((each for each in file.root.node.named_children if each.type in _CODE), None)
+    begins = [each for each in found if first is None or each.start < first.start_byte]
+    return begins or found

@@ -56,6 +56,9 @@ class Interfaces:
             remedy = f"use `{instead}`" if isinstance(instead, InterfaceName) else instead
             message = f"{self.catalog.distribution} has no type `{type_}`"
             refuse(codes.UNKNOWN_TYPE, message, span, remedy)
+        reason = interface_types.unusable(found, self.catalog)
+        if reason is not None:
+            refuse(codes.UNUSABLE_TYPE, reason, span)
         return found
 
     def checked_field(

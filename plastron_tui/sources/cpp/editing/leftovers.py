@@ -15,6 +15,7 @@ from .. import interface_types
 from ..analysis import Analysis, Site
 from ..scopes import CppFile, Function
 from .deletions import Deletions
+from .lambdas import handed_functions
 from .uses import hidden_uses, word
 
 _LOGS = re.compile(r"(?:ROS|NODELET|RCLCPP)_(?:INFO|DEBUG|WARN|ERROR)\w*\s*\(")
@@ -42,6 +43,7 @@ _HEADERS = {
         rb"\b(?:make|allocate)_(?:shared|unique)\b|\b(?:shared|unique|weak)_ptr\b"
         rb"|\benable_shared_from_this\b|\b\w+_pointer_cast\b|\baddressof\b|\ballocator"
     ),
+    "rcl_interfaces/msg/parameter_descriptor.hpp": re.compile(rb"\bParameterDescriptor\b"),
     "ros/callback_queue.h": re.compile(rb"\bCallbackQueue"),
     "rclcpp_action/rclcpp_action.hpp": re.compile(rb"\brclcpp_action\b"),
     "thread": re.compile(rb"\bthread\b|\bthis_thread\b"),
@@ -51,7 +53,9 @@ _HEADERS = {
 
 def functions_of(analysis: Analysis, site: Site) -> Iterator[list[Function]]:
     """Yield the functions that an endpoint calls, each with all its declarations."""
-    named = [each for each in site.callback.functions if not each.file.is_beside]
+    owner = analysis.unit.class_of(site.call.scope)
+    called = site.callback.functions or (*handed_functions(analysis, site, owner),)
+    named = [each for each in called if not each.file.is_beside]
     if not named:
         return
     owner = analysis.unit.class_of_function(named[0])

@@ -7,10 +7,9 @@ from collections.abc import Iterator, Sequence
 
 from tree_sitter import Node
 
-from plastron_tui.sources.splices import line_start
-
 from ..analysis import Analysis
 from ..scopes import CppFile, Function, Scope, Variable
+from ..serving import description_of
 from .deletions import Deletions
 from .leftovers import body_of, has_uses
 from .uses import scope_at, word
@@ -133,7 +132,7 @@ def emptied_functions(analysis: Analysis, name: str, gone: Deletions) -> Iterato
         if gone.covers(function.file, function.node.start_byte) or not is_empty:
             continue
         starts = (f"Publish to {name};", *_ENDS_GOALS)
-        if any(_description(each).startswith(starts) for each in functions):
+        if any(description_of(each).startswith(starts) for each in functions):
             yield functions
 
 
@@ -261,18 +260,4 @@ def unused_helpers(analysis: Analysis, gone: Deletions) -> Iterator[list[Functio
 
 def _is_described(function: Function, description: str) -> bool:
     """Tell whether the first line of the comment above a function is as it was written."""
-    return _description(function) == description
-
-
-def _description(function: Function) -> str:
-    """Return the first line of the comment above a function."""
-    node, text = function.node, function.file.syntax.text
-    if node.parent is not None and node.parent.type == "template_declaration":
-        node = node.parent
-    first, at = b"", line_start(text, node.start_byte)
-    while at > 0:
-        above = line_start(text, at - 1)
-        if not text[above:at].lstrip().startswith(b"///"):
-            break
-        first, at = text[above:at].strip(), above
-    return first.removeprefix(b"///").strip().decode(function.file.syntax.encoding, "replace")
+    return description_of(function) == description

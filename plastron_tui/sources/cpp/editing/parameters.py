@@ -23,7 +23,7 @@ from .adding import Addition
 from .handles import handle_for
 from .interfaces import refuse
 from .members import hold
-from .place import beside
+from .place import beside, node_in_methods, start_rank
 
 K = EndpointKind
 
@@ -163,7 +163,11 @@ def read_parameter(added: Addition, name: str, *, in_method: bool = False) -> Re
         if not in_method:
             _follow_declaration(added, whole)
         getter = (_ARRAYS if type_ != element else _GETTERS)[element]
-        node = added.place.node
+        node = node_in_methods(added.analysis, added.place) if in_method else added.place.node
+        if node is None:
+            message = f"no method of the class sees the node that has `{name}`"
+            remedy = f"keep the node, or `{name}`, in a member of the class first"
+            refuse(codes.EDIT_REFUSED, message, added.span, remedy)
         return Read(f"{node}get_parameter({literals.string(whole)}).{getter}()", range_)
     handle, own = handle_for(added.analysis, added.place, whole, in_method=in_method)
     holds = ParameterType(type_)
@@ -189,6 +193,12 @@ def _follow_declaration(added: Addition, name: str) -> None:
     here = [each for each in places if each.function is added.place.function]
     if any(each.offset <= added.place.offset for each in here):
         return
+    # What runs once as the node starts is as good a place.
+    here += [
+        each
+        for each in places
+        if each.owner is added.place.owner and start_rank(added.analysis, each.function) is not None
+    ]
     if not here:
         message = f"`{name}` is not declared where `{added.endpoint.name}` is created"
         refuse(codes.EDIT_REFUSED, message, added.span, "write the timer by hand")

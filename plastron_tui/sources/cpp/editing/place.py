@@ -100,7 +100,7 @@ def find_place(analysis: Analysis, change: Add, kind: EndpointKind) -> Place:
             continue
         if any(place.function.node.id == each.node.id for each in _called_back(analysis)):
             continue
-        rank = _rank(analysis, place.function)
+        rank = start_rank(analysis, place.function)
         if rank is None:
             continue
         is_parameter = site.endpoint.kind is EndpointKind.PARAMETER
@@ -143,14 +143,16 @@ def is_model(site: Site) -> bool:
     return is_own and not is_listener and "message_filters" not in site.call.qualifier
 
 
-def _rank(analysis: Analysis, function: Function, depth: int = 0) -> int | None:
+def start_rank(analysis: Analysis, function: Function, depth: int = 0) -> int | None:
     """Tell how sure a function runs once as the node starts: 0 is sure, None is not at all."""
     owner = analysis.unit.class_of_function(function)
     if function.name in ("main", "onInit") or (owner is not None and owner.name == function.name):
         return 0
     if depth > 4:
         return None
-    calls = analysis.callers.of(function)
+    # `Base::onInitialize()` in an `onInitialize` is that of the base class.
+    found = analysis.callers.of(function)
+    calls = [each for each in found if analysis.unit.function_of(each.scope) is not function]
     if len(calls) > 1:
         # Of several constructors one runs.
         outers = [analysis.unit.function_of(each.scope) for each in calls]
@@ -169,7 +171,7 @@ def _rank(analysis: Analysis, function: Function, depth: int = 0) -> int | None:
     outer = analysis.unit.function_of(call.scope)
     if outer is None or inner is None or inner.type == "lambda_expression":
         return None
-    return _rank(analysis, outer, depth + 1)
+    return start_rank(analysis, outer, depth + 1)
 
 
 def beside(analysis: Analysis, site: Site) -> Place | None:
@@ -205,28 +207,6 @@ def behind_creation(analysis: Analysis, site: Site) -> Place | None:
     if place is None or node.parent is None or _leaves(node):
         return None
     return replace(place, body=node.parent, after=node)
-
-
-def sees(analysis: Analysis, place: Place, variable: Variable) -> bool:
-    """Tell whether what is written at a place may name a variable of the files."""
-    if variable.kind == "global":
-        return True
-    if variable.kind != "member":
-        return analysis.unit.lookup(variable.name, place.scope, place.offset) is variable
-    if place.owner is None or place.owner is variable.scope:
-        return place.owner is not None
-    is_inherited = any(each is variable.scope for each in analysis.unit.bases(place.owner))
-    return is_inherited and access_of(variable.scope, variable.node) != "private"
-
-
-def access_of(owner: Scope, node: Node) -> str:
-    """Return who may name a member: `public`, `protected` or `private`."""
-    body = owner.node.child_by_field_name("body")
-    found = "public" if owner.node.type == "struct_specifier" else "private"
-    for each in body.named_children if body is not None else ():
-        if each.type == "access_specifier" and each.start_byte < node.start_byte:
-            found = owner.file.syntax.word(each).strip()
-    return found
 
 
 def _with_uses(analysis: Analysis, site: Site, after: Node | None) -> Node | None:
@@ -347,6 +327,18 @@ def _own_node(analysis: Analysis, owner: Scope) -> str | None:
             if type_ in NODE_CLASSES and not variable.is_list:
                 return f"{name}->" if "Ptr" in variable.type or "ptr<" in variable.type else None
     return None
+
+
+def node_in_methods(analysis: Analysis, place: Place) -> str | None:
+    """Return what stands before the methods of the node of ROS 2 in any method of its class.
+
+    None where only the function that creates the endpoint has it, as a parameter.
+    """
+    owner = place.owner
+    first = re.split(r"->|\.", place.node.removeprefix("this->"))[0]
+    if owner is None or not first or analysis.unit.member(owner, first) is not None:
+        return place.node
+    return _own_node(analysis, owner)
 
 
 def _methods(analysis: Analysis, owner: Scope, name: str) -> list[Function]:

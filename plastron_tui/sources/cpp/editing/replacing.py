@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import dataclass, field
 
 from tree_sitter import Node
@@ -11,6 +12,7 @@ from plastron_tui.ros.catalog import Catalog
 
 from ..analysis import Analysis, Site
 from ..scopes import CppFile
+from .clang_format import ClangFormat
 from .plans import Plan
 
 
@@ -19,7 +21,15 @@ class NotInPlaceError(Exception):
 
 
 class OtherCodeError(NotInPlaceError):
-    """A callback that cannot do with messages of another type."""
+    """A callback that cannot do with messages of another type.
+
+    Attributes:
+        missing: the fields that it uses and that type has not.
+    """
+
+    def __init__(self, missing: Iterable[str] = ()) -> None:
+        super().__init__()
+        self.missing = tuple(missing)
 
 
 @dataclass(slots=True)
@@ -32,6 +42,8 @@ class Replacement:
         change: what is asked for.
         catalog: the interface types.
         plan: what it does.
+        settings: what the settings around the files say of their layout.
+        old: the name that the endpoint had before, for what is told.
     """
 
     analysis: Analysis
@@ -39,6 +51,8 @@ class Replacement:
     change: Update
     catalog: Catalog
     plan: Plan
+    settings: ClangFormat = field(default_factory=ClangFormat)
+    old: str = ""
     _put: set[tuple[str, int]] = field(default_factory=set)
 
     def put(self, file: CppFile, node: Node, text: str) -> None:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 
 from tree_sitter import Node
 
@@ -19,6 +19,7 @@ from .creation import creation_of
 from .deletions import Deletions
 from .leftovers import functions_of, has_uses, headers_of, is_stub, named
 from .replacing import NotInPlaceError, OtherCodeError, Replacement
+from .resending import Sending
 from .uses import scope_at, uses_of, word
 
 _POINTER = re.compile(r"(?:Const)?Ptr\Z|(?:::(?:Const)?(?:Shared|Unique|Weak)?Ptr)\Z")
@@ -31,7 +32,12 @@ _TYPES = frozenset({"qualified_identifier", "type_identifier"})
 
 
 def retype(
-    update: Replacement, type_: InterfaceName, kind: InterfaceKind, *, calls_same: bool
+    update: Replacement,
+    type_: InterfaceName,
+    kind: InterfaceKind,
+    *,
+    calls_same: bool,
+    sent: Sequence[Sending] = (),
 ) -> None:
     """Write another type wherever an endpoint says its own.
 
@@ -40,6 +46,7 @@ def retype(
         type_: the type.
         kind: its kind.
         calls_same: whether the endpoint goes on calling what it calls.
+        sent: what is sent through the endpoint, and will be filled anew.
 
     Raises:
         OtherCodeError: what it calls is made for the old type; nothing was written yet.
@@ -54,7 +61,9 @@ def retype(
     if calls_same:
         _check_callback(update, type_, kind)
     is_said = sum(written.put_types(site.file, each) for each in site.call.type_nodes)
-    is_said += _retype_variable(update, written)
+    is_said += _retype_variable(update, written, sent)
+    for each in sent:
+        _retype_sent(each, written)
     if calls_same:
         is_said += _retype_callback(update, written)
     elif site.shape.type == "callback":
@@ -62,6 +71,18 @@ def retype(
     if not is_said:
         raise NotInPlaceError
     _include(update, old, type_, kind, written.places)
+
+
+def _retype_sent(sending: Sending, written: _Written) -> None:
+    """Write the new type where a message is made that is sent, or goes."""
+    sent = sending.sent
+    if sending.refilling is not None:
+        if sent.variable is None or not written.put_types(sent.file, sent.variable.node):
+            raise NotInPlaceError
+        return
+    for node in (sent.given, *sending.unused):
+        if node is not None:
+            written.note(sent.file, node)
 
 
 class _Written:
@@ -85,6 +106,12 @@ class _Written:
             self._update.put(file, each, self._text(file.syntax.word(each)))
             found += 1
         return found
+
+    def note(self, file: CppFile, node: Node) -> None:
+        """Note that a part of a file says the old type no longer."""
+        self.places |= {
+            (file.name, each.start_byte, each.end_byte) for each in self._types(file, node)
+        }
 
     def _types(self, file: CppFile, node: Node) -> Iterator[Node]:
         types = self._update.analysis.types
@@ -112,7 +139,7 @@ class _Written:
         return self._new_class + ("" if behind is None else behind[0])
 
 
-def _retype_variable(update: Replacement, written: _Written) -> int:
+def _retype_variable(update: Replacement, written: _Written, sent: Sequence[Sending]) -> int:
     """Write the new type where the variable is declared that holds the endpoint."""
     site = update.site
     creation = creation_of(update.analysis, site)
@@ -120,7 +147,7 @@ def _retype_variable(update: Replacement, written: _Written) -> int:
     if variable is None:
         return 0
     is_sending = not site.shape.callback
-    if is_sending and _is_used(update, variable):
+    if is_sending and _is_used(update, variable, sent):
         # What is sent, or asked for, is of the old type.
         raise NotInPlaceError
     type_node = variable.type_node
@@ -134,7 +161,7 @@ def _retype_variable(update: Replacement, written: _Written) -> int:
     return found
 
 
-def _is_used(update: Replacement, variable: Variable) -> bool:
+def _is_used(update: Replacement, variable: Variable, sent: Sequence[Sending]) -> bool:
     own = update.site.call.node
     creation = creation_of(update.analysis, update.site)
     assert creation is not None
@@ -142,9 +169,14 @@ def _is_used(update: Replacement, variable: Variable) -> bool:
     return any(
         not (file is creation.file and whole.start_byte <= node.start_byte < whole.end_byte)
         and not _only_ends(node)
+        and not any(_is_in(node, each.sent.call) for each in sent if each.sent.file is file)
         for file, node, _ in uses_of(update.analysis, variable)
         if node.id != own.id
     )
+
+
+def _is_in(node: Node, outer: Node) -> bool:
+    return outer.start_byte <= node.start_byte < outer.end_byte
 
 
 def _only_ends(node: Node) -> bool:
@@ -222,13 +254,8 @@ def _check_body(
     """
     site, interface = update.site, update.catalog.find(type_, kind)
     bodies = list(_bodies(update, given, functions))
-    uses_fields = any(
-        [*_fields_used(body, file, name)]
-        for body, file, parameters in bodies
-        for name in parameters
-    )
     is_stubs = all(is_stub(each) for each in functions if each.scope is not None)
-    if functions and is_stubs and not uses_fields:
+    if functions and is_stubs and not _uses_fields(bodies):
         return
     missing: dict[str, None] = {}
     is_whole = False
@@ -241,7 +268,7 @@ def _check_body(
                     missing[field] = None
     is_named = callback_of(update.change.endpoint) is not None
     if (missing or is_whole) and not is_named:
-        raise OtherCodeError
+        raise OtherCodeError(missing)
     if not any(_uses_parameters(*each) for each in bodies):
         return
     what = "its callback" if site.endpoint.callback is None else f"`{site.endpoint.callback}`"
@@ -315,9 +342,12 @@ def _fields_used(body: Node, file: CppFile, name: str) -> Iterator[str]:
     pattern = re.compile(
         rb"(?<![\w.>])" + re.escape(name.encode()) + rb"\s*(?:->|\.)\s*(\w+)(\s*\()?"
     )
-    for found in pattern.finditer(file.syntax.code, body.start_byte, body.end_byte):
-        if found[2] is None:
-            yield found[1].decode()
+    uses = pattern.finditer(file.syntax.code, body.start_byte, body.end_byte)
+    yield from (found[1].decode() for found in uses if found[2] is None)
+
+
+def _uses_fields(bodies: Iterable[tuple[Node, CppFile, list[str]]]) -> bool:
+    return any([*_fields_used(*each[:2], name)] for each in bodies for name in each[2])
 
 
 def _uses_parameters(body: Node, file: CppFile, names: list[str]) -> bool:

@@ -14,11 +14,14 @@ from plastron_tui.ros.interfaces import Field, InterfaceKind
 
 from .. import literals
 from ..analysis import Site
+from ..scopes import Function
 from .adding import Addition, put_in_body
 from .computing import computing_for
 from .hearing import hearing_functions
 from .interfaces import refuse
 from .members import declare, is_local
+from .parameter_names import commented_name, give_name
+from .place import node_in_methods
 from .timers import capture, node_captures, period_of, run_at, timer_name
 from .turns import Turn, may_leave, own_turn
 
@@ -86,7 +89,9 @@ def sends(
         heard,
     )
     if added.interfaces.needs_stamp(value):
-        now = f"{added.place.node}now()" if added.is_ros2 else "ros::Time::now()"
+        node = node_in_methods(added.analysis, added.place)
+        now = f"{node}now()" if node is not None else "rclcpp::Clock(RCL_ROS_TIME).now()"
+        now = now if added.is_ros2 else "ros::Time::now()"
         lines.append(f"{variable}.header.stamp = {now};")
     lines = [f"{class_} {variable};", *lines, f"{sender.call}publish({variable});"]
     required = [*conditions.required, *required]
@@ -199,10 +204,10 @@ def _react(added: Addition, sender: Sender, publication: Publication, reaction: 
         reason = "the file does not subscribe to it"
     elif function is None or body is None:
         reason = "no one function of the file hears it"
-    elif len(function.parameters) != 1 or not function.parameters[0].name:
-        reason = f"`{function.name}` takes more or less than the message"
-    elif added.analysis.unit.class_of_function(function) is not added.owner or sender.is_local:
-        reason = f"`{function.name}` does not see `{sender.variable}`"
+    elif len(function.parameters) != 1:
+        reason = f"`{function.name or 'a lambda'}` takes more or less than the message"
+    elif not _sees(added, function, sender):
+        reason = f"`{function.name or 'a lambda'}` does not see `{sender.variable}`"
     elif len(added.analysis.callers.of(function)) > (site_is_lambda(sites[0]) and 1):
         reason = f"`{function.name}` is called for something else too"
     if reason or function is None or body is None:
@@ -218,10 +223,16 @@ def _react(added: Addition, sender: Sender, publication: Publication, reaction: 
     interface = None
     if type_ is not None:
         interface = added.interfaces.find(type_, InterfaceKind.MESSAGE, publication.span)
-    holder = f"{parameter.name}{'->' if is_pointer else '.'}"
+    name = parameter.name
+    if not name:
+        commented = commented_name(function, parameter)
+        name = "msg" if commented is None else commented[0]
+    holder = f"{name}{'->' if is_pointer else '.'}"
     variable = added.free(f"{added.topic}_message")
     fields = interface.fields if interface is not None else ()
     lines = sends(added, sender, publication, variable, holder, fields)
+    if not parameter.name and any(holder in line for line in lines):
+        give_name(added.plan, function, parameter, name)
     # What the function may leave early, or moves away, is sent at its start.
     syntax = function.file.syntax
     is_end = (
@@ -229,6 +240,20 @@ def _react(added: Addition, sender: Sender, publication: Publication, reaction: 
     )
     put_in_body(added, function.file, function.node, body, lines, is_end)
     added.include_types(function.file)
+
+
+def _sees(added: Addition, function: Function, sender: Sender) -> bool:
+    """Tell whether a function that hears can name what publishes."""
+    if function.node.type != "lambda_expression":
+        is_method = added.analysis.unit.class_of_function(function) is added.owner
+        return is_method and not sender.is_local
+    syntax = function.file.syntax
+    taken = function.node.child_by_field_name("captures")
+    text = "" if taken is None else "".join(syntax.word(taken).split())
+    if sender.is_local:
+        at = function.node.start_byte
+        return text.startswith("[&") and text[2:3] in ("]", ",") and at > added.place.offset
+    return added.owner is None or "this" in text or text[:2] in ("[&", "[=")
 
 
 def site_is_lambda(site: Site) -> bool:

@@ -16,6 +16,7 @@ from .leftovers import body_of, functions_of, has_uses, remove_function
 from .serving import Serving
 from .statements import only_calls, only_sets, statement_of
 from .uses import uses_of
+from .visibility import access_of
 
 _FILLING = frozenset(
     {"push_back", "emplace_back", "resize", "assign", "insert", "reserve", "clear", "fromSec"}
@@ -62,6 +63,17 @@ class ServedCode:
         self._take_statement(file, statement)
         return True
 
+    def take_call(self, site: Site) -> bool:
+        """Take out a call that asks without a client, with the statement that it is in."""
+        statement = statement_of(site.call.node)
+        if statement is None or site.call.receiver is not None:
+            return False
+        self._serving.asking.add(site.call.node.id)
+        if not self._serving.serves(site.file, statement):
+            return False
+        self._take_statement(site.file, statement)
+        return True
+
     def _take_statement(self, file: CppFile, statement: Node) -> None:
         held = list(dict.fromkeys(self._serving.holders(file, statement)))
         given = list(dict.fromkeys(self._serving.given_in(file, statement)))
@@ -69,9 +81,10 @@ class ServedCode:
         self._gone.statement(file, statement)
         for each in held:
             self._hold(each)
-        for each in given:
-            if each.kind == "local" and each not in self._serving.going:
-                self._take_local(each)
+        is_apart = self._analysis.ros_version == 1 and len(given) == 2
+        for at, each in enumerate(given):
+            if each not in self._serving.going:
+                self._take_given(each, is_answer=is_apart and at == 1)
 
     def _hold(self, variable: Variable) -> None:
         """Take out what holds something that came of what goes."""
@@ -84,23 +97,32 @@ class ServedCode:
                 continue
             statement = statement_of(node)
             is_set = statement is not None and only_sets(statement, node)
-            if is_set and variable.kind != "local":
-                is_taken = statement is not None and self._is_of_going(file, statement, variable)
-            else:
-                is_taken = True
-            if not is_taken or not self.take(file, node):
+            is_other = is_set and not self._is_of_going(file, statement, variable)
+            if (variable.kind != "local" and is_other) or not self.take(file, node):
                 left.append((file, node))
         self.used += [(file, node.start_point.row + 1) for file, node in left]
-        is_covered = self._gone.covers(variable.file, variable.node.start_byte)
-        if not left and not is_covered and variable.kind in ("local", "member", "global"):
+        if not self._is_own(variable):
+            self.used.append((variable.file, variable.node.start_point.row + 1))
+        if not left and not self._gone.covers(variable.file, variable.node.start_byte):
             delete_declarator(variable, self._gone)
 
-    def _is_of_going(self, file: CppFile, statement: Node, variable: Variable) -> bool:
+    def _is_own(self, variable: Variable) -> bool:
+        """Tell whether no other file can name a variable."""
+        if variable.file.is_beside or variable.kind not in ("local", "member", "global"):
+            return False
+        if variable.kind == "local" or not variable.file.name:
+            return True
+        owner = variable.scope.enclosing("class")
+        return owner is not None and access_of(owner, variable.node) != "public"
+
+    def _is_of_going(self, file: CppFile, statement: Node | None, variable: Variable) -> bool:
         """Tell whether a statement gives a variable what comes of something else that goes."""
+        if statement is None:
+            return False
         named = self._serving.named_in(file, statement)
         return any(each in self._serving.going and each is not variable for each in named)
 
-    def _take_local(self, variable: Variable) -> None:
+    def _take_given(self, variable: Variable, *, is_answer: bool) -> None:
         """Take out a local variable that was only made and filled to be given away."""
         setting: list[tuple[CppFile, Node]] = []
         left: list[tuple[CppFile, Node]] = []
@@ -112,10 +134,12 @@ class ServedCode:
                 setting.append((file, statement))
             else:
                 left.append((file, node))
-        if left:
+        if left or variable.kind != "local":
             # What would be an answer is none any more.
             self.used += [
-                (file, node.start_point.row + 1) for file, node in left if _reads(file, node)
+                (file, node.start_point.row + 1)
+                for file, node in left
+                if is_answer or _reads(file, node)
             ]
             return
         if not self._serving.is_idle(variable.file, variable.node):
@@ -125,6 +149,9 @@ class ServedCode:
                 self._take_statement(file, statement)
         if not self._gone.covers(variable.file, variable.node.start_byte):
             delete_declarator(variable, self._gone)
+        for each in list(self._serving.holders(variable.file, variable.node)):
+            if each is not variable:
+                self._hold(each)
 
     def _is_filling(self, file: CppFile, statement: Node, node: Node) -> bool:
         if only_sets(statement, node):

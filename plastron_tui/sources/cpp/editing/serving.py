@@ -21,8 +21,9 @@ _READING = frozenset(
     {"get", "c_str", "str", "size", "empty", "valid", "to_string", "toString", "getText", "data"}
     | {"length", "count", "seconds", "toSec", "now", "get_clock", "get_logger", "what", "begin"}
     | {"end", "at", "front", "back", "ok", "isValid", "exists", "sleep", "getState", "has_value"}
-    | {"value", "wait_for", "wait_until", "wait", "push_back", "emplace_back", "resize", "reserve"}
+    | {"value", "wait_for", "wait_until", "wait"}
 )
+_FILLING = frozenset({"push_back", "emplace_back", "resize", "reserve"})
 _CALLED = frozenset(
     {"make_shared", "make_unique", "ok", "isShuttingDown", "seconds", "milliseconds", "duration"}
     | {"to_string", "to_yaml", "atoi", "atol", "atoll", "atof", "stoi", "stol", "stod", "move"}
@@ -47,6 +48,7 @@ class Serving:
     Attributes:
         going: the variables that go: the endpoint's, and those that hold what came of it.
         ending: the variables of timers that may be ended, for they go too.
+        asking: the calls that go, by the ids of their nodes.
         is_alone: whether whole functions are looked at, which set nothing but what is their own
             to constants.
     """
@@ -56,6 +58,7 @@ class Serving:
         self._gone = gone
         self.going: set[Variable] = set()
         self.ending: set[Variable] = set()
+        self.asking: set[int] = set()
         self.is_alone = False
 
     def serves(self, file: CppFile, node: Node, *, leaves: bool = False) -> bool:
@@ -168,17 +171,20 @@ class Serving:
 
     def _is_idle_call(self, file: CppFile, call: Node) -> bool:
         callee = call.child_by_field_name("function")
-        if callee is None:
-            return False
+        if callee is None or call.id in self.asking:
+            return callee is not None
         name = _last_name(file, callee)
         if callee.type == "field_expression":
             root = self.root(file, callee)
-            return name in _READING or (root is not None and root in self.going)
+            is_filling = name in _FILLING and root is not None and root.kind == "local"
+            return name in _READING or is_filling or (root is not None and root in self.going)
         if name in self._analysis.unit.functions:
             return False
         if name in _CALLED or callee.type == "primitive_type":
             return True
-        return name[:1].isupper() and not self._names_going(file, call)
+        # What has an upper case letter in front makes an object; a macro is written in no others.
+        is_type = name[:1].isupper() and not name.isupper()
+        return is_type and not self._names_going(file, call)
 
     def _hands_on(self, file: CppFile, declaration: Node) -> bool:
         """Tell whether a declaration gives a constructor what goes."""
@@ -234,18 +240,20 @@ class Serving:
                 yield found
 
     def given_in(self, file: CppFile, statement: Node) -> Iterator[Variable]:
-        """Yield the variables that a statement gives to methods of what goes: `x`, `&x`, `*x`."""
+        """Yield the variables that a statement gives to methods of what goes: `x`, `&x`, `*x`.
+
+        Of `x.request` that is `x`.
+        """
         pending = [statement]
         while pending:
             each = pending.pop()
             pending += each.named_children
-            callee = (
-                each.child_by_field_name("function") if each.type == "call_expression" else None
-            )
-            if callee is None or callee.type != "field_expression":
+            callee = each.child_by_field_name("function")
+            listed = each.child_by_field_name("arguments")
+            if each.type != "call_expression" or callee is None or listed is None:
                 continue
-            holder, listed = self.root(file, callee), each.child_by_field_name("arguments")
-            if holder is None or holder not in self.going or listed is None:
+            holder = self.root(file, callee) if callee.type == "field_expression" else None
+            if each.id not in self.asking and (holder is None or holder not in self.going):
                 continue
             for given in listed.named_children:
                 inner = given
@@ -253,7 +261,9 @@ class Serving:
                     # `std::move(message)`
                     of = inner.child_by_field_name("arguments")
                     inner = of.named_children[0] if of is not None and of.named_children else inner
-                root = None if inner.type == "field_expression" else self.root(file, inner)
+                part = _last_name(file, inner) if inner.type == "field_expression" else ""
+                is_whole = part in ("", "request", "response")
+                root = self.root(file, inner) if is_whole else None
                 if root is not None:
                     yield root
 

@@ -1,4 +1,4 @@
-"""What a removal takes and leaves beside the endpoint itself."""
+"""Which statements a removal from a node of roscpp takes, and what stays as it is."""
 
 from __future__ import annotations
 
@@ -33,9 +33,10 @@ def test_a_macro_before_a_function_goes_with_it() -> None:
 -#include <std_msgs/Int32.h>
  class ROBOT_PUBLIC A {
   public:
-   ROBOT_PUBLIC A() {
+-  ROBOT_PUBLIC A() {
 -    sub_ = nh_.subscribe("a", 1, &A::heard, this);
-   }
+-  }
++  ROBOT_PUBLIC A() {}
 -  ROBOT_LOCAL void heard(const std_msgs::Int32& msg);
    ROBOT_LOCAL void other();
    ros::NodeHandle nh_;

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from difflib import SequenceMatcher
 
 import pytest
@@ -9,7 +10,8 @@ from additions import each_kind
 from manners import RCLCPP, ROSCPP, files
 from patches import edit, read
 
-from plastron_tui.model.source import EndpointKind, FileSet
+from plastron_tui.model.kinds import kind_of
+from plastron_tui.model.source import EndpointKind, FileSet, Remove
 
 CASES = [
     pytest.param(version, name, id=f"{version} {name}")
@@ -82,3 +84,29 @@ def test_windows_line_ends_stay(version):
     changed, _ = edit(windows, each_kind(version)["subscription"])
     assert changed is not None
     assert changed.main.count(b"\n") == changed.main.count(b"\r\n")
+
+
+def lines(unit: FileSet) -> list[str]:
+    """Return what the lines of files say; a header that more than what goes may use can stay.
+
+    Empty braces that were opened can stay as they are in the file's style.
+    """
+    texts = [re.sub(r"\s*\{\s*\}", " {}", text.decode()) for _, text in unit.texts]
+    found = [line for text in texts for line in text.split("\n")]
+    return [line for line in found if line.strip() and not STAYING.match(line)]
+
+
+STAYING = re.compile(r"#include [<\"](?:memory|boost/bind/bind\.hpp)[>\"]")
+
+
+@pytest.mark.long
+@pytest.mark.parametrize(("version", "name"), CASES)
+def test_what_was_added_is_taken_out_again(version, name):
+    start = files((ROSCPP if version == 1 else RCLCPP)[name])
+    for what, change in each_kind(version).items():
+        changed, _ = edit(start, change)
+        if changed is None:
+            continue
+        back, told = edit(changed, Remove(kind_of(type(change.endpoint)), change.endpoint.name))
+        assert back is not None, (what, told)
+        assert lines(back) == lines(start), what

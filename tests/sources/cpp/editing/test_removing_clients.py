@@ -267,6 +267,7 @@ USED = {
     "what a condition asks besides": 'if (moved++ > 0 && client.call(asked)) { ROS_INFO("?"); }',
     "an object that works": "if (client.call(asked)) { Robot robot; robot.move(); }",
     "an object that ends": "Guard guard(client);",
+    "an answer apart": "std_srvs::SetBool::Response r; client.call(asked.request, r); use(r);",
     "what throws where an answer came": "if (client.call(asked)) { throw 1; }",
 }
 
@@ -279,6 +280,7 @@ def test_what_does_more_than_to_ask_holds_the_client(statement: str) -> None:
 
 SERVED = {
     "only asked": "client.call(asked);",
+    "request and response": "client.call(asked.request, asked.response);",
     "asked with what is set": "asked.request.data = moved > 0; client.call(asked);",
     "printed": "if (client.call(asked)) std::cout << asked.response.success << std::endl;",
     "left where no answer came": 'if (!client.call(asked)) { ROS_ERROR("?"); return false; }',
@@ -294,8 +296,27 @@ def test_what_only_asks_is_gone(statement: str) -> None:
     before, _ = sides(ASKING.format(statement))
     files, told = edit(before, Remove(K.CLIENT, "set"))
     assert files is not None, told
-    body = files.main.decode().partition("NodeHandle & nh) {\n")[2]
+    body = files.main.decode().partition("NodeHandle & /*nh*/) {\n")[2]
     assert body == '  int kept = 0;\n  ROS_INFO("end");\n  return kept;\n}\n'
+
+
+WITHOUT_CLIENT = {
+    'ros::service::call("set", asked);': "",
+    'if (ros::service::call("set", asked)) { ROS_INFO("yes"); }': "",
+    'if (!ros::service::call("set", asked)) move();': "does more than to create it",
+    'ASSERT_TRUE(ros::service::call("set", asked));': "does more than to create it",
+    'ros::service::call("set", asked); use(asked.response);': "is used in line",
+}
+
+
+@pytest.mark.parametrize(("statement", "why"), WITHOUT_CLIENT.items())
+def test_a_call_without_a_client_is_held_to_the_same(statement: str, why: str) -> None:
+    text = "\n".join(x for x in ASKING.format(statement).split("\n") if "serviceClient" not in x)
+    before, _ = sides(text)
+    files, told = edit(before, Remove(K.CLIENT, "set"))
+    assert (files is None) is bool(why)
+    assert why in "".join(each.message for each in told)
+    assert files is None or b"asked" not in files.main
 
 
 HIDDEN = {

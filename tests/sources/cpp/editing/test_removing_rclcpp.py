@@ -177,8 +177,8 @@ REMOVALS = [
   public:
 -  A() : Node("a"), pub_(create_publisher<std_msgs::msg::String>("a", 1)) {}
 +  A() : Node("a") {}
-
-  private:
+-
+- private:
 -  rclcpp::Publisher<std_msgs::msg::String>::SharedPtr pub_;
  };
 """,

@@ -47,7 +47,8 @@ REMOVALS = [
 -
  int count = 0;
 
- void heard(const std_msgs::String::ConstPtr& msg) {
+-void heard(const std_msgs::String::ConstPtr& msg) {
++void heard(const std_msgs::String::ConstPtr& /*msg*/) {
    count++;
 -  if (pub.getNumSubscribers() > 0) {
 -    pub.publish(msg);
