@@ -51,7 +51,13 @@ from .logging import log_line
 from .manner import callback_naming, held_by, identifiers, split_words
 from .members import hold, is_local, open_private, type_of
 from .parameters import declare_parameter
-from .place import behind_creation, beside, find_place, sites_of_node
+from .place import (
+    behind_creation,
+    beside,
+    find_place,
+    is_declared_within,
+    sites_of_node,
+)
 from .plans import Plan
 from .sending import Sender, add_publishing
 from .shared_names import shared_name
@@ -161,7 +167,7 @@ def _present(added: Addition, present: list[Site]) -> Sender:
         ):
             find = behind_creation if is_local else beside
             place = find(added.analysis, site) if not site.bindings else None
-            if place is None:
+            if place is None or is_declared_within(place, variable):
                 continue
             added.place = place
         qos = site.endpoint.qos

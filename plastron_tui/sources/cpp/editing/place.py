@@ -209,6 +209,14 @@ def behind_creation(analysis: Analysis, site: Site) -> Place | None:
     return replace(place, body=node.parent, after=node)
 
 
+def is_declared_within(place: Place, variable: Variable) -> bool:
+    """Tell whether a variable ends with the statement behind which a place is: `if (T a = b)`."""
+    after, node = place.after, variable.node
+    if after is None or after.id == node.id or variable.file is not place.file:
+        return False
+    return after.start_byte <= node.start_byte and node.end_byte <= after.end_byte
+
+
 def _with_uses(analysis: Analysis, site: Site, after: Node | None) -> Node | None:
     """Return the last statement of a run that begins what was created: `server_->start();`."""
     variable = held_by(analysis, site)
