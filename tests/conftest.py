@@ -9,7 +9,7 @@ from cpp_builds import describe_rclcpp
 from hypothesis import settings
 from machine import IN_CI, be_quick, examples
 from rewriting import compile_share
-from suite_order import longest_first, minutes
+from suite_order import in_order, minutes
 
 from plastron_tui.ros import installations
 
@@ -67,7 +67,7 @@ def pytest_collection_modifyitems(
     # By now the others are left out.
     if is_long:
         workers = getattr(config, "workerinput", {}).get("workercount", 1)
-        items[:] = longest_first(items, workers, minutes)
+        items[:] = in_order(items, workers, minutes, lambda item: item.location[0])
     return result
 
 

@@ -1,10 +1,11 @@
-"""The order of the tests that take long: each worker begins with some of those of minutes."""
+"""The order of the tests that take long, by which all workers have work until the end."""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from itertools import islice
 from typing import TypeVar
+from zlib import crc32
 
 import pytest
 
@@ -30,15 +31,25 @@ def shares(number: int, workers: int) -> list[int]:
     return sizes
 
 
-def longest_first(tests: Sequence[T], workers: int, length: Callable[[T], float]) -> list[T]:
-    """Return tests in an order in which the share of each worker begins with the longest.
+def in_order(
+    tests: Sequence[T], workers: int, length: Callable[[T], float], file: Callable[[T], str]
+) -> list[T]:
+    """Return tests in an order in which no worker is alone in the end, and no processor waits.
 
-    If all of those came first, one worker would have them all; if they came where their files are,
-    one would run alone in the end. Tests that have no length stay in their order, beside those
-    that they share something with.
+    The share of each worker begins with some of the longest: were all of them at the front, one
+    worker would have them all, and where their files are, it would come to them last. The other
+    tests stay in the order of their file, for what they share; but the files are mixed. Most that
+    run nodes wait, most others compute, and each kind lies together: one would be over first.
+
+    Args:
+        tests: what is run.
+        workers: how many run it.
+        length: tells how long a test is, or 0.
+        file: names a test's file.
     """
     longest = sorted(filter(length, tests), key=length, reverse=True)
-    others = iter([each for each in tests if not length(each)])
+    short = [each for each in tests if not length(each)]
+    others = iter(sorted(short, key=lambda each: (crc32(file(each).encode()), file(each))))
     ordered: list[T] = []
     for worker, size in enumerate(shares(len(tests), workers)):
         own = longest[worker::workers]

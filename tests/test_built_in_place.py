@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import pytest
 from loaded_packages import lay, run, texts
+from machine import mostly_long
 
 PACKAGE_XML = """\
 <?xml version="1.0"?>
@@ -153,3 +154,87 @@ def test_a_package_that_cannot_be_read_is_told(tmp_path):
     assert [(x.severity, x.file) for x in told] == [("warning", folder / "package.xml")]
     after = texts(folder)
     assert {name for name in after if after[name] != before[name]} == {"src/talker.cpp"}
+
+
+NOTHING = PROGRAM.format("")
+LISTS = [("roscpp", CATKIN), *(("rclcpp", AMENT.replace("LINKED", each)) for each in LINKED)]
+
+
+HAD = "<build_depend>sensor_msgs</build_depend>\n  "
+WAYS = [(*each, *way) for each in LISTS for way in (("", "\n"), (HAD, "\n"), (HAD, "\r\n"))]
+
+
+@pytest.mark.parametrize("way", mostly_long(WAYS, [WAYS[2], WAYS[3]]))
+def test_what_came_with_an_endpoint_goes_with_it(tmp_path, way):
+    library, lists, declared, end = way
+    folder = package(tmp_path, library, lists)
+    tag = "<depend>std_msgs</depend>"
+    xml = (folder / "package.xml").read_text().replace(tag, f"{declared}{tag}")
+    for path, text in (("package.xml", xml), ("CMakeLists.txt", lists)):
+        (folder / path).write_bytes(text.replace("\n", end).encode())
+    before = texts(folder)
+    for _ in range(2):
+        run(HEARS, tmp_path, library, in_place=True)
+        after = texts(folder)
+        assert all(after[name] != before[name] for name in before)
+        run(NOTHING, tmp_path, library, in_place=True)
+        assert texts(folder) == before
+
+
+def test_what_another_node_includes_stays(tmp_path):
+    folder = package(tmp_path, "rclcpp", AMENT.replace("LINKED", next(iter(LINKED))))
+    run(HEARS, tmp_path, "rclcpp", in_place=True)
+    (folder / "src/other.cpp").write_text("#include <sensor_msgs/msg/image.hpp>\n")
+    lists = texts(folder)["CMakeLists.txt"]
+    assert changed(tmp_path, NOTHING, "rclcpp") == []
+    assert texts(folder)["CMakeLists.txt"] == lists
+    # Once that is gone too, so is what came.
+    (folder / "src/other.cpp").unlink()
+    assert changed(tmp_path, NOTHING, "rclcpp") == [
+        "+ament_target_dependencies(talker rclcpp std_msgs)",
+        "-find_package(sensor_msgs REQUIRED)",
+        "-ament_target_dependencies(talker rclcpp sensor_msgs std_msgs)",
+        "-  <depend>sensor_msgs</depend>",
+    ]
+
+
+BESIDE = f"load_package 'demo' as demo\n{HEARS}generate_package demo\n"
+BESIDE_NOTHING = f"load_package 'demo' as demo\n{NOTHING}generate_package demo\n"
+
+
+@pytest.mark.parametrize("library", ["roscpp", "rclcpp"])
+def test_a_package_that_is_loaded_too_gets_what_its_nodes_need(tmp_path, library):
+    lists = CATKIN if library == "roscpp" else AMENT.replace("LINKED", next(iter(LINKED)))
+    folder = package(tmp_path, library, lists)
+    before = texts(folder)
+    found = changed(tmp_path, BESIDE, library)
+    assert "+  <depend>sensor_msgs</depend>" in found
+    assert any("sensor_msgs" in each and "CMake" not in each for each in found[:2])
+    after = texts(folder)
+    assert changed(tmp_path, BESIDE, library) == []
+    assert texts(folder) == after
+    changed(tmp_path, BESIDE_NOTHING, library)
+    assert texts(folder) == before
+
+
+@pytest.mark.parametrize("library", ["roscpp", "rclcpp"])
+def test_the_copy_of_a_loaded_package_gets_it_too(tmp_path, library):
+    lists = CATKIN if library == "roscpp" else AMENT.replace("LINKED", next(iter(LINKED)))
+    before = texts(package(tmp_path, library, lists))
+    run(BESIDE, tmp_path, library)
+    assert texts(tmp_path / "demo") == before
+    copy = texts(tmp_path / "output/demo")
+    assert b"<depend>sensor_msgs</depend>" in copy["package.xml"]
+    assert b"sensor_msgs" in copy["CMakeLists.txt"] and b"sensor_msgs" in copy["src/talker.cpp"]
+    run(BESIDE_NOTHING, tmp_path, library)
+    assert {**texts(tmp_path / "output/demo"), **before} == texts(tmp_path / "output/demo")
+
+
+def test_what_was_there_before_stays(tmp_path):
+    lists = AMENT.replace("LINKED", next(iter(LINKED)))
+    found = "find_package(sensor_msgs REQUIRED)\nfind_package(std_msgs"
+    folder = package(tmp_path, "rclcpp", lists.replace("find_package(std_msgs", found))
+    before = texts(folder)
+    run(HEARS, tmp_path, "rclcpp", in_place=True)
+    run(NOTHING, tmp_path, "rclcpp", in_place=True)
+    assert texts(folder) == before

@@ -6,6 +6,7 @@ from pathlib import Path
 
 import pytest
 from loaded_packages import lay, run, texts
+from machine import mostly_long
 
 XML = """\
 <?xml version="1.0"?>
@@ -171,3 +172,75 @@ def test_a_launch_file_that_starts_or_loads_what_is_taken_out_is_told(
     told = run(OUT, tmp_path, library, in_place=True)
     [still] = [each.message for each in told if each.code == "still-started"]
     assert still.startswith(f"line 2 of `launch/{file}` {verb} `")
+
+
+DECLARED = {
+    "<build_depend>std_msgs</build_depend>": "<exec_depend>std_msgs</exec_depend>",
+    "<exec_depend>std_msgs</exec_depend>": "<build_depend>std_msgs</build_depend>",
+    "<build_depend>std_msgs</build_depend>\n  <exec_depend>std_msgs</exec_depend>": None,
+    "<depend>std_msgs</depend>": None,
+    "<test_depend>std_msgs</test_depend>": "<depend>std_msgs</depend>",
+}
+
+
+TAGS = [(declared, library) for declared in DECLARED for library in ("roscpp", "rclcpp")]
+
+
+@pytest.mark.parametrize("way", mostly_long(TAGS, TAGS[:2]))
+def test_elements_that_were_there_before_stay(tmp_path: Path, way: tuple[str, str]) -> None:
+    declared, library = way
+    kind = "catkin, full" if library == "roscpp" else "ament, full"
+    files = package(kind)
+    tag = f"<depend>{library}</depend>"
+    files["package.xml"] = files["package.xml"].replace(tag, f"{tag}\n  {declared}")
+    folder = lay(tmp_path, files)
+    before = texts(folder)
+    run(program(library), tmp_path, library, in_place=True)
+    after = texts(folder)["package.xml"].decode()
+    new = DECLARED[declared]
+    assert after.count("std_msgs") == declared.count("std_msgs") + (new is not None)
+    assert new is None or new in after
+    run(OUT, tmp_path, library, in_place=True)
+    assert texts(folder)["package.xml"] == before["package.xml"]
+    assert texts(folder)["CMakeLists.txt"] == before["CMakeLists.txt"]
+
+
+@pytest.mark.parametrize("case", mostly_long(CASES, CASES[-1:]))
+def test_a_node_with_another_name_is_built_in_place_of_the_old_one(
+    tmp_path: Path, case: tuple[str, str]
+) -> None:
+    kind, library = case
+    folder = lay(tmp_path, package(kind))
+    first = program(library)
+    second = first.replace("create_node 'talker'", "create_node 'speaker'")
+    run(first, tmp_path, library, in_place=True)
+    before = texts(folder)
+    told = run(second, tmp_path, library, in_place=True)
+    assert {each.code for each in told} == {"file-stays"}
+    assert "src/talker.cpp" in {each.message.split("`")[1] for each in told}
+    after = texts(folder)
+    lists = after["CMakeLists.txt"].decode()
+    assert "talker" not in lists and "speaker" in lists
+    assert after["src/talker.cpp"] == before["src/talker.cpp"]
+    assert after["package.xml"].count(b"<depend>") == before["package.xml"].count(b"<depend>")
+    assert run(second, tmp_path, library, in_place=True) == ()
+    assert texts(folder) == after
+    # And back.
+    run(first, tmp_path, library, in_place=True)
+    assert b"speaker" not in texts(folder)["CMakeLists.txt"]
+
+
+def test_a_second_node_takes_nobodys_place(tmp_path: Path) -> None:
+    folder = lay(tmp_path, package("ament, full"))
+    run(program("rclcpp"), tmp_path, "rclcpp", in_place=True)
+    both = program("rclcpp") + (
+        "create_node 'other' as other using rclcpp\n"
+        "subscribe other to 'chatter' of message_type String\n"
+        "demo contains other\ngenerate_package demo\n"
+    )
+    run(both, tmp_path, "rclcpp", in_place=True)
+    lists = texts(folder)["CMakeLists.txt"]
+    assert b"add_executable(talker " in lists and b"add_executable(other " in lists
+    # What the program no longer puts there stays.
+    run(program("rclcpp"), tmp_path, "rclcpp", in_place=True)
+    assert texts(folder)["CMakeLists.txt"] == lists

@@ -1,13 +1,14 @@
-"""Each worker has some of the longest tests, and begins with them."""
+"""Each worker begins with some of the longest tests, and each kind of work is spread."""
 
 from __future__ import annotations
 
+from itertools import groupby, pairwise
 from types import SimpleNamespace
 
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
-from suite_order import longest_first, minutes, shares
+from suite_order import in_order, minutes, shares
 from xdist.scheduler.worksteal import WorkStealingScheduling
 
 
@@ -47,28 +48,43 @@ def test_a_share_is_what_a_worker_is_given(
     assert [each for node in nodes for each in node.got] == list(range(number))
 
 
-LENGTHS = st.lists(st.sampled_from([0, 0, 0, 0, 0, 0.5, 1, 5]), max_size=60)
+TESTS = st.lists(
+    st.tuples(st.sampled_from("abcdefgh"), st.sampled_from([0, 0, 0, 0, 0.5, 1, 5])), max_size=60
+)
 
 
-@given(LENGTHS, st.integers(1, 6))
-def test_each_worker_begins_with_its_longest(lengths: list[float], workers: int) -> None:
-    tests = list(enumerate(lengths))
-    ordered = longest_first(tests, workers, lambda each: each[1])
-    assert sorted(ordered) == tests
-    others = [each for each in ordered if not each[1]]
-    assert others == sorted(others)
-    if all(shares(len(tests), workers)) and len(tests) - len(others) <= len(tests) // workers:
-        begun = 0
-        for size in shares(len(tests), workers):
-            own = [each[1] for each in ordered[begun : begun + size]]
-            assert own == sorted(own, reverse=True)
-            begun += size
+@given(TESTS, st.integers(1, 6))
+def test_each_worker_begins_with_its_longest(given: list[tuple[str, float]], workers: int) -> None:
+    tests = [(file, number, length) for number, (file, length) in enumerate(given)]
+    ordered = in_order(tests, workers, lambda each: each[2], lambda each: each[0])
+    assert sorted(ordered) == sorted(tests)
+    # Of each file those that are not long follow each other as they did.
+    others = [each for each in ordered if not each[2]]
+    files = [file for file, _ in groupby(others, lambda each: each[0])]
+    assert len(files) == len(set(files))
+    assert all(one[1] < two[1] for one, two in pairwise(others) if one[0] == two[0])
+    left = ordered
+    sizes = shares(len(tests), workers)
+    if len(tests) - len(others) <= len(tests) // workers:
+        for size in sizes:
+            lengths = [each[2] for each in left[:size]]
+            assert lengths == sorted(lengths, reverse=True)
+            left = left[size:]
 
 
 def test_the_longest_are_dealt_out() -> None:
     tests = ["a", "b5", "c", "d2", "e1", "f", "g", "h4", "i", "j", "k", "l"]
-    ordered = longest_first(tests, 3, lambda each: float(each[1:] or 0))
+    ordered = in_order(tests, 3, lambda each: float(each[1:] or 0), lambda each: "one")
     assert ordered == ["b5", "e1", "a", "c", "h4", "f", "g", "i", "d2", "j", "k", "l"]
+
+
+def test_files_are_mixed() -> None:
+    tests = [f"{folder}/{name}" for folder in ("live", "sources") for name in range(20)]
+    ordered = in_order(tests, 1, lambda each: 0, lambda each: each)
+    halves = [
+        sum(each.startswith("live") for each in half) for half in (ordered[:20], ordered[20:])
+    ]
+    assert min(halves) >= 5
 
 
 @pytest.mark.long(0.1)

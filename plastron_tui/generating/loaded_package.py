@@ -35,12 +35,14 @@ from plastron_tui.sources.packages import (
 from plastron_tui.targets.packages.dependencies import needs_of_definitions
 from plastron_tui.targets.packages.spec import PackagedLaunch, PackageSpec
 
+from .built_in_place import Memory, loaded_from, remember, remembered, with_needs
 from .launch_files import is_within, name_within
 from .loaded_needs import known_packages, needs_in
 from .loaded_nodes import with_node
 from .loaded_notes import file_stays, script_elsewhere
 from .own_definitions import own_definitions
 from .package_spec import packaged_node
+from .renamed_nodes import renamed_nodes
 from .text_files import entry_of
 
 if TYPE_CHECKING:
@@ -56,6 +58,9 @@ if TYPE_CHECKING:
 _DEPENDS = "depends"
 """The dependencies that came with a node's file, as the manifest remembers them."""
 
+
+_TAGS = "tags"
+"""The elements of package.xml that came with a node's file, by dependency."""
 
 _FOUND = "found"
 """The packages that the build finds since a node's file came."""
@@ -108,7 +113,7 @@ def loaded_package_files(
     source = package.source
     assert source is not None, "the package was loaded"
     work = _Change(package, source, libraries, output, manifest, in_place, dict(source.texts))
-    work.take_out()
+    work.take_out(renamed_nodes(package, made, output, manifest) if in_place else {})
     work.take_out_launches()
     for own in types:
         work.put_type(own)
@@ -119,6 +124,7 @@ def loaded_package_files(
             work.put(contained, generated)
         elif isinstance(contained.item, Launch) and variable in launches:
             work.put_launch(contained, contained.item, launches[variable])
+    work.put_needs([each for each in made if each.generation.node.variable not in package.contents])
     if any(each.severity is Severity.ERROR for each in work.found):
         return LoadedFiles((), frozenset(), tuple(work.found))
     return LoadedFiles((*work.files(), *work.written), frozenset(work.moved), tuple(work.found))
@@ -135,21 +141,22 @@ class _Change:
     texts: dict[str, bytes]
     found: list[Diagnostic] = field(default_factory=list)
     written: list[OutputFile] = field(default_factory=list)
+    _needs: tuple[Memory, Memory] = ({}, {})
     moved: list[str] = field(default_factory=list)
 
-    def take_out(self) -> None:
-        """Take out what the program takes out of the package.
+    def take_out(self, renamed: Mapping[str, Span]) -> None:
+        """Take out what the program takes out of the package, or calls otherwise now.
 
         A dependency that the package had before the node came stays, where the manifest tells.
         """
-        for name, span in self.package.removed.items():
+        for name, span in {**renamed, **self.package.removed}.items():
             known = self.source.installed(name)
             file = known.file or next(iter(known.sources), None)
             added = None if file is None else self._added(file)
             ours = {each for each in self.source.texts if self._added(each) is not None}
             was_there = file is not None and self._remembered(file, _INSTALLED) is False
             of, came = needs_in(self.source, self.libraries, file), self._found(file)
-            needs = Needs(of, added, ours, came)
+            needs = Needs(of, added, ours, came, self._tags(file))
             if known.built:
                 changed = remove_built_node(
                     self.source, self.texts, name, needs, is_built_elsewhere=was_there
@@ -214,6 +221,14 @@ class _Change:
         for each in generated.files.output_files():
             base = None if each.base is None else {**each.base, _INSTALLED: is_new}
             self._write_node(replace(each, base=base), changed.added, changed.found)
+
+    def put_needs(self, made: Sequence[Generated]) -> None:
+        """Let the package build what nodes of its files, each loaded by itself, come to need."""
+        nodes = list(loaded_from(self.source, made, self.libraries))
+        known = remembered(self.source, self.output, self.manifest) if self.in_place else {}
+        needed = with_needs(self.source, self.texts, nodes, self.libraries, known)
+        self.found += needed.diagnostics
+        self.texts, self._needs = dict(needed.texts), (known, needed.memory)
 
     def _begins_to_install(self, before: Mapping[str, bytes], file: str) -> bool:
         """Tell whether it is with a file that the package begins to install it, or did before."""
@@ -321,13 +336,19 @@ class _Change:
             return None
         return {key: value is True for key, value in known.items()}
 
+    def _tags(self, file: str | None) -> dict[str, tuple[str, ...]]:
+        """Return the elements that came with a file, by dependency, as far as that is told."""
+        known = None if file is None else self._remembered(file, _TAGS)
+        found = known.items() if isinstance(known, dict) else ()
+        return {key: tuple(map(str, tags)) for key, tags in found if isinstance(tags, list)}
+
     def _found(self, file: str | None) -> frozenset[str] | None:
         """Return the packages that the build finds since a file came, None where nothing tells."""
         known = None if file is None else self._remembered(file, _FOUND)
         return frozenset(map(str, known)) if isinstance(known, list) else None
 
     def _write_node(
-        self, file: OutputFile, added: Sequence[str], found: Sequence[str] = ()
+        self, file: OutputFile, added: Mapping[str, Sequence[str]], found: Sequence[str] = ()
     ) -> None:
         """Write a file of a node, and remember which dependencies came with it."""
         inner = self._inner(file.name)
@@ -338,21 +359,25 @@ class _Change:
         }
         modules = needs_in(self.source, self.libraries, inner)(file.text)
         came = {key: any(named_elsewhere(others, (key, *modules.get(key, ())))) for key in added}
+        tags = {key: list(each) for key, each in added.items()}
         self.moved.append(file.name)
         if self._is_in_place(inner):
             came.update(self._added(inner) or {})
+            for key, each in self._tags(inner).items():
+                tags[key] = list(dict.fromkeys((*each, *tags.get(key, ()))))
             found = sorted({*found, *(self._found(inner) or ())})
             path, entry = self.source.folder / inner, self._entry(inner)
             file = replace(file, path=path, entry=entry, merged_from=None, layers=None)
         if file.base is not None:
-            file = replace(file, base={**file.base, _DEPENDS: came, _FOUND: list(found)})
+            remembered = {_DEPENDS: came, _TAGS: tags, _FOUND: list(found)}
+            file = replace(file, base={**file.base, **remembered})
         self.written.append(file)
 
     def files(self) -> list[OutputFile]:
         """Return the files that were there and are changed."""
         found = []
         for name, text in self.texts.items():
-            before = self.source.texts.get(name)
+            original = self.source.texts.get(name)
             is_over = self._is_in_place(name)
             # What an earlier run changed is as it was before when nothing of it is left. What it
             # copied has a base.
@@ -360,15 +385,16 @@ class _Change:
             is_left = not is_over and there in manifest and there not in manifest.bases
             # What becomes of a definition that is there is said by who loads it.
             is_left = is_left and not name.endswith(_DEFINITIONS)
-            if text == before and not is_left:
+            if text == original and not is_left:
                 continue
             found.append(
                 OutputFile(
                     f"{self.source.name}/{name}",
                     text,
                     is_executable=False,
-                    merged_from=before if is_over else None,
+                    merged_from=original if is_over else None,
                     path=self.source.folder / name if is_over else None,
                 )
             )
-        return found
+        before, needs = self._needs
+        return remember(found, self.source, needs, before, self.output) if self.in_place else found

@@ -86,6 +86,7 @@ class PlannedFile:
         entry: the name under which the manifest remembers `text` once it is written; None for a
             text that holds handwork, and for a file elsewhere that it does not know.
         base: what the manifest remembers of the program once it is written.
+        known: the name under which it remembers that, handwork or not; None for `name`.
         problem: why a conflict is one, as the diagnostic to give where it is not forced.
         layers: what the manifest in the file's own folder then remembers of loaded text.
         seen: the manifests that text and state were made with, each with its folder, links
@@ -104,6 +105,7 @@ class PlannedFile:
     problem: Diagnostic | None = None
     layers: Layers | None = None
     seen: tuple[tuple[str, Manifest], ...] = ()
+    known: str | None = None
 
     @property
     def mode_before(self) -> int | None:
@@ -233,6 +235,7 @@ def _plan_file(folder: Path, real_folder: str, file: OutputFile, manifest: Manif
         problem=problem,
         layers=file.layers,
         seen=tuple(seen),
+        known=known,
     )
 
 

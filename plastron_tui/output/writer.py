@@ -291,7 +291,7 @@ def _news(folder: Path, files: list[PlannedFile]) -> dict[str, _News]:
         if file.entry is not None:
             at(home).entries[file.entry] = digest(file.text)
         if file.base is not None:
-            at(home).bases[file.entry or file.name] = file.base
+            at(home).bases[file.known or file.name] = file.base
         if file.layers is not None:
             path = os.fspath(file.path)
             at(os.path.dirname(path)).layers[os.path.basename(path)] = file.layers

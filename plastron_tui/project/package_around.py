@@ -145,7 +145,7 @@ class BuiltPlaces:
         nodes: dict[Path, list[tuple[Generated, Path]]] = {}
         read: dict[Path, PackageSource] = {}
         boundary = self._configuration.boundary
-        for each, path in changed_in_place(made, libraries):
+        for each, path in changed_in_place(made, libraries, self._manifest):
             version = libraries[each.generation.library].target.ros_version
             # Whatever was written there before, the package is there.
             around = find_package_around(path.parent, boundary, Manifest(), version)
@@ -160,7 +160,8 @@ class BuiltPlaces:
             nodes.setdefault(around.folder, []).append((each, path))
         files: list[OutputFile] = []
         for folder, source in read.items():
-            changed, notes = needed_files(source, nodes[folder], libraries)
+            output, manifest = self._configuration.output, self._manifest
+            changed, notes = needed_files(source, nodes[folder], libraries, output, manifest)
             files += changed
             found += notes
         return FilesAround(files, found)

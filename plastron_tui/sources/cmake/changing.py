@@ -103,7 +103,9 @@ def removed(
         return (apply(listing.text, each) for each in ways)
 
     whole = list(command_removals(listing, entry.call.command)) if alone or is_made else []
-    is_written = item.is_own and reference_of(item.argument) is None
+    # A reference that nothing follows stands for itself.
+    is_plain = reference_of(item.argument) is None or item.value == item.argument.value
+    is_written = item.is_own and is_plain
     part = list(argument_removals(listing, item.command, item.argument)) if is_written else []
     after = take_back(
         listing.text,

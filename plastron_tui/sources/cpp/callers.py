@@ -19,6 +19,7 @@ if TYPE_CHECKING:
     from .read_parameters import ReadParameters
 
 MOST_CALLERS = 64
+_HANDLES = re.compile(r"(?:this->)?get(?:MT)?(?:Private)?NodeHandle\(\s*\)")
 _LITERALS = frozenset(
     {
         "lambda_expression",
@@ -134,7 +135,8 @@ class Callers:
             return of is None or any(
                 each is owner for each in (*self._unit.bases(of), *self._unit.bases(owner))
             ) or self._unit.derives_from(owner, of)  # fmt: skip
-        return True
+        # What a nodelet gets its handles by returns no object of a class of the files.
+        return _HANDLES.fullmatch(call.scope.file.syntax.word(call.receiver)) is None
 
     def fits(self, call: Call, function: Function) -> bool:
         """Tell whether a function may take as many arguments as a call gives, and such ones."""

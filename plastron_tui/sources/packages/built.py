@@ -6,12 +6,12 @@ describe the classes of a package's libraries, in an `<export>` for the package 
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING, NamedTuple
 
 from plastron_tui.model.package_source import PackageSource
 
-from .changing import Changed, add_dependencies, with_edit
+from .changing import Changed, add_dependencies, remove_dependencies, with_edit
 from .nodelets import NODELET, PREFIX, export_description
 from .reading import CMAKE_LISTS, PACKAGE_XML
 
@@ -77,17 +77,94 @@ def add_needs(
         packages: what the node is built with besides.
         linked: what each of them is linked to by, in ROS 2.
     """
+    from plastron_tui.sources.cmake.dependencies import found_packages
     from plastron_tui.sources.cmake.linking import add_packages
 
     if CMAKE_LISTS not in texts:
         return Changed(dict(texts))
     path = source.folder / CMAKE_LISTS
+    before = found_packages(texts[CMAKE_LISTS], path)
     after = with_edit(
         texts, CMAKE_LISTS, add_packages(texts[CMAKE_LISTS], path, file, packages, linked)
     )
     if after.texts is None:
         return after
-    return add_dependencies(source, after.texts, packages, _NEEDS)
+    found = found_packages(after.texts[CMAKE_LISTS], path) - before
+    return add_dependencies(source, after.texts, packages, _NEEDS)._replace(found=tuple(found))
+
+
+class Came(NamedTuple):
+    """How a package came to be needed with a node.
+
+    Attributes:
+        package: the package.
+        linked: what the node is linked to by, in ROS 2.
+        is_linked: whether the node was not linked to it before.
+        is_found: whether the build did not find it before.
+        tags: the elements that package.xml did not have before.
+    """
+
+    package: str
+    linked: str
+    is_linked: bool
+    is_found: bool
+    tags: tuple[str, ...]
+
+
+def came_with(
+    source: PackageSource,
+    texts: Mapping[str, bytes],
+    after: Changed,
+    packages: Sequence[str],
+    linked: Sequence[str],
+) -> Iterator[Came]:
+    """Yield how packages came to be needed, of which `add_needs` made a package.
+
+    Args:
+        source: the package.
+        texts: what its files held.
+        after: what `add_needs` made of it.
+        packages: what the node is built with besides.
+        linked: what each of them is linked to by, in ROS 2.
+    """
+    from plastron_tui.sources.cmake.linking import is_linked
+
+    if after.texts is None or CMAKE_LISTS not in texts:
+        return
+    path = source.folder / CMAKE_LISTS
+    for name, target in zip(packages, linked, strict=True):
+        was, now = (
+            is_linked(each[CMAKE_LISTS], path, name, target) for each in (texts, after.texts)
+        )
+        tags = after.added.get(name, ())
+        is_new = (now > was, name in after.found)
+        if any(is_new) or tags:
+            yield Came(name, target, *is_new, tags)
+
+
+def remove_needs(
+    source: PackageSource, texts: Mapping[str, bytes], file: str, came: Sequence[Came]
+) -> Changed:
+    """Let a package build a node without packages that came with what the node has no more.
+
+    Args:
+        source: the package.
+        texts: what its files hold by now.
+        file: the node's main file, by its path in the package.
+        came: how they came.
+    """
+    from plastron_tui.sources.cmake.linking import remove_packages
+
+    if CMAKE_LISTS not in texts:
+        return Changed(dict(texts))
+    path = source.folder / CMAKE_LISTS
+    gone = [(x.package, x.linked, x.is_linked, x.is_found) for x in came]
+    edited = remove_packages(texts[CMAKE_LISTS], path, file, gone)
+    after = with_edit(texts, CMAKE_LISTS, edited)
+    for each in reversed(came):
+        if after.texts is not None:
+            after = remove_dependencies(source, after.texts, [each.package], each.tags, _NEEDS)
+    return after
 
 
 class _Described(NamedTuple):

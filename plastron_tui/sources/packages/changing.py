@@ -13,6 +13,7 @@ from .plugin_classes import plugin_refusals
 from .reading import CMAKE_LISTS, PACKAGE_XML, SETUP_CFG, SETUP_PY, named_elsewhere
 
 _REMOVABLE = ("exec_depend", "run_depend", "depend")
+_NONE: Mapping[str, tuple[str, ...]] = {}
 
 
 class Changed(NamedTuple):
@@ -21,14 +22,15 @@ class Changed(NamedTuple):
     Attributes:
         texts: what its files hold, None where the change is refused.
         diagnostics: why it is refused.
-        added: the dependencies that it did not have.
+        added: the dependencies that it did not have for all that they are there for, each with
+            the elements that say so.
         found: the packages that its build did not find, and commands for all targets that it
             did not have.
     """
 
     texts: dict[str, bytes] | None
     diagnostics: tuple[Diagnostic, ...] = ()
-    added: tuple[str, ...] = ()
+    added: Mapping[str, tuple[str, ...]] = _NONE
     found: tuple[str, ...] = ()
 
 
@@ -42,12 +44,14 @@ class Needs(NamedTuple):
         others_added: the files of other nodes that came so.
         found: the packages that the build finds since it came, and commands for all targets;
             None where nothing tells.
+        tags: the elements that came with it, by dependency; of one that is not in it any may go.
     """
 
     of: Callable[[bytes], Mapping[str, Iterable[str]]]
     added: Mapping[str, bool] | None = None
     others_added: Container[str] = ()
     found: Collection[str] | None = None
+    tags: Mapping[str, Collection[str]] = _NONE
 
 
 def add_node(
@@ -187,7 +191,7 @@ def remove_executable(
     if known.file not in after.texts:
         return after
     gone = _needed_no_more(after.texts, known.file, needs)
-    return remove_dependencies(source, after.texts, gone)
+    return remove_dependencies(source, after.texts, gone, came=needs.tags)
 
 
 def _needed_no_more(texts: Mapping[str, bytes], file: str, needs: Needs) -> list[str]:
@@ -263,7 +267,7 @@ def add_dependencies(
     package, found = read_package(texts[PACKAGE_XML], source.folder / PACKAGE_XML)
     if package is None:
         return Changed(None, found)
-    added: list[str] = []
+    added: dict[str, tuple[str, ...]] = {}
     for key in keys:
         if key == source.name:
             continue
@@ -272,8 +276,8 @@ def add_dependencies(
             return Changed(None, edit.diagnostics)
         package = edit.package
         if edit.tags:
-            added.append(key)
-    return Changed({**texts, PACKAGE_XML: package.document.text}, (), tuple(added))
+            added[key] = edit.tags
+    return Changed({**texts, PACKAGE_XML: package.document.text}, (), added)
 
 
 def remove_dependencies(
@@ -282,6 +286,7 @@ def remove_dependencies(
     keys: Iterable[str],
     tags: Collection[str] = _REMOVABLE,
     needs: Iterable[str] | None = None,
+    came: Mapping[str, Collection[str]] = _NONE,
 ) -> Changed:
     """Let a package depend on others no more.
 
@@ -291,6 +296,8 @@ def remove_dependencies(
         keys: packages and rosdep keys.
         tags: those of the elements that may go.
         needs: what they were there for; only what that added goes where it shows.
+        came: the tags of those elements that came with what goes, by dependency, where that is
+            known: no others go.
     """
     from plastron_tui.sources.xml.dependencies import add_dependency, remove_dependency
     from plastron_tui.sources.xml.package_xml import read_package
@@ -299,10 +306,12 @@ def remove_dependencies(
     if package is None:
         return Changed(None, found)
     for key in reversed(list(keys)):
-        edit = remove_dependency(package, key, source.ros_version, tags)
+        known = came.get(key)
+        edit = remove_dependency(package, key, source.ros_version, tags if known is None else known)
         if edit.package is None:
             return Changed(None, edit.diagnostics)
-        ways = [edit.tags, *((one,) for one in edit.tags)] if needs is not None else []
+        is_open = needs is not None and known is None
+        ways = [edit.tags, *((one,) for one in edit.tags)] if is_open else []
         for way in ways:
             less = remove_dependency(package, key, source.ros_version, way)
             if less.package is not None and needs is not None:

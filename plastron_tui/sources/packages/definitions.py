@@ -112,16 +112,17 @@ def _declare(
     if is_first:
         wanted.append((_GENERATORS[version], {"build" if version == 1 else "buildtool"}))
         wanted.append((_RUNTIMES[version], {"exec"}))
-    added: list[str] = []
+    added: dict[str, tuple[str, ...]] = {}
     for key, uses in wanted:
         edit = add_dependency(package, key, uses, version)
         if edit.package is None:
             return Changed(None, edit.diagnostics)
         package = edit.package
-        added += [key] * bool(edit.tags)
+        if edit.tags:
+            added[key] = edit.tags
     if is_first and version == 2:
         edit = add_group(package, _MEMBER)
         if edit.package is None:
             return Changed(None, edit.diagnostics)
         package = edit.package
-    return Changed({**texts, PACKAGE_XML: package.document.text}, (), tuple(added))
+    return Changed({**texts, PACKAGE_XML: package.document.text}, (), added)

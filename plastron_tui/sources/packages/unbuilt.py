@@ -57,7 +57,8 @@ def remove_built_node(
     lists = after.texts[CMAKE_LISTS]
     before = needs.added or {}
     gone = [key for key in gone if before.get(key) or not names_package(lists, key)]
-    return remove_dependencies(source, after.texts, gone, _REMOVABLE, ("build", "exec"))
+    needed = ("build", "exec")
+    return remove_dependencies(source, after.texts, gone, _REMOVABLE, needed, needs.tags)
 
 
 def own_files(

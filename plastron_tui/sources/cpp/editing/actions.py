@@ -39,7 +39,10 @@ def _class(added: Addition, interface: Interface) -> str:
 def serve_action(added: Addition, server: ActionServer, interface: Interface) -> None:
     """Let a node serve an action, with a function of its own that works on the goals."""
     if added.owner is None:
+        place = added.place
+        line = place.function.node.start_point.row + 1
         message = f"a function of a class has to work on the goals of `{server.name}`"
+        message += f", and `{place.function.name}` in line {line} is of none"
         remedy = "write the server by hand, or let a node that is a class serve it"
         refuse(codes.EDIT_REFUSED, message, added.span, remedy)
     class_ = _class(added, interface)
@@ -86,15 +89,21 @@ def _serve_in_ros2(added: Addition, class_: str, name: str, is_there: bool) -> N
         added.include(added.place.file, "thread")
     called = f"{name}(goal_handle);"
     if not is_there:
-        called = f"std::thread([this, goal_handle]() {{{name}(goal_handle);}}).detach();"
+        pad = added.style(added.place.file).pad
+        handed = f"{{{pad}{name}(goal_handle);{pad}}}"
+        called = f"std::thread([this, goal_handle]() {handed}).detach();"
     text = literals.string(name_as_written(added.endpoint.name, 2))
+    pad = added.style(added.place.file).pad
+    accepted = f"{{{pad}return rclcpp_action::GoalResponse::ACCEPT_AND_EXECUTE;{pad}}}"
+    cancelled = f"{{{pad}return rclcpp_action::CancelResponse::ACCEPT;{pad}}}"
     added.lines += [
         f"{variable} = rclcpp_action::create_server<{class_}>(",
         f"\v{added.place.node_argument}, {text},",
-        "\v[](const auto &, const auto &) "
-        "{return rclcpp_action::GoalResponse::ACCEPT_AND_EXECUTE;},",
-        "\v[](const auto &) {return rclcpp_action::CancelResponse::ACCEPT;},",
-        f"\v[this](const auto & goal_handle) {{{called}}});",
+        f"\v[](const auto &, const auto &) {accepted},",
+        f"\v[](const auto &) {cancelled},",
+        "\v[this](const auto & goal_handle) {",
+        f"\v\t{called}",
+        "\v});",
     ]
 
 

@@ -134,7 +134,7 @@ class Addition:
             # A header of the unit, which the source includes, gets it.
             return
         self._included.add(key)
-        add_include(self.plan, file, header, self.analysis.ros_version)
+        add_include(self.plan, self.analysis.unit, file, header, self.analysis.ros_version)
 
     def include_types(self, file: CppFile) -> None:
         """Include the headers of the types that were written since, where they are needed."""

@@ -45,6 +45,7 @@ from .hearing import (
     message_parameter,
     service_parameters,
 )
+from .include_place import order_includes
 from .interfaces import Interfaces, refuse
 from .lambdas import Lambda, NewLambda, callback_names, model_lambda
 from .logging import log_line
@@ -123,8 +124,7 @@ def plan_addition(
     shared = shared_name(added)
     added.plan.notes += [] if shared is None else [shared]
     for splices in added.plan.splices.values():
-        # What is written right behind the includes comes behind those that are new.
-        splices.sort(key=lambda splice: not splice.text.lstrip().startswith(b"#include"))
+        order_includes(splices)
     return added.plan
 
 
@@ -185,7 +185,8 @@ def _present(added: Addition, present: list[Site]) -> Sender:
         return Sender(variable.name, is_pointer, variable.kind == "local")
     lines = ", ".join(str(site.endpoint.line) for site in present)
     message = f"no variable of the file holds `{endpoint.name}`, created in line {lines}"
-    return refuse(codes.EDIT_REFUSED, message, added.span)
+    remedy = "keep it in a variable first"
+    return refuse(codes.EDIT_REFUSED, message, added.span, remedy)
 
 
 def _repeat(added: Addition, timer: Timer) -> None:

@@ -290,7 +290,7 @@ def _with_comment(text: bytes, first: int, last: int) -> tuple[int, int]:
     """Return whole lines with the comment above them that speaks of them alone."""
     if first != line_start(text, first) or last != line_end(text, last - 1):
         return first, last
-    top = first
+    top = _doc_block(text, first)
     while top > 0:
         above = line_start(text, top - 1)
         if not _COMMENT_LINE.match(text[above:top]):
@@ -300,6 +300,19 @@ def _with_comment(text: bytes, first: int, last: int) -> tuple[int, int]:
     is_apart = not below.strip() or _ENDING.match(below) or _COMMENT_LINE.match(below)
     is_doc = text[top:first].lstrip().startswith((b"///", b"/**", b"//!"))
     return (top if is_doc or is_apart else first), last
+
+
+def _doc_block(text: bytes, first: int) -> int:
+    """Return where `/** ... */` begins that ends in the line above, or else the line itself."""
+    if not text[:first].rstrip(b"\r\n").rstrip(b" \t").endswith(b"*/"):
+        return first
+    start = text.rfind(b"/*", 0, first)
+    top = line_start(text, start)
+    is_doc = text.startswith((b"/**", b"/*!"), start) and not text[top:start].strip()
+    is_above = text[start:first].count(b"*/") == 1 and not text[:first].endswith(
+        (b"\n\n", b"\n\r\n")
+    )
+    return top if is_doc and is_above else first
 
 
 def _is_edge(line: bytes) -> bool:

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field
 from typing import NoReturn
 
-from plastron_tui.diagnostics import Code, Diagnostic, Span, codes
+from plastron_tui.diagnostics import Code, Diagnostic, Span, codes, listed
 from plastron_tui.model.values import MessageValue
 from plastron_tui.ros.catalog import Catalog, moved
 from plastron_tui.ros.interfaces import Field, Interface, InterfaceKind, InterfaceName
@@ -68,7 +68,9 @@ class Interfaces:
         found = next((each for each in fields if each.name == name), None)
         if found is None:
             message = f"`{interface.name}` has no field `{name}` in {self.catalog.distribution}"
-            refuse(codes.UNKNOWN_FIELD, message, span)
+            names = listed(f"`{each.name}`" for each in fields)
+            remedy = f"it has {names}" if fields else "it has no field at all"
+            refuse(codes.UNKNOWN_FIELD, message, span, remedy)
         return found
 
     def class_of(self, type_: InterfaceName, kind: InterfaceKind) -> str:

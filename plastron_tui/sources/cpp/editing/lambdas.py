@@ -272,5 +272,5 @@ def with_body(
         return block(f"{head}{given}{text}")
     room = style.width - used - len(style.continuation.expandtabs(4)) - brace
     if len(given) + len(text) <= room or not before:
-        return [head, *(f"\v{each}" for each in block(f"{given}{text}"))]
-    return [head, f"\v{given.rstrip()}", *(f"\v{each}" for each in block(text))]
+        return [head.rstrip(), *(f"\v{each}" for each in block(f"{given}{text}"))]
+    return [head.rstrip(), f"\v{given.rstrip()}", *(f"\v{each}" for each in block(text))]

@@ -12,11 +12,10 @@ from plastron_tui.sources.written_anew import no_longer_decides, no_longer_sends
 from ..analysis import Analysis, Site
 from .creation import creation_of
 from .refilling import is_worked_out
-from .sent import Sent, sent_through
+from .sent import PUBLISHING, Sent, sent_through
 from .units import sites_of
 
 _PLAIN = frozenset({EndpointKind.PARAMETER, EndpointKind.TIMER})
-_PUBLISHING = frozenset({"publish"})
 
 
 def options_of(site: Site) -> list[str]:
@@ -41,7 +40,7 @@ def lost_sending(analysis: Analysis, change: Update) -> Iterator[Diagnostic]:
     for site in sites_of(analysis, change):
         creation = creation_of(analysis, site)
         if creation is not None and creation.variable is not None:
-            sent += sent_through(analysis, creation.variable, _PUBLISHING)
+            sent += sent_through(analysis, creation.variable, PUBLISHING)
     said = (text for each in sent for text in worked_out(analysis, each))
     yield from no_longer_sends(said, new, change.name)
     places = sorted({(each.file.name, each.call.start_point.row + 1) for each in sent})

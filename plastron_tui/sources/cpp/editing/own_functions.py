@@ -173,12 +173,22 @@ def reading_function(analysis: Analysis, scope: Scope, name: str) -> list[Functi
     """Return the function that reads a parameter as Plastron writes it, with its declarations."""
     around = scope.enclosing("function")
     function = None if around is None else around.function
-    if function is None or len(body_of(function)) not in (4, 5):
+    if function is None or len(body_of(function)) not in range(3, 9):
         return []
     found = _with_declarations(analysis, function)
     bare = name.removeprefix("~").removeprefix("/")
     description = f"Return the parameter {bare}, or its last good value."
     return found if any(_is_described(each, description) for each in found) else []
+
+
+def getter_of(analysis: Analysis, name: str) -> Function | None:
+    """Return the function that reads a parameter as Plastron writes it, None for none."""
+    bare = name.removeprefix("~").removeprefix("/")
+    description = f"Return the parameter {bare}, or its last good value."
+    for own, functions in analysis.unit.functions.items():
+        if own.startswith("get_") and any(_is_described(each, description) for each in functions):
+            return functions[0]
+    return None
 
 
 def members_of(analysis: Analysis, function: Function) -> Iterator[Variable]:

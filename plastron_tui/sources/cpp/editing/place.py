@@ -124,8 +124,13 @@ def find_place(analysis: Analysis, change: Add, kind: EndpointKind) -> Place:
     place = _of_node(analysis, change)
     if place is None:
         message = f"the file has no place where it could create `{change.endpoint.name}` once, as"
+        message = f"{message} it starts"
+        others = [each.call for each in analysis.sites if not each.call.scope.file.is_beside]
+        if others:
+            lines = ", ".join(dict.fromkeys(str(each.node.start_point.row + 1) for each in others))
+            message += f": what stands in line {lines} may run again, or not at all"
         remedy = "add it to the file that makes the node"
-        raise RefusedError(f"{message} it starts", change.endpoint.span, remedy)
+        raise RefusedError(message, change.endpoint.span, remedy)
     return place
 
 

@@ -21,7 +21,7 @@ from .computing import computing_for
 from .deletions import Deletions
 from .interfaces import Interfaces
 from .manner import identifiers
-from .place import beside, sites_of_node
+from .place import beside, node_in_methods, sites_of_node
 from .refusals import RefusedError
 from .replacing import NotInPlaceError, Replacement
 from .statements import only_sets, statement_of
@@ -174,8 +174,9 @@ def refill(update: Replacement, refilling: Refilling) -> list[str]:
 
 def stamp(added: Addition, holder: str) -> str:
     """Write what gives a message the time at which it is sent."""
-    now = f"{added.place.node}now()" if added.is_ros2 else "ros::Time::now()"
-    return f"{holder}{_STAMP} = {now};"
+    node = node_in_methods(added.analysis, added.place)
+    now = f"{node}now()" if node is not None else "rclcpp::Clock(RCL_ROS_TIME).now()"
+    return f"{holder}{_STAMP} = {now if added.is_ros2 else 'ros::Time::now()'};"
 
 
 def take_over(update: Replacement, added: Addition) -> None:

@@ -10,7 +10,7 @@ from plastron_tui.model.source import EndpointKind, Remove
 from plastron_tui.sources.splices import line_number
 
 from ..analysis import Analysis, Site
-from ..scopes import CppFile, Function, Scope, Variable
+from ..scopes import CppFile, Scope, Variable
 from .creation import Creation, creation_of, holder_of, variable_of
 from .deletions import Deletions
 from .descriptors import take_descriptor
@@ -19,8 +19,8 @@ from .leftovers import (
     functions_of,
     has_uses,
     is_idle,
-    is_stub,
     remove_function,
+    take_callbacks,
     take_headers,
     take_literals,
     take_placeholders,
@@ -340,13 +340,7 @@ class _Removal:
             for functions in helpers:
                 for each in functions:
                     remove_function(each, self._gone)
-        for site in list(self._plan.lost):
-            for functions in functions_of(self._analysis, site):
-                if self._is_gone(functions) or has_uses(self._analysis, functions, self._gone):
-                    continue
-                if all(is_stub(each) for each in functions if each.scope is not None):
-                    for each in functions:
-                        remove_function(each, self._gone)
+        take_callbacks(self._analysis, self._plan.lost, self._gone)
         self._gone.take_empty()
         self._gone.take_sections()
         self._note_parameters()
@@ -391,6 +385,3 @@ class _Removal:
                 if not has_uses(self._analysis, listed, self._gone):
                     for each in listed:
                         remove_function(each, self._gone)
-
-    def _is_gone(self, functions: list[Function]) -> bool:
-        return all(self._gone.covers(each.file, each.node.start_byte) for each in functions)

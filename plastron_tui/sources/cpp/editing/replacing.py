@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
 from dataclasses import dataclass, field
 
 from tree_sitter import Node
@@ -24,12 +23,12 @@ class OtherCodeError(NotInPlaceError):
     """A callback that cannot do with messages of another type.
 
     Attributes:
-        missing: the fields that it uses and that type has not.
+        lack: what that type has not of what it uses, "" for nothing that is known.
     """
 
-    def __init__(self, missing: Iterable[str] = ()) -> None:
+    def __init__(self, lack: str = "") -> None:
         super().__init__()
-        self.missing = tuple(missing)
+        self.lack = lack
 
 
 @dataclass(slots=True)

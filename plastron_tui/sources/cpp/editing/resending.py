@@ -32,11 +32,18 @@ from .refilling import (
     take_over,
 )
 from .replacing import NotInPlaceError, Replacement
-from .sent import Runner, Sent, is_rate, runner_of, sent_through
+from .sent import (
+    PUBLISHING,
+    Runner,
+    Sent,
+    is_rate,
+    runner_of,
+    sent_through,
+    timer_behind,
+)
 from .statements import only_sets, statement_of
 from .uses import uses_of
 
-PUBLISHING = frozenset({"publish"})
 _ASKING = {
     Client: frozenset({"async_send_request", "call", "prune_pending_requests"}),
     ActionClient: frozenset({"async_send_goal", "sendGoal", "sendGoalAndWait"}),
@@ -259,6 +266,12 @@ def _own_statements(update: Replacement, sent: Sent) -> set[int]:
 def _check_rate(update: Replacement, sent: Sent, hertz: float, parameter: str | None) -> None:
     """Let a timer ask at another rate, where it does nothing else."""
     runner = runner_of(update.analysis, sent)
+    timer = timer_behind(update.analysis, sent)
+    if parameter is None and runner is None and timer is not None:
+        own = Runner(sent.statement, timer)
+        if not is_rate(own.hertz(update.analysis), hertz):
+            own.set_to(update, hertz)
+        return
     if runner is None or parameter is not None:
         raise NotInPlaceError
     _pace(update, runner, {hertz}, _own_statements(update, sent), [sent])

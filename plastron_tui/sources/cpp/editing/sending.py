@@ -21,7 +21,7 @@ from .hearing import hearing_functions
 from .interfaces import refuse
 from .members import declare, is_local
 from .parameter_names import commented_name, give_name
-from .place import node_in_methods
+from .refilling import stamp
 from .timers import capture, node_captures, period_of, run_at, timer_name
 from .turns import Turn, may_leave, own_turn
 
@@ -89,10 +89,7 @@ def sends(
         heard,
     )
     if added.interfaces.needs_stamp(value):
-        node = node_in_methods(added.analysis, added.place)
-        now = f"{node}now()" if node is not None else "rclcpp::Clock(RCL_ROS_TIME).now()"
-        now = now if added.is_ros2 else "ros::Time::now()"
-        lines.append(f"{variable}.header.stamp = {now};")
+        lines.append(stamp(added, f"{variable}."))
     lines = [f"{class_} {variable};", *lines, f"{sender.call}publish({variable});"]
     required = [*conditions.required, *required]
     if required:

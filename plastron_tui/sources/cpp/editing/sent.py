@@ -18,12 +18,15 @@ from .leftovers import functions_of
 from .pacing import set_period, set_rate
 from .replacing import NotInPlaceError, Replacement
 from .statements import statement_of
-from .uses import uses_of
+from .uses import scope_at, uses_of, word
 
 _LOOPS = frozenset({"while_statement", "for_statement", "do_statement"})
 _IDLE = re.compile(
     r"(?:ros::)?spinOnce\(|rclcpp::spin_some\(|\w+(?:->|\.)sleep\(|(?:ROS|RCLCPP)_[A-Z_]+\("
 )
+_HELPERS = frozenset({"ask", "call", "send_goal"})
+PUBLISHING = frozenset({"publish"})
+"""The methods that publish."""
 _OWN = re.compile(r"_?(?:publish|call|send)(?:_|[A-Z])")
 
 
@@ -37,6 +40,7 @@ class Sent(NamedTuple):
         statement: the statement that it is in.
         given: what it sends.
         variable: the local variable of the same block that it sends, None for another expression.
+        is_helped: whether a function does it that Plastron writes, for any type.
     """
 
     file: CppFile
@@ -45,19 +49,38 @@ class Sent(NamedTuple):
     statement: Node
     given: Node | None
     variable: Variable | None
+    is_helped: bool = False
 
 
 def sent_through(analysis: Analysis, variable: Variable, methods: frozenset[str]) -> Iterator[Sent]:
-    """Yield the calls of some methods of what a variable holds."""
+    """Yield the calls of some methods of what a variable holds.
+
+    So does what hands it, with a message behind it, to a function that Plastron writes.
+    """
     for file, node, scope in uses_of(analysis, variable):
         call = _called(file, node, methods)
+        if call is None and methods is not PUBLISHING:
+            call = _helped(analysis, file, node)
         statement = None if call is None else statement_of(call)
         if call is None or statement is None:
             continue
         listed = call.child_by_field_name("arguments")
-        given = listed.named_children[0] if listed is not None and listed.named_children else None
+        arguments = listed.named_children if listed is not None else []
+        is_helped = any(each.start_byte <= node.start_byte < each.end_byte for each in arguments)
+        given = arguments[-1 if is_helped else 0] if arguments else None
         message = None if given is None else _local(analysis, given, scope, statement)
-        yield Sent(file, scope, call, statement, given, message)
+        yield Sent(file, scope, call, statement, given, message, is_helped)
+
+
+def _helped(analysis: Analysis, file: CppFile, node: Node) -> Node | None:
+    """Return the call of a function that Plastron writes, which is given what a node names."""
+    listed: Node | None = node.parent
+    while listed is not None and listed.type == "pointer_expression":
+        listed = listed.parent
+    call = None if listed is None or listed.type != "argument_list" else listed.parent
+    called = None if call is None else call.child_by_field_name("function")
+    name = "" if called is None else file.syntax.word(called)
+    return call if name in _HELPERS and name in analysis.unit.functions else None
 
 
 def _called(file: CppFile, node: Node, methods: frozenset[str]) -> Node | None:
@@ -165,6 +188,19 @@ def runner_of(analysis: Analysis, sent: Sent) -> Runner | None:
     if timer is None:
         return None
     return Runner(block, timer, is_own=_OWN.match(function.name) is not None)
+
+
+def timer_behind(analysis: Analysis, sent: Sent) -> Site | None:
+    """Return the timer whose function begins a sending in a thread, as Plastron writes it."""
+    function = analysis.unit.function_of(sent.scope)
+    found: set[Function] = set()
+    for file in () if function is None else analysis.unit.files:
+        for use in word(function.name).finditer(file.syntax.code) if function else ():
+            around = scope_at(file, use.start()).enclosing("function")
+            other = None if around is None else around.function
+            if other is not None and other.name.startswith("repeat_"):
+                found.add(other)
+    return _timer_of(analysis, found.pop()) if len(found) == 1 else None
 
 
 def _loop(analysis: Analysis, sent: Sent, block: Node) -> Runner | None:

@@ -21,6 +21,7 @@ _LONGEST_OF_ROS1 = 120
 """What the page "CppStyleGuide" of the wiki of ROS 1 allows."""
 
 _CONTROL = re.compile(rb"^[ \t]*(?:\} )?(?:if|for|while|else|try)\b[^\n;]*?(\{)?[ \t]*\r?$", re.M)
+_ONE_LINE = re.compile(rb"\{( ?)[^{}\s][^{}\n]*;( ?)\}")
 _REFERENCE = re.compile(r"[\w>]( ?)&( ?)[a-z_]\w*")
 
 
@@ -39,6 +40,7 @@ class Style:
             first.
         is_aligned: whether the lines of a call begin below its first argument.
         is_spaced: whether an empty line stands between functions.
+        pad: what stands inside of the braces of a block in one line.
     """
 
     indent: str
@@ -50,6 +52,7 @@ class Style:
     continuation: str = "  "
     is_aligned: bool = False
     is_spaced: bool = True
+    pad: str = ""
 
     def laid_out(self, lines: list[str], base: str) -> str:
         """Return lines as the file has them.
@@ -215,7 +218,7 @@ def style_of(
         longest = max(len(line.rstrip()) for each in texts for line in each.split(b"\n"))
         width = min(max(longest, LONGEST), _LONGEST_OF_ROS1) if longest > _NARROW else _NARROW
     newline = newline_of(text).decode()
-    continuation, is_aligned = _continuation(file, indent, said)
+    continuation, is_aligned = _continuation((file, *files), indent, said)
     return Style(
         indent,
         newline,
@@ -226,11 +229,26 @@ def style_of(
         continuation,
         is_aligned,
         _is_spaced(file),
+        _pad(text, ros_version),
     )
 
 
-def _continuation(file: CppFile, indent: str, said: ClangFormat) -> tuple[str, bool]:
-    """Return how a call goes on in the lines of a file: by which blanks, or below its first."""
+def _continuation(files: Iterable[CppFile], indent: str, said: ClangFormat) -> tuple[str, bool]:
+    """Return how a call goes on in the lines of files: by which blanks, or below its first.
+
+    The first file that shows it says so.
+    """
+    steps = next((found for each in files if (found := _continuations(each))), Counter())
+    known = [each for each, _ in steps.most_common() if each is not None]
+    is_aligned = steps[None] * 2 > sum(steps.values()) if steps else bool(said.is_aligned)
+    usual = said.continuation or indent
+    if said.continuation and "\t" in indent:
+        usual = indent
+    return known[0] if known else usual, is_aligned
+
+
+def _continuations(file: CppFile) -> Counter[str | None]:
+    """Count what lines that go on with a call begin with; None is below its first argument."""
     text = file.syntax.text
     steps: Counter[str | None] = Counter()
     for call in file.calls:
@@ -245,12 +263,13 @@ def _continuation(file: CppFile, indent: str, said: ClangFormat) -> tuple[str, b
                 steps[inner.removeprefix(outer)] += 1
         elif last.start_point.column == first.start_point.column:
             steps[None] += 1
-    known = [each for each, _ in steps.most_common() if each is not None]
-    is_aligned = steps[None] * 2 > sum(steps.values()) if steps else bool(said.is_aligned)
-    usual = said.continuation or indent
-    if said.continuation and "\t" in indent:
-        usual = indent
-    return known[0] if known else usual, is_aligned
+    return steps
+
+
+def _pad(text: bytes, ros_version: int) -> str:
+    """Return the blank in `{ f(); }`, as a file has it; the style of ROS 2 has none."""
+    found = Counter(each[1] for each in _ONE_LINE.finditer(text))
+    return found.most_common(1)[0][0].decode() if found else "" if ros_version == 2 else " "
 
 
 def _is_spaced(file: CppFile) -> bool:
@@ -261,7 +280,9 @@ def _is_spaced(file: CppFile) -> bool:
         following = scope.node.next_named_sibling
         if scope.kind != "function" or following is None:
             continue
-        if following.type == "function_definition":
+        rows = scope.node.end_point.row - scope.node.start_point.row
+        rows += following.end_point.row - following.start_point.row
+        if following.type == "function_definition" and rows:
             between = text[scope.node.end_byte : following.start_byte]
             found[between.count(b"\n") > 1] += 1
     return found[True] >= found[False]

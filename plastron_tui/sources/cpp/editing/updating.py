@@ -2,11 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-
 from tree_sitter import Node
 
-from plastron_tui.diagnostics import Diagnostic, codes, listed
+from plastron_tui.diagnostics import Diagnostic, codes
 from plastron_tui.model.kinds import (
     ActionClient,
     Parameter,
@@ -129,7 +127,8 @@ def _change(update: Replacement, *, is_again: bool) -> tuple[EndpointKind, str |
     sent = sent_now(update, is_retyped=is_retyped) if is_sending(endpoint) else []
     calls_other = wanted is not None and wanted != site.endpoint.callback
     if type_name is not None and is_retyped:
-        if isinstance(endpoint, ActionClient) or (sent and not isinstance(endpoint, Publisher)):
+        is_any = isinstance(endpoint, Publisher) or all(each.sent.is_helped for each in sent)
+        if isinstance(endpoint, ActionClient) or not is_any:
             raise NotInPlaceError
         interface = update.change.kind.facts.interface
         assert interface is not None, "what has a type has a kind of it"
@@ -138,7 +137,7 @@ def _change(update: Replacement, *, is_again: bool) -> tuple[EndpointKind, str |
         except OtherCodeError as error:
             retype(update, type_name, interface, calls_same=False)
             calls_other = True
-            _tell_lost(update, type_name, error.missing)
+            _tell_lost(update, type_name, error.lack)
         type_ = str(type_name)
     if calls_other:
         callback = _call(update, wanted, is_retyped=is_retyped)
@@ -159,15 +158,15 @@ def _set_rate(update: Replacement, timer: Timer) -> None:
     set_period(update, site.arguments[site.shape.name], site.place, timer.rate.hertz)
 
 
-def _tell_lost(update: Replacement, type_: InterfaceName, missing: Sequence[str]) -> None:
+def _tell_lost(update: Replacement, type_: InterfaceName, lack: str) -> None:
     """Tell that a function gets no messages any more, as they are not those it is made for."""
     endpoint, found = update.change.endpoint, update.site.endpoint
     if found.callback is None:
         return
     message = f"`{found.callback}` no longer gets `{endpoint.name}`: "
     message += f"it was written for `{found.type}`"
-    if missing:
-        message += f", and `{type_}` has no {listed(f'`{each}`' for each in missing)}"
+    if lack:
+        message += f", and `{type_}` {lack}"
     help_ = "keep it with `calling`, and change it by hand"
     update.plan.notes.append(Diagnostic(codes.OTHER_TYPE, message, endpoint.span, help=help_))
 
@@ -248,7 +247,7 @@ def _replace_lambda(
     ):
         raise NotInPlaceError
     name = found.name if found is not None else _write(update, is_retyped=is_retyped)
-    handed, _ = bound(added, name, takes)
+    handed = bound(added, name, takes)
     update.put(site.place.file, given, ", ".join(handed))
     text = " ".join(site.place.file.syntax.slice(given).split())
     message = f"`{text}` of `{update.old}` is not kept for `{endpoint.name}`"
