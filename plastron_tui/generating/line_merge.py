@@ -12,10 +12,11 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, NamedTuple
 
+from plastron_tui.diagnostics import Diagnostic, codes
 from plastron_tui.model.kinds import Client
 from plastron_tui.model.source import EndpointKind, FileSet, SourceUnit
 from plastron_tui.model.workspace import Node
-from plastron_tui.output.merge3 import merge_files
+from plastron_tui.output.merge3 import merge_files, split_lines
 
 from .call_sites import call_sites, is_changed, is_plain, is_shared
 from .endpoint_merge import merge
@@ -62,6 +63,7 @@ def merge_lines(
     target: Target,
     *,
     side_by_side: bool = False,
+    restores: bool = False,
 ) -> FileSet | None:
     """Merge lines, and return files that hold what they are to hold, None where that fails.
 
@@ -71,9 +73,10 @@ def merge_lines(
             where nothing is known but that the files can be read.
         target: the client library.
         side_by_side: whether lines that follow each other may be changed by one side each.
+        restores: whether the program only puts back what it had taken out.
     """
     path, base, mine, before = sides
-    files = merge_files(base, mine, before, side_by_side=side_by_side)
+    files = merge_files(base, mine, before, side_by_side=side_by_side, restores=restores)
     if files is None or is_worse(target.language, files, before, mine):
         return None
     merged, *others = (target.read(path, each).source for each in (files, before, mine))
@@ -81,6 +84,37 @@ def merge_lines(
         _has_what_it_is_to_have(node, earlier, merged, *others) for node, earlier in nodes
     )
     return files if is_sound else None
+
+
+def restored_lines(sides: Sides, original: FileSet) -> Counter[bytes] | None:
+    """Return the lines that a program puts back, None where it writes others as well.
+
+    Args:
+        sides: what is merged.
+        original: what the program started from.
+    """
+    found: Counter[bytes] = Counter()
+    for name, text in sides.mine.texts:
+        new = Counter(split_lines(text)) - Counter(split_lines(sides.base.get(name) or b""))
+        if new - Counter(split_lines(original.get(name) or b"")):
+            return None
+        found += new
+    return found
+
+
+def tell_rewritten(merged: Merged, restored: Counter[bytes], path: Path) -> Merged:
+    """Add a warning where lines that a program puts back are written otherwise than they were."""
+    if merged.files is None:
+        return merged
+    there = Counter(line for _, text in merged.files.texts for line in split_lines(text))
+    lost = [line.strip() for line in (restored - there) if len(line.strip()) > 1]
+    if not lost:
+        return merged
+    shown = lost[0].decode("utf-8", "replace")
+    message = f"what was taken out of `{path.name}` is written anew, not as it was: `{shown}`"
+    help_ = "lines beside it were changed by hand; write again what it did besides"
+    told = Diagnostic(codes.MERGED_BY_HAND, message, file=path, help=help_)
+    return merged._replace(lost=(*merged.lost, told))
 
 
 def merge_created(

@@ -20,7 +20,7 @@ from plastron_tui.output.patch_stack import Layer, Layers, digest_of
 
 from .apply_changes import Adaptation
 from .destination import Place, Writing, find_place, found_by
-from .line_merge import Sides, merge_lines, tell_lost_in
+from .line_merge import Sides, merge_lines, restored_lines, tell_lost_in, tell_rewritten
 from .merged import Merged
 from .node_files import NodeFiles, are_recorded
 from .user_edits import cover, kept_handwork, of_other_program, unmergeable
@@ -212,7 +212,11 @@ class Derivation:
         bases = [(node, self.work.base(known, node)) for node in self.work.nodes]
         target, catalog = self.work.library
         sides = Sides(place.real, known.written, mine, before)
-        files = merge_lines(sides, () if self.work.is_ported else bases, target)
+        nodes = () if self.work.is_ported else bases
+        files = merge_lines(sides, nodes, target)
+        restored = restored_lines(sides, new.original)
+        if files is None and restored:
+            files = merge_lines(sides, nodes, target, restores=True)
         if files is not None:
             return Merged(files, notes=notes)
         if origin is not None and known.seen != new.seen:
@@ -228,6 +232,8 @@ class Derivation:
             told = () if made.files is None else made.all_notes
             merged = Merged(made.files, made.reason, (*merged.notes, *told))
         merged = tell_lost_in(merged, sides, target)
+        if restored:
+            merged = tell_rewritten(merged, restored, place.shown)
         return merged._replace(notes=merged.all_notes, lost=())
 
 

@@ -61,6 +61,20 @@ class _Chunk(NamedTuple):
             return None
         return [*self.theirs, *(line for line in self.ours if line not in self.theirs)]
 
+    def beside(self) -> _Lines | None:
+        """Return the lines where ours are new ones above or below what is theirs instead.
+
+        What both have added at one place stands in the order in which it came to be.
+        """
+        base, ours, theirs = self
+        if not base:
+            return ours + theirs
+        if ours[: len(base)] == base:
+            return theirs + ours[len(base) :]
+        if ours[len(ours) - len(base) :] == base:
+            return ours[: len(ours) - len(base)] + theirs
+        return None
+
     def _below(self) -> _Lines | None:
         """Return the lines where one side changed a block's last, and the other wrote below it."""
         base = self.base
@@ -91,10 +105,16 @@ class _Match(NamedTuple):
 
 
 def merge_files(
-    base: FileSet, ours: FileSet, theirs: FileSet, *, side_by_side: bool = False
+    base: FileSet,
+    ours: FileSet,
+    theirs: FileSet,
+    *,
+    side_by_side: bool = False,
+    restores: bool = False,
 ) -> FileSet | None:
     """Return files with the changes of both sides, None where they touch the same lines.
 
+    See `merge_lines` for what else may stand where.
     A file that one side does not have stays out only where the other left it as it was.
     """
     merged = []
@@ -108,7 +128,7 @@ def merge_files(
         elif before is None or mine is None or other is None:
             return None
         else:
-            text = merge_lines(before, mine, other, side_by_side=side_by_side)
+            text = merge_lines(before, mine, other, side_by_side=side_by_side, restores=restores)
             if text is None:
                 return None
         if text is not None:
@@ -131,12 +151,19 @@ def replay_files(base: FileSet, changed: FileSet, onto: FileSet) -> FileSet:
 
 
 def merge_lines(
-    base: bytes, ours: bytes, theirs: bytes, *, side_by_side: bool = False, is_list: bool = False
+    base: bytes,
+    ours: bytes,
+    theirs: bytes,
+    *,
+    side_by_side: bool = False,
+    is_list: bool = False,
+    restores: bool = False,
 ) -> bytes | None:
     """Return a text with the changes of both sides, None where they touch the same lines.
 
     Lines that follow each other count as the same, unless they may stand `side_by_side`. In a
-    text that `is_list`, as build files are, both sides may add entries at one place.
+    text that `is_list`, as build files are, both sides may add entries at one place. What ours
+    `restores` stood there before, and may stand next to any line of theirs.
     """
     merged: _Lines = []
     for chunk in _chunks(base, ours, theirs):
@@ -145,6 +172,8 @@ def merge_lines(
             lines = chunk.side_by_side()
         if lines is None and is_list:
             lines = chunk.listed()
+        if lines is None and restores:
+            lines = chunk.beside()
         if lines is None:
             return None
         merged += lines

@@ -54,6 +54,19 @@ NODES = {
         f'  f{i + 1}(n, t + "a"); f{i + 1}(n, t + "b"); }}\n'
         for i in range(1_000)
     ),
+    "overloads": ROS1
+    + "".join(
+        f"void f(ros::NodeHandle& n, std::string t) {{ f(n, t + {i}); {PUBLISH} }}\n"
+        for i in range(800)
+    )
+    + 'int main() { ros::NodeHandle n; f(n, "a"); }',
+    "calls": MAIN + "f(1,2);" * 500_000 + "}",
+    "fields": ROS1
+    + "struct C {"
+    + "".join(f'std::string m{i} = "x";' for i in range(5_000))
+    + '}; int main() { ros::NodeHandle n; C c{"a"};'
+    + "".join(f"n.advertise<std_msgs::String>(c.m{i}, 1);" for i in range(3_900))
+    + "}",
     "handles": ROS1
     + "int main() { ros::NodeHandle n0; std::string t;"
     + "".join(f'ros::NodeHandle n{i}(n{i - 1}, "a");\n' for i in range(1, 10_000))

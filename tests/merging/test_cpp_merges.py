@@ -157,6 +157,27 @@ def test_changes_of_the_program_over_handwork(tmp_path: Path, case: tuple[str, s
         package.check_again(*statements)
 
 
+BODIES = [(*manner, kind) for kind in ("subscription", "service") for manner in MANNERS]
+
+
+@pytest.mark.parametrize("case", mostly_long(BODIES, ["rclcpp-split-service"], "-".join))
+def test_a_callback_that_somebody_wrote_in_is_called_again(
+    tmp_path: Path, case: tuple[str, str, str]
+) -> None:
+    library, layout, kind = case
+    package = Package(tmp_path, library, layout)
+    statement, shown = KINDS[kind][0], KINDS[kind][2]
+    package.generate(KEEP, statement)
+    mine = package.fill()
+    before = package.files()
+    package.generate(KEEP)
+    package.check(mine, KEPT)
+    assert package.generate(KEEP, statement).conflicts == []
+    package.check(mine, [*KEPT, shown])
+    changed = {name for name, text in package.files().items() if text != before[name]}
+    assert changed <= {".plastron.json"}
+
+
 @pytest.mark.parametrize("manner", mostly_long(MANNERS, ["component-split"], "-".join))
 def test_used_publisher_is_one_conflict(tmp_path: Path, manner: tuple[str, str]) -> None:
     package = Package(tmp_path, *manner)

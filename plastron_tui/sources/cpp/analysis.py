@@ -98,6 +98,7 @@ class Analysis:
         fields: what the fields of their variables are set to.
         qos_steps: what changes the profiles of their variables, as far as it was looked for.
         calls_found: how many calls create endpoints.
+        worlds_left: how many calls of functions are yet looked at for what they create.
         sites: the calls that create endpoints, in the order of the files.
         nodes: what makes the nodes.
     """
@@ -112,6 +113,7 @@ class Analysis:
     fields: Fields = field(init=False)
     qos_steps: dict[Variable, Any] = field(default_factory=dict)
     calls_found: int = 0
+    worlds_left: int = 4_000
     sites: list[Site] = field(default_factory=list)
     nodes: list[NodeSite] = field(default_factory=list)
 

@@ -19,6 +19,9 @@ if TYPE_CHECKING:
     from .read_parameters import ReadParameters
 
 MOST_CALLERS = 64
+MOST_OVERLOADS = 256
+"""Which of more functions of one name a call calls is not asked."""
+
 _HANDLES = re.compile(r"(?:this->)?get(?:MT)?(?:Private)?NodeHandle\(\s*\)")
 _LITERALS = frozenset(
     {
@@ -51,12 +54,15 @@ class Callers:
         self._types = types
         self._found: dict[Function, list[Call]] = {}
         self._used: dict[Function, bool] = {}
+        self._least: dict[Function, int] = {}
 
     def of(self, function: Function) -> list[Call]:
         """Return the calls of a function; of a constructor, what makes objects of its class."""
         if function not in self._found:
             owner = self._unit.class_of_function(function)
-            if owner is not None and owner.name == function.name:
+            if len(self._unit.functions.get(function.name, ())) > MOST_OVERLOADS:
+                found = []
+            elif owner is not None and owner.name == function.name:
                 found = self.makers(owner)
             else:
                 found = [
@@ -141,13 +147,21 @@ class Callers:
     def fits(self, call: Call, function: Function) -> bool:
         """Tell whether a function may take as many arguments as a call gives, and such ones."""
         most = len(function.parameters)
-        needed = sum(self.default_of(function, position) is None for position in range(most))
-        if not needed <= len(call.arguments) <= most:
+        if len(call.arguments) > most:
+            return False
+        if len(call.arguments) < most and len(call.arguments) < self._needed(function):
             return False
         return len(self._unit.functions.get(function.name, ())) < 2 or all(
             self._may_take(parameter, given)
             for parameter, given in zip(function.parameters, call.arguments, strict=False)
         )
+
+    def _needed(self, function: Function) -> int:
+        """Return how many arguments a function has to be given."""
+        if function not in self._least:
+            positions = range(len(function.parameters))
+            self._least[function] = sum(self.default_of(function, at) is None for at in positions)
+        return self._least[function]
 
     def _may_take(self, parameter: Variable, given: Node) -> bool:
         """Tell whether a parameter of an overload may be what a literal or a lambda gives."""

@@ -22,6 +22,7 @@ class Fields:
     def __init__(self, unit: Unit) -> None:
         self._unit = unit
         self._found: dict[str, list[Field]] | None = None
+        self._members: dict[int, list[str]] = {}
 
     def of(self, name: str) -> list[Field]:
         """Return the assignments to the fields of variables of a name, in the order of the text."""
@@ -59,19 +60,15 @@ class Fields:
         """
         writes = self._unit.writes(variable)
         has_constructor = owner.bases or owner.name in owner.functions
-        if (
-            len(writes) != 1
-            or has_constructor
-            or any(path == name for _, path, _, _ in self.of(variable.name))
-        ):
+        is_set = any(path == name for _, path, _, _ in self.of(variable.name))
+        if len(writes) != 1 or has_constructor or is_set:
             return None
         (write,) = writes
         is_listed = write.value is not None and write.value.type == "initializer_list"
         listed = arguments_of(write.value) if is_listed else write.arguments
         if not listed:
             return None
-        members = [each for found in owner.variables.values() for each in found]
-        names = [each.name for each in sorted(members, key=lambda each: each.start)]
+        names = self._members_of(owner)
         for at, each in enumerate(listed):
             named = each.child_by_field_name("designator")
             if named is not None and write.scope.file.syntax.word(named).strip(". ") == name:
@@ -81,3 +78,11 @@ class Fields:
                 return each, write.scope
         member = owner.variables.get(name)
         return (member[0].value, owner) if member and member[0].value is not None else None
+
+    def _members_of(self, owner: Scope) -> list[str]:
+        """Return the names of a class's members in the order of the text."""
+        if id(owner) not in self._members:
+            members = [each for found in owner.variables.values() for each in found]
+            members.sort(key=lambda each: each.start)
+            self._members[id(owner)] = [each.name for each in members]
+        return self._members[id(owner)]

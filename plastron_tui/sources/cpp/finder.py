@@ -153,11 +153,11 @@ class Finder:
                 if self._receivers.derives_from(owner, frozenset({HANDLE})):
                     return Found(call, shape, call.arguments, None, scope, owner)
                 continue
+            if call.qualifier and not self._is_base(call.qualifier, owner):
+                continue
             if shape.on == "lazy":
                 if (found := self._lazy(call, shape, owner)) is not None:
                     return found
-                continue
-            if call.qualifier and not self._is_base(call.qualifier, owner):
                 continue
             found = Found(call, shape, call.arguments, None, scope, owner)
             if self._receivers.is_node_class(owner):

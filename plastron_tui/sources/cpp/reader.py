@@ -22,6 +22,9 @@ from .unit import Unit
 MOST_BYTES = 4_000_000
 """Beyond this size a file is data, not a node that a person wrote."""
 
+MOST_NODES = 1_000_000
+"""A tree of more nodes is that of a generated file; what people write has some ten in a line."""
+
 # What an include says comes first: it is looked for by its `#`, which there are few of.
 _MENTIONS = {
     1: (
@@ -53,10 +56,19 @@ def read_cpp(path: Path, files: FileSet, library: str | None = None) -> ReadResu
     versions = [LIBRARIES[library]] if library in LIBRARIES else _mentioned(files)
     if not versions:
         return _refuse(path, codes.NO_NODE, "the file includes neither ROS 1 nor ROS 2")
-    outlines = [
-        outline("" if at == 0 else name, parse(each))
+    parsed = [
+        ("" if at == 0 else name, parse(each))
         for at, (name, each) in enumerate(files.texts)
         if len(each) <= MOST_BYTES and b"\x00" not in each
+    ]
+    if parsed[0][1].root.descendant_count > MOST_NODES:
+        return _refuse(
+            path, codes.FILE_TOO_LARGE, "the file is too long a program, and is not read"
+        )
+    outlines = [
+        outline(name, syntax)
+        for name, syntax in parsed
+        if syntax.root.descendant_count <= MOST_NODES
     ]
     others, paths = sources_beside(path, outlines)
     analyses = [analyze(Unit(outlines, others), version) for version in versions]

@@ -2,7 +2,8 @@
 
 Sources: `ros/node_handle.h`, `ros/param.h`, `ros/service.h`, `ros/topic.h`, `actionlib`,
 `message_filters`, `image_transport`, `realtime_tools/realtime_publisher.h` of Noetic;
-`rclcpp/node.hpp`, `rclcpp/create_*.hpp`, `rclcpp/wait_for_message.hpp`, `rclcpp_action`,
+`rclcpp/node.hpp`, `rclcpp/create_*.hpp`, `rclcpp/wait_for_message.hpp`,
+`rclcpp/timer.hpp`, `rclcpp_action`,
 `message_filters`, `image_transport` of Jazzy.
 """
 
@@ -181,6 +182,8 @@ OBJECTS: dict[str, Shape] = {
     "image_transport::SubscriberFilter": Shape(
         K.SUBSCRIPTION, on="filter", type="", fixed=IMAGE, queue=1
     ),
+    "rclcpp::GenericTimer": Shape(K.TIMER, on="", type="", name=1, callback=2),
+    "rclcpp::WallTimer": Shape(K.TIMER, on="", type="", callback=1),
     # Of ROS 1; that of ROS 2 gets a publisher and no name.
     "realtime_tools::RealtimePublisher": Shape(K.PUBLISHER, on="function", queue=1, latch=2),
 }

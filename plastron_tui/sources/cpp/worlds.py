@@ -28,6 +28,9 @@ def worlds(analysis: Analysis, found: Found, name: Node | None) -> Iterator[Bind
         unit.items = items
         chosen = list(_calls(analysis, scope, 0))[:MOST_WORLDS] or [()]
         for bindings in chosen:
+            analysis.worlds_left -= 1
+            if analysis.worlds_left < 0:
+                break
             unit.bindings = {function: (call, {}) for function, call in bindings}
             yield bindings
             unit.bindings = {}

@@ -24,6 +24,16 @@ CALLS = [
     ('create_service<std_srvs::srv::Empty>("a", f);', ["service a std_srvs/Empty f"]),
     ('create_client<std_srvs::srv::Empty>("a");', ["client a std_srvs/Empty"]),
     ("create_wall_timer(1s, std::bind(&A::tick, this));", ["timer tick"]),
+    (
+        "auto tick = std::bind(&A::tick, this);"
+        " std::make_shared<rclcpp::GenericTimer<decltype(tick)>>(get_clock(), 1s, tick, context);",
+        ["timer tick"],
+    ),
+    (
+        "auto tick = std::bind(&A::tick, this);"
+        " std::make_shared<rclcpp::WallTimer<decltype(tick)>>(1s, std::move(tick), context);",
+        ["timer tick"],
+    ),
     ('declare_parameter("a", 1);', ["parameter a"]),
     ('declare_parameters("n", {{"a", 1}, {"b", 2}});', ["parameter n.a", "parameter n.b"]),
     ('get_parameter("a").as_int();', ["parameter a"]),

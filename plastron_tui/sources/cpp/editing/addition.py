@@ -32,7 +32,7 @@ from ..nodes import group
 from ..qos_code import latch, profile
 from ..shapes import TRANSFORMS
 from .actions import request_action, serve_action
-from .adding import Addition
+from .adding import Addition, variables_like
 from .calling import add_requests
 from .clang_format import ClangFormat
 from .computing import computing_for
@@ -42,6 +42,7 @@ from .handles import handle_for
 from .hearing import (
     bound,
     existing,
+    idle_callback,
     message_parameter,
     service_parameters,
 )
@@ -49,21 +50,15 @@ from .include_place import order_includes
 from .interfaces import Interfaces, refuse
 from .lambdas import Lambda, NewLambda, callback_names, model_lambda
 from .logging import log_line
-from .manner import callback_naming, held_by, identifiers, split_words
+from .manner import Naming, callback_naming, held_by, identifiers, split_words
 from .members import hold, is_local, open_private, type_of
 from .parameters import declare_parameter
-from .place import (
-    behind_creation,
-    beside,
-    find_place,
-    is_declared_within,
-    sites_of_node,
-)
+from .place import find_place, sites_of_node
 from .plans import Plan
+from .sender_place import goes_where_it_is_seen
 from .sending import Sender, add_publishing
 from .shared_names import shared_name
 from .timers import create_timer, event_parameter, node_captures, period_of, timer_name
-from .visibility import sees
 
 K = EndpointKind
 
@@ -161,15 +156,8 @@ def _present(added: Addition, present: list[Site]) -> Sender:
         if added.analysis.receivers.type_of_variable(variable).endswith("::CameraPublisher"):
             # It publishes an image together with what its camera is like.
             continue
-        is_local = variable.kind == "local"
-        if not sees(added.analysis, added.place, variable) or (
-            is_local and site is not added.place.beside
-        ):
-            find = behind_creation if is_local else beside
-            place = find(added.analysis, site) if not site.bindings else None
-            if place is None or is_declared_within(place, variable):
-                continue
-            added.place = place
+        if not goes_where_it_is_seen(added, site, variable):
+            continue
         qos = site.endpoint.qos
         if once and (qos is None or qos.durability != "transient_local"):
             how = "transient_local" if added.is_ros2 else "latched"
@@ -248,10 +236,7 @@ def _create(added: Addition) -> str:
     if written is not None and added.kind is K.SERVICE and not added.is_ros2:
         template = f"<{class_}::Request, {class_}::Response>"
     head = f"{before}{_METHODS[added.analysis.ros_version, added.kind]}{template}("
-    declared = ""
-    if is_local(added):
-        declared = "auto " if added.is_ros2 else f"{type_} "
-    head = f"{declared}{variable} = {head}"
+    head = f"{_declared(added, type_)}{variable} = {head}"
     if written is not None:
         called = written.name
         added.lines += written.lines(added, head, arguments)
@@ -259,6 +244,14 @@ def _create(added: Addition) -> str:
         added.lines.append(f"{head}{', '.join(arguments)});")
     added.expect(added.kind, name, interface.name, called)
     return variable
+
+
+def _declared(added: Addition, type_: str) -> str:
+    """Write the type before a local variable that holds the endpoint; "" for any other."""
+    if not is_local(added):
+        return ""
+    autos = [each.type == "auto" for _, each in variables_like(added, added.kind)]
+    return "auto " if added.is_ros2 or autos.count(True) * 2 > len(autos) else f"{type_} "
 
 
 def _queue(added: Addition) -> str:
@@ -312,6 +305,9 @@ def _callback(added: Addition, interface: Interface, class_: str) -> str:
             remedy = "leave out `answering`, and fill in the response by hand in its function"
             refuse(codes.EDIT_REFUSED, f"{message} is there", added.span, remedy)
         return wanted
+    left = None if wanted else idle_callback(added, _naming(added).name(added.topic), class_)
+    if left is not None:
+        return left
     name = wanted or _callback_name(added)
     added.taken.add(name)
     parameters, body = _served(added, interface, class_)
@@ -323,9 +319,13 @@ def _callback(added: Addition, interface: Interface, class_: str) -> str:
     return name
 
 
-def _callback_name(added: Addition) -> str:
+def _naming(added: Addition) -> Naming:
     called = callback_names(added.analysis, added.sites)
-    manner = callback_naming(added.analysis, added.kind, called)
+    return callback_naming(added.analysis, added.kind, called)
+
+
+def _callback_name(added: Addition) -> str:
+    manner = _naming(added)
     return added.free(manner.name(added.topic), manner.end)
 
 

@@ -49,6 +49,16 @@ def is_apart(file: CppFile, node: Node) -> bool:
     return offset > 0 and not text[line_start(text, offset - 1) : offset].strip()
 
 
+def _what(parameter: str) -> str:
+    """Return what a parameter of a callback is, by its name."""
+    word = parameter.lower()
+    if word.startswith("req"):
+        return "the request"
+    if word.startswith("res"):
+        return "the response"
+    return "the goal" if word.startswith("goal") else "the message"
+
+
 def comment_like(
     file: CppFile, nodes: Sequence[Node], said: str, parameters: Iterable[str], *, returns: bool
 ) -> list[str]:
@@ -72,9 +82,9 @@ def comment_like(
         said = said.removesuffix(".")
     lines = [f"{brief}{said}"]
     if _PARAMETER.search(whole):
-        lines += [f"{mark}param {name} what it gets" for name in parameters]
+        lines += [f"{mark}param {name} {_what(name)}" for name in parameters]
     if returns and _RETURN.search(whole):
-        lines.append(f"{mark}return whether it was answered")
+        lines.append(f"{mark}return whether the request was answered")
     line = _LINE.match(model[0])
     if line is not None:
         return [f"{line[1]} {each}" for each in lines]

@@ -7,12 +7,15 @@ from dataclasses import dataclass
 
 from tree_sitter import Node
 
+from plastron_tui.model.kinds import Service
 from plastron_tui.model.source import EndpointKind
 
 from ..analysis import Site
 from ..scopes import Function, Variable
 from .adding import Addition
+from .deletions import Deletions
 from .lambdas import Lambda, called_functions, handed_functions
+from .leftovers import has_uses
 from .manner import split_words
 from .members import respelled
 
@@ -249,6 +252,31 @@ def existing(added: Addition, name: str) -> Function | None:
         if added.analysis.unit.derives_from(added.owner, owner):
             return function
     return None
+
+
+def idle_callback(added: Addition, name: str, class_: str) -> str | None:
+    """Return the name of a callback that nothing calls any more, where it takes what it is to.
+
+    One was left where its endpoint went, for somebody has written in it.
+    """
+    found = [
+        each
+        for each in added.analysis.unit.functions.get(name, ())
+        if added.analysis.unit.class_of_function(each) is added.owner
+    ]
+    if not any(each.scope is not None for each in found):
+        return None
+    if any(each.file.is_beside for each in found) or has_uses(added.analysis, found, Deletions()):
+        return None
+    count = 1 if added.kind is K.SUBSCRIPTION else 2
+    if isinstance(added.endpoint, Service) and added.endpoint.answer is not None:
+        return None
+    for each in found:
+        types = [parameter.type for parameter in each.parameters]
+        is_of = all(re.search(rf"(?<!\w){re.escape(class_)}(?!\w)", x) for x in types)
+        if len(types) != count or not is_of:
+            return None
+    return name
 
 
 def line_of(node: Node) -> int:

@@ -12,7 +12,8 @@ from plastron_tui.ros.catalog import Catalog, moved
 from plastron_tui.ros.interfaces import Field, Interface, InterfaceKind, InterfaceName
 
 from .. import interface_types
-from ..guarded import Conditions, GuardedComputing
+from ..computed import Computing
+from ..guarded import Conditions
 from ..messages import Filling
 from .refusals import RefusedError
 
@@ -86,7 +87,7 @@ class Interfaces:
         fields: Sequence[Field],
         value: MessageValue,
         holder: str,
-        computing: GuardedComputing,
+        computing: Computing,
         span: Span | None,
         received: str = "received",
         heard: Sequence[Field] = (),

@@ -208,13 +208,16 @@ def callback_naming(
         for name in scope.functions
         if name != scope.name and not name.startswith(("~", "operator"))
     ]
-    plain = [each.strip("_") for each in like]
     usual = "snake" if analysis.ros_version == 2 else "camel"
-    known = _casing(plain) if plain else _casing(methods) if methods else usual
-    casing = known if _has_casing(plain or methods) else usual
-    affixes = Counter(each for name in plain if (each := _called_affix(name)) is not None)
-    if affixes:
-        before, behind = affixes.most_common(1)[0][0]
+    # What names of one word do not show, others do.
+    plain, every = ([each.strip("_") for each in names] for names in (like, [x for _, x in found]))
+    shown = next((each for each in (plain, every, methods) if _has_casing(each)), [])
+    casing = _casing(shown) if shown else usual
+    for names in (plain, every):
+        affixes = Counter(each for name in names if (each := _called_affix(name)) is not None)
+        if affixes:
+            before, behind = affixes.most_common(1)[0][0]
+            break
     else:
         before, behind = ("on", "") if casing == "snake" else ("", "callback")
     end = "_" if like and sum(each.endswith("_") for each in like) * 2 > len(like) else ""

@@ -14,7 +14,7 @@ from .deletions import Deletions
 from .leftovers import body_of, has_uses
 from .uses import scope_at, word
 
-_WAITS = ("wait_until_served", "wait_for_action")
+_WAITS = ("is_served", "wait_until_served", "wait_for_action")
 _ASKS = frozenset({"ask", "call", "send_goal"})
 
 # Functions that others need: name, what they are described as, how many statements they have.
@@ -29,6 +29,7 @@ _HELPERS = (
         2,
     ),
     ("is_current", "Tell whether a goal is still the one to work on.", 2),
+    ("is_served", "Wait for a service, not too long, and tell whether it is there.", 4),
     ("is_done", "Tell whether nothing is left of what was begun.", 1),
     (
         "send_goal",

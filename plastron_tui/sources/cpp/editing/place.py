@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 from tree_sitter import Node
 
@@ -201,25 +201,6 @@ def beside(analysis: Analysis, site: Site) -> Place | None:
     if not is_own_node or (node is None):
         return None
     return Place(site.file, function, block, after, owner, node, site)
-
-
-def behind_creation(analysis: Analysis, site: Site) -> Place | None:
-    """Return the place behind the statement of a call, in the block that has it."""
-    place = beside(analysis, site)
-    node = site.call.node
-    while node.parent is not None and node.parent.type != "compound_statement":
-        node = node.parent
-    if place is None or node.parent is None or _leaves(node):
-        return None
-    return replace(place, body=node.parent, after=node)
-
-
-def is_declared_within(place: Place, variable: Variable) -> bool:
-    """Tell whether a variable ends with the statement behind which a place is: `if (T a = b)`."""
-    after, node = place.after, variable.node
-    if after is None or after.id == node.id or variable.file is not place.file:
-        return False
-    return after.start_byte <= node.start_byte and node.end_byte <= after.end_byte
 
 
 def _with_uses(analysis: Analysis, site: Site, after: Node | None) -> Node | None:

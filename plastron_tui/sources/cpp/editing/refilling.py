@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import NamedTuple
 
 from tree_sitter import Node
@@ -14,10 +14,11 @@ from plastron_tui.model.values import MessageValue
 from plastron_tui.ros.interfaces import Field, Interface
 
 from .. import literals
+from ..computed import Computing
 from ..scopes import CppFile, Scope, Variable
 from .accesses import access
 from .adding import Addition, put_in_body
-from .computing import computing_for
+from .computing import checked_computing, computing_for
 from .deletions import Deletions
 from .interfaces import Interfaces
 from .manner import identifiers
@@ -136,7 +137,7 @@ def prepare(update: Replacement, filled: Filled, values: Values) -> Refilling:
         NotInPlaceError: it is filled in another way than field by field.
     """
     added = addition_at(update)
-    wanted = expressions(added, filled.holder, values)
+    wanted = expressions(added, filled.holder, values, filled.block)
     return Refilling(filled, added, values, wanted, _said(update, filled))
 
 
@@ -186,7 +187,7 @@ def take_over(update: Replacement, added: Addition) -> None:
     update.plan.added += added.plan.added
 
 
-def expressions(added: Addition, holder: str, values: Values) -> dict[str, str]:
+def expressions(added: Addition, holder: str, values: Values, near: Node) -> dict[str, str]:
     """Return the expressions that the fields shall have, by their paths.
 
     Raises:
@@ -195,19 +196,19 @@ def expressions(added: Addition, holder: str, values: Values) -> dict[str, str]:
     before = len(added.lines)
     try:
         computing, conditions = computing_for(added, added.span)
-        lines = added.interfaces.fill(
-            values.interface,
-            values.fields,
-            values.value,
-            holder,
-            computing,
-            added.span,
-            values.received,
-            values.heard,
-        )
+        lines = _lines(added, holder, values, computing)
+        if conditions:
+            checked = checked_computing(added, added.span)
+            # Functions that Plastron writes take what they hear by reference.
+            bare = values.received.removesuffix(".")
+            lines = _lines(added, holder, replace(values, received=bare), checked)
+            if bare.endswith("->"):
+                raise NotInPlaceError
+            if not _is_caught(near) or checked.functions - added.analysis.unit.functions.keys():
+                raise NotInPlaceError
     except RefusedError:
         raise NotInPlaceError from None
-    if conditions or len(added.lines) > before or any(added.plan.splices.values()):
+    if len(added.lines) > before or any(added.plan.splices.values()):
         raise NotInPlaceError
     found: dict[str, str] = {}
     setting = re.compile(re.escape(holder) + r"([\w.\[\]]+) = (.*);", re.DOTALL)
@@ -217,6 +218,22 @@ def expressions(added: Addition, holder: str, values: Values) -> dict[str, str]:
             raise NotInPlaceError
         found[parts[1]] = parts[2]
     return found
+
+
+def _lines(added: Addition, holder: str, values: Values, computing: Computing) -> list[str]:
+    interface, fields, value = values.interface, values.fields, values.value
+    given = computing, added.span, values.received, values.heard
+    return added.interfaces.fill(interface, fields, value, holder, *given)
+
+
+def _is_caught(node: Node) -> bool:
+    """Tell whether something is done where an exception is caught."""
+    inner: Node | None = node
+    while inner is not None and inner.type not in ("function_definition", "lambda_expression"):
+        if inner.type == "try_statement":
+            return True
+        inner = inner.parent
+    return False
 
 
 def _said(update: Replacement, filled: Filled) -> dict[str, Said]:

@@ -11,6 +11,7 @@ from plastron_tui.sources.splices import line_number
 
 from ..analysis import Analysis, Site
 from ..scopes import CppFile, Scope, Variable
+from .containers import in_container
 from .creation import Creation, creation_of, holder_of, variable_of
 from .deletions import Deletions
 from .descriptors import take_descriptor
@@ -148,6 +149,8 @@ class _Removal:
             self._served.take_named()
         if creation.variable is not None:
             self._take_variable(creation, site)
+        if creation.container is not None:
+            self.used += in_container(self._analysis, creation.container, self._gone)
 
     def _take_variable(self, creation: Creation, site: Site) -> None:
         variable = creation.variable

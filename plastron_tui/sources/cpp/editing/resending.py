@@ -19,6 +19,7 @@ from .deletions import Deletions
 from .interfaces import Interfaces
 from .leftovers import functions_of
 from .lost import worked_out
+from .occasions import Heard, check_once, field_of, heard_for
 from .place import beside
 from .refilling import (
     Filled,
@@ -88,16 +89,16 @@ def sent_now(update: Replacement, *, is_retyped: bool) -> list[Sending]:
             for each, request in zip(sent, requests, strict=False):
                 if request.rate is not None:
                     _check_rate(update, each, request.rate.hertz, request.rate.parameter)
-            values = [each.value for each in requests]
+            values = [(each.value, Heard()) for each in requests]
         case ActionClient(goals=goals):
-            values = list(goals)
+            values = [(each, Heard()) for each in goals]
         case _:
             values = []
     if len(values) != len(sent):
         raise NotInPlaceError
     return [
-        _sending(update, each, _values(update, value), is_retyped)
-        for each, value in zip(sent, values, strict=True)
+        _sending(update, each, _values(update, value, heard), is_retyped)
+        for each, (value, heard) in zip(sent, values, strict=True)
     ]
 
 
@@ -141,7 +142,7 @@ def _send_new(update: Replacement, sending: Sending) -> list[str]:
     added = addition_at(update)
     name = added.free(f"{added.topic}_message")
     class_ = added.interfaces.class_of(values.interface.name, InterfaceKind.MESSAGE)
-    found = expressions(added, f"{name}.", values)
+    found = expressions(added, f"{name}.", values, sent.statement)
     lines = [f"{class_} {name};", *(f"{name}.{path} = {text};" for path, text in found.items())]
     if values.is_stamped and "header.stamp" not in found:
         lines.append(stamp(added, f"{name}."))
@@ -172,7 +173,7 @@ def _unused(update: Replacement, sent: Sent) -> tuple[Node, ...]:
     return tuple(found)
 
 
-def _values(update: Replacement, value: MessageValue) -> Values:
+def _values(update: Replacement, value: MessageValue, heard: Heard) -> Values:
     """Return what is to be sent, of the part of its type that is sent."""
     endpoint = update.change.endpoint
     kind = update.change.kind.facts.interface
@@ -185,7 +186,7 @@ def _values(update: Replacement, value: MessageValue) -> Values:
     if found is None:
         raise NotInPlaceError
     is_stamped = kind is InterfaceKind.MESSAGE and interfaces.needs_stamp(value)
-    return Values(found, found.fields, value, is_stamped=is_stamped)
+    return Values(found, found.fields, value, heard.holder, heard.fields, is_stamped)
 
 
 def _filled(update: Replacement, sent: Sent, is_retyped: bool) -> Filled:
@@ -216,10 +217,8 @@ def _holder(update: Replacement, variable: Variable) -> str:
 
 def _publish(
     update: Replacement, sent: Sequence[Sent], publications: Sequence[Publication]
-) -> list[MessageValue]:
+) -> list[tuple[MessageValue, Heard]]:
     """Return what the calls shall publish in turn, which they then do at the rates asked for."""
-    if any(each.is_once or each.reaction or each.parameter for each in publications):
-        raise NotInPlaceError
     # What is sent at one rate stands together.
     rates = list(dict.fromkeys(each.rate for each in publications))
     ordered = sorted(publications, key=lambda each: rates.index(each.rate))
@@ -228,9 +227,17 @@ def _publish(
     wanted: dict[int, set[float]] = defaultdict(set)
     runners: dict[int, Runner] = {}
     own: set[int] = set()
+    heard: list[Heard] = []
     for each, publication in zip(sent, ordered, strict=True):
+        heard.append(Heard())
+        if publication.reaction is not None:
+            heard[-1] = heard_for(update, each, publication, publication.reaction)
+            continue
+        if publication.is_once:
+            check_once(update, each)
+            continue
         runner = runner_of(update.analysis, each)
-        if runner is None:
+        if runner is None or publication.parameter:
             raise NotInPlaceError
         runners[runner.block.id] = runner
         own |= _own_statements(update, each)
@@ -238,7 +245,7 @@ def _publish(
             wanted[runner.block.id].add(publication.rate)
     for key, asked in wanted.items():
         _pace(update, runners[key], asked, own, sent)
-    return [each.message.value for each in ordered]
+    return list(zip([each.message.value for each in ordered], heard, strict=True))
 
 
 def _pace(
@@ -294,19 +301,13 @@ def answer(update: Replacement, service: Service) -> None:
     request, response = handler.parameters[-2:]
     if not response.name:
         raise NotInPlaceError
-    filled = Filled(response, handler.file, body, None, _field_of(response))
-    values = Values(found, found.response.fields, service.answer, _field_of(request), found.fields)
+    filled = Filled(response, handler.file, body, None, field_of(response))
+    values = Values(found, found.response.fields, service.answer, field_of(request), found.fields)
     if "received" in str(service.answer) and not request.name:
         raise NotInPlaceError
     lost = refill(update, prepare(update, filled, values))
     _take_void(update, handler, body, response)
     update.plan.notes += no_longer_sends(lost, service, update.old)
-
-
-def _field_of(parameter: Variable) -> str:
-    text = parameter.file.syntax.word(parameter.node)
-    is_pointer = parameter.is_pointer or "Ptr" in text or "_ptr" in text
-    return f"{parameter.name}{'->' if is_pointer else '.'}"
 
 
 def _handler(update: Replacement) -> Function | None:

@@ -28,6 +28,8 @@ _ANY_TYPE = frozenset(
     | {b"wait_for_service", b"waitForExistence", b"exists", b"getService", b"getTopic"}
     | {b"get_service_name", b"get_topic_name", b"getNumSubscribers", b"get_subscription_count"}
 )
+# Functions that Plastron writes, for any type.
+_WAITS = frozenset({b"is_served", b"wait_until_served", b"wait_for_action"})
 _TYPES = frozenset({"qualified_identifier", "type_identifier"})
 
 
@@ -183,7 +185,9 @@ def _only_ends(node: Node) -> bool:
     outer = node.parent
     field = None if outer is None else outer.child_by_field_name("field")
     text = b"" if field is None else field.text or b""
-    return text in _ANY_TYPE
+    call = None if outer is None or outer.type != "argument_list" else outer.parent
+    called = None if call is None else call.child_by_field_name("function")
+    return text in _ANY_TYPE or (called is not None and called.text in _WAITS)
 
 
 def _retype_callback(update: Replacement, written: _Written) -> int:

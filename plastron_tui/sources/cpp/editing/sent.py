@@ -184,7 +184,7 @@ def runner_of(analysis: Analysis, sent: Sent) -> Runner | None:
     function = analysis.unit.function_of(sent.scope)
     if function is None or function.node.id != owner.id:
         return None
-    timer = _timer_of(analysis, function)
+    timer = timer_of(analysis, function)
     if timer is None:
         return None
     return Runner(block, timer, is_own=_OWN.match(function.name) is not None)
@@ -200,7 +200,7 @@ def timer_behind(analysis: Analysis, sent: Sent) -> Site | None:
             other = None if around is None else around.function
             if other is not None and other.name.startswith("repeat_"):
                 found.add(other)
-    return _timer_of(analysis, found.pop()) if len(found) == 1 else None
+    return timer_of(analysis, found.pop()) if len(found) == 1 else None
 
 
 def _loop(analysis: Analysis, sent: Sent, block: Node) -> Runner | None:
@@ -220,7 +220,7 @@ def _loop(analysis: Analysis, sent: Sent, block: Node) -> Runner | None:
     return Runner(block, None, held.arguments[0], held.scope)
 
 
-def _timer_of(analysis: Analysis, function: Function) -> Site | None:
+def timer_of(analysis: Analysis, function: Function) -> Site | None:
     """Return the timer that alone calls a function."""
     found = []
     again = recreated(analysis, analysis.sites)

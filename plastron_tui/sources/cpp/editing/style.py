@@ -239,7 +239,12 @@ def _continuation(files: Iterable[CppFile], indent: str, said: ClangFormat) -> t
     The first file that shows it says so.
     """
     steps = next((found for each in files if (found := _continuations(each))), Counter())
-    known = [each for each, _ in steps.most_common() if each is not None]
+    # One odd line, such as `   `, is no manner.
+    known = [
+        each
+        for each, count in steps.most_common()
+        if each is not None and (count > 1 or "\t" in each or len(each) % 2 == 0)
+    ]
     is_aligned = steps[None] * 2 > sum(steps.values()) if steps else bool(said.is_aligned)
     usual = said.continuation or indent
     if said.continuation and "\t" in indent:

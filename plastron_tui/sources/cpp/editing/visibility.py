@@ -1,4 +1,4 @@
-"""What may be named where: the members of classes, and the variables of functions."""
+"""Which members of classes may be named where."""
 
 from __future__ import annotations
 
@@ -6,18 +6,13 @@ from tree_sitter import Node
 
 from ..analysis import Analysis
 from ..scopes import Scope, Variable
-from .place import Place
 
 
-def sees(analysis: Analysis, place: Place, variable: Variable) -> bool:
-    """Tell whether what is written at a place may name a variable of the files."""
-    if variable.kind == "global":
-        return True
-    if variable.kind != "member":
-        return analysis.unit.lookup(variable.name, place.scope, place.offset) is variable
-    if place.owner is None or place.owner is variable.scope:
-        return place.owner is not None
-    is_inherited = any(each is variable.scope for each in analysis.unit.bases(place.owner))
+def sees_member(analysis: Analysis, owner: Scope | None, variable: Variable) -> bool:
+    """Tell whether what is written in a class, or in none, may name a member of the files."""
+    if owner is None or owner is variable.scope:
+        return owner is not None
+    is_inherited = any(each is variable.scope for each in analysis.unit.bases(owner))
     return is_inherited and access_of(variable.scope, variable.node) != "private"
 
 
