@@ -18,7 +18,7 @@ from .adding import Addition
 from .calling import waits
 from .computing import computing_for
 from .functions import write_function
-from .handles import handle_for
+from .handles import handle_for, is_constant
 from .hearing import bind_manner, existing
 from .interfaces import refuse
 from .logging import log_line
@@ -165,7 +165,7 @@ def _named(added: Addition) -> list[str]:
         added.lines.append(f"ros::NodeHandle {name}{made};")
         return [name, text]
     bare = f"*{handle[:-2]}" if handle.endswith("->") else handle.removesuffix(".")
-    if bare.endswith(")"):
+    if bare.endswith(")") or is_constant(added.analysis, added.place, handle):
         # What a function returns may be none that can be referred to.
         name = added.free("action_nh")
         added.lines.append(f"ros::NodeHandle {name}({bare});")

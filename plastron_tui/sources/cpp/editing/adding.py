@@ -168,9 +168,16 @@ class Addition:
         self.plan.replace(file, offset, offset, written)
 
     def put_above(self, file: CppFile, node: Node, lines: list[str], *, gap: bool = False) -> None:
-        """Write lines above a definition and the comment that speaks of it."""
+        """Write lines above a definition and the comment that speaks of it.
+
+        Before a statement that is not the first of its line they are in that line too.
+        """
         style, text = self.style(file), file.syntax.text
         offset = line_start(text, node.start_byte)
+        if text[offset : node.start_byte].strip() and not gap:
+            written = "".join(f"{each.strip()} " for each in lines)
+            self.plan.replace(file, node.start_byte, node.start_byte, written)
+            return
         while offset > 0:
             above = line_start(text, offset - 1)
             line = text[above:offset].strip()

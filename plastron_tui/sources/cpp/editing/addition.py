@@ -30,6 +30,7 @@ from .. import literals
 from ..analysis import Analysis, Site
 from ..nodes import group
 from ..qos_code import latch, profile
+from ..shapes import TRANSFORMS
 from .actions import request_action, serve_action
 from .adding import Addition, variables_like
 from .calling import add_requests
@@ -150,7 +151,12 @@ def _present(added: Addition, present: list[Site]) -> Sender:
     once = isinstance(endpoint, Publisher) and any(each.is_once for each in endpoint.publications)
     for site in reversed(present):
         variable = held_by(added.analysis, site)
-        if variable is None or not goes_where_it_is_seen(added, site, variable):
+        if variable is None or site.endpoint.type == TRANSFORMS:
+            continue
+        if added.analysis.receivers.type_of_variable(variable).endswith("::CameraPublisher"):
+            # It publishes an image together with what its camera is like.
+            continue
+        if not goes_where_it_is_seen(added, site, variable):
             continue
         qos = site.endpoint.qos
         if once and (qos is None or qos.durability != "transient_local"):
@@ -161,7 +167,7 @@ def _present(added: Addition, present: list[Site]) -> Sender:
             )
             remedy = f"make it {how} by hand, or let the node stop publishing to it first"
             refuse(codes.EDIT_REFUSED, f"{message} who listen later", added.span, remedy)
-        written = variable.type
+        written = added.analysis.types.expand(variable.type, variable.scope)
         is_pointer = variable.is_pointer or "Ptr" in written or "ptr<" in written
         is_pointer = is_pointer or (written == "auto" and added.is_ros2)
         return Sender(variable.name, is_pointer, variable.kind == "local")
@@ -365,7 +371,7 @@ def _served(
     body = [log_line(added, added.prose, value)]
     if isinstance(added.endpoint, Service) and added.endpoint.answer is not None:
         body += _answer(added, interface, added.endpoint.answer, request.holder, response.holder)
-    else:
+    if not any(response.holder in line for line in body):
         body.append(f"(void){response.name};")
     if not added.is_ros2:
         body.append("return true;")

@@ -205,11 +205,7 @@ def delete_declarator(variable: Variable, gone: Deletions) -> None:
         for at, each in enumerate(declarators)
         if each.start_byte <= variable.start < each.end_byte
     )
-    own = declarators[index]
-    if index:
-        gone.part(file, declarators[index - 1].end_byte, own.end_byte)
-    else:
-        gone.part(file, own.start_byte, declarators[1].start_byte)
+    gone.declarator(file, node, index)
 
 
 def _delete_item(file: CppFile, node: Node, gone: Deletions) -> None:

@@ -45,6 +45,8 @@ class Deletions:
         self._bare: defaultdict[CppFile, list[tuple[int, int]]] = defaultdict(list)
         self._replaced: defaultdict[CppFile, list[Splice]] = defaultdict(list)
         self._written: dict[CppFile, bytes] = {}
+        self._declarators: defaultdict[CppFile, dict[int, tuple[Node, set[int]]]]
+        self._declarators = defaultdict(dict)
 
     def written(self, file: CppFile) -> bytes:
         """Return all that a file says in any branch or macro, see `written_code`."""
@@ -70,7 +72,33 @@ class Deletions:
                 self._emptied[file].append((node.start_byte, node.end_byte))
             return
         self._nodes.append((file, node))
-        self._lines[file].append((node.start_byte, node.end_byte))
+        end = node.end_byte
+        behind = node.next_sibling
+        if node.type == "function_definition" and behind is not None and behind.text == b";":
+            # `void f() {};`
+            end = behind.end_byte
+        self._lines[file].append((node.start_byte, end))
+
+    def declarator(self, file: CppFile, node: Node, index: int) -> None:
+        """Take out one of several names that a declaration declares, or it with the last one."""
+        declarators = node.children_by_field_name("declarator")
+        _, taken = self._declarators[file].setdefault(node.id, (node, set()))
+        taken.add(index)
+        own = declarators[index]
+        self.part(file, own.start_byte, own.end_byte)
+        if len(taken) == len(declarators):
+            self.statement(file, node)
+
+    def _commas(self, file: CppFile) -> Iterator[tuple[int, int]]:
+        """Yield names that go with the comma that stood between them and one that stays."""
+        for node, taken in self._declarators[file].values():
+            declarators = node.children_by_field_name("declarator")
+            first = min((at for at in range(len(declarators)) if at not in taken), default=None)
+            for at in sorted(taken if first is not None else ()):
+                if first is not None and at < first:
+                    yield declarators[at].start_byte, declarators[at + 1].start_byte
+                else:
+                    yield declarators[at - 1].end_byte, declarators[at].end_byte
 
     def take_empty(self) -> None:
         """Take out each block that nothing is left in, with its `if` where that does nothing."""
@@ -149,7 +177,7 @@ class Deletions:
         # What was apart by a comment that goes too is tidied as one.
         whole = [each if each in tidy else _tidy(text, *each) for each in _joined(tidy)]
         whole += [_tidy(text, *each) for each in _merged(text, self._bare[file])]
-        gone = _joined([*whole, *self._parts[file]])
+        gone = _joined([*whole, *self._parts[file], *self._commas(file)])
         gone = _joined([*gone, *self._emptied_bodies(file, gone)])
         gone = _joined([_whole_lines(text, each, gone) for each in gone])
         written = [Splice(start, end, b"{}") for start, end in self._emptied[file]]

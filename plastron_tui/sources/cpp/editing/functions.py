@@ -14,7 +14,7 @@ from ..scopes import CppFile, Function, Scope
 from .adding import Addition
 from .doc_comments import comment_like, is_apart
 from .lambdas import handed_functions
-from .members import access_of
+from .visibility import access_of
 
 _LAST_NAME = re.compile(r"(\w+)$")
 

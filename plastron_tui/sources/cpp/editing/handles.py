@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 
 from ..analysis import Analysis
@@ -46,6 +47,16 @@ def handle_for(
     if name.startswith("~"):
         return 'ros::NodeHandle("~").', name[1:].lstrip("/")
     return "ros::NodeHandle().", name
+
+
+def is_constant(analysis: Analysis, place: Place, handle: str) -> bool:
+    """Tell whether a node handle, as it stands before a method, may not be changed."""
+    name = handle.removesuffix("->").removesuffix(".").removeprefix("this->")
+    variable = analysis.unit.lookup(name, place.scope, place.offset)
+    if variable is None:
+        return False
+    declared = variable.file.syntax.slice(variable.node)
+    return re.match(r"(?:static\s+)?const\b|[\w:]+\s+const\b", declared) is not None
 
 
 def _queued(analysis: Analysis) -> set[str]:

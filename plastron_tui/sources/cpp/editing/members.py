@@ -17,6 +17,7 @@ from .adding import Addition, variables_like
 from .manner import is_marked_global, variable_naming
 from .place import is_managed
 from .transitions import follow_transitions
+from .visibility import access_of
 
 K = EndpointKind
 
@@ -38,16 +39,6 @@ _ROS2 = {
 }
 
 
-_OWN = re.compile(
-    r"(?<!message_filters::)\b(?:Lifecycle)?(?:Publisher|Subscription|Service|Client|Server)\s*<"
-)
-
-
-def _last_part(text: str) -> str:
-    """Return the last name of a type, but for what points to it."""
-    return "".join(text.split()).removesuffix("::SharedPtr").rpartition("::")[2]
-
-
 def respelled(text: str, old: InterfaceName, class_: str) -> str | None:
     """Return a text with the class of another type, None where it does not say the old one."""
     outer = r"(?:::\s*)?(?:\b\w+\s*::\s*)*\b"
@@ -62,16 +53,14 @@ def type_of(added: Addition, kind: EndpointKind, class_: str) -> str:
         node = variable.type_node
         if node is None or variable.type == "auto" or variable.is_pointer or variable.is_list:
             continue
+        if not _holds(added.analysis.receivers.type_of_variable(variable), added, kind):
+            # Of a library that is used on top: `message_filters::Subscriber<T>`.
+            continue
         text = variable.file.syntax.slice(node)
         if "Lifecycle" in text and not is_managed(added.analysis, added.owner):
             continue
         if kind is K.TIMER or not added.is_ros2:
-            usual = _ROS2[kind] if added.is_ros2 else _ROS1.get(kind, "")
-            if _last_part(text) == _last_part(usual):
-                return text
-            continue
-        if _OWN.search(text) is None:
-            continue
+            return text
         if site.endpoint.type is not None:
             again = respelled(text, site.endpoint.type, class_)
             if again is not None:
@@ -82,6 +71,14 @@ def type_of(added: Addition, kind: EndpointKind, class_: str) -> str:
     if kind is K.PUBLISHER and is_managed(added.analysis, added.owner):
         text = text.replace("rclcpp::Publisher", "rclcpp_lifecycle::LifecyclePublisher")
     return text
+
+
+def _holds(type_: str, added: Addition, kind: EndpointKind) -> bool:
+    """Tell whether a type, without pointers, is what the client library has for a kind."""
+    known = (_ROS2 if added.is_ros2 else _ROS1)[kind]
+    wanted = known.partition("<")[0].removesuffix("::SharedPtr")
+    found = type_.partition("<")[0].replace("_lifecycle::Lifecycle", "::")
+    return found in (wanted, wanted.rpartition("::")[2])
 
 
 def is_member(added: Addition) -> bool:
@@ -152,16 +149,6 @@ def _is_hidden(owner: Scope, node: Node) -> bool:
     """Tell whether a member is private or protected."""
     access = access_of(owner, node)
     return access in ("private", "protected")
-
-
-def access_of(owner: Scope, node: Node) -> str:
-    """Return who may name a member: `public`, `protected` or `private`."""
-    body = owner.node.child_by_field_name("body")
-    found = "public" if owner.node.type == "struct_specifier" else "private"
-    for each in body.named_children if body is not None else ():
-        if each.type == "access_specifier" and each.start_byte < node.start_byte:
-            found = owner.file.syntax.word(each).strip()
-    return found
 
 
 def _declare_at_end(added: Addition, owner: Scope, line: str) -> None:

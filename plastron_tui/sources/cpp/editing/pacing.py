@@ -19,7 +19,7 @@ _CHRONO = re.compile(
 )
 _REAL = re.compile(
     r"(?P<head>(?:ros::(?:Wall|Steady)?Duration|rclcpp::Duration::from_seconds"
-    r"|(?:std::)?chrono::duration<(?:double|float)>)[({]\s*)(?P<one>1(?:\.0*)?\s*/\s*)?"
+    r"|(?:std::)?chrono::duration<(?:double|float)>)\s*[({]\s*)(?P<one>1(?:\.0*)?\s*/\s*)?"
     r"[\d.']+f?(?P<tail>\s*[)}])"
 )
 _UNITS = (("s", "seconds", 1), ("ms", "milliseconds", 10**3), ("us", "microseconds", 10**6),

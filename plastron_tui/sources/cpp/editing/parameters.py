@@ -113,6 +113,9 @@ def _declare_in_ros2(added: Addition, parameter: Parameter, class_: str, value: 
     assert parameter.holds is not None, "statements say it"
     node, name = added.place.node, literals.string(parameter.name)
     template = "" if parameter.holds.is_list else f"<{class_}>"
+    for header in ("string", "vector"):
+        if f"std::{header}" in f"{template}{value}":
+            added.include(added.place.file, header)
     lines = []
     if parameter.description:
         lines.append(f"descriptor.description = {literals.string(parameter.description)};")

@@ -22,6 +22,8 @@ from .replacing import NotInPlaceError, Replacement
 
 _VECTOR = re.compile(r"std::vector<[\w:]+>\s*(?=\{)")
 _RANGE = re.compile(r"(?:floating_point|integer)_range\[0\]\.(from|to)_value")
+_SUFFIX = re.compile(r"(?<=[\d.])[uUlLfF]+$")
+"""What says of which type a number is."""
 
 
 def says_default(site: Site) -> bool:
@@ -57,7 +59,12 @@ def redeclare(update: Replacement, parameter: Parameter) -> None:
         return
     if not _is_literal(said.default):
         raise NotInPlaceError
-    update.put(site.place.file, said.default, literals.scalar(default))
+    written = literals.scalar(default)
+    if parameter.holds is not None:
+        written = setting_text(default, parameter.holds, update.analysis.ros_version)
+    # `param("limit", limit, 0.5f)` is none of a `double`.
+    suffix = _SUFFIX.search(site.place.file.syntax.slice(said.default))
+    update.put(site.place.file, said.default, written + (suffix[0] if suffix else ""))
 
 
 def _listed(update: Replacement, node: Node, parameter: Parameter) -> str:

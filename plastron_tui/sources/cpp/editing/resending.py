@@ -109,7 +109,9 @@ def _sending(update: Replacement, sent: Sent, values: Values, is_retyped: bool) 
             raise NotInPlaceError
         refilling = prepare(update, _filled(update, sent, is_retyped), values)
     except NotInPlaceError:
-        if not isinstance(update.change.endpoint, Publisher) or sent.given is None:
+        block = sent.statement.parent
+        has_block = block is not None and block.type == "compound_statement"
+        if not isinstance(update.change.endpoint, Publisher) or sent.given is None or not has_block:
             raise
         return Sending(sent, values, unused=_unused(update, sent))
     return Sending(sent, values, refilling)

@@ -83,7 +83,8 @@ def _check_body(
     """
     site, interface = update.site, update.catalog.find(type_, kind)
     bodies = list(_bodies(update, given, functions))
-    if functions and all(is_stub(each) for each in functions if each.scope is not None):
+    is_stubs = all(is_stub(each) for each in functions if each.scope is not None)
+    if functions and is_stubs and not _uses_fields(bodies):
         return
     missing: dict[str, None] = {}
     differing: dict[str, None] = {}
@@ -196,6 +197,10 @@ def _fields_used(body: Node, file: CppFile, name: str) -> Iterator[str]:
     for found in pattern.finditer(file.syntax.code, body.start_byte, body.end_byte):
         if found[2] is None:
             yield found[1].decode()
+
+
+def _uses_fields(bodies: Iterable[tuple[Node, CppFile, list[str]]]) -> bool:
+    return any([*_fields_used(*each[:2], name)] for each in bodies for name in each[2])
 
 
 def _uses_parameters(body: Node, file: CppFile, names: list[str]) -> bool:

@@ -6,6 +6,7 @@ from ..analysis import Analysis, Site
 from ..scopes import Variable
 from .adding import Addition
 from .place import Place, beside, start_rank
+from .visibility import sees_member
 
 
 def goes_where_it_is_seen(added: Addition, site: Site, variable: Variable) -> bool:
@@ -34,8 +35,7 @@ def _is_seen(analysis: Analysis, place: Place, site: Site, variable: Variable) -
         is_there = place.beside is site
         return is_there and place.owner is None and not _is_called_back(analysis, place)
     if variable.kind == "member":
-        owner = place.owner
-        return owner is not None and analysis.unit.member(owner, variable.name) is variable
+        return sees_member(analysis, place.owner, variable)
     return True
 
 

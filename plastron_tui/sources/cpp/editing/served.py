@@ -13,10 +13,10 @@ from ..scopes import CppFile, Function, Scope, Variable
 from .creation import delete_declarator, holder_of
 from .deletions import Deletions
 from .leftovers import body_of, functions_of, has_uses, remove_function
-from .members import access_of
 from .serving import Serving
 from .statements import only_calls, only_sets, statement_of
 from .uses import uses_of
+from .visibility import access_of
 
 _FILLING = frozenset(
     {"push_back", "emplace_back", "resize", "assign", "insert", "reserve", "clear", "fromSec"}

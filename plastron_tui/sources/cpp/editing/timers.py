@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Iterator
 
 from plastron_tui.diagnostics import Diagnostic, codes
 from plastron_tui.model.kinds import Rate
 from plastron_tui.model.source import EndpointKind
 
 from .. import literals
+from ..receivers import HANDLE
 from .adding import Addition
 from .functions import write_function
 from .handles import handle_for
@@ -125,6 +127,7 @@ def run_at(
     uses_node = bool(node) and any(node in line for line in body)
     # What the file has is seen without a word.
     captures = captures if is_local(added) else node_captures(added) if uses_node else ()
+    captures = (*_not_global(added, captures), *_handles_in(added, body))
     taken = f"[{', '.join(dict.fromkeys(captures))}]"
     opening = f"{taken}({event_parameter(added)})", False
     style = added.style(added.place.file)
@@ -137,6 +140,27 @@ def capture(added: Addition, variable: str, *, is_pointer: bool) -> str:
     """Write how a lambda takes a local variable: what points by value, all else by reference."""
     del added
     return variable if is_pointer else f"&{variable}"
+
+
+def _not_global(added: Addition, captures: tuple[str, ...]) -> Iterator[str]:
+    """Yield the captures but those of variables of the file, which a lambda sees without."""
+    unit, place = added.analysis.unit, added.place
+    for each in captures:
+        found = unit.lookup(each.lstrip("&"), place.scope, place.offset)
+        if found is None or found.kind != "global":
+            yield each
+
+
+def _handles_in(added: Addition, body: list[str]) -> Iterator[str]:
+    """Yield the local node handles of ROS 1 that a lambda uses; each is taken as a copy."""
+    if added.is_ros2:
+        return
+    words = set(re.findall(r"\b[A-Za-z_]\w*(?=\.|->)", "\n".join(body)))
+    for word in sorted(words):
+        found = added.analysis.unit.lookup(word, added.place.scope, added.place.offset)
+        is_local = found is not None and found.kind in ("local", "parameter")
+        if found and is_local and added.analysis.receivers.type_of_variable(found) == HANDLE:
+            yield word
 
 
 def node_captures(added: Addition) -> tuple[str, ...]:

@@ -29,6 +29,7 @@ from .existing_callbacks import misfit
 from .hearing import bound, existing
 from .leftovers import functions_of, is_stub
 from .pacing import set_period
+from .place import beside
 from .plans import Plan
 from .redeclaring import redeclare, says_default
 from .refilling import addition_at
@@ -214,8 +215,9 @@ def _call(update: Replacement, wanted: str | None, *, is_retyped: bool) -> str:
         or len(own[0].parameters) != _TAKEN[site.shape.kind]
     ):
         raise NotInPlaceError
-    if analysis.unit.class_of(site.place) is not owner:
-        # A new function would be of the class that creates the endpoint.
+    place = beside(analysis, site)
+    if place is None or place.owner is not owner:
+        # The call names the class of its function.
         raise NotInPlaceError
     name = _write(update, is_retyped=is_retyped)
     update.put(site.place.file, name_node, name)
