@@ -75,7 +75,7 @@ def has_uses(analysis: Analysis, functions: Sequence[Function], gone: Deletions)
     pattern = re.compile(rb"(?<![A-Za-z0-9_])" + re.escape(name.encode()) + rb"(?!\w)")
     if any(hidden_uses(analysis, name, gone)):
         return True
-    for file in analysis.unit.files:
+    for file in analysis.unit.all_files:
         for found in pattern.finditer(file.syntax.code):
             if gone.covers(file, found.start()):
                 continue
@@ -180,10 +180,13 @@ def take_types(analysis: Analysis, sites: Sequence[Site], gone: Deletions) -> No
         if _is_named(analysis, type_.name, gone):
             continue
         for file in analysis.unit.files:
-            if file.is_beside:
-                continue
+            # What a header includes, and does not need itself, may be for other sources.
+            is_own = not file.name or any(
+                gone.covers(file, found.start())
+                for found in named(type_.name).finditer(gone.written(file))
+            )
             text = file.syntax.text
-            for include in file.syntax.includes:
+            for include in file.syntax.includes if is_own else ():
                 if include.path in headers_of(type_, kind, analysis.ros_version):
                     start = line_start(text, include.start)
                     gone.line(file, start, line_end(text, start))
@@ -237,7 +240,7 @@ def take_placeholders(analysis: Analysis, gone: Deletions) -> None:
                 continue
             was_said = any(
                 gone.covers(each, found.start())
-                for each in analysis.unit.files
+                for each in analysis.unit.all_files
                 for found in word(own).finditer(each.syntax.code)
             )
             if was_said and not _is_said(analysis, own, file, node, gone):
@@ -296,7 +299,7 @@ def _is_said(analysis: Analysis, name: str, file: CppFile, node: Node, gone: Del
     return any(
         not gone.covers(each, found.start())
         and not (each is file and node.start_byte <= found.start() < node.end_byte)
-        for each in analysis.unit.files
+        for each in analysis.unit.all_files
         for found in word(name).finditer(gone.written(each))
     )
 
@@ -312,6 +315,6 @@ def _is_named(analysis: Analysis, name: str, gone: Deletions) -> bool:
     pattern = named(name)
     return any(
         not gone.covers(file, found.start())
-        for file in analysis.unit.files
+        for file in analysis.unit.all_files
         for found in pattern.finditer(gone.written(file))
     )

@@ -169,6 +169,9 @@ class _Removal:
         self._served.begin(variable)
         left: list[tuple[CppFile, Node, Scope]] = []
         for file, node, scope in uses_of(self._analysis, variable):
+            if file.is_beside:
+                self.used.append((file, node.start_point.row + 1))
+                continue
             if self._gone.covers(file, node.start_byte) or self._take_use(file, node, scope):
                 continue
             if not self._take_asking(scope) and not self._served.take(file, node):
