@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+import subprocess
+import sys
 from collections.abc import Iterator
 from pathlib import Path
 
 from plastron_tui.model.source import FileSet
 from plastron_tui.targets import read_source
 
+from .process import ENVIRON
 from .row import Row, seconds
 
 _HEAD = """\
@@ -93,8 +96,28 @@ def node() -> bytes:
 def rows() -> Iterator[Row]:
     path = Path("arm.cpp")
     files = FileSet.single(".cpp", node())
-    first = seconds(lambda: read_source(path, files)) * 1e3
+    # The first of all compiles what it imports, where the environment allows that to be kept.
+    first = min(_first() for _ in range(5))
     # The best of several: what else the machine does is no part of it.
-    best = min(seconds(lambda: read_source(path, files)) * 1e3 for _ in range(15))
-    yield Row("inspect of a 1,000-line node in C++, the first in a process", first, 120, "ms")
+    best = min(seconds(lambda: read_source(path, files)) * 1e3 for _ in range(25))
+    yield Row("inspect of a 1,000-line node in C++, the first in a process", first, 80, "ms")
     yield Row("inspect of a 1,000-line node in C++", best, 20, "ms")
+
+
+_FIRST = """
+from pathlib import Path
+from time import perf_counter
+from benchmarks.cpp_source import node
+from plastron_tui.model.source import FileSet
+from plastron_tui.targets import read_source
+files = FileSet.single(".cpp", node())
+start = perf_counter()
+read_source(Path("arm.cpp"), files)
+print((perf_counter() - start) * 1e3)
+"""
+
+
+def _first() -> float:
+    """Return how long the first reading takes in a process of its own, in milliseconds."""
+    command = [sys.executable, "-c", _FIRST]
+    return float(subprocess.run(command, check=True, capture_output=True, env=ENVIRON).stdout)

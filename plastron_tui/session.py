@@ -260,9 +260,7 @@ class Session:
 
     def lines(self, file: Path | None) -> LineIndex | None:
         """Return the lines of a file that a diagnostic is about; None is the program."""
-        if file is None or file == self.path:
-            return self.document.lines
-        return lines_of(file)
+        return self.document.lines if file in (None, self.path) else lines_of(file)
 
     def generated(self) -> tuple[Generated, ...]:
         """Make the files that the program asks for."""
@@ -271,6 +269,10 @@ class Session:
     def generate(self, generation: Generation) -> Generated:
         """Make the file of one `generate_node`."""
         return self._planner(self.workspace.generations).generate(generation)
+
+    def placed(self) -> tuple[Generation, ...]:
+        """Return what is generated, each node in the package that it has to be in."""
+        return self._planner(self.workspace.generations).placed
 
     def plan(self, *, has_copies: bool = True) -> tuple[FilePlan, tuple[Diagnostic, ...]]:
         """Compare the files that the program asks for with the disk.
@@ -281,8 +283,8 @@ class Session:
         Args:
             has_copies: whether it has what the program leaves as it is in loaded packages.
         """
-        made = self.generated()
-        return self._planner(self.workspace.generations).plan(made, has_copies=has_copies)
+        planner = self._planner(self.workspace.generations)
+        return planner.plan(self.generated(), has_copies=has_copies)
 
     def own_packages(self, nodes: Sequence[Node], ros_version: int) -> dict[str, RenderedPackage]:
         """Return the packages of the program's own types that nodes use, those needed first.
@@ -311,9 +313,8 @@ class Session:
         """Return what the program's parameter file has for the nodes that run, and its mistakes."""
         from plastron_tui.project.run_setup import find_params
 
-        return (
-            ((), ()) if self.params_path is None else find_params(self.params_path, self.boundary)
-        )
+        path = self.params_path
+        return ((), ()) if path is None else find_params(path, self.boundary)
 
     @property
     def params_path(self) -> Path | None:

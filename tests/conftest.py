@@ -2,12 +2,14 @@ from __future__ import annotations
 
 import gc
 import signal
+from collections.abc import Generator
 
 import pytest
 from cpp_builds import describe_rclcpp
 from hypothesis import settings
 from machine import IN_CI, be_quick, examples
 from rewriting import compile_share
+from suite_order import in_order, minutes
 
 from plastron_tui.ros import installations
 
@@ -53,20 +55,20 @@ def pytest_sessionstart(session: pytest.Session) -> None:
         compile_share(session.config, worker, given["workercount"])
 
 
-@pytest.hookimpl(tryfirst=True)
-def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
-    if config.option.markexpr == "long":
-        for item in items:
-            if getattr(getattr(item, "obj", None), "is_hypothesis_test", False):
-                item.add_marker("long")
-        # What takes minutes comes first, so that it does not run alone in the end.
-        items.sort(key=_minutes, reverse=True)
-
-
-def _minutes(item: pytest.Item) -> float:
-    """Return how many minutes a test says that it takes; 0 for less than one."""
-    marks = (mark.kwargs.get("minutes", 0) for mark in item.iter_markers("long"))
-    return max(marks, default=0)
+@pytest.hookimpl(wrapper=True)
+def pytest_collection_modifyitems(
+    config: pytest.Config, items: list[pytest.Item]
+) -> Generator[None, object, object]:
+    is_long = config.option.markexpr == "long"
+    for item in items if is_long else ():
+        if getattr(getattr(item, "obj", None), "is_hypothesis_test", False):
+            item.add_marker("long")
+    result = yield
+    # By now the others are left out.
+    if is_long:
+        workers = getattr(config, "workerinput", {}).get("workercount", 1)
+        items[:] = in_order(items, workers, minutes, lambda item: item.location[0])
+    return result
 
 
 # Thousands of tests and all modules stay to the end: to walk among them again and again took half

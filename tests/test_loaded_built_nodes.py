@@ -139,6 +139,41 @@ def test_what_another_node_needs_by_now_stays(tmp_path: Path) -> None:
     assert b"talker" not in now["CMakeLists.txt"]
 
 
+LAUNCHED = {
+    "roscpp": '<node pkg="demo" type="{name}" name="talker"/>',
+    "nodelet": '<node pkg="nodelet" type="nodelet" name="t" args="load {name} /all"/>',
+    "rclcpp": '<node pkg="demo" exec="{name}"/>',
+    "component": (
+        '<node_container pkg="rclcpp_components" exec="component_container" name="all" '
+        'namespace=""><composable_node pkg="demo" plugin="{name}"/></node_container>'
+    ),
+}
+
+
+@pytest.mark.parametrize(
+    ("library", "name", "verb"),
+    [
+        ("roscpp", "talker", "starts"),
+        ("nodelet", "demo/TalkerNode", "loads"),
+        ("rclcpp", "talker", "starts"),
+        ("component", "demo::TalkerNode", "starts"),
+    ],
+)
+def test_a_launch_file_that_starts_or_loads_what_is_taken_out_is_told(
+    library: str, name: str, verb: str, tmp_path: Path
+) -> None:
+    kind = "catkin, full" if library in LIBRARIES["catkin"] else "ament, full"
+    lay(tmp_path, package(kind))
+    run(program(library), tmp_path, library, in_place=True)
+    lines = (name, f"{name}s")
+    nodes = "\n".join(LAUNCHED[library].format(name=each) for each in lines)
+    file = "a.launch" if kind.startswith("catkin") else "a.launch.xml"
+    lay(tmp_path, {f"launch/{file}": f"<launch>\n{nodes}\n</launch>\n"})
+    told = run(OUT, tmp_path, library, in_place=True)
+    [still] = [each.message for each in told if each.code == "still-started"]
+    assert still.startswith(f"line 2 of `launch/{file}` {verb} `")
+
+
 DECLARED = {
     "<build_depend>std_msgs</build_depend>": "<exec_depend>std_msgs</exec_depend>",
     "<exec_depend>std_msgs</exec_depend>": "<build_depend>std_msgs</build_depend>",

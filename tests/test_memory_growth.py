@@ -11,7 +11,7 @@ import pytest
 MOST = 1.2
 
 
-@pytest.mark.long(minutes=5)
+@pytest.mark.long(5)
 @pytest.mark.parametrize(("work", "steps"), [("rounds", 1_200), ("keys", 1_500)])
 def test_the_memory_stays(work: str, steps: int) -> None:
     command = [sys.executable, "-m", "benchmarks.memory", work, str(steps)]

@@ -284,3 +284,50 @@ def test_what_is_built_is_the_file_that_there_is(suffix: str, tmp_path: Path) ->
     found = files(tmp_path)
     assert f"src/talker{suffix}" in found
     assert f"src/talker{suffix})" in found["CMakeLists.txt"]
+
+
+@pytest.mark.parametrize("file", ["src/a/talker.cpp", "include/demo/talker.hpp"])
+def test_files_too_far_apart_for_the_output_folder_are_told(file: str, tmp_path: Path) -> None:
+    sources = {
+        "include/demo/talker.hpp": "#include <ros/ros.h>\nclass Talker {ros::NodeHandle nh_;};\n",
+        "src/a/talker.cpp": (
+            '#include "demo/talker.hpp"\n'
+            'int main(int c, char ** v) {ros::init(c, v, "talker"); Talker t; ros::spin();}\n'
+        ),
+        "package.xml": "<package><name>demo</name></package>\n",
+    }
+    for name, source in sources.items():
+        path = tmp_path / "demo" / name
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_text(source, encoding="utf-8")
+    text = f"load 'demo/{file}' as talker\ngenerate_node talker\n"
+    options = Options(None, tmp_path / "output")
+    session = Session(text.encode(), tmp_path / "robot.plastron", options, environ={})
+    plan, [found] = session.plan()
+    assert (found.code, plan.files) == ("outside-output", ())
+    assert found.span is not None and found.help is not None
+    assert text[found.span.start : found.span.end].startswith("load ")
+
+
+OTHERS = {
+    "types": "create_message_type robot/Speed with float64 value\n{}generate_type Speed\n",
+    "a package": "{}create_package 'robot' as robot\nrobot contains ears\ngenerate_package robot\n",
+    "types of a package": (
+        "create_message_type robot_interfaces/Speed with float64 value\n{}"
+        "create_package 'robot' as robot\nrobot contains ears\ngenerate_package robot\n"
+    ),
+}
+
+
+@pytest.mark.parametrize("case", OTHERS)
+def test_no_other_package_has_the_name_of_the_program_s_own(case: str, tmp_path: Path) -> None:
+    nodes = ears("roscpp") + generated(talker("roscpp"))
+    generate(tmp_path, OTHERS[case].format(nodes))
+    made = files(tmp_path)
+    assert "src/talker_pub.cpp" in made["robot_nodes/CMakeLists.txt"]
+    assert "talker" not in made["robot/CMakeLists.txt"]
+
+
+def test_the_program_s_own_package_is_none_of_ros(tmp_path: Path) -> None:
+    generate(tmp_path, generated(talker("rclcpp")), name="std_msgs")
+    assert "<name>std_msgs_nodes</name>" in files(tmp_path)["package.xml"]

@@ -125,7 +125,8 @@ def _built(
     with ProgressLine(drawn_on(sys.stderr)) as line:
         built, problems = overlay(environment, [*whole.beside, *whole.packages], line.tell)
     if problems:
-        return [], problems
+        first = nodes[0].generation.span
+        return [], [x if x.span or x.file else x._replace(span=first) for x in problems]
     started = [_node(session, each, version, setup) for each in nodes]
     name = f"{whole.packages[-1].name}_{_CONTAINERS[version]}"
     return list(node_files(started, built, whole.loader, name)), []

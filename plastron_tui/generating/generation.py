@@ -8,7 +8,7 @@ from dataclasses import dataclass, replace
 from pathlib import Path, PurePath
 from typing import TYPE_CHECKING
 
-from plastron_tui.diagnostics import Diagnostic
+from plastron_tui.diagnostics import Diagnostic, codes
 from plastron_tui.model.source import FileSet
 from plastron_tui.model.workspace import Generation, Node
 from plastron_tui.output.manifest import Manifest, Reading
@@ -196,7 +196,7 @@ def generate(
     else:
         derived = Derivation(Adaptation(tuple(nodes) or (node,), library, own), writing).result()
         made = Generated(generation, derived.files, derived.diagnostics)
-    problem = _wrong_name(made, writing, library.target.language)
+    problem = _wrong_name(made, writing, library.target.language) or _outside(made)
     if made.files is None or problem is not None:
         return _refused(generation, made.diagnostics if problem is None else (problem,))
     return made
@@ -218,6 +218,24 @@ def _wrong_name(made: Generated, writing: Writing, language: Language) -> Diagno
         for name in names
     )
     return next(filter(None, refusals), None)
+
+
+def _outside(made: Generated) -> Diagnostic | None:
+    """Say which file of a loaded node would lie outside of the output folder, None for none.
+
+    The files keep their places to each other, and the main one is where it would be alone.
+    """
+    files, node = made.files, made.generation.node
+    if files is None or files.path is not None or node.source is None:
+        return None
+    names = (name_of(files.name, each) for each in files.files.names)
+    outside = next((each for each in names if each.startswith("../")), None)
+    if outside is None:
+        return None
+    message = f"`{PurePath(outside).name}` belongs to `{PurePath(files.name).name}`, and is too "
+    message += "far from it for both to be in the output folder"
+    help_ = "change the files where they are, with `--in-place`"
+    return Diagnostic(codes.OUTSIDE_OUTPUT, message, node.span, help=help_)
 
 
 @dataclass(frozen=True, slots=True)

@@ -7,7 +7,7 @@ from collections.abc import Iterable, Iterator, Mapping
 from typing import TYPE_CHECKING
 
 from plastron_tui.diagnostics import Diagnostic, Span, codes
-from plastron_tui.ros.launch import StartedNode, items_of
+from plastron_tui.ros.launch import StartedNode, items_of, loaded_nodelet
 from plastron_tui.sources.launch.reader import read_launch
 
 if TYPE_CHECKING:
@@ -67,10 +67,24 @@ def still_started(
         text = changed.get(os.path.realpath(path), source.texts.get(file, b""))
         launch = read_launch(text, path).launch
         for node in () if launch is None else items_of(launch.items, StartedNode):
-            name = node.executable.literal
-            if node.package.literal != source.name or name not in gone:
+            name = _started(node, source)
+            if name not in gone:
                 continue
             line = "" if node.place is None else f"line {node.place.line} of "
-            message = f"{line}`{file}` starts `{name}` still"
+            verb = "loads" if name in source.plugins else "starts"
+            message = f"{line}`{file}` {verb} `{name}` still"
             help_ = f"take it out there too: `load_launch` and `no_longer_starts '{node.called}'`"
             yield Diagnostic(codes.STILL_STARTED, message, gone[name], help=help_)
+
+
+def _started(node: StartedNode, source: PackageSource) -> str | None:
+    """Return what a node in a launch file is called among what a package has, None for others."""
+    arguments = next((each.literal for key, each in node.others if key == "args"), None)
+    loaded = loaded_nodelet(node.package.literal, arguments or "")
+    if loaded is not None:
+        return loaded if loaded in source.plugins else None
+    if node.package.literal != source.name:
+        return None
+    name = node.executable.literal
+    found = (x for x, each in source.executables.items() if each.loaded and each.loaded == name)
+    return next(found, name)

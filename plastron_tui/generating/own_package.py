@@ -37,12 +37,19 @@ _USUAL_NAME = "robot_nodes"
 """What the package of a program is called whose own name cannot be a package's."""
 
 
-def package_name(program: str) -> str:
-    """Return the name of a program's own package, by that of the program's file."""
+def package_name(program: str, is_other: Callable[[str], bool] = lambda _: False) -> str:
+    """Return the name of a program's own package, by that of the program's file.
+
+    Args:
+        program: the name of the file, "" where it has none.
+        is_other: tells whether another package has a name.
+    """
     stem = PurePath(program).stem
     name = stem if check_package_name(stem) is None else mended_package_name(stem) or _USUAL_NAME
     is_taken = taken_package_name(name) is not None
-    is_taken = is_taken or any(is_ros_package(name, version, ()) for version in (1, 2))
+    is_taken = (
+        is_taken or is_other(name) or any(is_ros_package(name, version, ()) for version in (1, 2))
+    )
     return f"{name}_nodes" if is_taken else name
 
 
@@ -70,6 +77,7 @@ class OwnPackages:
         *,
         in_place: bool,
         around: Callable[[], Around | None] = lambda: None,
+        is_other: Callable[[str], bool] = lambda _: False,
     ) -> None:
         """Set what it follows from.
 
@@ -81,10 +89,11 @@ class OwnPackages:
             in_place: whether a loaded node is written over the file that it came from.
             around: finds the package that the output folder is, or is in, unless the program has
                 made it.
+            is_other: tells whether another package has a name.
         """
         self._target_of = target_of
         self._in_place = in_place
-        self._name = package_name(program)
+        self._name = package_name(program, is_other)
         targets = (target_of(each.library) for each in generations if self._is_free(each))
         versions = {x.ros_version for x in targets if x is not None and x.language.is_built}
         self._versions = frozenset(versions)

@@ -21,6 +21,7 @@ class InstalledExecutable(NamedTuple):
         target: the function that is called, `MODULE:FUNCTION`; "" where a file is started.
         sources: what it is built from, by paths in the package.
         built: what the build calls it; "" for what is not built.
+        loaded: the class that a container loads it as besides; "" where that is not known.
     """
 
     file: str | None
@@ -29,6 +30,7 @@ class InstalledExecutable(NamedTuple):
     target: str = ""
     sources: tuple[str, ...] = ()
     built: str = ""
+    loaded: str = ""
 
 
 @dataclass(frozen=True, slots=True)

@@ -15,6 +15,7 @@ from plastron_tui.model.workspace import Generation, Workspace
 from plastron_tui.output.plan import OutputFile
 from plastron_tui.sources.packages.reading import PACKAGE_XML
 from plastron_tui.targets import LIBRARIES
+from plastron_tui.targets.packages.spec import interfaces_name
 
 from .configuration import Configuration
 from .package_reader import PackageReader
@@ -107,7 +108,20 @@ class BuiltPlaces:
             partial(_target_of, library_of),
             in_place=configuration.options.in_place,
             around=self._around,
+            is_other=partial(self._is_other, frozenset(each.library for each in asked)),
         )
+
+    def _is_other(self, libraries: frozenset[str], name: str) -> bool:
+        """Tell whether the program has another package of a name, or ROS one of types."""
+        workspace = self._workspace
+        if workspace is not None:
+            made = {each.package.name for each in workspace.written_packages}
+            types = (x for each in workspace.types.values() for x in each.definitions.values())
+            made |= {each.interface.name.package for each in types}
+            if name in made or name in {interfaces_name(each) for each in made}:
+                return True
+        found = (self._library_of(each) for each in libraries)
+        return any(each is not None and each.catalog.has_package(name) for each in found)
 
     def placed(self, generation: Generation) -> Generation:
         """Return what is asked for, with the package that the node has to be in."""

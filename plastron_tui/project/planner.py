@@ -74,7 +74,7 @@ class Planner:
         return BuiltPlaces(configuration, name, self._asked, self._workspace, of, known)
 
     @cached_property
-    def _generations(self) -> tuple[Generation, ...]:
+    def placed(self) -> tuple[Generation, ...]:
         """All that is generated, each in the package that it has to be in."""
         return tuple(self._places.placed(each) for each in self._asked)
 
@@ -87,7 +87,7 @@ class Planner:
         from plastron_tui.generating.generation import Manifests, last_of_each
 
         manifests = Manifests(self._manifest)
-        last = {(each.node.variable, each.library): each for each in self._generations}
+        last = {(each.node.variable, each.library): each for each in self.placed}
         made = [self._generate(each, manifests, tuple(last.values())) for each in last.values()]
         kept = last_of_each(made, self._configuration.output)
         if manifests.problems and kept:
@@ -100,7 +100,7 @@ class Planner:
         from plastron_tui.generating.generation import Manifests
 
         placed = self._places.placed(generation)
-        return self._generate(placed, Manifests(self._manifest), self._generations)
+        return self._generate(placed, Manifests(self._manifest), self.placed)
 
     def rendered(self, generation: Generation) -> tuple[Path, FileSet, str] | None:
         """Return the files that an earlier `generate_node` makes, for a `load` that follows it.
@@ -191,7 +191,7 @@ class Planner:
         common = ProgramFiles()
         if not is_preview:
             names = self._names(lambda _: manifest)
-            common = program_files(self._generations, self._library, names, manifest)
+            common = program_files(self.placed, self._library, names, manifest)
         # Of two nodes of one file both say what is to be said of it.
         told = dict.fromkeys(found for generated in made for found in generated.diagnostics)
         found = [*told, *common.diagnostics]
@@ -231,7 +231,7 @@ class Planner:
         made = () if self._workspace is None else self._workspace.written_packages
         own = {each.package.name for each in made}
         # Where only some nodes are asked for, the package of the others is no rest either.
-        homes = (each.node.home for each in self._generations)
+        homes = (each.node.home for each in self.placed)
         own |= {home.package for home in homes if home is not None and home.is_own}
         return left_files(written, folder, own)
 
@@ -240,7 +240,7 @@ class Planner:
     ) -> tuple[list[OutputFile], list[Diagnostic]]:
         """Make the packages, definitions and launch files of the program."""
         workspace = self._workspace
-        has_own = any(x.node.home is not None and x.node.home.is_own for x in self._generations)
+        has_own = any(x.node.home is not None and x.node.home.is_own for x in self.placed)
         if workspace is None or not (workspace.has_more_than_nodes or has_own):
             return [], []
         from plastron_tui.generating.loaded_types import places_beside
@@ -278,7 +278,7 @@ class Planner:
             self._library,
             configuration.ros.library,
             lambda path: entry_of(path, configuration.output) in manifest,
-            generations=self._generations,
+            generations=self.placed,
             python_launch=configuration.project.launch == "python",
         )
 
@@ -385,7 +385,7 @@ class Planner:
         path = params_path(configuration.output, Path(name))
         if not name or not configuration.boundary.allows(path):
             return None
-        last = {each.node.variable: each.node for each in self._generations}
+        last = {each.node.variable: each.node for each in self.placed}
         return params_output(last.values(), path, configuration.output, manifest)
 
 

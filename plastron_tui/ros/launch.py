@@ -239,6 +239,17 @@ class LaunchFile:
 _Kind = TypeVar("_Kind", bound=Item)
 
 
+def loaded_nodelet(package: str | None, arguments: str) -> str | None:
+    """Return the class of the nodelet that a node loads, None for none (wiki page "nodelet").
+
+    Args:
+        package: the package of the node.
+        arguments: what it is started with: `load PACKAGE/CLASS MANAGER`, `standalone ...`.
+    """
+    words = arguments.split() if package == "nodelet" else []
+    return words[1] if words[:1] in (["load"], ["standalone"]) and len(words) > 1 else None
+
+
 def items_of(items: tuple[Item, ...], kind: type[_Kind]) -> Iterator[_Kind]:
     """Yield all of a kind that a file itself has, in groups and containers too."""
     for item in items:

@@ -7,6 +7,7 @@ file is for.
 
 from __future__ import annotations
 
+import errno
 import fcntl
 import hashlib
 import json
@@ -34,6 +35,8 @@ from .supervisor import Supervisor
 MOST_OVERLAYS = 32
 MOST_WORKSPACES = 8
 """How many of either are kept; those that were used last stay."""
+
+_FULL = os.strerror(errno.ENOSPC)
 
 _LONGEST_LOG = 4 << 20
 _MOST_LINES = 20_000
@@ -86,8 +89,13 @@ def overlay(
         return environment, [Diagnostic(codes.NOT_BUILT, message, help=error.help)]
     except OSError as error:
         message = f"{names} could not be built in {cache_folder(environ)}: {reason(error)}"
-        return environment, [Diagnostic(codes.NOT_BUILT, message)]
+        help_ = _SPACE if error.errno in (errno.ENOSPC, errno.EDQUOT) else _ELSEWHERE
+        return environment, [Diagnostic(codes.NOT_BUILT, message, help=help_)]
     return replace(environment, overlays=(*environment.overlays, made)), []
+
+
+_SPACE = "free some space there, or let XDG_CACHE_HOME name another folder"
+_ELSEWHERE = "let XDG_CACHE_HOME name a folder that you may write to"
 
 
 class _FailedError(Exception):
@@ -284,6 +292,9 @@ def _run(
         raise KeyboardInterrupt
     [end] = supervisor.exits
     if end.status != 0:
+        # Whatever a tool makes of it.
+        if any(_FULL in line for line in lines) or not shutil.disk_usage(workspace.root).free:
+            raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
         spans = {each.name: each.spans for each in packages}
         help_ = f"read what the build said in {workspace.log}"
         found = errors_of(lines, workspace.source, spans, help_)

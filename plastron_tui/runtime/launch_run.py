@@ -11,7 +11,7 @@ from typing import NamedTuple
 
 from plastron_tui.diagnostics import Diagnostic, Severity, Span, codes, did_you_mean
 from plastron_tui.import_path import command
-from plastron_tui.ros.launch import LaunchFile, Place
+from plastron_tui.ros.launch import LaunchFile, Place, loaded_nodelet
 from plastron_tui.ros.launch_resolution import resolve
 from plastron_tui.ros.launch_started import SHOWN, Opened, Resolved, Started
 from plastron_tui.ros.launch_text import Scope
@@ -143,12 +143,11 @@ def _built(
 
 
 def _loaded_by(started: Started) -> Iterator[str]:
-    """Yield the package of the nodelet that a node loads: `load PACKAGE/CLASS MANAGER`."""
-    if started.package == "nodelet":
-        for key, value in started.others:
-            words = value.split() if key == "args" else []
-            if words[:1] in (["load"], ["standalone"]) and len(words) > 1:
-                yield words[1].partition("/")[0]
+    """Yield the package of the nodelet that a node loads."""
+    for key, value in started.others:
+        loaded = loaded_nodelet(started.package, value) if key == "args" else None
+        if loaded is not None:
+            yield loaded.partition("/")[0]
 
 
 def _resolved(

@@ -55,7 +55,8 @@ class Ros:
     ) -> str:
         """Run a program until something is said, interrupt it, and return all that was said."""
         with self.running(file, *arguments, status=status) as run:
-            wait_until(lambda: run.poll() is not None or said(self.said(file)), "it is said", 120)
+            # What is built first takes half a minute of a processor's time.
+            wait_until(lambda: run.poll() is not None or said(self.said(file)), "it is said", 300)
         return self.said(file)
 
     def said(self, file: str) -> str:

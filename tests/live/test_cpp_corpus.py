@@ -14,7 +14,7 @@ import pytest
 from cpp_builds import describe_rclcpp, find_rclcpp
 from cpp_corpus import PACKAGE, Built, build_with_catkin, build_with_colcon
 
-pytestmark = [pytest.mark.live, pytest.mark.long(1)]
+pytestmark = [pytest.mark.live, pytest.mark.long(2)]
 
 
 def nodes_of(built: Built) -> tuple[int, int]:

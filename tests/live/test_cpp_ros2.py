@@ -23,7 +23,7 @@ from test_parameters import BAD, GOOD, TYPES, values
 from test_reactions import STEPS, assert_reflexes
 from traffic import record
 
-pytestmark = [pytest.mark.live, pytest.mark.long(1)]
+pytestmark = [pytest.mark.live, pytest.mark.long]
 
 CHATTER = """\
 create_message hello of message_type String and input "hello"

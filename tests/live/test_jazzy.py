@@ -16,7 +16,7 @@ import test_transitions
 from graph import Graph
 from processes import generate
 
-pytestmark = [pytest.mark.live, pytest.mark.long(minutes=1)]
+pytestmark = [pytest.mark.live, pytest.mark.long]
 
 CHECKS: list[Callable[[Graph, Path], None]] = [
     test_both.test_a_node_does_all_four_things,
@@ -37,6 +37,8 @@ def test_jazzy_is_no_different(
     check(jazzy, tmp_path)
 
 
+# It installs what the others wait for.
+@pytest.mark.long(2)
 def test_a_managed_node_passes_every_transition(jazzy: Graph, tmp_path: Path) -> None:
     name = test_transitions.NAME
     keeper = generate(name, tmp_path / "output", jazzy.target)[f"{name}_node.py"]

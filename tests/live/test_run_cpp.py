@@ -11,7 +11,7 @@ from graph import Graph
 from processes import Process
 from ros_workspaces import SYSTEM, skip_without
 
-pytestmark = [pytest.mark.live, pytest.mark.long(1)]
+pytestmark = [pytest.mark.live, pytest.mark.long(0.5)]
 
 PROGRAM = """\
 create_node 'talker' as talker using roscpp

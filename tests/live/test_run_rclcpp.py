@@ -11,7 +11,7 @@ from cpp_builds import find_rclcpp
 from graph import Graph
 from processes import Process
 
-pytestmark = [pytest.mark.live, pytest.mark.long(1)]
+pytestmark = [pytest.mark.live, pytest.mark.long(0.5)]
 
 PROGRAM = """\
 create_node 'talker' as talker using rclcpp
@@ -38,7 +38,7 @@ def test_a_program_is_built_and_started(
     run = Process(command, environ, tmp_path / "run.log")
     ros2.started.append(run)
     # What the node in Python hears of the one in C++.
-    run.wait_to_print("(data='hello')", 120)
+    run.wait_to_print("(data='hello')", 240)
     heard = ros2.listen({"chatter": "std_msgs/String"}, 0.5)
     assert {each.message["data"] for each in heard["chatter"]} == {"hello"}
     assert run.interrupt() == 128 + signal.SIGINT, run.output

@@ -31,7 +31,7 @@ from test_goals import CANCELED, outcomes, send, serve, told
 from traffic import Step, call, plain, wait
 from traffic import send as send_message
 
-pytestmark = [pytest.mark.live, pytest.mark.long(1)]
+pytestmark = [pytest.mark.live, pytest.mark.long]
 
 PYTHON = ("rospy", "rclpy")
 ROS_1 = ("rospy", "roscpp", "nodelet")

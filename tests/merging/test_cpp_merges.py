@@ -183,7 +183,7 @@ def test_used_publisher_is_one_conflict(tmp_path: Path, manner: tuple[str, str])
     package = Package(tmp_path, *manner)
     package.generate(KEEP, PUBLISH)
     mine = package.fill()
-    package.edit(SOURCE, "  mine();\n", "  mine();\n  a_publisher_.anything();\n")
+    package.edit(SOURCE, "  mine();\n", "  mine();\n  keep(a_publisher_);\n")
     before = package.files()
     (conflict,) = package.generate(KEEP).conflicts
     assert "the publisher `a` is used in line" in conflict

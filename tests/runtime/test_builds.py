@@ -313,6 +313,16 @@ def test_what_is_used_is_not_forgotten(
     assert (first.exists(), second.exists()) == (True, False)
 
 
+def test_a_disk_that_is_full_is_told_whatever_the_tool_makes_of_it(
+    environ: dict[str, str],
+) -> None:
+    write_colcon(environ, "#!/bin/sh\necho 'write(): No space left on device'\nexit 2\n")
+    _, [found] = overlay(SOURCED, [BuiltPackage("demo", FILES)], lambda _: None, environ)
+    place = f"{environ['XDG_CACHE_HOME']}/plastron"
+    assert found.message == f"`demo` could not be built in {place}: no space left on device"
+    assert found.help is not None and found.help.startswith("free some space there")
+
+
 def test_cache_that_cannot_be_written_is_told(environ: dict[str, str], tmp_path: Path) -> None:
     (tmp_path / "cache").touch()
     _, [found] = overlay(SOURCED, [BuiltPackage("demo", FILES)], lambda _: None, environ)

@@ -232,7 +232,7 @@ def test_a_node_that_crashes_at_its_start(ros: Ros) -> None:
     assert ": ModuleNotFoundError: No module named 'no_such_module'" in said
 
 
-@pytest.mark.long(minutes=1)
+@pytest.mark.long(1)
 def test_an_older_ros_2_is_found_and_run_and_watched(
     tmp_path: Path, tmp_path_factory: pytest.TempPathFactory
 ) -> None:

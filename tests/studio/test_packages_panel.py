@@ -174,3 +174,21 @@ async def test_what_is_deleted_is_taken_out_by_a_statement(program: Path) -> Non
         assert "bringup no_longer_starts 'wheels'" in driver.text
         await act(driver, "▶ bringup launch file", "g")
         assert driver.text.endswith("generate_launch bringup\n")
+
+
+def test_the_panel_has_the_package_that_no_statement_makes(tmp_path: Path) -> None:
+    text = "".join(
+        f"create_node '{name}' as {name[0]} using {library}\n"
+        f"subscribe {name[0]} to 'a' of message_type String\ngenerate_node {name[0]}\n"
+        for name, library in (("ears", "rclcpp"), ("voice", "rclpy"), ("old", "rospy"))
+    )
+    analysis = analysis_of(text, tmp_path / "robot.plastron")
+    assert PACKAGES.make is not None and PACKAGES.count is not None
+    entries = PACKAGES.make(analysis, None).all  # type: ignore[attr-defined]
+    assert [(each.depth, each.text, each.detail) for each in entries] == [
+        (0, "robot", "of the program's own"),
+        (1, "ears", "e"),
+        (1, "voice", "v"),
+    ]
+    assert PACKAGES.count(analysis) == 1
+    assert entries[0].writing is None

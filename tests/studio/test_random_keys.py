@@ -232,7 +232,7 @@ async def run(steps: list[Step], ending: str = "\n", size: str = "120x40") -> No
             await check_screen(driver)
 
 
-@pytest.mark.long
+@pytest.mark.long(0.5)
 @example(
     [
         ("size", "160x50"),

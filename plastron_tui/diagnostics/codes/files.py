@@ -30,7 +30,8 @@ OUTSIDE_OUTPUT = Code(
     "outside-output",
     "A file would be written outside of the output folder: its name, or a symbolic link, "
     "leads out; or the output folder itself is a link out of the project. Remove the link, "
-    "or name the folder with `-o`.",
+    "or name the folder with `-o`. A header that belongs to a loaded node may be too far up "
+    "from its source to lie in the output folder as it does there: use `--in-place`.",
     is_io=True,
 )
 

@@ -262,6 +262,11 @@ def registered_components(lists: CMakeLists) -> Iterator[Entry]:
             yield Entry(item.value, item, call)
 
 
+def component_class(component: Entry) -> str:
+    """Return the class of a component, "" where the call has none."""
+    return next((x.value for x in component.call.section("PLUGIN", _COMPONENT_WORDS)), "")
+
+
 def component_sources(lists: CMakeLists, component: Entry) -> list[str]:
     """Return the sources of the library that a component is in."""
     library = component.call.items[0].value

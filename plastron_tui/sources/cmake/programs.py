@@ -51,10 +51,13 @@ def _named(lists: CMakeLists, script: str) -> list[Entry]:
 def _is_installed(lists: CMakeLists, script: str) -> bool:
     """Whether a script is surely installed under its own name, to be run."""
     name = script.rpartition("/")[2]
-    return any(
-        installs_always(each.call) and _may_run(each.call) and _renamed(each.call) in ("", name)
+    found = [
+        each.call
         for each in _named(lists, script)
-    )
+        if installs_always(each.call) and _renamed(each.call) in ("", name)
+    ]
+    # Of two calls that write one file the last one counts.
+    return bool(found) and _may_run(found[-1])
 
 
 def _may_run(call: Call) -> bool:
@@ -84,9 +87,15 @@ def _add(lists: CMakeLists, script: str) -> bytes:
 
 
 def _into_call(lists: CMakeLists, script: str) -> list[Splice] | None:
-    """Insert a script into the last call that installs scripts there."""
+    """Insert a script into the last call that installs scripts there.
+
+    What installs it otherwise comes before, as the last one counts.
+    """
     calls = lists.named("catkin_install_python") or lists.named("install")
+    others = max((each.call.command.end for each in _named(lists, script)), default=0)
     for call in reversed(calls):
+        if call.command.start < others:
+            continue
         items = call.section("PROGRAMS", INSTALL_WORDS)
         is_there = call.is_plain and destination_of(lists, call) == f"lib/{lists.name}"
         if not items or not is_there or not words_of(call) <= _PLAIN_WORDS:

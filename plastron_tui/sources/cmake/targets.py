@@ -6,6 +6,7 @@ libraries; for ROS 2 the "ament_cmake user documentation" and that of rclcpp_com
 
 from __future__ import annotations
 
+import re
 from collections import Counter
 from collections.abc import Callable, Iterator
 from functools import partial
@@ -13,14 +14,14 @@ from pathlib import Path
 from typing import NamedTuple
 
 from plastron_tui.diagnostics import Diagnostic, codes
-from plastron_tui.sources.build_files import Edited, RefusedError
+from plastron_tui.sources.build_files import Edited, RefusedError, matches, refusal
 from plastron_tui.sources.splices import Splice
 
 from .changing import Facts, applied, build_type_of, change
 from .dependencies import add_dependency
 from .facts import CATKIN, sources_of, targets
 from .places import insert_after, insert_before_end, insert_installation, written_call
-from .reader import CMakeLists
+from .reader import CMakeLists, in_package
 from .shares import add_shared
 from .syntax import Command
 
@@ -44,6 +45,16 @@ OF_TARGETS = (
     "target_link_libraries",
 )
 """The commands about targets, below which a new one belongs."""
+
+_BUILDING = (
+    "add_executable",
+    "add_library",
+    "ament_auto_add_executable",
+    "ament_auto_add_library",
+    "cs_add_executable",
+    "cs_add_library",
+)
+"""The commands that build something of sources: those of CMake, ament_cmake_auto, catkin_simple."""
 
 # What stands before the first target.
 _BEFORE_TARGETS = (
@@ -94,6 +105,9 @@ def add_target(text: bytes, path: Path, new: NewTarget) -> Edited:
         path: the CMakeLists.txt.
         new: the node.
     """
+    edited = change(text, path, partial(_unpatterned, source=new.source))
+    if edited.text is None:
+        return edited
     for name in new.packages:
         edited = add_dependency(text, path, name)
         if edited.text is None:
@@ -202,6 +216,33 @@ def _with_target(lists: CMakeLists, new: NewTarget) -> bytes:
     call = written_call(listing, verb, f"{written} {kind}{new.source}", [])
     more: Facts = Counter({("target", name, "", ()): 1})
     return applied(lists, _beside_targets(lists, call), more, f"building `{new.source}`")
+
+
+def _unpatterned(lists: CMakeLists, source: str) -> bytes:
+    """Refuse a source that another target takes for one of its own, of two `main`s one too many.
+
+    Raises:
+        RefusedError: a target is built of all files like it.
+    """
+    found = [x for x in lists.named("file") if x.items and x.items[0].value.startswith("GLOB")]
+    names = {x.items[1].value for x in found if any(_is_like(source, y.value) for y in x.items[2:])}
+    folder = source.rpartition("/")[0]
+    for call in lists.named("aux_source_directory"):
+        if len(call.items) > 1 and in_package(call.items[0].value).rstrip("/") == folder:
+            names.add(call.items[1].value)
+    for call in lists.named(*_BUILDING):
+        loops = [each for each in call.conditions if each.lower().startswith("foreach")]
+        words = re.findall(r"[\w-]+", " ".join((*(x.value for x in call.items), *loops)))
+        if names & {*words} or any(x.is_pattern and _is_like(source, x.value) for x in call.items):
+            why = f"builds all files that are like `{source}`"
+            span = call.command.start, call.command.end
+            help_ = "name its sources one by one there"
+            raise refusal(lists.listing.text, lists.listing.path, span, why, remedy=help_)
+    return lists.listing.text
+
+
+def _is_like(source: str, pattern: str) -> bool:
+    return matches(source, in_package(pattern))
 
 
 def _beside_targets(lists: CMakeLists, call: bytes) -> list[Splice]:

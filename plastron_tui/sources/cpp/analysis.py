@@ -117,9 +117,9 @@ class Analysis:
 
     def __post_init__(self) -> None:
         """Set up what answers questions about the files."""
-        self.callers = Callers(self.unit)
-        self.callers.parameters = ReadParameters(self.unit)
         self.types = Types(self.unit, self.ros_version)
+        self.callers = Callers(self.unit, self.types)
+        self.callers.parameters = ReadParameters(self.unit)
         self.evaluator = Evaluator(self.unit, self.callers)
         self.holding = Holding(self.unit, self.types, self.callers)
         self.fields = self.evaluator.fields

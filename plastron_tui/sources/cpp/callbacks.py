@@ -9,7 +9,7 @@ from tree_sitter import Node
 
 from .arguments import call_of
 from .scopes import Function, Scope, declared, type_text
-from .type_texts import template_arguments, without_templates
+from .type_texts import split_outside, template_arguments, without_templates
 from .unit import Unit
 
 _BINDERS = frozenset({"bind", "bind_front", "mem_fn"})
@@ -75,7 +75,7 @@ def callback_of(unit: Unit, node: Node | None, scope: Scope, depth: int = 0) -> 
         case "qualified_identifier" | "template_function" | "template_method":
             text = "".join(syntax.word(node).split()).removeprefix("::")
             outer, _, last = without_templates(text).rpartition("::")
-            return _of_functions(unit, last, outer, scope)
+            return _of_template(_of_functions(unit, last, outer, scope), text, scope)
         case _:
             return NONE
 
@@ -124,6 +124,33 @@ def _of_functions(unit: Unit, name: str, outer: str, scope: Scope) -> Callback:
         first = functions[0]
         types = tuple((each.type, first.scope or first.place) for each in first.parameters)
     return Callback(name, tuple(functions), types)
+
+
+def _of_template(callback: Callback, text: str, scope: Scope) -> Callback:
+    """Return what `f<A>` or `C<A>::f` takes, with the arguments of the template in it."""
+    if "<" not in text or not callback.functions:
+        return callback
+    outer, inner = "", ""
+    for part in split_outside(text, "::"):
+        outer, inner = inner, part.partition("<")[2].rpartition(">")[0]
+    function = callback.functions[0]
+    put: dict[str, str] = {}
+    is_of_class = bool(function.qualifier)
+    for place in function.place.chain:
+        is_of_class = is_of_class or place.kind == "class"
+        if place.kind == "template":
+            given = outer if is_of_class else inner
+            listed = template_arguments(given) if given else []
+            put.update(zip(place.template_names, map(type_text, listed), strict=False))
+    if not put:
+        return callback
+    names = re.compile(rf"(?<![\w:])(?:{'|'.join(map(re.escape, put))})\b")
+    return callback._replace(
+        types=tuple(
+            (names.sub(lambda found: put[found[0]], type_), scope if names.search(type_) else place)
+            for type_, place in callback.types
+        )
+    )
 
 
 def _lambda_types(node: Node, scope: Scope) -> list[tuple[str, Scope]]:

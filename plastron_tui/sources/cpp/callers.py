@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from functools import cached_property
 from itertools import islice
 from typing import TYPE_CHECKING
@@ -11,12 +12,28 @@ from tree_sitter import Node
 from .arguments import Call, arguments_of
 from .scopes import Function, Scope, Variable, type_text
 from .type_texts import template_arguments
+from .types import Types
 from .unit import Unit
 
 if TYPE_CHECKING:
     from .read_parameters import ReadParameters
 
 MOST_CALLERS = 64
+_HANDLES = re.compile(r"(?:this->)?get(?:MT)?(?:Private)?NodeHandle\(\s*\)")
+_LITERALS = frozenset(
+    {
+        "lambda_expression",
+        "string_literal",
+        "concatenated_string",
+        "number_literal",
+        "true",
+        "false",
+    }
+)
+_HEADERS = (".hpp", ".h", ".hh", ".hxx")
+_FUNCTION = re.compile(r"(?:std|boost)::function<")
+_NUMBER = re.compile(r"(?:unsigned|signed|short|long|int|char|float|double|size_t|u?int\d+_t)+")
+_NO_FUNCTION = re.compile(rf"\A(?:std::(?:string|vector<.*>)|bool|{_NUMBER.pattern})\Z|_msgs::")
 _MAKERS = ("make_shared", "make_unique", "allocate_shared", "construct", "emplace")
 
 
@@ -29,9 +46,11 @@ class Callers:
 
     parameters: ReadParameters
 
-    def __init__(self, unit: Unit) -> None:
+    def __init__(self, unit: Unit, types: Types) -> None:
         self._unit = unit
+        self._types = types
         self._found: dict[Function, list[Call]] = {}
+        self._used: dict[Function, bool] = {}
 
     def of(self, function: Function) -> list[Call]:
         """Return the calls of a function; of a constructor, what makes objects of its class."""
@@ -48,9 +67,46 @@ class Callers:
             self._found[function] = [
                 each
                 for each in found
-                if self.fits(each, function) and self._counts(each, function, owner)
+                if self.fits(each, function)
+                and self._counts(each, function, owner)
+                and self.is_run(each.scope)
             ]
         return self._found[function]
+
+    def is_run(self, scope: Scope) -> bool:
+        """Tell whether the unit may run what is in a scope.
+
+        A header may have functions for all nodes of a package: one that is no method, and that
+        neither the main file nor what the headers run mentions, is not run by this node, and
+        neither is an overload that no call fits.
+        """
+        around = scope.enclosing("function")
+        function = around.function if around is not None else None
+        if function is None or scope.file is self._unit.files[0]:
+            return True
+        if not scope.file.name.endswith(_HEADERS):
+            return True
+        if function not in self._used:
+            self._used[function] = False
+            self._used[function] = self._is_used(function)
+        return self._used[function]
+
+    def _is_used(self, function: Function) -> bool:
+        unit, name = self._unit, function.name
+        owner = unit.class_of_function(function)
+        if not name.isidentifier() or (owner is not None and owner.name == name):
+            return True
+        calls = unit.calls.get(name, ())
+        defined = sum(each.scope is not None for each in unit.functions.get(name, ()))
+        if calls and defined > 1 and not self.of(function):
+            # Of overloads those are run that the calls fit.
+            return False
+        if owner is not None or any(self.is_run(each.scope) for each in calls):
+            return True
+        word = re.compile(rb"\b" + name.encode() + rb"\b")
+        mentions = sum(len(word.findall(file.syntax.text)) for file in unit.files)
+        # It may be handed on by its name, or stand in a macro.
+        return mentions > len(calls) + len(unit.functions.get(name, ()))
 
     def _counts(self, call: Call, function: Function, owner: Scope | None) -> bool:
         """Whether a call says what a function of the unit gets.
@@ -79,13 +135,32 @@ class Callers:
             return of is None or any(
                 each is owner for each in (*self._unit.bases(of), *self._unit.bases(owner))
             ) or self._unit.derives_from(owner, of)  # fmt: skip
-        return True
+        # What a nodelet gets its handles by returns no object of a class of the files.
+        return _HANDLES.fullmatch(call.scope.file.syntax.word(call.receiver)) is None
 
     def fits(self, call: Call, function: Function) -> bool:
-        """Tell whether a call gives as many arguments as a function takes."""
+        """Tell whether a function may take as many arguments as a call gives, and such ones."""
         most = len(function.parameters)
         needed = sum(self.default_of(function, position) is None for position in range(most))
-        return needed <= len(call.arguments) <= most
+        if not needed <= len(call.arguments) <= most:
+            return False
+        return len(self._unit.functions.get(function.name, ())) < 2 or all(
+            self._may_take(parameter, given)
+            for parameter, given in zip(function.parameters, call.arguments, strict=False)
+        )
+
+    def _may_take(self, parameter: Variable, given: Node) -> bool:
+        """Tell whether a parameter of an overload may be what a literal or a lambda gives."""
+        if given.type not in _LITERALS:
+            return True
+        type_ = self._types.expand(parameter.type, parameter.scope)
+        if _FUNCTION.match(type_):
+            return given.type == "lambda_expression"
+        if given.type == "lambda_expression":
+            return _NO_FUNCTION.search(type_) is None
+        if given.type in ("string_literal", "concatenated_string"):
+            return _NUMBER.fullmatch(type_) is None or parameter.is_pointer
+        return type_ != "std::string"
 
     def default_of(self, function: Function, position: int) -> Node | None:
         """Return the default of a parameter, which its declaration may have."""
@@ -139,7 +214,10 @@ class Callers:
             for each in file.scopes:
                 for variables in each.variables.values():
                     for variable in variables:
-                        if variable.type_node is None or variable.kind in ("parameter", "loop"):
+                        type_node = variable.type_node
+                        if type_node is None or variable.kind in ("parameter", "loop"):
+                            continue
+                        if type_node.type == "primitive_type":
                             continue
                         if variable.is_pointer or variable.is_reference:
                             continue

@@ -108,8 +108,9 @@ def _endpoint(
         default=named.default,
         file=call.scope.file.name,
         is_guess=named.is_guess,
+        qos=qos_of(analysis, found),
     )
-    return endpoint._replace(qos=qos_of(analysis, found)), callback
+    return endpoint, callback
 
 
 def _name(analysis: Analysis, found: Found, node: Node | None) -> _Name:
@@ -197,8 +198,8 @@ def _type(analysis: Analysis, found: Found, callback: Callback) -> tuple[Interfa
     syntax, scope = call.scope.file.syntax, call.scope
     if shape.type == "text":
         return _told_type(analysis, found)
-    if shape.type == "argument":
-        given = call.argument(1)
+    if shape.type == "argument" or (shape.type == "message" and not call.type_nodes):
+        given = call.argument(1 if shape.type == "argument" else 0)
         text = analysis.receivers.type_of(given, scope)
         return types.interface(text, scope, True), text
     if found.template:

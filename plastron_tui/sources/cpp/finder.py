@@ -13,7 +13,7 @@ from .found import Found, template_of
 from .objects import Objects
 from .receivers import HANDLE
 from .scopes import Scope, last_name
-from .shapes import FUNCTIONS, METHODS, OBJECTS, Shape
+from .shapes import FILLED, FUNCTIONS, METHODS, OBJECTS, Shape
 
 _NODE_NAME = re.compile(r"(?:\w*_)?(?:node|n|nh|self|parent|ros_node|lc_?node)\w{0,3}_?", re.I)
 _HANDLE_NAME = re.compile(
@@ -67,12 +67,9 @@ class Finder:
                 continue
             given, handle = call.arguments, call.receiver
             owner = self._unit.find_class(type_, scope) if type_ else None
-            if shape.on == "filter":
-                if not type_.startswith(("message_filters::Subscriber", "image_transport::Sub")):
-                    continue
-                found = self._filter(call, type_)
-                if found is not None:
-                    return found
+            if shape.on == "empty":
+                if (filled := self._filled(call, type_)) is not None:
+                    return filled
                 continue
             if self._is_on(shape, type_, owner, call):
                 if shape.on == "handle" and (options := self._options(call)) is not None:
@@ -223,11 +220,11 @@ class Finder:
         if (needs == 2) != (self._ros == 1):
             return None
         if shape.on == "function":
-            if not call.arguments:
+            if len(call.arguments) <= shape.node:
                 return None
-            handle = call.arguments[0]
+            handle = call.arguments[shape.node]
             owner = self._owner(handle, scope)
-            given = call.arguments[1:]
+            given = call.arguments[shape.node + 1 :]
             while given and self._is_part_of_node(given[0], scope):
                 given = given[1:]
             return Found(call, shape, given, handle, scope, owner)
@@ -275,15 +272,11 @@ class Finder:
                         return each
         return None
 
-    def _filter(self, call: Call, type_: str) -> Found | None:
-        """Match `sub.subscribe(nh, "topic", 1)` on a message filter."""
-        if len(call.arguments) < 2:
+    def _filled(self, call: Call, type_: str) -> Found | None:
+        """Match `sub.subscribe(nh, "topic", 1)` on an object that is empty before."""
+        name = type_.partition("<")[0]
+        if name not in FILLED[call.name] or len(call.arguments) < 2:
             return None
-        handle = call.arguments[0]
-        shape = OBJECTS[
-            "message_filters::Subscriber"
-            if type_.startswith("message_filters")
-            else "image_transport::SubscriberFilter"
-        ]
+        handle, *given = call.arguments
         owner = self._owner(handle, call.scope)
-        return Found(call, shape, call.arguments[1:], handle, call.scope, owner, template_of(type_))
+        return Found(call, OBJECTS[name], given, handle, call.scope, owner, template_of(type_))

@@ -30,6 +30,9 @@ _INCLUDE = re.compile(
     rb'^(?:\xef\xbb\xbf)?[ \t]*#[ \t]*include[ \t]*(?:<([^<>\n]+)>|"([^"\n]+)")', re.MULTILINE
 )
 
+_ADDED = re.compile(rb"include_directories\s*\(([^()#]*)\)", re.IGNORECASE)
+_OWN_FOLDER = re.compile(r"(?:\$<BUILD_INTERFACE:)?\$\{(?:CMAKE_CURRENT|PROJECT)_SOURCE_DIR\}/")
+
 
 def others(path: Path, text: bytes) -> tuple[str, ...]:
     """Return the names of the files that belong to a file, see `FileSet`."""
@@ -134,13 +137,29 @@ def _roots(folder: str) -> list[str]:
     chain = above[: package + 1] if package is not None else above[:3]
     roots = []
     for each in chain[-1:] if package is not None else ():
-        # A folder that the package's CMakeLists.txt adds: `include/NAME`.
+        # What the package installs: `include/NAME`.
         with suppress(OSError), os.scandir(os.path.join(each, "include")) as inner:  # noqa: PTH118
             folders = sorted(entry.path for entry in inner if entry.is_dir())
             roots += folders[:_MOST_ABOVE]
     for each in chain:
         roots += [os.path.join(each, "include"), os.path.join(each, "src"), each]  # noqa: PTH118
+    if package is not None:
+        # They are of one target or another: what is near comes first.
+        roots += _added(chain[-1])
     return roots
+
+
+def _added(package: str) -> list[str]:
+    """Return the folders of a package that its CMakeLists.txt has headers looked for in."""
+    found: dict[str, None] = {}
+    with suppress(OSError, ValueError):
+        text = read_regular(os.path.join(package, "CMakeLists.txt"), _LARGEST)  # noqa: PTH118
+        for command in _ADDED.finditer(text):
+            for word in command[1].decode("utf-8", "replace").split():
+                folder = os.path.normpath(_OWN_FOLDER.sub("", word.strip('"')).rstrip(">"))
+                if not folder.startswith(("/", "..", "$")) and "{" not in folder:
+                    found[os.path.join(package, folder)] = None  # noqa: PTH118
+    return list(found)[:_MOST_FOLDERS]
 
 
 def _sources_of(path: Path, folder: str) -> Iterator[str]:

@@ -7,7 +7,10 @@ from __future__ import annotations
 
 import re
 
-from plastron_tui.ros.interfaces import InterfaceKind, InterfaceName
+from plastron_tui.ros.catalog import Catalog
+from plastron_tui.ros.interfaces import Interface, InterfaceKind, InterfaceName
+
+from .keywords import is_keyword, is_taken
 
 
 def snake_case(name: str) -> str:
@@ -46,3 +49,36 @@ def scalar_class(name: str, ros_version: int) -> str:
     if ros_version == 1 and name in {"bool", "byte"}:
         return "uint8_t" if name == "bool" else "int8_t"
     return _SCALARS.get(name) or ("uint8_t" if name == "byte" else f"{name}_t")
+
+
+def unusable(interface: Interface, catalog: Catalog) -> str | None:
+    """Return what of C++ is the name of an interface, a part of it or a field, None for none.
+
+    The generators write it all the same, into a header that no compiler takes.
+    """
+    seen, left = {interface.name}, [interface]
+    while left:
+        each = left.pop()
+        if (reason := _taken_name(each)) is not None:
+            return reason
+        for field in (field for section in each.sections for field in section.fields):
+            if field.type.message is not None and field.type.message not in seen:
+                seen.add(field.type.message)
+                part = catalog.find(field.type.message, InterfaceKind.MESSAGE)
+                left += [part] if part is not None else []
+    return None
+
+
+def _taken_name(interface: Interface) -> str | None:
+    for word in (interface.name.package, interface.name.name):
+        if is_taken(word):
+            return f"`{interface.name}` has a name that is {_what(word)} of C++"
+    for field in (field for section in interface.sections for field in section.fields):
+        if is_taken(field.name):
+            name = f"`{interface.name}` has a field `{field.name}`"
+            return f"{name}, which is {_what(field.name)} of C++"
+    return None
+
+
+def _what(word: str) -> str:
+    return "a keyword" if is_keyword(word) else "a macro"

@@ -30,8 +30,9 @@ class Objects:
         seen: set[int] = set()
         for written, calls in self._a.callers.made.items():
             for call in calls:
-                is_made = bool(call.arguments) and call.node.start_byte not in seen
-                if not is_made or not self._may_be_object(call, wanted):
+                if not self._may_be_object(call, wanted):
+                    continue
+                if not call.arguments or call.node.start_byte in seen:
                     continue
                 type_ = self._made_type(call, written)
                 name = type_.partition("<")[0]
@@ -43,11 +44,10 @@ class Objects:
                     yield found
 
     def _may_be_object(self, call: Call, wanted: set[str]) -> bool:
-        if call.name == "make_shared":
+        may_be, qualifier = self._a.types.may_be, call.qualifier
+        if call.name == "make_shared" or may_be(call.name, wanted):
             return True
-        return self._a.types.may_be(call.name, wanted) or self._a.types.may_be(
-            call.qualifier.partition("::")[0], wanted
-        )
+        return bool(qualifier) and may_be(qualifier.partition("::")[0], wanted)
 
     def _made_type(self, call: Call, written: str) -> str:
         """Return the whole type of what is made."""

@@ -97,8 +97,9 @@ def qos_of(analysis: Analysis, found: Found) -> Qos | None:
         qos = profile(analysis, node, scope)
     if qos is None:
         return None
-    qos = qos.over(Qos())
-    return qos if qos.known else None
+    if qos.history == "keep_all" and qos.depth is not None:
+        qos = qos._replace(depth=None)
+    return qos if any(policy is not None for policy in qos) else None
 
 
 def _made_name(found: Found) -> str:

@@ -29,6 +29,10 @@ NODE_CLASSES = frozenset(
         "rclcpp::node::Node",
     }
 )
+_PARTS = {
+    **dict.fromkeys(("get_node", "getNode"), "rclcpp::Node"),
+    "get_node_parameters_interface": "rclcpp::node_interfaces::NodeParametersInterface",
+}
 MANAGED_CLASSES = frozenset({"rclcpp_lifecycle::LifecycleNode", "nav2_util::LifecycleNode"})
 NODELET = "nodelet::Nodelet"
 HANDLE = "ros::NodeHandle"
@@ -116,7 +120,7 @@ class Receivers:
                     inner = node.named_children[-1]
                 return self.type_of(inner, scope)
             case "subscript_expression":
-                outer = self._raw_type(node.child_by_field_name("argument"), scope)
+                outer = self.type_of(node.child_by_field_name("argument"), scope)
                 return self._element(outer, scope)
             case "new_expression" | "compound_literal_expression":
                 type_node = node.child_by_field_name("type")
@@ -141,10 +145,6 @@ class Receivers:
             owner = self._unit.find_class(self.type_of(holder, scope), scope)
         name = scope.file.syntax.word(inner)
         return self._unit.member(owner, name) if owner is not None else None
-
-    def _raw_type(self, node: Node | None, scope: Scope) -> str:
-        """Return a type with the containers that it is in."""
-        return self.type_of(node, scope)
 
     def _element(self, container: str, scope: Scope) -> str:
         if found := _ELEMENT.fullmatch(container):
@@ -210,13 +210,13 @@ class Receivers:
         returned = {each.return_type for each in functions}
         if len(returned) == 1 and (text := returned.pop()) not in ("auto", "void", ""):
             return self.plain(text, functions[0].place)
-        if name in ("get_node", "getNode") and (call.receiver is None or not functions):
-            return "rclcpp::Node"
+        if name in _PARTS and (call.receiver is None or not functions):
+            return _PARTS[name]
         return self.plain(call.qualified, scope) if call.qualifier and not functions else ""
 
     def is_node(self, type_: str, scope: Scope) -> bool:
         """Whether a type is a node of ROS 2."""
-        if type_ in NODE_CLASSES:
+        if type_ in NODE_CLASSES or type_ in _PARTS.values():
             return True
         owner = self._unit.find_class(type_, scope)
         if owner is not None:

@@ -31,7 +31,10 @@ _FUNCTION_LIKE = ("function", "lambda")
 
 def type_text(text: str) -> str:
     """Return a type without blanks, `const`, references and pointers: `a::B<c::D>`."""
-    text = "".join(_CV.sub(" ", text).split())
+    words = text.split()
+    if len(words) != 1 or "..." in text:
+        words = _CV.sub(" ", text).split()
+    text = "".join(words)
     return text.rstrip("&*").removeprefix("::")
 
 

@@ -1,8 +1,9 @@
 """What creates an endpoint in the client libraries for C++, as data.
 
 Sources: `ros/node_handle.h`, `ros/param.h`, `ros/service.h`, `ros/topic.h`, `actionlib`,
-`message_filters`, `image_transport` of Noetic; `rclcpp/node.hpp`, `rclcpp/create_*.hpp`,
-`rclcpp_action`, `message_filters`, `image_transport` of Jazzy.
+`message_filters`, `image_transport`, `realtime_tools/realtime_publisher.h` of Noetic;
+`rclcpp/node.hpp`, `rclcpp/create_*.hpp`, `rclcpp/wait_for_message.hpp`, `rclcpp_action`,
+`message_filters`, `image_transport` of Jazzy.
 """
 
 from __future__ import annotations
@@ -28,11 +29,14 @@ class Shape:
         name: the argument that names the endpoint (a timer's: its period), counted from the
             first that is no node.
         on: what it is called on: a `handle` of ROS 1, a `node` of ROS 2, an image `transport`,
-            a message `filter`; `function` for a function that takes a node before the rest;
-            `object` for an object that names it itself.
+            a message `filter`, an object that is `empty` before; `function` for a function that
+            takes a node before the rest, `filter` for one that takes an image transport; `object`
+            for an object that names it itself.
+        node: the argument that is the node of a `function`.
         type: `template` for the template argument, `callback` where only a callback says it
-            where that is missing, `argument` for the type of an argument, `text` for a string
-            behind the name, `pkg/msg/Name`.
+            where that is missing, `argument` for the type of an argument, `message` for that of
+            the first one where there is no template argument, `text` for a string behind the
+            name, `pkg/msg/Name`.
         fixed: the type where it is always the same.
         callback: the argument that is called, None for none.
         queue: the argument that is the depth or the quality of service.
@@ -43,6 +47,7 @@ class Shape:
     kind: EndpointKind
     name: int = 0
     on: str = "node"
+    node: int = 0
     type: str = "template"
     fixed: InterfaceName | None = None
     callback: int | None = None
@@ -66,8 +71,9 @@ METHODS: dict[str, tuple[Shape, ...]] = {
     "subscribe": (
         Shape(K.SUBSCRIPTION, on="handle", type="callback", callback=2, queue=1),
         Shape(K.SUBSCRIPTION, on="transport", type="", fixed=IMAGE, callback=2, queue=1),
-        Shape(K.SUBSCRIPTION, on="filter", name=1),
+        Shape(K.SUBSCRIPTION, on="empty", name=1),
     ),
+    "init": (Shape(K.PUBLISHER, on="empty", name=1),),
     "advertiseService": (Shape(K.SERVICE, on="handle", type="callback", callback=1),),
     "serviceClient": (Shape(K.CLIENT, on="handle"),),
     "createTimer": (Shape(K.TIMER, on="handle", type="", callback=1),),
@@ -138,6 +144,7 @@ FUNCTIONS: dict[str, Shape] = {
     "rclcpp::create_client": Shape(K.CLIENT, on="function"),
     "rclcpp::create_timer": Shape(K.TIMER, on="function", type="", name=1, callback=2),
     "rclcpp::create_wall_timer": Shape(K.TIMER, on="", type="", callback=1),
+    "rclcpp::wait_for_message": Shape(K.SUBSCRIPTION, on="function", node=1, type="message"),
     "rclcpp_action::create_server": Shape(K.ACTION_SERVER, on="function"),
     "rclcpp_action::create_client": Shape(K.ACTION_CLIENT, on="function"),
     "image_transport::create_publisher": Shape(
@@ -174,8 +181,16 @@ OBJECTS: dict[str, Shape] = {
     "image_transport::SubscriberFilter": Shape(
         K.SUBSCRIPTION, on="filter", type="", fixed=IMAGE, queue=1
     ),
+    # Of ROS 1; that of ROS 2 gets a publisher and no name.
+    "realtime_tools::RealtimePublisher": Shape(K.PUBLISHER, on="function", queue=1, latch=2),
 }
 """The classes whose objects are endpoints, by full name; a node comes before the rest."""
+
+FILLED: dict[str, tuple[str, ...]] = {
+    "subscribe": ("message_filters::Subscriber", "image_transport::SubscriberFilter"),
+    "init": ("realtime_tools::RealtimePublisher",),
+}
+"""The methods that give an empty object what its constructor may get, with the classes."""
 
 HEARD, SENT, SENT_ONCE = ("/tf", "/tf_static"), ("/tf",), ("/tf_static",)
 

@@ -19,7 +19,12 @@ def find_sites(analysis: Analysis) -> None:
     """Find the calls that create endpoints; none where there are more than `MOST_SITES`."""
     finder = Finder(analysis)
     order = {id(file): at for at, file in enumerate(analysis.unit.files)}
-    found = [each for each in finder.found() if not each.call.scope.file.is_beside]
+    is_run = analysis.callers.is_run
+    found = [
+        each
+        for each in finder.found()
+        if not each.call.scope.file.is_beside and is_run(each.call.scope)
+    ]
     analysis.calls_found = len(found)
     found.sort(key=lambda each: (order[id(each.call.scope.file)], each.call.node.start_byte))
     if len(found) > MOST_SITES:

@@ -11,6 +11,7 @@ from .arguments import arguments_of, call_of
 from .scopes import _FUNCTION_LIKE, _KINDS, CppFile, Function, Scope, Variable, declared, type_text
 from .syntax import Syntax
 
+_CLASSES = ("class_specifier", "struct_specifier")
 MOST_SCOPES_DEEP = 200
 """Scopes within more others are taken for the innermost of these."""
 
@@ -34,6 +35,8 @@ def outline(name: str, syntax: Syntax) -> CppFile:
         inner = stack[-1]
         if capture == "scope":
             if node.type == "compound_statement" and inner.kind == "function":
+                continue
+            if node.type in _CLASSES and node.child_by_field_name("body") is None:
                 continue
             scope = _scope(node, inner, start, -end)
             file.scopes.append(scope)
@@ -113,6 +116,7 @@ def _place(scope: Scope) -> Scope:
 def _add_declaration(node: Node, scope: Scope) -> None:
     type_node = node.child_by_field_name("type")
     if type_node is None:
+        _add_constructor(node, scope)
         return
     syntax = scope.file.syntax
     value = node.child_by_field_name("default_value")
@@ -157,6 +161,15 @@ def _add_declaration(node: Node, scope: Scope) -> None:
             reference,
         )
         _place(scope).variables.setdefault(found.name, []).append(found)
+
+
+def _add_constructor(node: Node, scope: Scope) -> None:
+    """Note the declaration of a constructor, which has no type."""
+    place = _place(scope)
+    name, _, function, _, _ = declared(node.child_by_field_name("declarator"), scope.file.syntax)
+    if place.kind == "class" and function is not None and name == place.name:
+        made = Function(name, "", node, function, None, scope)
+        place.functions.setdefault(name, []).append(made)
 
 
 def _add_enumerator(node: Node, scope: Scope) -> None:

@@ -13,6 +13,7 @@ from .analysis import Analysis, Site
 from .durations import seconds
 from .holders import holder_of
 from .scopes import Variable
+from .serving import serves
 
 
 def timer_details(analysis: Analysis, site: Site) -> TimerDetails:
@@ -27,6 +28,7 @@ def timer_details(analysis: Analysis, site: Site) -> TimerDetails:
         period=float(number) if is_known and number is not None else None,
         is_oneshot=analysis.ros_version == 1 and _is_oneshot(analysis, site),
         is_guess=is_known and is_guess,
+        serves=serves(analysis, site),
     )
 
 

@@ -30,9 +30,11 @@ def transforms(analysis: Analysis) -> Iterator[Site]:
     """Yield the objects, one endpoint for each topic; each is made once."""
     short = {name.rpartition("::")[2] for name in TRANSFORM_OBJECTS}
     seen: set[tuple[int, int]] = set()
-    for calls in analysis.callers.made.values():
+    for made, calls in analysis.callers.made.items():
+        if not analysis.types.may_be(made, short):
+            continue
         for call in calls:
-            if call.scope.file.is_beside or not analysis.types.may_be(call.name, short):
+            if call.scope.file.is_beside:
                 continue
             type_ = analysis.receivers.plain(call.qualified, call.scope)
             name = type_.partition("<")[0]

@@ -23,15 +23,26 @@ def without_templates(text: str) -> str:
 
 def template_arguments(text: str) -> list[str]:
     """Return the parts of a text between commas that are in no brackets."""
-    found, depth, start = [], 0, 0
-    for at, letter in enumerate(text):
+    return split_outside(text, ",")
+
+
+def split_outside(text: str, mark: str) -> list[str]:
+    """Return the parts of a text between marks that are in no brackets."""
+    if mark not in text:
+        return [text]
+    found, depth, start, at = [], 0, 0, 0
+    while at < len(text):
+        letter = text[at]
         if letter in "<([{":
             depth += 1
         elif letter in ">)]}":
             depth -= 1
-        elif letter == "," and depth == 0:
+        elif depth == 0 and text.startswith(mark, at):
             found.append(text[start:at])
-            start = at + 1
+            at += len(mark)
+            start = at
+            continue
+        at += 1
     found.append(text[start:])
     return found
 

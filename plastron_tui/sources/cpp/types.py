@@ -45,6 +45,7 @@ KNOWN = {
     "ImageTransport": ("image_transport",),
     "SubscriberFilter": ("image_transport",),
     "Subscriber": ("message_filters",),
+    "RealtimePublisher": ("realtime_tools",),
     **dict.fromkeys(
         ("SimpleActionServer", "SimpleActionClient", "ActionServer", "ActionClient"),
         ("actionlib",),
@@ -287,7 +288,10 @@ class Types:
         parts = text.split("::")
         if len(parts) == 2 and parts[0] not in _NO_PACKAGES:
             package, bare = parts[0], _bare(parts[1], is_part)
-            if (package,) not in self._included.get(bare, ()) and package in self._namespaces:
+            is_included = (package,) in self._included.get(bare, ())
+            # A header may declare messages ahead, `namespace std_msgs { class String; }`.
+            is_of_messages = package.endswith("_msgs")
+            if package in self._namespaces and not is_included and not is_of_messages:
                 return None
             return InterfaceName(package, bare)
         if len(parts) != 1:

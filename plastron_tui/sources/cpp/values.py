@@ -173,30 +173,18 @@ class Evaluator:
             held = last_name(holder, scope)
             variable = self.unit.lookup(held, scope, holder.start_byte) if held else None
             owner = None
-            # An object that is made of something may have other values than its class gives.
-            is_plain = variable is not None and not self.unit.writes(variable)
             is_own = variable is not None and variable.kind in ("local", "member", "global")
-            if variable is not None and is_plain and is_own and not variable.is_pointer:
+            if variable is not None and is_own and not variable.is_pointer:
                 owner = self.unit.find_class(variable.type, scope)
+                # An object that is made of something may have other values than its class gives.
+                if owner is not None and self.unit.writes(variable):
+                    given = self.fields.given(variable, owner, name)
+                    return self.fold(*given) if given is not None else None
         member = self.unit.member(owner, name) if owner is not None else None
         if member is None and holder.type != "this":
-            return self._set_field(node, name, holder, scope)
+            set_before = self.fields.set_before(node, name, holder, scope)
+            return self.fold(*set_before) if set_before is not None else None
         return self.variable(member) if member is not None else None
-
-    def _set_field(self, node: Node, name: str, holder: Node, scope: Scope) -> Value | None:
-        """Return what a field of a message is set to before, `descriptor.name = "x"`."""
-        held = last_name(holder, scope)
-        before = [
-            (value, place)
-            for assignment, path, value, place in self.fields.of(held)
-            if path == name
-            and place.file is scope.file
-            and place.enclosing("function") is scope.enclosing("function")
-            and assignment.start_byte < node.start_byte
-        ]
-        if not before or before[-1][1] not in scope.chain:
-            return None
-        return self.fold(*before[-1])
 
     def _binary(self, node: Node, scope: Scope) -> Value | None:
         left = self.fold(node.child_by_field_name("left"), scope)

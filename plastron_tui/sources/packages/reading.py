@@ -177,6 +177,7 @@ def _scripts(files: PackageFiles, setup: SetupFile) -> tuple[tuple[ConsoleScript
 def _cmake_parts(files: PackageFiles) -> _Parts:
     from plastron_tui.sources.cmake.changing import build_type_of
     from plastron_tui.sources.cmake.facts import (
+        component_class,
         component_sources,
         executable_of,
         programs,
@@ -210,6 +211,7 @@ def _cmake_parts(files: PackageFiles) -> _Parts:
             line,
             sources=tuple(component_sources(lists, each)),
             built=each.call.items[0].value,
+            loaded=component_class(each),
         )
     for entry in programs(lists):
         if entry.destination != f"lib/{lists.name}":

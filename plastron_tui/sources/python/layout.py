@@ -130,10 +130,11 @@ def _break(parts: list[_Part], margin: str, tail: str, style: Brackets) -> list[
     foot = _CLOSING[group.opening] + _flat(parts[at + 1 :]) + tail
     value = _value_of(parts) if width(head) > style.limit and style.is_closed_apart else []
     opened = f"{margin}{_flat(parts[: -len(value)])}("
-    # A bracket of its own helps only where it stands in the line.
+    # A bracket of its own is set only where every line is short enough then.
     if value and width(opened) <= style.limit:
         inner = _break(value, margin + style.indent, "", style)
-        return [opened, *inner, f"{margin}){tail}"]
+        if all(width(each) <= style.limit for each in inner):
+            return [opened, *inner, f"{margin}){tail}"]
     if style.is_visual and (lines := _align(group, head, foot, style)):
         return lines
     if style.is_closed_apart:

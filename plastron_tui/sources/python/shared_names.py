@@ -6,7 +6,8 @@ import re
 
 from tree_sitter import Node
 
-from plastron_tui.diagnostics import Diagnostic, codes
+from plastron_tui.diagnostics import Diagnostic
+from plastron_tui.sources.shared_names import shares_name
 
 from .addition import Addition
 from .analysis import Analysis, Site
@@ -39,10 +40,7 @@ def shared_name(added: Addition) -> Diagnostic | None:
             break
     if not telling:
         return None
-    message = f"each object of `{owner.name}` creates `{added.name}`, while {telling} gives each"
-    message += " a name of its own"
-    help_ = "add it to what makes the objects, if there are several"
-    return Diagnostic(codes.SHARED_NAME, message, added.endpoint.span, help=help_)
+    return shares_name(owner.name, added.endpoint, telling)
 
 
 def _telling(analysis: Analysis, added: Addition, owner: Scope, *, is_node: bool) -> str:

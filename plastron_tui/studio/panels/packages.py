@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from typing import TYPE_CHECKING
 
 from plastron_tui.language.declaration import DECLARATIONS
@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     from plastron_tui.model.launches import Launch
     from plastron_tui.model.own_types import OwnType
     from plastron_tui.model.packages import Package
-    from plastron_tui.model.workspace import Workspace
+    from plastron_tui.model.workspace import Generation, Workspace
 
     from ..analysis import Analysis
 
@@ -31,10 +31,13 @@ _KINDS = {
 
 
 def _entries(analysis: Analysis, _: object) -> Entries:
-    return Entries(_all(analysis.workspace), _EMPTY)
+    return Entries(_all(analysis), _EMPTY)
 
 
-def _all(workspace: Workspace) -> Iterator[Entry]:
+def _all(analysis: Analysis) -> Iterator[Entry]:
+    workspace = analysis.workspace
+    for name, nodes in _own(analysis).items():
+        yield from _own_package(name, nodes)
     written = {each.package.variable for each in workspace.written_packages}
     for variable, package in workspace.packages.items():
         yield from _package(workspace, variable, package, variable in written)
@@ -44,6 +47,46 @@ def _all(workspace: Workspace) -> Iterator[Entry]:
         yield from _launch(workspace, variable, launch, variable in launched)
     for name, own in workspace.types.items():
         yield _type(name, own)
+
+
+def _own(analysis: Analysis) -> dict[str, dict[str, Generation]]:
+    """Return the nodes by variable that are in a package which no statement makes, by its name."""
+    from plastron_tui.targets import LIBRARIES
+
+    # Only what has to be built is in one, or is beside it.
+    libraries = (LIBRARIES.get(each.library) for each in analysis.workspace.generations)
+    if not any(each is not None and each.is_built for each in libraries):
+        return {}
+    found: dict[str, dict[str, Generation]] = {}
+    for each in analysis.once("placed", analysis.session.placed):
+        home = each.node.home
+        if home is not None and home.is_own:
+            found.setdefault(home.package, {})[each.node.variable] = each
+    return found
+
+
+def _own_package(package: str, nodes: Mapping[str, Generation]) -> Iterator[Entry]:
+    first = next(iter(nodes.values()))
+    is_there = first.node.home is not None and first.node.home.above is not None
+    yield Entry(
+        f"own package {package}",
+        package,
+        "around the output folder" if is_there else "of the program's own",
+        *SIGNS[Subject.PACKAGE],
+        span=first.span,
+        is_branch=True,
+    )
+    for variable, each in nodes.items():
+        yield Entry(
+            f"own {package} {variable}",
+            each.node.name,
+            "" if each.node.name == variable else variable,
+            *SIGNS[Subject.NODE],
+            depth=1,
+            span=each.span,
+            node=variable,
+            name=variable,
+        )
 
 
 def _package(
@@ -138,7 +181,8 @@ def _type(name: str, own: OwnType) -> Entry:
 
 def _count(analysis: Analysis) -> int:
     workspace = analysis.workspace
-    return len(workspace.packages) + len(workspace.launches) + len(workspace.types)
+    own = len(_own(analysis))
+    return own + len(workspace.packages) + len(workspace.launches) + len(workspace.types)
 
 
 PACKAGES = Panel(

@@ -13,7 +13,6 @@ from plastron_tui.ros.parameters import ParameterType
 from plastron_tui.ros.qos import Qos
 from plastron_tui.sources.cpp import interface_types, literals, naming
 from plastron_tui.sources.cpp.computed import Computing, Functions
-from plastron_tui.sources.cpp.keywords import is_keyword, is_taken
 from plastron_tui.sources.cpp.messages import Filling
 from plastron_tui.sources.cpp.qos_code import latch, profile
 from plastron_tui.targets.planning.writing import Writing
@@ -220,34 +219,5 @@ class CppWriting(Writing):
         return self.part_of(type_, kind, part)
 
     def unusable(self, interface: Interface) -> str | None:
-        """Return what of C++ is the name of an interface, a part of it or a field, None for none.
-
-        The generators write it all the same, into a header that no compiler takes.
-        """
-        seen, left = {interface.name}, [interface]
-        while left:
-            each = left.pop()
-            if (reason := _taken_name(each)) is not None:
-                return reason
-            for field in (field for section in each.sections for field in section.fields):
-                if field.type.message is not None and field.type.message not in seen:
-                    seen.add(field.type.message)
-                    part = self.catalog.find(field.type.message, InterfaceKind.MESSAGE)
-                    left += [part] if part is not None else []
-        return None
-
-
-def _taken_name(interface: Interface) -> str | None:
-    """Return what of C++ is the name of an interface or a field, None where nothing is."""
-    for word in (interface.name.package, interface.name.name):
-        if is_taken(word):
-            return f"`{interface.name}` has a name that is {_what(word)} of C++"
-    for field in (field for section in interface.sections for field in section.fields):
-        if is_taken(field.name):
-            name = f"`{interface.name}` has a field `{field.name}`"
-            return f"{name}, which is {_what(field.name)} of C++"
-    return None
-
-
-def _what(word: str) -> str:
-    return "a keyword" if is_keyword(word) else "a macro"
+        """Return what of C++ is the name of an interface or of a part of it, None for none."""
+        return interface_types.unusable(interface, self.catalog)

@@ -201,3 +201,33 @@ def test_what_cannot_be_built_is_refused(text: str, what: str) -> None:
 def test_a_node_that_is_built_already_is_left_as_it_is() -> None:
     new = ROSCPP._replace(executable="old", source="src/old.cpp")
     assert add_target(BUILT.encode(), PATH, new).text == BUILT.encode()
+
+
+_FIRST = "project(demo)\nfind_package(ament_cmake REQUIRED)\n"
+_SRC = "${PROJECT_SOURCE_DIR}/src"
+PATTERNS = {
+    "all": ("file(GLOB all src/*.cpp)\nadd_executable(old ${all})\n", 4),
+    "all below": (f"file(GLOB_RECURSE all {_SRC}/*.cpp)\nadd_library(old ${{all}})\n", 4),
+    "a folder": ("aux_source_directory(src all)\nadd_executable(old ${all})\n", 4),
+    "by another name": (
+        "file(GLOB all src/*.cpp)\nset(more ${all} x.cpp)\nadd_executable(old ${more})\n",
+        5,
+    ),
+    "each": (
+        f"file(GLOB all RELATIVE {_SRC} src/*.cpp)\nforeach(x ${{all}})\n"
+        "  add_executable(n${x} src/${x})\nendforeach()\n",
+        5,
+    ),
+    "other files": ("file(GLOB all lib/*.cpp src/*.h)\nadd_executable(old ${all} src/a.cpp)\n", 0),
+    "for something else": ("file(GLOB all src/*.cpp)\ninstall(FILES ${all} DESTINATION x)\n", 0),
+}
+
+
+@pytest.mark.parametrize(("text", "line"), PATTERNS.values(), ids=PATTERNS)
+def test_no_source_is_put_where_another_target_takes_it(text: str, line: int) -> None:
+    edited = add_target(f"{_FIRST}{text}ament_package()\n".encode(), PATH, RCLCPP)
+    assert (edited.text is None) == bool(line)
+    for told in edited.diagnostics:
+        assert told.message == (
+            f"line {line} of `CMakeLists.txt` builds all files that are like `src/talker.cpp`"
+        )

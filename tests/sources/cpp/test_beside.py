@@ -66,3 +66,39 @@ def test_what_another_node_of_the_package_makes_is_its_own(tmp_path: Path) -> No
     source = find_language("cpp").read(path, with_others(path, path.read_bytes())).source
     assert source is not None
     assert [(each.name, str(each.type)) for each in source.endpoints] == [("a", "std_msgs/String")]
+
+
+FOLDERS = [
+    ("", [None]),
+    ("target_include_directories(a PUBLIC src/tools/api)", ["near"]),
+    (
+        "include_directories(\n  include ${x_INCLUDE_DIRS}\n  ${PROJECT_SOURCE_DIR}/src/tools/api)",
+        ["near"],
+    ),
+    (
+        "target_include_directories(a PRIVATE $<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}/far>)",
+        ["far"],
+    ),
+    ("include_directories(/etc ../.. far src/tools/api)", ["far"]),
+]
+
+
+@pytest.mark.parametrize(("commands", "names"), FOLDERS)
+def test_a_header_is_in_a_folder_that_the_package_adds(
+    tmp_path: Path, commands: str, names: list[str | None]
+) -> None:
+    files = {
+        "package.xml": "<package/>",
+        "CMakeLists.txt": commands,
+        "src/tools/api/names.hpp": 'constexpr char NAME[] = "near";\n',
+        "far/names.hpp": 'constexpr char NAME[] = "far";\n',
+        "src/a.cpp": f'{ROS1}#include "names.hpp"\n'
+        "int main() { ros::NodeHandle nh; nh.advertise<std_msgs::String>(NAME, 1); }\n",
+    }
+    for name, text in files.items():
+        (tmp_path / name).parent.mkdir(parents=True, exist_ok=True)
+        (tmp_path / name).write_text(text)
+    path = tmp_path / "src" / "a.cpp"
+    source = find_language("cpp").read(path, with_others(path, path.read_bytes())).source
+    assert source is not None
+    assert [each.name for each in source.endpoints] == names

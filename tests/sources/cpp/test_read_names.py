@@ -78,6 +78,28 @@ def test_a_variable_has_the_one_value_that_it_gets(made: str, names: list[str] |
     assert found == [f"publisher{name} std_msgs/String" for name in expected]
 
 
+FIELDS = [
+    ('Limits l{"a", 2};', "a"),
+    ('Limits l = {"a"};', "a"),
+    ('Limits l{.depth = 2, .name = "a"};', "a"),
+    ("Limits l{.depth = 2};", "d"),
+    ("Limits l;", "d"),
+    ('Limits l{"a"}; l.name = "b";', None),
+    ('Made l{"a"};', None),
+]
+
+
+@pytest.mark.parametrize(("made", "name"), FIELDS)
+def test_a_member_is_what_braces_give_it(made: str, name: str | None) -> None:
+    head = (
+        'struct Limits { std::string name = "d"; int depth = 1; };\n'
+        'struct Made { Made(const char* n); std::string name = "d"; };\n'
+    )
+    made += " nh.advertise<std_msgs::String>(l.name, 1);"
+    source = read(f"{ROS1}{head}int main() {{ ros::NodeHandle nh; {made} }}")
+    assert [each.name for each in source.endpoints] == [name]
+
+
 FLOW = [
     (f't = "a"; {USE} t = "b"; {USE}', ["a", "b"]),
     (f't = "a"; if (x) {{ t = "b"; {USE} }} {USE}', ["b", None]),
@@ -114,6 +136,46 @@ def test_a_function_creates_what_its_calls_say(calls: str, names: list[str | Non
         f"int main() {{ ros::NodeHandle nh; {calls} }}"
     )
     assert [each.name for each in source.endpoints] == names
+
+
+OVERLOADS = """
+using Heard = std::function<void(int)>;
+void make(const std::string& a, Heard heard, int depth = 1) {
+  nh.advertise<std_msgs::String>(a + "/heard", depth);
+}
+void make(const std::string& a, int depth, Heard heard) {
+  nh.advertise<std_msgs::String>(a, depth);
+}
+void make(int number, int depth, Heard heard) {
+  nh.advertise<std_msgs::String>(std::to_string(number), depth);
+}
+"""
+
+
+def test_a_call_is_that_of_the_overload_that_takes_its_literals() -> None:
+    head = f"{ROS1}ros::NodeHandle nh;\n{OVERLOADS}"
+    source = read(head + 'int main() { make("a", 1, [](int x) {}); }')
+    assert [each.name for each in source.endpoints] == [None, "a", None]
+    called = 'int main() { make("a", [](int x) {}); make(7, 1, [](int x) {}); }'
+    assert [each.name for each in read(head + called).endpoints] == ["a/heard", None, "7"]
+
+
+OF_HEADER = [
+    ("", []),
+    ('make(nh, "a");', ["a"]),
+    ("inner(nh);", ["b"]),
+    ("auto f = &inner;", ["b"]),
+]
+
+
+@pytest.mark.parametrize(("body", "names"), OF_HEADER)
+def test_a_function_of_a_header_is_of_the_node_that_runs_it(body: str, names: list[str]) -> None:
+    header = (
+        f"void make(ros::NodeHandle& nh, const std::string& t) {{ {USE} }}\n"
+        'inline void inner(ros::NodeHandle& nh) { make(nh, "b"); }\n'
+    )
+    text = f'{ROS1}#include "tools.hpp"\nint main() {{ ros::NodeHandle nh; {body} }}'
+    assert [each.name for each in read(text, tools=header).endpoints] == names
 
 
 def test_a_template_creates_what_its_calls_say() -> None:

@@ -41,6 +41,20 @@ CALLS = [
         [f"subscription a {STRING}"],
     ),
     (
+        f'{S} m; rclcpp::wait_for_message<{S}>(m, shared_from_this(), "a", 1s);',
+        [f"subscription a {STRING}"],
+    ),
+    (f'{S} m; rclcpp::wait_for_message(m, node, "a");', [f"subscription a {STRING}"]),
+    (
+        'get_node_parameters_interface()->declare_parameter("a", rclcpp::ParameterValue(1));',
+        ["parameter a"],
+    ),
+    (
+        "std::shared_ptr<rclcpp::node_interfaces::NodeParametersInterface> p;"
+        ' p->declare_parameter("a", rclcpp::ParameterValue(1));',
+        ["parameter a"],
+    ),
+    (
         'image_transport::create_publisher(this, "a");',
         ["publisher a sensor_msgs/Image"],
     ),

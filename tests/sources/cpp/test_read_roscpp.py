@@ -5,6 +5,8 @@ from __future__ import annotations
 import pytest
 from reading import ROS1, endpoints, in_main, read
 
+from plastron_tui.model.endpoint_details import TimerDetails
+
 STRING = "std_msgs/String"
 
 CALLS = [
@@ -16,6 +18,12 @@ CALLS = [
     (
         'nh.subscribe("a", 1, boost::function<void(const std_msgs::StringConstPtr&)>(f));',
         [f"subscription a {STRING} f"],
+    ),
+    ('nh.subscribe("a", 1, any<std_msgs::String>);', [f"subscription a {STRING} any"]),
+    ('nh.subscribe("a", 1, &H<std_msgs::String>::hold, &h);', [f"subscription a {STRING} hold"]),
+    (
+        'nh.subscribe("a", 1, &H<int>::both<std_msgs::String>, &h);',
+        [f"subscription a {STRING} both"],
     ),
     ('nh.advertiseService("a", serve);', ["service a std_srvs/Empty serve"]),
     ('nh.serviceClient<std_srvs::Empty>("a");', ["client a std_srvs/Empty"]),
@@ -40,6 +48,20 @@ CALLS = [
         'message_filters::Subscriber<std_msgs::String> s; s.subscribe(nh, "a", 1);',
         [f"subscription a {STRING}"],
     ),
+    (
+        'realtime_tools::RealtimePublisher<std_msgs::String> p(nh, "a", 1);',
+        [f"publisher a {STRING}"],
+    ),
+    (
+        'realtime_tools::RealtimePublisher<std_msgs::String> p; p.init(nh, "a", 1);',
+        [f"publisher a {STRING}"],
+    ),
+    (
+        "using P = realtime_tools::RealtimePublisher<std_msgs::String>;"
+        ' boost::scoped_ptr<P> p; p.reset(new P(nh, "a", 1));',
+        [f"publisher a {STRING}"],
+    ),
+    ('Device d; d.init(nh, "a", 1);', []),
     (
         'image_transport::ImageTransport it(nh); it.advertiseCamera("b/image", 1);',
         ["publisher b/image sensor_msgs/Image", "publisher b/camera_info sensor_msgs/CameraInfo"],
@@ -66,6 +88,11 @@ HEAD = """
 void cb(const std_msgs::String::ConstPtr& m);
 void request(const a::SoundRequestConstPtr& m);
 bool serve(std_srvs::Empty::Request& request, std_srvs::Empty::Response& response);
+template <class M> void any(const boost::shared_ptr<M const>& m);
+template <class M> struct H {
+  void hold(const typename M::ConstPtr& m);
+  template <class N> void both(const N& m);
+};
 struct C {
   void by_value(std_msgs::String m);
   void event(const ros::MessageEvent<std_msgs::String const>& m);
@@ -147,3 +174,39 @@ def test_two_names_of_one_node_are_none() -> None:
     inits = [f'void f{name}() {{ ros::init(c, v, "{name}"); }}' for name in "ab"]
     assert [node.name for node in read(ROS1 + inits[0]).nodes] == ["a"]
     assert [node.name for node in read(ROS1 + "".join(inits)).nodes] == [None]
+
+
+SERVING = [
+    (
+        "/// Publish to a; called at its rate.",
+        "publish_a",
+        "message.data = 1; pub.publish(message);",
+        True,
+    ),
+    ("", "publish_a", "std_msgs::String message; message.data = 1; pub.publish(message);", True),
+    ("", "publishA", "pub.publish(message); count();", False),
+    (
+        "/// Publish to a; called at its rate.",
+        "publish_a",
+        "pub.publish(message); drive(1);",
+        False,
+    ),
+    ("/// Warn as long as nobody listens to a.", "await_a", 'ROS_WARN("a");', True),
+    ("/// Give the timers whose rates have changed their new ones.", "follow_rates", "", True),
+    ("/// Do what is to be done.", "repeat_it", "pub.publish(last);", True),
+    ("/// Publish to a.", "tick", "pub.publish(message);", False),
+]
+
+
+@pytest.mark.parametrize(("description", "name", "body", "serves"), SERVING)
+def test_a_timer_may_serve_another_endpoint(
+    description: str, name: str, body: str, serves: bool
+) -> None:
+    source = read(
+        f"{ROS1}ros::Publisher pub;\n{description}\n"
+        f"void {name}(const ros::TimerEvent&) {{ {body} }}\n"
+        f"int main() {{ ros::NodeHandle nh; nh.createTimer(ros::Duration(1), {name}); }}"
+    )
+    (details,) = (each.details for each in source.endpoints)
+    assert isinstance(details, TimerDetails)
+    assert details.serves is serves

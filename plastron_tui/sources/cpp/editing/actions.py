@@ -39,7 +39,10 @@ def _class(added: Addition, interface: Interface) -> str:
 def serve_action(added: Addition, server: ActionServer, interface: Interface) -> None:
     """Let a node serve an action, with a function of its own that works on the goals."""
     if added.owner is None:
+        place = added.place
+        line = place.function.node.start_point.row + 1
         message = f"a function of a class has to work on the goals of `{server.name}`"
+        message += f", and `{place.function.name}` in line {line} is of none"
         remedy = "write the server by hand, or let a node that is a class serve it"
         refuse(codes.EDIT_REFUSED, message, added.span, remedy)
     class_ = _class(added, interface)
@@ -80,20 +83,27 @@ def _serve_in_ros2(added: Addition, class_: str, name: str, is_there: bool) -> N
             ),
             *style.block("if (rclcpp::ok())", ["goal_handle->succeed(result);"]),
         ]
-        file = write_function(added, name, f"const std::shared_ptr<{handle}> goal_handle", body)
+        parameter = f"const std::shared_ptr<{handle}> goal_handle"
+        file = write_function(added, name, [parameter], body, _said(added))
         _include_action(added, file)
         added.include(added.place.file, "thread")
     called = f"{name}(goal_handle);"
     if not is_there:
-        called = f"std::thread([this, goal_handle]() {{{name}(goal_handle);}}).detach();"
+        pad = added.style(added.place.file).pad
+        handed = f"{{{pad}{name}(goal_handle);{pad}}}"
+        called = f"std::thread([this, goal_handle]() {handed}).detach();"
     text = literals.string(name_as_written(added.endpoint.name, 2))
+    pad = added.style(added.place.file).pad
+    accepted = f"{{{pad}return rclcpp_action::GoalResponse::ACCEPT_AND_EXECUTE;{pad}}}"
+    cancelled = f"{{{pad}return rclcpp_action::CancelResponse::ACCEPT;{pad}}}"
     added.lines += [
         f"{variable} = rclcpp_action::create_server<{class_}>(",
-        f"\t{added.place.node_argument}, {text},",
-        "\t[](const auto &, const auto &) "
-        "{return rclcpp_action::GoalResponse::ACCEPT_AND_EXECUTE;},",
-        "\t[](const auto &) {return rclcpp_action::CancelResponse::ACCEPT;},",
-        f"\t[this](const auto & goal_handle) {{{called}}});",
+        f"\v{added.place.node_argument}, {text},",
+        f"\v[](const auto &, const auto &) {accepted},",
+        f"\v[](const auto &) {cancelled},",
+        "\v[this](const auto & goal_handle) {",
+        f"\v\t{called}",
+        "\v});",
     ]
 
 
@@ -125,14 +135,19 @@ def _serve_in_ros1(added: Addition, class_: str, name: str, is_there: bool) -> N
             ),
             f"{variable}->setSucceeded(result);",
         ]
-        write_function(added, name, f"const {class_}GoalConstPtr{reference}goal", body)
+        parameter = f"const {class_}GoalConstPtr{reference}goal"
+        write_function(added, name, [parameter], body, _said(added))
     binder, placeholder = bind_manner(added, 1)
     if not placeholder.startswith("_") and binder.startswith("boost"):
         added.include(added.place.file, "boost/bind/bind.hpp")
     assert added.owner is not None, "it was refused otherwise"
     called = f"{binder}(&{added.owner.name}::{name}, this, {placeholder}1)"
     given = ", ".join((*_named(added), called, "false"))
-    added.lines += [f"{variable}.reset(new {server}(", f"\t{given}));", f"{variable}->start();"]
+    added.lines += [f"{variable}.reset(new {server}({given}));", f"{variable}->start();"]
+
+
+def _said(added: Addition) -> str:
+    return f"Works on the goals of {added.prose}."
 
 
 def _named(added: Addition) -> list[str]:
@@ -213,7 +228,7 @@ def _client_of_ros2(added: Addition, class_: str) -> str:
     text = literals.string(name_as_written(added.endpoint.name, 2))
     declared = "auto " if is_local(added) else ""
     head = f"{declared}{variable} = rclcpp_action::create_client<{class_}>("
-    added.lines += [head, f"\t{added.place.node_argument}, {text});"]
+    added.lines.append(f"{head}{added.place.node_argument}, {text});")
     return variable
 
 

@@ -44,6 +44,8 @@ class Addition:
         settings: what the settings around the files say of their layout.
         plan: what is to be done.
         lines: the statements that go to the place, in order.
+        hidden_functions: the methods of a private part that the class has not yet.
+        hidden_members: the members of it.
     """
 
     analysis: Analysis
@@ -57,6 +59,8 @@ class Addition:
     settings: ClangFormat = field(default_factory=ClangFormat)
     plan: Plan = field(default_factory=Plan)
     lines: list[str] = field(default_factory=list)
+    hidden_functions: list[list[str]] = field(default_factory=list)
+    hidden_members: list[str] = field(default_factory=list)
     _styles: dict[str, Style] = field(default_factory=dict)
     _included: set[tuple[str, str]] = field(default_factory=set)
 
@@ -88,7 +92,10 @@ class Addition:
     def style(self, file: CppFile) -> Style:
         """Return the layout of a file."""
         if file.name not in self._styles:
-            self._styles[file.name] = style_of(file, self.analysis.ros_version, self.settings)
+            files = self.analysis.unit.files
+            self._styles[file.name] = style_of(
+                file, self.analysis.ros_version, self.settings, files
+            )
         return self._styles[file.name]
 
     def free(self, wanted: str, end: str = "") -> str:
@@ -123,8 +130,11 @@ class Addition:
         key = file.name, header
         if key in self._included or is_included(self.analysis.unit, file, header):
             return
+        if not file.name and any(name and each == header for name, each in self._included):
+            # A header of the unit, which the source includes, gets it.
+            return
         self._included.add(key)
-        add_include(self.plan, file, header, self.analysis.ros_version)
+        add_include(self.plan, self.analysis.unit, file, header, self.analysis.ros_version)
 
     def include_types(self, file: CppFile) -> None:
         """Include the headers of the types that were written since, where they are needed."""
@@ -151,7 +161,11 @@ class Addition:
         written = style.laid_out(lines, indent)
         if not text[:offset].endswith(b"\n"):
             written = style.newline + written
-        self.plan.replace(file, offset, offset, (style.newline if gap else "") + written)
+        if gap and style.is_spaced:
+            below = text[offset : line_end(text, offset)].strip()
+            is_last = not below or below.startswith((b"}", b"#"))
+            written = style.newline + written + ("" if is_last else style.newline)
+        self.plan.replace(file, offset, offset, written)
 
     def put_above(self, file: CppFile, node: Node, lines: list[str], *, gap: bool = False) -> None:
         """Write lines above a definition and the comment that speaks of it."""
@@ -168,6 +182,15 @@ class Addition:
         if gap and before and not before.endswith(b"{"):
             written = style.newline + written
         self.plan.replace(file, offset, offset, written + (style.newline if gap else ""))
+
+    @property
+    def columns(self) -> int:
+        """The columns that are taken before a statement at the place."""
+        place = self.place
+        node = place.after if place.after is not None else place.function.node
+        blanks = _indent(place.file.syntax.text, node.start_byte)
+        extra = "" if place.after is not None else self.style(place.file).indent
+        return len(f"{blanks}{extra}".expandtabs(4))
 
     def put_at_place(self) -> None:
         """Write the statements that create the endpoint."""

@@ -31,10 +31,11 @@ from ..analysis import Analysis, Site
 from ..nodes import group
 from ..qos_code import latch, profile
 from .actions import request_action, serve_action
-from .adding import Addition
+from .adding import Addition, variables_like
 from .calling import add_requests
 from .clang_format import ClangFormat
 from .computing import computing_for
+from .existing_callbacks import check_callback
 from .functions import write_function
 from .handles import handle_for
 from .hearing import (
@@ -43,17 +44,20 @@ from .hearing import (
     idle_callback,
     message_parameter,
     service_parameters,
-    wrapped,
 )
+from .include_place import order_includes
 from .interfaces import Interfaces, refuse
+from .lambdas import Lambda, NewLambda, callback_names, model_lambda
 from .logging import log_line
-from .manner import callback_naming, held_by, identifiers, split_words
-from .members import hold, is_local, type_of
+from .manner import Naming, callback_naming, held_by, identifiers, split_words
+from .members import hold, is_local, open_private, type_of
 from .parameters import declare_parameter
-from .place import beside, find_place, sites_of_node
+from .place import find_place, sites_of_node
 from .plans import Plan
+from .sender_place import goes_where_it_is_seen
 from .sending import Sender, add_publishing
-from .timers import create_timer, event_parameter, period_of, timer_name
+from .shared_names import shared_name
+from .timers import create_timer, event_parameter, node_captures, period_of, timer_name
 
 K = EndpointKind
 
@@ -109,10 +113,12 @@ def plan_addition(
         case _:
             _add(added)
     added.put_at_place()
+    open_private(added)
     added.include_types(added.place.file)
+    shared = shared_name(added)
+    added.plan.notes += [] if shared is None else [shared]
     for splices in added.plan.splices.values():
-        # What is written right behind the includes comes behind those that are new.
-        splices.sort(key=lambda splice: not splice.text.lstrip().startswith(b"#include"))
+        order_includes(splices)
     return added.plan
 
 
@@ -144,11 +150,8 @@ def _present(added: Addition, present: list[Site]) -> Sender:
     once = isinstance(endpoint, Publisher) and any(each.is_once for each in endpoint.publications)
     for site in reversed(present):
         variable = held_by(added.analysis, site)
-        if variable is None or (variable.kind == "local" and site is not added.place.beside):
-            place = beside(added.analysis, site)
-            if variable is None or place is None:
-                continue
-            added.place = place
+        if variable is None or not goes_where_it_is_seen(added, site, variable):
+            continue
         qos = site.endpoint.qos
         if once and (qos is None or qos.durability != "transient_local"):
             how = "transient_local" if added.is_ros2 else "latched"
@@ -164,14 +167,20 @@ def _present(added: Addition, present: list[Site]) -> Sender:
         return Sender(variable.name, is_pointer, variable.kind == "local")
     lines = ", ".join(str(site.endpoint.line) for site in present)
     message = f"no variable of the file holds `{endpoint.name}`, created in line {lines}"
-    return refuse(codes.EDIT_REFUSED, message, added.span)
+    remedy = "keep it in a variable first"
+    return refuse(codes.EDIT_REFUSED, message, added.span, remedy)
 
 
 def _repeat(added: Addition, timer: Timer) -> None:
     """Call a function at a rate."""
-    if existing(added, timer.name) is None:
+    added.taken.add(timer.name)
+    found = existing(added, timer.name)
+    if found is not None:
+        check_callback(added.analysis, K.TIMER, found, None, added.span)
+    else:
         body = [log_line(added, f"{naming.label(timer.name, 'a timer')} ticks", "")]
-        write_function(added, timer.name, event_parameter(added), body)
+        event = [each for each in (event_parameter(added),) if each]
+        write_function(added, timer.name, event, body, "Called at a rate.")
     words = "_".join(split_words(timer.name))
     period = period_of(added, timer.rate or 1.0)
     variable = timer_name(added, words)
@@ -195,14 +204,16 @@ def _create(added: Addition) -> str:
     class_ = added.interfaces.class_of(interface.name, folder)
     arguments: list[str] = []
     needs_type = added.is_ros2 or added.kind in (K.PUBLISHER, K.CLIENT)
-    called = ""
+    called, written = "", None
     if added.kind in (K.SUBSCRIPTION, K.SERVICE):
-        called = _callback(added, interface, class_)
-        handed, is_silent = bound(added, called, 1 if added.kind is K.SUBSCRIPTION else 2)
-        needs_type = needs_type or (is_silent and added.kind is K.SUBSCRIPTION)
-        if is_silent and added.kind is K.SERVICE:
-            handed, _ = [f"&{added.owner.name if added.owner else ''}::{called}", "this"], False
-        arguments += handed
+        like = model_lambda(added, added.kind) if callback_of(added.endpoint) is None else None
+        if like is not None:
+            written = _lambda(added, interface, class_, like)
+        else:
+            called = _callback(added, interface, class_)
+            arguments += _handed(added, called)
+            is_bound = added.owner is not None and len(arguments) == 1
+            needs_type = needs_type or (is_bound and added.kind is K.SUBSCRIPTION)
     name, queue = added.endpoint.name, _queue(added)
     if added.is_ros2:
         before, given = added.place.node, name_as_written(name, 2)
@@ -215,27 +226,26 @@ def _create(added: Addition) -> str:
     variable, declaring = hold(added, added.kind, type_)
     if declaring is not None and added.is_ros2:
         added.include_types(declaring)
-    template = f"<{class_}>" if needs_type else ""
+    template = f"<{class_}>" if needs_type or written is not None else ""
+    if written is not None and added.kind is K.SERVICE and not added.is_ros2:
+        template = f"<{class_}::Request, {class_}::Response>"
     head = f"{before}{_METHODS[added.analysis.ros_version, added.kind]}{template}("
-    declared = ""
-    if is_local(added):
-        declared = "auto " if added.is_ros2 else f"{type_} "
-    style = added.style(added.place.file)
-    used = _columns(added)
-    added.lines += wrapped(f"{declared}{variable} = {head}", arguments, ");", style, used)
+    head = f"{_declared(added, type_)}{variable} = {head}"
+    if written is not None:
+        called = written.name
+        added.lines += written.lines(added, head, arguments)
+    else:
+        added.lines.append(f"{head}{', '.join(arguments)});")
     added.expect(added.kind, name, interface.name, called)
     return variable
 
 
-def _columns(added: Addition) -> int:
-    place = added.place
-    node = place.after if place.after is not None else place.function.node
-    text = place.file.syntax.text
-    start = text.rfind(b"\n", 0, node.start_byte) + 1
-    line = text[start : node.start_byte]
-    blanks = line[: len(line) - len(line.lstrip())].decode("latin-1")
-    extra = 0 if place.after is not None else len(added.style(place.file).indent)
-    return len(blanks.expandtabs(4)) + extra
+def _declared(added: Addition, type_: str) -> str:
+    """Write the type before a local variable that holds the endpoint; "" for any other."""
+    if not is_local(added):
+        return ""
+    autos = [each.type == "auto" for _, each in variables_like(added, added.kind)]
+    return "auto " if added.is_ros2 or autos.count(True) * 2 > len(autos) else f"{type_} "
 
 
 def _queue(added: Addition) -> str:
@@ -258,6 +268,15 @@ def _queue(added: Addition) -> str:
     return text if _COPIED.fullmatch(text) else str(DEFAULT.depth or 10)
 
 
+def _handed(added: Addition, called: str) -> list[str]:
+    """Write what is called as the call that creates the endpoint is handed it."""
+    handed = bound(added, called, 1 if added.kind is K.SUBSCRIPTION else 2)
+    if added.is_ros2 or added.owner is None or added.kind is K.SUBSCRIPTION or len(handed) > 1:
+        return handed
+    # What is bound does not say the types of a service of ROS 1.
+    return [f"&{added.owner.name}::{called}", "this"]
+
+
 def write_callback(added: Addition) -> str:
     """Write what an endpoint that is there shall call, where the files have it not.
 
@@ -272,43 +291,85 @@ def write_callback(added: Addition) -> str:
 def _callback(added: Addition, interface: Interface, class_: str) -> str:
     """Return the name of what the endpoint calls; what the files have not is written."""
     wanted = callback_of(added.endpoint)
-    if wanted is not None and existing(added, wanted) is not None:
+    found = existing(added, wanted) if wanted is not None else None
+    if wanted is not None and found is not None:
+        check_callback(added.analysis, added.kind, found, interface.name, added.span)
         if isinstance(added.endpoint, Service) and added.endpoint.answer is not None:
             message = f"the answer of `{added.endpoint.name}` is not written into a function that"
             remedy = "leave out `answering`, and fill in the response by hand in its function"
             refuse(codes.EDIT_REFUSED, f"{message} is there", added.span, remedy)
         return wanted
-    manner = callback_naming(added.analysis, added.kind, added.sites)
-    left = None if wanted else idle_callback(added, manner.name(added.topic), class_)
+    left = None if wanted else idle_callback(added, _naming(added).name(added.topic), class_)
     if left is not None:
         return left
-    name = wanted or added.free(manner.name(added.topic), manner.end)
+    name = wanted or _callback_name(added)
     added.taken.add(name)
-    if added.kind is K.SUBSCRIPTION:
-        parameter = message_parameter(added, class_)
-        value = f"to_yaml({parameter.value})" if added.is_ros2 else parameter.value
-        file = write_function(added, name, parameter.text, [log_line(added, added.prose, value)])
-    else:
-        request, response = service_parameters(added, class_)
-        value = f"to_yaml({request.value})" if added.is_ros2 else request.value
-        body = [log_line(added, added.prose, value)]
-        if isinstance(added.endpoint, Service) and added.endpoint.answer is not None:
-            body += _answer(
-                added, interface, added.endpoint.answer, request.holder, response.holder
-            )
-        else:
-            body.append(f"(void){response.name};")
-        if not added.is_ros2:
-            body.append("return true;")
-        file = write_function(
-            added,
-            name,
-            f"{request.text}, {response.text}",
-            body,
-            "void" if added.is_ros2 else "bool",
-        )
+    parameters, body = _served(added, interface, class_)
+    returns = "bool" if added.kind is K.SERVICE and not added.is_ros2 else "void"
+    said = "message" if added.kind is K.SUBSCRIPTION else "request"
+    said = f"Called for each {said} of {added.prose}."
+    file = write_function(added, name, parameters, body, said, returns)
     added.include_types(file)
     return name
+
+
+def _naming(added: Addition) -> Naming:
+    called = callback_names(added.analysis, added.sites)
+    return callback_naming(added.analysis, added.kind, called)
+
+
+def _callback_name(added: Addition) -> str:
+    manner = _naming(added)
+    return added.free(manner.name(added.topic), manner.end)
+
+
+def _lambda(added: Addition, interface: Interface, class_: str, like: Lambda) -> NewLambda:
+    """Write a lambda for the endpoint as another one is written.
+
+    What that one does nothing but hand on is handed on to a method here too.
+    """
+    own = like if like.site.endpoint.kind is added.kind else None
+    if not like.handed_to or added.owner is None:
+        parameters, body = _served(added, interface, class_, own)
+        name = _callback_name(added) if like.variable is not None else ""
+        captures = None
+        if added.owner is None:
+            uses_node = bool(added.place.node) and any(added.place.node in each for each in body)
+            # Without any, a lambda is a pointer to a function too, and a call of ROS 1 ambiguous.
+            none = () if added.is_ros2 else ("&",)
+            captures = node_captures(added) if uses_node else none
+        return NewLambda(like, parameters, body, name, captures)
+    called = _callback(added, interface, class_)
+    if added.kind is K.SUBSCRIPTION:
+        given = [message_parameter(added, class_, own)]
+    else:
+        given = [*service_parameters(added, class_, own)]
+    handed = ", ".join(
+        f"std::move({each.name})" if "UniquePtr" in each.text else each.name for each in given
+    )
+    returned = "return " if added.kind is K.SERVICE and not added.is_ros2 else ""
+    name = _callback_name(added) if like.variable is not None else ""
+    return NewLambda(like, [each.text for each in given], [f"{returned}{called}({handed});"], name)
+
+
+def _served(
+    added: Addition, interface: Interface, class_: str, like: Lambda | None = None
+) -> tuple[list[str], list[str]]:
+    """Return what a callback takes, and what it does."""
+    if added.kind is K.SUBSCRIPTION:
+        parameter = message_parameter(added, class_, like)
+        value = f"to_yaml({parameter.value})" if added.is_ros2 else parameter.value
+        return [parameter.text], [log_line(added, added.prose, value)]
+    request, response = service_parameters(added, class_, like)
+    value = f"to_yaml({request.value})" if added.is_ros2 else request.value
+    body = [log_line(added, added.prose, value)]
+    if isinstance(added.endpoint, Service) and added.endpoint.answer is not None:
+        body += _answer(added, interface, added.endpoint.answer, request.holder, response.holder)
+    else:
+        body.append(f"(void){response.name};")
+    if not added.is_ros2:
+        body.append("return true;")
+    return [request.text, response.text], body
 
 
 def _answer(

@@ -18,6 +18,7 @@ from .computing import computing_for
 from .logging import log_line
 from .manner import Naming, variable_naming
 from .members import declare
+from .place import node_in_methods
 from .sending import Sender
 from .timers import capture, node_captures, period_of, run_at, timer_name
 
@@ -85,8 +86,10 @@ def waits(added: Addition, is_there: str, what: str) -> list[str]:
     head, _, rest = said.partition("(")
     if added.is_ros2:
         logger, text = rest.rsplit(', "', 1)
-        clock = f"*{added.place.node}get_clock()"
-        said = f'{head}_THROTTLE({logger}, {clock}, 10000, "{text}'
+        node = node_in_methods(added.analysis, added.place)
+        throttled = f'{head}_THROTTLE({logger}, *{node}get_clock(), 10000, "{text}'
+        # There is no clock without a node.
+        said = throttled if node is not None else f"{head}_ONCE({rest}"
     else:
         said = f"{head}_THROTTLE(10, {rest}"
     return added.style(added.place.file).block(f"if (!{is_there})", [said, "return;"])
@@ -109,9 +112,9 @@ def _ask_in_ros2(
         taken = ""
     lines += [
         f"{sender.call}async_send_request(",
-        f"\t{name}, [{taken}](rclcpp::Client<{class_}>::SharedFuture future) {{",
-        f"\t\t{log}",
-        "\t});",
+        f"\v{name}, [{taken}](rclcpp::Client<{class_}>::SharedFuture future) {{",
+        f"\v\t{log}",
+        "\v});",
     ]
     return _guarded(added, conditions, lines)
 

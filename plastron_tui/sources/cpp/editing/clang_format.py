@@ -28,21 +28,25 @@ class ClangFormat(NamedTuple):
         indent: one level of indent.
         is_broken: whether the brace of a function has a line of its own.
         reference: how `const T & x` is written.
+        continuation: what a line that goes on with another begins with, behind its indent.
+        is_aligned: whether arguments that do not fit stand below the first.
     """
 
     width: int | None = None
     indent: str | None = None
     is_broken: bool | None = None
     reference: str | None = None
+    continuation: str | None = None
+    is_aligned: bool | None = None
 
 
 _BASED = {
-    "Google": ClangFormat(80, "  ", False, "& "),
-    "LLVM": ClangFormat(80, "  ", False, " &"),
-    "Chromium": ClangFormat(80, "  ", False, "& "),
-    "Mozilla": ClangFormat(80, "  ", True, "& "),
-    "WebKit": ClangFormat(_NO_LIMIT, "    ", True, "& "),
-    "Microsoft": ClangFormat(120, "    ", True, " &"),
+    "Google": ClangFormat(80, "  ", False, "& ", "    ", True),
+    "LLVM": ClangFormat(80, "  ", False, " &", "    ", True),
+    "Chromium": ClangFormat(80, "  ", False, "& ", "    ", True),
+    "Mozilla": ClangFormat(80, "  ", True, "& ", "  ", True),
+    "WebKit": ClangFormat(_NO_LIMIT, "    ", True, "& ", "    ", False),
+    "Microsoft": ClangFormat(120, "    ", True, " &", "    ", True),
 }
 
 
@@ -77,6 +81,10 @@ def parse_clang_format(text: bytes) -> ClangFormat:
         found = found._replace(indent="\t")
     if "BreakBeforeBraces" in said and said["BreakBeforeBraces"] != "Custom":
         found = found._replace(is_broken=said["BreakBeforeBraces"] in _BROKEN)
+    if (width := said.get("ContinuationIndentWidth", "")).isdigit():
+        found = found._replace(continuation=" " * min(int(width), 16))
+    if "AlignAfterOpenBracket" in said:
+        found = found._replace(is_aligned=said["AlignAfterOpenBracket"] in ("Align", "true"))
     aligned = {"Left": "& ", "Right": " &", "Middle": " & "}
     if said.get("PointerAlignment") in aligned:
         found = found._replace(reference=aligned[said["PointerAlignment"]])

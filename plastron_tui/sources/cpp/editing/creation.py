@@ -6,6 +6,8 @@ from dataclasses import dataclass
 
 from tree_sitter import Node
 
+from plastron_tui.model.source import EndpointKind
+
 from ..analysis import Analysis, Site
 from ..scopes import CppFile, Scope, Variable, last_name
 from ..shapes import OBJECTS
@@ -16,6 +18,11 @@ _WRAPPING = frozenset(
     | {"unary_expression"}
 )
 
+_PUTTING = frozenset(
+    {"push_back", "emplace_back", "push_front", "emplace_front", "insert", "emplace", "push"}
+)
+_ASKING = frozenset({"hasParam", "has_parameter"})
+
 
 @dataclass(frozen=True, slots=True)
 class Creation:
@@ -25,11 +32,13 @@ class Creation:
         file: the file that has it.
         node: the statement, declaration or initializer.
         variable: what holds the endpoint, None where nothing of the files does.
+        container: what it is put into as one of several, None where it is not.
     """
 
     file: CppFile
     node: Node
     variable: Variable | None
+    container: Variable | None = None
 
     def delete(self, gone: Deletions) -> None:
         """Take it out."""
@@ -69,7 +78,7 @@ def creation_of(analysis: Analysis, site: Site) -> Creation | None:
                 variable = _only_member(analysis, left.child_by_field_name("field"), scope)
             return None if variable is None else Creation(file, parent, variable)
         if node.type == "expression_statement":
-            return Creation(file, node, _set_by(analysis, site))
+            return _in_statement(analysis, site, node)
         if node.type == "condition_clause":
             return _unless_set(analysis, site, node)
         if (
@@ -80,6 +89,27 @@ def creation_of(analysis: Analysis, site: Site) -> Creation | None:
             return None
         node = parent
     return None
+
+
+def _in_statement(analysis: Analysis, site: Site, statement: Node) -> Creation | None:
+    """Return what a statement creates, None where it hands that to what may do anything with it."""
+    found = Creation(site.file, statement, _set_by(analysis, site))
+    inner, outer = site.call.node, None
+    while inner.parent is not None and inner.id != statement.id:
+        if inner.parent.type == "argument_list":
+            outer = inner.parent.parent
+        inner = inner.parent
+    if found.variable is not None or outer is None or outer.type != "call_expression":
+        return found
+    if site.endpoint.kind is EndpointKind.PARAMETER:
+        return found
+    callee = outer.child_by_field_name("function")
+    field = None if callee is None else callee.child_by_field_name("field")
+    holder = None if callee is None else callee.child_by_field_name("argument")
+    if field is None or holder is None or site.file.syntax.word(field) not in _PUTTING:
+        return None
+    container = variable_of(analysis, holder, site.call.scope)
+    return None if container is None else Creation(site.file, statement, None, container)
 
 
 def holder_of(analysis: Analysis, site: Site) -> Variable | None:
@@ -102,7 +132,7 @@ def _only_member(analysis: Analysis, name: Node | None, scope: Scope) -> Variabl
 def _unless_set(analysis: Analysis, site: Site, condition: Node) -> Creation | None:
     """Return `if (!nh.hasParam("x")) {nh.setParam("x", 1);}` whose body does no more."""
     whole = condition.parent
-    if whole is None or whole.type != "if_statement" or site.call.name != "hasParam":
+    if whole is None or whole.type != "if_statement" or site.call.name not in _ASKING:
         return None
     body = whole.child_by_field_name("consequence")
     if body is None or whole.child_by_field_name("alternative") is not None:

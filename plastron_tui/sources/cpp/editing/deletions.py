@@ -43,6 +43,7 @@ class Deletions:
         self._emptied: defaultdict[CppFile, list[tuple[int, int]]] = defaultdict(list)
         self._nodes: list[tuple[CppFile, Node]] = []
         self._bare: defaultdict[CppFile, list[tuple[int, int]]] = defaultdict(list)
+        self._replaced: defaultdict[CppFile, list[Splice]] = defaultdict(list)
         self._written: dict[CppFile, bytes] = {}
 
     def written(self, file: CppFile) -> bytes:
@@ -119,18 +120,24 @@ class Deletions:
         """Take out a part of a line."""
         self._parts[file].append((start, end))
 
+    def replace(self, file: CppFile, node: Node, text: str) -> None:
+        """Write something else in the place of a part that goes."""
+        encoded = text.encode(file.syntax.encoding)
+        self._replaced[file].append(Splice(node.start_byte, node.end_byte, encoded))
+
     def covers(self, file: CppFile, offset: int) -> bool:
         """Tell whether what stands at an offset goes."""
         parts = (
             *(*self._parts[file], *self._lines[file]),
             *(*self._emptied[file], *self._bare[file]),
         )
-        return any(start <= offset < end for start, end in parts)
+        is_replaced = any(each.start <= offset < each.end for each in self._replaced[file])
+        return is_replaced or any(start <= offset < end for start, end in parts)
 
     @property
     def files(self) -> Iterator[CppFile]:
         """The files that lose something."""
-        found = (self._parts, self._lines, self._emptied, self._bare)
+        found = (self._parts, self._lines, self._emptied, self._bare, self._replaced)
         yield from dict.fromkeys(file for each in found for file, parts in each.items() if parts)
 
     def splices(self, file: CppFile) -> list[Splice]:
@@ -145,17 +152,19 @@ class Deletions:
         gone = _joined([*whole, *self._parts[file]])
         gone = _joined([*gone, *self._emptied_bodies(file, gone)])
         gone = _joined([_whole_lines(text, each, gone) for each in gone])
-        braces = [
-            Splice(start, end, b"{}")
-            for start, end in self._emptied[file]
-            if not any(first <= start < last for first, last in gone)
+        written = [Splice(start, end, b"{}") for start, end in self._emptied[file]]
+        written += self._replaced[file]
+        left = [
+            each for each in written if not any(first <= each.start < last for first, last in gone)
         ]
-        return [*(Splice(start, end) for start, end in gone), *braces]
+        return [*(Splice(start, end) for start, end in gone), *left]
 
     def torn(self, file: CppFile) -> Iterator[tuple[CppFile, int]]:
         """Yield where what goes has a part of a conditional of the preprocessor, as in `in_use`."""
         written = self.written(file)
-        for start, end in (*self._parts[file], *self._lines[file], *self._emptied[file]):
+        parts = [*self._parts[file], *self._lines[file], *self._emptied[file]]
+        parts += [(each.start, each.end) for each in self._replaced[file]]
+        for start, end in parts:
             depth = 0
             for found in _CONDITION.finditer(written, start, end):
                 word = found[1]
@@ -253,7 +262,7 @@ def _with_comment(text: bytes, first: int, last: int) -> tuple[int, int]:
     """Return whole lines with the comment above them that speaks of them alone."""
     if first != line_start(text, first) or last != line_end(text, last - 1):
         return first, last
-    top = first
+    top = _doc_block(text, first)
     while top > 0:
         above = line_start(text, top - 1)
         if not _COMMENT_LINE.match(text[above:top]):
@@ -263,6 +272,19 @@ def _with_comment(text: bytes, first: int, last: int) -> tuple[int, int]:
     is_apart = not below.strip() or _ENDING.match(below) or _COMMENT_LINE.match(below)
     is_doc = text[top:first].lstrip().startswith((b"///", b"/**", b"//!"))
     return (top if is_doc or is_apart else first), last
+
+
+def _doc_block(text: bytes, first: int) -> int:
+    """Return where `/** ... */` begins that ends in the line above, or else the line itself."""
+    if not text[:first].rstrip(b"\r\n").rstrip(b" \t").endswith(b"*/"):
+        return first
+    start = text.rfind(b"/*", 0, first)
+    top = line_start(text, start)
+    is_doc = text.startswith((b"/**", b"/*!"), start) and not text[top:start].strip()
+    is_above = text[start:first].count(b"*/") == 1 and not text[:first].endswith(
+        (b"\n\n", b"\n\r\n")
+    )
+    return top if is_doc and is_above else first
 
 
 def _is_edge(line: bytes) -> bool:

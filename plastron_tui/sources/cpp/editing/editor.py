@@ -6,6 +6,7 @@ from collections import Counter
 from collections.abc import Sequence
 
 from plastron_tui.diagnostics import Diagnostic, codes
+from plastron_tui.model.kinds import Publisher, is_sending
 from plastron_tui.model.source import (
     Add,
     Change,
@@ -18,6 +19,7 @@ from plastron_tui.model.source import (
 from plastron_tui.ros.catalog import Catalog, moved
 from plastron_tui.sources.base import Rendered
 from plastron_tui.sources.left_behind import unread
+from plastron_tui.sources.written_anew import Exchange, or_renames
 
 from ..analysis import Analysis
 from ..beside import sources_beside
@@ -29,9 +31,10 @@ from .addition import plan_addition
 from .clang_format import clang_format_of
 from .guessed_names import tell_guessed_names
 from .idle_code import tell_idle
+from .lost import lost_sending, options_of
 from .plans import Plan, with_splices
 from .refusals import RefusedError, refuse_parts
-from .removal import plan_removal
+from .removal import plan_removal, plan_silence
 from .renaming import plan_renames
 from .replacing import NotInPlaceError
 from .still_named import tell_still_named
@@ -60,6 +63,7 @@ def edit_cpp(source: SourceUnit, changes: Sequence[Change], catalog: Catalog) ->
         if each.type is not None and moved(each.type, catalog.ros_version) is None
     }
     catalog = catalog.with_undefined((kind, name) for kind, name in used if kind is not None)
+    where = changes[0].endpoint.span if isinstance(changes[0], Add) else changes[0].span
     edits = _Edits(source, catalog)
     edits.notes += tell_guessed_names(edits.before, changes)
     try:
@@ -69,12 +73,14 @@ def edit_cpp(source: SourceUnit, changes: Sequence[Change], catalog: Catalog) ->
     except UnicodeEncodeError as error:
         character = error.object[error.start]
         message = f"`{source.path.name}` is in {error.encoding}, which has no `{character}`"
-        found = Diagnostic(codes.EDIT_REFUSED, message, help="save the file in UTF-8 first")
+        help_ = "save the file in UTF-8 first"
+        found = Diagnostic(codes.EDIT_REFUSED, message, where, help=help_)
         return Rendered(None, (found,))
     problem = edits.problem()
     if problem is not None:
         message = f"the change of `{source.path.name}` would {problem}"
-        return Rendered(None, (Diagnostic(codes.EDIT_REFUSED, message),))
+        help_ = "make this change in the file by hand"
+        return Rendered(None, (Diagnostic(codes.EDIT_REFUSED, message, where, help=help_),))
     before, after = edits.before, edits.analysis
     uncalled = uncalled_functions(before, after)
     edits.notes += tell_uncalled(uncalled, changes)
@@ -110,6 +116,7 @@ class _Edits:
         self.analysis = self.before
         self.expected: Found = endpoints_of(self.analysis)
         self.notes: list[Diagnostic] = []
+        self._exchange = Exchange()
 
     def make(self, changes: Sequence[Change]) -> None:
         """Make changes: all renames at once, then the others in their order.
@@ -121,13 +128,25 @@ class _Edits:
         renames = [change for change in changes if isinstance(change, Rename)]
         if renames:
             self._apply(plan_renames(self.analysis, renames))
+        removals = [change for change in changes if isinstance(change, Remove)]
         for change in changes:
             if isinstance(change, Add):
-                self._apply(plan_addition(self.analysis, change, self._catalog, self._settings))
+                self._add(change)
             elif isinstance(change, Remove):
-                self._apply(plan_removal(self.analysis, change))
+                self._remove(change, [each for each in removals if each is not change])
             elif isinstance(change, Update):
                 self._update(change)
+        said = ((site.endpoint, options_of(site)) for site in self.analysis.sites)
+        self.notes += self._exchange.notes(said)
+
+    def _remove(self, change: Remove, others: Sequence[Remove] = ()) -> None:
+        """Take an endpoint out, unless it went with another one that one statement made too."""
+        sites = sites_of(self.analysis, change)
+        if not sites and sites_of(self.before, change):
+            return
+        for site in sites:
+            self._exchange.take((site.endpoint, options_of(site)), change.name)
+        self._apply(plan_removal(self.analysis, change, others))
 
     def _update(self, asked: Update) -> None:
         """Change an endpoint where it stands, or else take it out and write it anew."""
@@ -135,20 +154,58 @@ class _Edits:
         refuse_parts(change, sites_of(self.analysis, change))
         before = self.files, self.analysis, self.expected.copy(), list(self.notes)
         try:
-            name = change.endpoint.name
-            if name != change.name and change.kind is not EndpointKind.TIMER:
-                rename = Rename(change.kind, change.name, name, change.span, change.node)
-                self._apply(plan_renames(self.analysis, [rename]))
-                change = change._replace(name=name)
-            self._apply(plan_update(self.analysis, change, self._catalog))
+            change = self._rename(asked)
+            self._apply(
+                plan_update(self.analysis, change, self._catalog, self._settings, asked.name)
+            )
             if self.problem() is None:
                 return
         except (NotInPlaceError, RefusedError):
             pass
         self.files, self.analysis, self.expected, self.notes = before
-        remove, add = asked.apart
-        self._apply(plan_removal(self.analysis, remove))
-        self._apply(plan_addition(self.analysis, add, self._catalog, self._settings))
+        lost = list(lost_sending(self.analysis, asked))
+        if not self._send_anew(change, asked):
+            self.files, self.analysis, self.expected, self.notes = before
+            remove, add = asked.apart
+            try:
+                self._remove(remove)
+            except RefusedError as refusal:
+                refusal.diagnostic = or_renames(refusal.diagnostic, asked)
+                raise
+            self._add(add)
+        self.notes += lost
+
+    def _send_anew(self, change: Update, asked: Update) -> bool:
+        """Keep a publisher, and let other lines publish through it; tell whether that could be."""
+        endpoint = change.endpoint
+        if not isinstance(endpoint, Publisher) or not is_sending(endpoint):
+            return False
+        try:
+            self._rename(asked)
+            remove = Remove(change.kind, endpoint.name, change.span, change.node)
+            self._apply(plan_silence(self.analysis, remove))
+            silent = change._replace(
+                name=endpoint.name, endpoint=endpoint._replace(publications=())
+            )
+            self._apply(plan_update(self.analysis, silent, self._catalog, self._settings))
+            add = Add(endpoint, change.node)
+            self._apply(plan_addition(self.analysis, add, self._catalog, self._settings))
+        except (NotInPlaceError, RefusedError):
+            return False
+        return self.problem() is None
+
+    def _rename(self, change: Update) -> Update:
+        """Give an endpoint the name that it shall have; return what is left to change."""
+        name = change.endpoint.name
+        if name == change.name or change.kind is EndpointKind.TIMER:
+            return change
+        rename = Rename(change.kind, change.name, name, change.span, change.node)
+        self._apply(plan_renames(self.analysis, [rename]))
+        return change._replace(name=name)
+
+    def _add(self, change: Add) -> None:
+        self._exchange.add(change.endpoint)
+        self._apply(plan_addition(self.analysis, change, self._catalog, self._settings))
 
     def _apply(self, plan: Plan) -> None:
         self.files = with_splices(self.files, plan.splices)

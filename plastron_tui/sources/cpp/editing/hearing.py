@@ -11,17 +11,18 @@ from plastron_tui.model.kinds import Service
 from plastron_tui.model.source import EndpointKind
 
 from ..analysis import Site
-from ..scopes import Function
+from ..scopes import Function, Variable
 from .adding import Addition
 from .deletions import Deletions
+from .lambdas import Lambda, called_functions, handed_functions
 from .leftovers import has_uses
 from .manner import split_words
 from .members import respelled
-from .style import Style
 
 K = EndpointKind
 
 _POINTER = re.compile(r"Ptr\b|_ptr\s*<|\*")
+_COMMENT = re.compile(r"/\*.*?\*/", re.S)
 _PLACEHOLDER = re.compile(r"((?:\w+::)*_)\d")
 _METHOD = re.compile(r"&\s*([\w:<>]+)::\w+")
 
@@ -51,47 +52,56 @@ class Parameter:
         return f"{self.name}{'->' if self.is_pointer else '.'}"
 
 
-def message_parameter(added: Addition, class_: str) -> Parameter:
-    """Return how a callback takes its message, as the file's others do."""
-    for site in _with_callbacks(added, K.SUBSCRIPTION):
-        for function in site.callback.functions:
+def message_parameter(added: Addition, class_: str, like: Lambda | None = None) -> Parameter:
+    """Return how a callback takes its message, as the file's others do, or as one of them."""
+    sites = [like.site] if like is not None else _with_callbacks(added, K.SUBSCRIPTION)
+    for site in sites:
+        for function in _models(added, site, like):
             if len(function.parameters) != 1 or site.endpoint.type is None:
                 continue
-            parameter = function.parameters[0]
-            syntax = function.file.syntax
-            text = respelled(syntax.slice(parameter.node), site.endpoint.type, class_)
-            if text is None or not parameter.name or "Event<" in text:
+            given = _parameter(added, function.parameters[0], site, class_, "msg")
+            if given is None:
                 continue
-            text = re.sub(r"\s+", " ", text)
-            is_pointer = _POINTER.search(text) is not None or parameter.is_pointer
-            name = parameter.name
-            said = f"{site.endpoint.name or ''}/{site.endpoint.type.name}".replace("/", "_")
-            if not {*split_words(name)}.isdisjoint(split_words(said)) and text.endswith(name):
+            name = given.name
+            if _is_called_after(name, site) and given.text.endswith(name):
                 # It is called after what the other one hears.
-                text, name = f"{text.removesuffix(name)}msg", "msg"
-            return Parameter(text, name, is_pointer)
+                return Parameter(f"{given.text.removesuffix(name)}msg", "msg", given.is_pointer)
+            return given
     reference = added.style(added.place.file).reference
     if not added.is_ros2:
         return Parameter(f"const {class_}::ConstPtr{reference}msg", "msg", True)
     return Parameter(f"const {class_}::SharedPtr msg", "msg", True)
 
 
-def service_parameters(added: Addition, class_: str) -> tuple[Parameter, Parameter]:
+def _is_called_after(name: str, site: Site) -> bool:
+    """Tell whether a parameter is named for what its own callback hears: `js` for `JointState`."""
+    assert site.endpoint.type is not None, "it was asked before"
+    type_ = split_words(site.endpoint.type.name)
+    said = {*type_, *split_words((site.endpoint.name or "").replace("/", "_"))}
+    said |= {each.rstrip("0123456789") for each in said} - {""}
+    said |= {f"{each}s" for each in said}
+    if not said.isdisjoint(split_words(name)):
+        return True
+    short = name.strip("_").lower()
+    is_start = len(short) < 4 and any(each.startswith(short) for each in said)
+    return is_start or short == "".join(each[0] for each in type_)
+
+
+def service_parameters(
+    added: Addition, class_: str, like: Lambda | None = None
+) -> tuple[Parameter, Parameter]:
     """Return how a handler takes its request and response, as the file's others do."""
-    for site in _with_callbacks(added, K.SERVICE):
-        for function in site.callback.functions:
+    sites = [like.site] if like is not None else _with_callbacks(added, K.SERVICE)
+    for site in sites:
+        for function in _models(added, site, like):
             if len(function.parameters) != 2 or site.endpoint.type is None:
                 continue
-            found = []
-            for parameter in function.parameters:
-                syntax = function.file.syntax
-                text = respelled(syntax.slice(parameter.node), site.endpoint.type, class_)
-                if text is None or not parameter.name:
-                    break
-                text = re.sub(r"\s+", " ", text)
-                is_pointer = _POINTER.search(text) is not None or parameter.is_pointer
-                found.append(Parameter(text, parameter.name, is_pointer))
-            if len(found) == 2:
+            names = ("request", "response") if added.is_ros2 else ("req", "res")
+            found = [
+                _parameter(added, parameter, site, class_, name)
+                for parameter, name in zip(function.parameters, names, strict=True)
+            ]
+            if found[0] is not None and found[1] is not None:
                 return found[0], found[1]
     reference = added.style(added.place.file).reference
     if not added.is_ros2:
@@ -105,9 +115,41 @@ def service_parameters(added: Addition, class_: str) -> tuple[Parameter, Paramet
     )
 
 
+def _models(added: Addition, site: Site, like: Lambda | None) -> list[Function]:
+    """Return the functions whose parameters are those of a new one."""
+    if like is None:
+        handed = [*handed_functions(added.analysis, site, added.owner)]
+        return handed or called_functions(added.analysis, site)
+    return [like.function] if like.function is not None else []
+
+
+def _parameter(
+    added: Addition, parameter: Variable, site: Site, class_: str, usual: str
+) -> Parameter | None:
+    """Return a parameter as it is for another type, None where it does not show its type."""
+    assert site.endpoint.type is not None, "it was asked before"
+    syntax = parameter.file.syntax
+    text = _COMMENT.sub("", syntax.slice(parameter.node))
+    is_auto = re.search(r"\bauto\b", text) is not None
+    respelt = text if is_auto else respelled(text, site.endpoint.type, class_)
+    if respelt is None or "Event<" in respelt:
+        return None
+    respelt = re.sub(r"\s+", " ", respelt).strip()
+    name = parameter.name or usual
+    if not parameter.name:
+        reference = added.style(parameter.file).reference
+        respelt = re.sub(r"\s*&$", reference, respelt)
+        respelt += name if respelt != respelt.rstrip() or respelt.endswith("&") else f" {name}"
+    is_pointer = _POINTER.search(respelt) is not None or parameter.is_pointer
+    if is_auto:
+        # A message of ROS 1 comes in a pointer, as all of ROS 2 does; a request of ROS 1 does not.
+        is_pointer = added.is_ros2 or usual == "msg"
+    return Parameter(respelt, name, is_pointer)
+
+
 def _with_callbacks(added: Addition, kind: EndpointKind) -> list[Site]:
     """Return the call sites of a kind that call a function, the one beside the place first."""
-    found = [each for each in added.like(kind) if each.callback.functions]
+    found = [each for each in added.like(kind) if called_functions(added.analysis, each)]
     model = added.model(kind)
     found.reverse()
     return sorted(found, key=lambda each: each is not model)
@@ -118,30 +160,19 @@ def hearing_functions(added: Addition, site: Site) -> list[Function]:
 
     A lambda that does nothing but hand its message to a method stands for that method.
     """
-    found = [each for each in site.callback.functions if each.scope is not None]
-    position = site.shape.callback
-    node = site.arguments[position] if position is not None and not found else None
-    if node is not None and node.type == "lambda_expression" and added.owner is not None:
-        body = node.child_by_field_name("body")
-        syntax = site.place.file.syntax
-        text = "" if body is None else syntax.word(body)
-        handed = re.fullmatch(r"\{\s*(?:this->)?(\w+)\(\s*(?:std::move\()?\w+\)?\s*\);\s*\}", text)
-        for each in added.analysis.unit.functions.get(handed[1], ()) if handed else ():
-            is_own = added.analysis.unit.class_of_function(each) is added.owner
-            if each.scope is not None and is_own:
-                found.append(each)
-    return [each for each in found if not each.file.is_beside]
+    handed = [*handed_functions(added.analysis, site, added.owner)]
+    found = handed or called_functions(added.analysis, site)
+    return [each for each in found if each.scope is not None and not each.file.is_beside]
 
 
-def bound(added: Addition, name: str, arguments: int) -> tuple[list[str], bool]:
+def bound(added: Addition, name: str, arguments: int) -> list[str]:
     """Write what calls a function, as the file's others are handed on.
 
     Returns:
-        The arguments, of which ROS 1 takes the object behind the method; and whether what is
-        called does not say its type, so that the call has to.
+        The arguments: ROS 1 takes the object behind the method.
     """
     if added.owner is None:
-        return [_plain(added, name)], False
+        return [_plain(added, name)]
     texts = _callback_texts(added)
     class_ = added.owner.name
     for text in texts:
@@ -153,10 +184,10 @@ def bound(added: Addition, name: str, arguments: int) -> tuple[list[str], bool]:
     if not added.is_ros2:
         is_method = any(each.lstrip().startswith("&") for each in texts)
         if is_method or not binds:
-            return [f"&{class_}::{name}", "this"], False
+            return [f"&{class_}::{name}", "this"]
     binder, placeholder = bind_manner(added, arguments)
     listed = "".join(f", {placeholder}{at + 1}" for at in range(arguments))
-    return [f"{binder}(&{class_}::{name}, this{listed})"], not added.is_ros2
+    return [f"{binder}(&{class_}::{name}, this{listed})"]
 
 
 def bind_manner(added: Addition, arguments: int) -> tuple[str, str]:
@@ -246,26 +277,6 @@ def idle_callback(added: Addition, name: str, class_: str) -> str | None:
         if len(types) != count or not is_of:
             return None
     return name
-
-
-def wrapped(head: str, arguments: list[str], tail: str, style: Style, used: int) -> list[str]:
-    """Return a call in one line, or in several where it is too long for one.
-
-    Args:
-        head: what stands before the arguments, with the bracket.
-        arguments: the arguments.
-        tail: what stands behind them, with the bracket.
-        style: the layout of the file.
-        used: the columns that are taken at the place.
-    """
-    joined = ", ".join(arguments)
-    if used + len(head) + len(joined) + len(tail) <= style.width:
-        return [f"{head}{joined}{tail}"]
-    inner = used + len(style.indent)
-    if inner + len(joined) + len(tail) <= style.width:
-        return [head, f"\t{joined}{tail}"]
-    *first, last = arguments
-    return [head, *(f"\t{each}," for each in first), f"\t{last}{tail}"]
 
 
 def line_of(node: Node) -> int:

@@ -6,13 +6,14 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field
 from typing import NoReturn
 
-from plastron_tui.diagnostics import Code, Diagnostic, Span, codes
+from plastron_tui.diagnostics import Code, Diagnostic, Span, codes, listed
 from plastron_tui.model.values import MessageValue
 from plastron_tui.ros.catalog import Catalog, moved
 from plastron_tui.ros.interfaces import Field, Interface, InterfaceKind, InterfaceName
 
 from .. import interface_types
-from ..guarded import Conditions, GuardedComputing
+from ..computed import Computing
+from ..guarded import Conditions
 from ..messages import Filling
 from .refusals import RefusedError
 
@@ -56,6 +57,9 @@ class Interfaces:
             remedy = f"use `{instead}`" if isinstance(instead, InterfaceName) else instead
             message = f"{self.catalog.distribution} has no type `{type_}`"
             refuse(codes.UNKNOWN_TYPE, message, span, remedy)
+        reason = interface_types.unusable(found, self.catalog)
+        if reason is not None:
+            refuse(codes.UNUSABLE_TYPE, reason, span)
         return found
 
     def checked_field(
@@ -65,7 +69,9 @@ class Interfaces:
         found = next((each for each in fields if each.name == name), None)
         if found is None:
             message = f"`{interface.name}` has no field `{name}` in {self.catalog.distribution}"
-            refuse(codes.UNKNOWN_FIELD, message, span)
+            names = listed(f"`{each.name}`" for each in fields)
+            remedy = f"it has {names}" if fields else "it has no field at all"
+            refuse(codes.UNKNOWN_FIELD, message, span, remedy)
         return found
 
     def class_of(self, type_: InterfaceName, kind: InterfaceKind) -> str:
@@ -81,7 +87,7 @@ class Interfaces:
         fields: Sequence[Field],
         value: MessageValue,
         holder: str,
-        computing: GuardedComputing,
+        computing: Computing,
         span: Span | None,
         received: str = "received",
         heard: Sequence[Field] = (),

@@ -13,9 +13,10 @@ from plastron_tui.sources.splices import line_end, line_start
 
 from .. import interface_types
 from ..analysis import Analysis, Site
-from ..scopes import CppFile, Function
+from ..scopes import CppFile, Function, Variable
 from .deletions import Deletions
-from .uses import hidden_uses, word
+from .lambdas import handed_functions
+from .uses import hidden_uses, uses_of, word
 
 _LOGS = re.compile(r"(?:ROS|NODELET|RCLCPP)_(?:INFO|DEBUG|WARN|ERROR)\w*\s*\(")
 _VOID = re.compile(r"\(void\)\s*\w+|static_cast<void>\(\w+\)")
@@ -42,6 +43,7 @@ _HEADERS = {
         rb"\b(?:make|allocate)_(?:shared|unique)\b|\b(?:shared|unique|weak)_ptr\b"
         rb"|\benable_shared_from_this\b|\b\w+_pointer_cast\b|\baddressof\b|\ballocator"
     ),
+    "rcl_interfaces/msg/parameter_descriptor.hpp": re.compile(rb"\bParameterDescriptor\b"),
     "ros/callback_queue.h": re.compile(rb"\bCallbackQueue"),
     "rclcpp_action/rclcpp_action.hpp": re.compile(rb"\brclcpp_action\b"),
     "thread": re.compile(rb"\bthread\b|\bthis_thread\b"),
@@ -51,7 +53,9 @@ _HEADERS = {
 
 def functions_of(analysis: Analysis, site: Site) -> Iterator[list[Function]]:
     """Yield the functions that an endpoint calls, each with all its declarations."""
-    named = [each for each in site.callback.functions if not each.file.is_beside]
+    owner = analysis.unit.class_of(site.call.scope)
+    called = site.callback.functions or (*handed_functions(analysis, site, owner),)
+    named = [each for each in called if not each.file.is_beside]
     if not named:
         return
     owner = analysis.unit.class_of_function(named[0])
@@ -113,8 +117,8 @@ def body_of(function: Function) -> list[Node]:
     return [] if body is None else [each for each in body.named_children if each.type != "comment"]
 
 
-def _is_log(node: Node, function: Function) -> bool:
-    text = function.file.syntax.word(node).strip().rstrip(";")
+def _is_log(node: Node, of: Function | Variable) -> bool:
+    text = of.file.syntax.word(node).strip().rstrip(";")
     is_answer = text in ("return true", "return")
     return is_answer or logs(text) or _VOID.fullmatch(text) is not None
 
@@ -122,6 +126,39 @@ def _is_log(node: Node, function: Function) -> bool:
 def logs(text: str) -> bool:
     """Tell whether the text of a statement logs."""
     return _LOGS.match(text) is not None
+
+
+def take_callbacks(analysis: Analysis, sites: Sequence[Site], gone: Deletions) -> None:
+    """Take out the stubs that call sites called, where nothing else uses them."""
+    for site in sites:
+        for functions in functions_of(analysis, site):
+            is_gone = all(gone.covers(each.file, each.node.start_byte) for each in functions)
+            if is_gone or has_uses(analysis, functions, gone):
+                continue
+            if all(is_stub(each) for each in functions if each.scope is not None):
+                for each in functions:
+                    remove_function(each, gone)
+        for variable in _given_lambdas(analysis, site):
+            uses = uses_of(analysis, variable)
+            if all(gone.covers(file, node.start_byte) for file, node, _ in uses):
+                gone.statement(variable.file, variable.node)
+
+
+def _given_lambdas(analysis: Analysis, site: Site) -> Iterator[Variable]:
+    """Yield the local variables that hold a stub which a call gets."""
+    for given in site.call.arguments:
+        if given.type != "identifier":
+            continue
+        name = site.file.syntax.word(given)
+        variable = analysis.unit.lookup(name, site.call.scope, given.start_byte)
+        if variable is None or variable.kind != "local" or variable.value is None:
+            continue
+        if variable.value.type != "lambda_expression":
+            continue
+        body = variable.value.child_by_field_name("body")
+        parts = [] if body is None else [x for x in body.named_children if x.type != "comment"]
+        if all(_is_log(each, variable) for each in parts):
+            yield variable
 
 
 def remove_function(function: Function, gone: Deletions) -> None:

@@ -103,7 +103,7 @@ def variable_naming(
     ]
     like = [variable.name for site, variable in held if site.endpoint.kind is kind]
     names = [variable.name for _, variable in held] or _others(analysis, is_member=is_member)
-    start, end = _decoration(names, is_member=is_member, ros_version=analysis.ros_version)
+    start, end = _decoration(names) if is_member else ("", "")
     casing = _casing([_core(each, start, end) for each in names])
     words = _HELD[kind]
     affixes = [_affix(_core(each, start, end), words) for each in like]
@@ -134,12 +134,16 @@ def _others(analysis: Analysis, *, is_member: bool) -> list[str]:
     ]
 
 
-def _decoration(names: list[str], *, is_member: bool, ros_version: int) -> tuple[str, str]:
-    if not is_member:
-        return "", ""
+def is_marked_global(analysis: Analysis) -> bool:
+    """Tell whether the names of a unit's variables of files begin with `g_`."""
+    names = [name for scope in analysis.unit.scopes() if scope.kind in ("file", "namespace")
+             for name, found in scope.variables.items() if found[0].kind == "global"]  # fmt: skip
+    return sum(each.startswith("g_") for each in names) * 2 > len(names)
+
+
+def _decoration(names: list[str]) -> tuple[str, str]:
     if not names:
         return "", "_"
-    del ros_version
     found = Counter(
         (
             "m_" if each.startswith("m_") else "_" if each.startswith("_") else "",
@@ -185,13 +189,17 @@ def _affix(core: str, words: Iterable[str]) -> tuple[str, str] | None:
     return None
 
 
-def callback_naming(analysis: Analysis, kind: EndpointKind, sites: Iterable[Site]) -> Naming:
-    """Return how functions are named that endpoints of a kind call."""
-    found = [
-        (site.endpoint.kind, site.endpoint.callback)
-        for site in sites
-        if site.endpoint.callback is not None
-    ]
+def callback_naming(
+    analysis: Analysis, kind: EndpointKind, called: Iterable[tuple[EndpointKind, str]]
+) -> Naming:
+    """Return how functions are named that endpoints of a kind call.
+
+    Args:
+        analysis: what is known of the files.
+        kind: the kind.
+        called: what the node's endpoints call, with the kind of each.
+    """
+    found = [*called]
     like = [name for each, name in found if each is kind] or [name for _, name in found]
     methods = [
         name
@@ -200,13 +208,16 @@ def callback_naming(analysis: Analysis, kind: EndpointKind, sites: Iterable[Site
         for name in scope.functions
         if name != scope.name and not name.startswith(("~", "operator"))
     ]
-    plain = [each.strip("_") for each in like]
     usual = "snake" if analysis.ros_version == 2 else "camel"
-    known = _casing(plain) if plain else _casing(methods) if methods else usual
-    casing = known if _has_casing(plain or methods) else usual
-    affixes = Counter(each for name in plain if (each := _called_affix(name)) is not None)
-    if affixes:
-        before, behind = affixes.most_common(1)[0][0]
+    # What names of one word do not show, others do.
+    plain, every = ([each.strip("_") for each in names] for names in (like, [x for _, x in found]))
+    shown = next((each for each in (plain, every, methods) if _has_casing(each)), [])
+    casing = _casing(shown) if shown else usual
+    for names in (plain, every):
+        affixes = Counter(each for name in names if (each := _called_affix(name)) is not None)
+        if affixes:
+            before, behind = affixes.most_common(1)[0][0]
+            break
     else:
         before, behind = ("on", "") if casing == "snake" else ("", "callback")
     end = "_" if like and sum(each.endswith("_") for each in like) * 2 > len(like) else ""

@@ -10,10 +10,11 @@ from tree_sitter import Node
 from plastron_tui.model.kinds import Publisher
 from plastron_tui.model.source import EndpointKind
 from plastron_tui.ros.interfaces import InterfaceName
+from plastron_tui.sources.splices import line_start
 
 from ..scopes import CppFile, Scope, Variable
 from .adding import Addition, variables_like
-from .manner import variable_naming
+from .manner import is_marked_global, variable_naming
 from .place import is_managed
 from .transitions import follow_transitions
 
@@ -37,11 +38,20 @@ _ROS2 = {
 }
 
 
+_OWN = re.compile(
+    r"(?<!message_filters::)\b(?:Lifecycle)?(?:Publisher|Subscription|Service|Client|Server)\s*<"
+)
+
+
+def _last_part(text: str) -> str:
+    """Return the last name of a type, but for what points to it."""
+    return "".join(text.split()).removesuffix("::SharedPtr").rpartition("::")[2]
+
+
 def respelled(text: str, old: InterfaceName, class_: str) -> str | None:
     """Return a text with the class of another type, None where it does not say the old one."""
-    found = re.compile(
-        rf"(?:::\s*)?(?:\b\w+\s*::\s*)*\b{re.escape(old.name)}(?=(?:Const)?(?:Ptr)?\b)"
-    )
+    outer = r"(?:::\s*)?(?:\b\w+\s*::\s*)*\b"
+    found = re.compile(rf"{outer}{re.escape(old.name)}(?=(?:Const)?(?:Ptr)?\b)")
     changed, count = found.subn(class_, text)
     return changed if count else None
 
@@ -56,8 +66,11 @@ def type_of(added: Addition, kind: EndpointKind, class_: str) -> str:
         if "Lifecycle" in text and not is_managed(added.analysis, added.owner):
             continue
         if kind is K.TIMER or not added.is_ros2:
-            if kind is not K.TIMER or "Timer" in text:
+            usual = _ROS2[kind] if added.is_ros2 else _ROS1.get(kind, "")
+            if _last_part(text) == _last_part(usual):
                 return text
+            continue
+        if _OWN.search(text) is None:
             continue
         if site.endpoint.type is not None:
             again = respelled(text, site.endpoint.type, class_)
@@ -100,7 +113,10 @@ def hold(
     """
     member = is_member(added)
     named = variable_naming(added.analysis, kind, added.sites, is_member=member)
-    name = added.free(named.name(words or added.topic), named.end)
+    wanted = named.name(words or added.topic)
+    if not member and not is_local(added) and is_marked_global(added.analysis):
+        wanted = f"g_{wanted.removeprefix('g_')}"
+    name = added.free(wanted, named.end)
     if is_local(added):
         return name, None
     file = declare(added, f"{type_} {name};", kind)
@@ -154,23 +170,58 @@ def _declare_at_end(added: Addition, owner: Scope, line: str) -> None:
     assert body is not None, "a class that creates something has a body"
     parts = [each for each in body.named_children if each.type != "comment"]
     last = parts[-1] if parts else None
+    is_private = last is not None and access_of(owner, body_end(last)) != "public"
+    if not is_private and owner.node.type == "class_specifier":
+        added.hidden_members.append(line)
+    else:
+        _put_at_end(added, owner, [line])
+
+
+def open_private(added: Addition) -> None:
+    """Write the private part that a class has not yet, if anything goes into it."""
+    owner = added.owner
+    if owner is None or not (added.hidden_functions or added.hidden_members):
+        return
+    lines: list[str] = []
+    for each in added.hidden_functions:
+        is_definition = len(each) > 1
+        lines += [*([""] if lines and is_definition else []), *each]
+    if lines and added.hidden_members:
+        lines.append("")
+    body = owner.node.child_by_field_name("body")
+    parts = body.named_children if body is not None else []
+    hidden = [each for each in parts if each.type == "access_specifier"]
+    indent = _specifier_indent(owner.file, hidden, _outer(owner))
+    newline = added.style(owner.file).newline
+    is_apart = any(is_after_gap(owner.file, each) for each in hidden[1:]) or len(hidden) < 2
+    first = f"{newline if is_apart else ''}{indent}private:{newline}"
+    _put_at_end(added, owner, [*lines, *added.hidden_members], first)
+
+
+def is_after_gap(file: CppFile, node: Node) -> bool:
+    """Tell whether an empty line stands above a node."""
+    text = file.syntax.text
+    start = line_start(text, node.start_byte)
+    return start > 0 and not text[line_start(text, start - 1) : start].strip()
+
+
+def _outer(owner: Scope) -> str:
+    text = owner.file.syntax.text
+    outer = text[line_start(text, owner.node.start_byte) : owner.node.start_byte]
+    return outer.decode("ascii") if not outer.strip() else ""
+
+
+def _put_at_end(added: Addition, owner: Scope, lines: list[str], first: str = "") -> None:
+    body = owner.node.child_by_field_name("body")
+    assert body is not None, "a class that creates something has a body"
     file, text = owner.file, owner.file.syntax.text
     style = added.style(file)
-    start = text.rfind(b"\n", 0, owner.node.start_byte) + 1
-    outer = text[start : owner.node.start_byte]
-    base = outer.decode("ascii") if not outer.strip() else ""
-    is_private = last is not None and access_of(owner, body_end(last)) != "public"
-    hidden = [each for each in parts if each.type == "access_specifier"]
-    specifier = ""
-    if not is_private and owner.node.type == "class_specifier":
-        indent = _specifier_indent(file, hidden, base)
-        specifier = f"{style.newline}{indent}private:{style.newline}"
-    offset = text.rfind(b"\n", 0, body.end_byte - 1) + 1
-    written = f"{base}{style.indent}{line}{style.newline}"
+    offset = line_start(text, body.end_byte - 1)
+    written = first + style.laid_out(lines, _outer(owner) + style.indent)
     if text[offset : body.end_byte - 1].strip():
         offset = body.end_byte - 1
         written = style.newline + written
-    added.plan.replace(file, offset, offset, specifier + written)
+    added.plan.replace(file, offset, offset, written)
 
 
 def body_end(node: Node) -> Node:
@@ -188,10 +239,11 @@ def _specifier_indent(file: CppFile, specifiers: list[Node], base: str) -> str:
 
 
 def _declare_global(added: Addition, line: str, kind: EndpointKind | None) -> CppFile:
-    held = [each for _, each in variables_like(added, kind)] if kind is not None else []
-    held = held or [each for _, each in variables_like(added)]
-    own = [each for each in held if each.kind == "global" and each.file is added.place.file]
     file = added.place.file
+    held = [each for _, each in variables_like(added) if each.kind == "global"]
+    held = [each for each in held if each.file is file]
+    like = variables_like(added, kind) if kind is not None else []
+    own = [each for _, each in like if any(each is other for other in held)] or held
     if own:
         added.put_behind(file, max(own, key=lambda each: each.node.start_byte).node, [line])
         return file

@@ -7,15 +7,14 @@ from collections.abc import Iterator, Sequence
 
 from tree_sitter import Node
 
-from plastron_tui.sources.splices import line_start
-
 from ..analysis import Analysis
 from ..scopes import CppFile, Function, Scope, Variable
+from ..serving import description_of
 from .deletions import Deletions
 from .leftovers import body_of, has_uses
 from .uses import scope_at, word
 
-_WAITS = ("wait_until_served", "wait_for_action")
+_WAITS = ("is_served", "wait_until_served", "wait_for_action")
 _ASKS = frozenset({"ask", "call", "send_goal"})
 
 # Functions that others need: name, what they are described as, how many statements they have.
@@ -30,6 +29,7 @@ _HELPERS = (
         2,
     ),
     ("is_current", "Tell whether a goal is still the one to work on.", 2),
+    ("is_served", "Wait for a service, not too long, and tell whether it is there.", 4),
     ("is_done", "Tell whether nothing is left of what was begun.", 1),
     (
         "send_goal",
@@ -133,7 +133,7 @@ def emptied_functions(analysis: Analysis, name: str, gone: Deletions) -> Iterato
         if gone.covers(function.file, function.node.start_byte) or not is_empty:
             continue
         starts = (f"Publish to {name};", *_ENDS_GOALS)
-        if any(_description(each).startswith(starts) for each in functions):
+        if any(description_of(each).startswith(starts) for each in functions):
             yield functions
 
 
@@ -174,12 +174,22 @@ def reading_function(analysis: Analysis, scope: Scope, name: str) -> list[Functi
     """Return the function that reads a parameter as Plastron writes it, with its declarations."""
     around = scope.enclosing("function")
     function = None if around is None else around.function
-    if function is None or len(body_of(function)) not in (4, 5):
+    if function is None or len(body_of(function)) not in range(3, 9):
         return []
     found = _with_declarations(analysis, function)
     bare = name.removeprefix("~").removeprefix("/")
     description = f"Return the parameter {bare}, or its last good value."
     return found if any(_is_described(each, description) for each in found) else []
+
+
+def getter_of(analysis: Analysis, name: str) -> Function | None:
+    """Return the function that reads a parameter as Plastron writes it, None for none."""
+    bare = name.removeprefix("~").removeprefix("/")
+    description = f"Return the parameter {bare}, or its last good value."
+    for own, functions in analysis.unit.functions.items():
+        if own.startswith("get_") and any(_is_described(each, description) for each in functions):
+            return functions[0]
+    return None
 
 
 def members_of(analysis: Analysis, function: Function) -> Iterator[Variable]:
@@ -261,18 +271,4 @@ def unused_helpers(analysis: Analysis, gone: Deletions) -> Iterator[list[Functio
 
 def _is_described(function: Function, description: str) -> bool:
     """Tell whether the first line of the comment above a function is as it was written."""
-    return _description(function) == description
-
-
-def _description(function: Function) -> str:
-    """Return the first line of the comment above a function."""
-    node, text = function.node, function.file.syntax.text
-    if node.parent is not None and node.parent.type == "template_declaration":
-        node = node.parent
-    first, at = b"", line_start(text, node.start_byte)
-    while at > 0:
-        above = line_start(text, at - 1)
-        if not text[above:at].lstrip().startswith(b"///"):
-            break
-        first, at = text[above:at].strip(), above
-    return first.removeprefix(b"///").strip().decode(function.file.syntax.encoding, "replace")
+    return description_of(function) == description

@@ -19,7 +19,8 @@ _CHRONO = re.compile(
 )
 _REAL = re.compile(
     r"(?P<head>(?:ros::(?:Wall|Steady)?Duration|rclcpp::Duration::from_seconds"
-    r"|(?:std::)?chrono::duration<(?:double|float)>)[({]\s*)[\d.']+f?(?P<tail>\s*[)}])"
+    r"|(?:std::)?chrono::duration<(?:double|float)>)[({]\s*)(?P<one>1(?:\.0*)?\s*/\s*)?"
+    r"[\d.']+f?(?P<tail>\s*[)}])"
 )
 _UNITS = (("s", "seconds", 1), ("ms", "milliseconds", 10**3), ("us", "microseconds", 10**6),
           ("ns", "nanoseconds", 10**9))  # fmt: skip
@@ -39,7 +40,7 @@ def set_period(update: Replacement, node: Node, scope: Scope, hertz: float) -> N
     if node.type in ("identifier", "field_identifier", "field_expression"):
         raise NotInPlaceError
     text = syntax.word(node).strip()
-    update.put(scope.file, node, _period(text, 1 / hertz))
+    update.put(scope.file, node, _period(text, hertz))
 
 
 def set_rate(update: Replacement, node: Node, scope: Scope, hertz: float) -> None:
@@ -53,7 +54,8 @@ def set_rate(update: Replacement, node: Node, scope: Scope, hertz: float) -> Non
     update.put(scope.file, node, _number(hertz))
 
 
-def _period(text: str, period: float) -> str:
+def _period(text: str, hertz: float) -> str:
+    period = 1 / hertz
     if _LITERAL.fullmatch(text):
         for suffix, _, scale in _UNITS:
             if _is_whole(period * scale):
@@ -65,7 +67,8 @@ def _period(text: str, period: float) -> str:
                 count = round(period * scale)
                 return f"{found['head']}{unit}{found['open']}{count}{found['close']}"
     if found := _REAL.fullmatch(text):
-        return f"{found['head']}{literals.real(period)}{found['tail']}"
+        number = f"{found['one']}{literals.real(hertz)}" if found["one"] else literals.real(period)
+        return f"{found['head']}{number}{found['tail']}"
     raise NotInPlaceError
 
 

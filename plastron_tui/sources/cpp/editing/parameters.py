@@ -23,7 +23,8 @@ from .adding import Addition
 from .handles import handle_for
 from .interfaces import refuse
 from .members import hold
-from .place import beside
+from .own_functions import getter_of
+from .place import beside, node_in_methods, start_rank
 
 K = EndpointKind
 
@@ -86,12 +87,7 @@ def declare_parameter(added: Addition, parameter: Parameter) -> None:
         _declare_in_ros2(added, parameter, class_, value)
         return
     if parameter.minimum is not None:
-        bare = parameter.name.removeprefix("~/")
-        message = f"ROS 1 has no ranges: that of `{bare}` is left out"
-        remedy = f"check by hand what is read of `{bare}`"
-        code = codes.NOT_IN_ROS_1
-        note = Diagnostic(code, message, parameter.span, help=remedy, severity=Severity.WARNING)
-        added.plan.notes.append(note)
+        added.plan.notes.append(no_range(parameter))
     handle, name = handle_for(added.analysis, added.place, parameter.name)
     text = literals.string(name)
     if added.owner is not None:
@@ -102,6 +98,15 @@ def declare_parameter(added: Addition, parameter: Parameter) -> None:
     # A variable of a function that nothing uses would be a warning: what is set can be seen.
     added.expect(K.PARAMETER, parameter.name, None, "")
     added.lines.append(f"{handle}setParam({text}, {handle}param<{class_}>({text}, {value}));")
+
+
+def no_range(parameter: Parameter) -> Diagnostic:
+    """Return the warning that nothing in ROS 1 keeps a parameter in its range."""
+    bare = parameter.name.removeprefix("~/")
+    message = f"ROS 1 has no ranges: that of `{bare}` is left out"
+    remedy = f"check by hand what is read of `{bare}`"
+    code, severity = codes.NOT_IN_ROS_1, Severity.WARNING
+    return Diagnostic(code, message, parameter.span, help=remedy, severity=severity)
 
 
 def _declare_in_ros2(added: Addition, parameter: Parameter, class_: str, value: str) -> None:
@@ -163,8 +168,16 @@ def read_parameter(added: Addition, name: str, *, in_method: bool = False) -> Re
         if not in_method:
             _follow_declaration(added, whole)
         getter = (_ARRAYS if type_ != element else _GETTERS)[element]
-        node = added.place.node
+        node = node_in_methods(added.analysis, added.place) if in_method else added.place.node
+        if node is None:
+            message = f"no method of the class sees the node that has `{name}`"
+            remedy = f"keep the node, or `{name}`, in a member of the class first"
+            refuse(codes.EDIT_REFUSED, message, added.span, remedy)
         return Read(f"{node}get_parameter({literals.string(whole)}).{getter}()", range_)
+    own_getter = getter_of(added.analysis, whole) if in_method else None
+    if own_getter is not None:
+        added.plan.added.pop()
+        return Read(f"{own_getter.name}()", range_)
     handle, own = handle_for(added.analysis, added.place, whole, in_method=in_method)
     holds = ParameterType(type_)
     assert default is not None, "it was refused otherwise"
@@ -189,6 +202,12 @@ def _follow_declaration(added: Addition, name: str) -> None:
     here = [each for each in places if each.function is added.place.function]
     if any(each.offset <= added.place.offset for each in here):
         return
+    # What runs once as the node starts is as good a place.
+    here += [
+        each
+        for each in places
+        if each.owner is added.place.owner and start_rank(added.analysis, each.function) is not None
+    ]
     if not here:
         message = f"`{name}` is not declared where `{added.endpoint.name}` is created"
         refuse(codes.EDIT_REFUSED, message, added.span, "write the timer by hand")

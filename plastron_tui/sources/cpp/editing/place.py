@@ -100,7 +100,7 @@ def find_place(analysis: Analysis, change: Add, kind: EndpointKind) -> Place:
             continue
         if any(place.function.node.id == each.node.id for each in _called_back(analysis)):
             continue
-        rank = _rank(analysis, place.function)
+        rank = start_rank(analysis, place.function)
         if rank is None:
             continue
         is_parameter = site.endpoint.kind is EndpointKind.PARAMETER
@@ -124,8 +124,13 @@ def find_place(analysis: Analysis, change: Add, kind: EndpointKind) -> Place:
     place = _of_node(analysis, change)
     if place is None:
         message = f"the file has no place where it could create `{change.endpoint.name}` once, as"
+        message = f"{message} it starts"
+        others = [each.call for each in analysis.sites if not each.call.scope.file.is_beside]
+        if others:
+            lines = ", ".join(dict.fromkeys(str(each.node.start_point.row + 1) for each in others))
+            message += f": what stands in line {lines} may run again, or not at all"
         remedy = "add it to the file that makes the node"
-        raise RefusedError(f"{message} it starts", change.endpoint.span, remedy)
+        raise RefusedError(message, change.endpoint.span, remedy)
     return place
 
 
@@ -143,14 +148,16 @@ def is_model(site: Site) -> bool:
     return is_own and not is_listener and "message_filters" not in site.call.qualifier
 
 
-def _rank(analysis: Analysis, function: Function, depth: int = 0) -> int | None:
+def start_rank(analysis: Analysis, function: Function, depth: int = 0) -> int | None:
     """Tell how sure a function runs once as the node starts: 0 is sure, None is not at all."""
     owner = analysis.unit.class_of_function(function)
     if function.name in ("main", "onInit") or (owner is not None and owner.name == function.name):
         return 0
     if depth > 4:
         return None
-    calls = analysis.callers.of(function)
+    # `Base::onInitialize()` in an `onInitialize` is that of the base class.
+    found = analysis.callers.of(function)
+    calls = [each for each in found if analysis.unit.function_of(each.scope) is not function]
     if len(calls) > 1:
         # Of several constructors one runs.
         outers = [analysis.unit.function_of(each.scope) for each in calls]
@@ -169,7 +176,7 @@ def _rank(analysis: Analysis, function: Function, depth: int = 0) -> int | None:
     outer = analysis.unit.function_of(call.scope)
     if outer is None or inner is None or inner.type == "lambda_expression":
         return None
-    return _rank(analysis, outer, depth + 1)
+    return start_rank(analysis, outer, depth + 1)
 
 
 def beside(analysis: Analysis, site: Site) -> Place | None:
@@ -314,6 +321,18 @@ def _own_node(analysis: Analysis, owner: Scope) -> str | None:
             if type_ in NODE_CLASSES and not variable.is_list:
                 return f"{name}->" if "Ptr" in variable.type or "ptr<" in variable.type else None
     return None
+
+
+def node_in_methods(analysis: Analysis, place: Place) -> str | None:
+    """Return what stands before the methods of the node of ROS 2 in any method of its class.
+
+    None where only the function that creates the endpoint has it, as a parameter.
+    """
+    owner = place.owner
+    first = re.split(r"->|\.", place.node.removeprefix("this->"))[0]
+    if owner is None or not first or analysis.unit.member(owner, first) is not None:
+        return place.node
+    return _own_node(analysis, owner)
 
 
 def _methods(analysis: Analysis, owner: Scope, name: str) -> list[Function]:

@@ -22,8 +22,16 @@ class RefusedError(Exception):
 
 def not_there(analysis: Analysis, change: Remove | Rename | Update) -> RefusedError:
     """Say that the files have no such endpoint."""
-    del analysis
-    return RefusedError(f"the file has no {change.kind.word} `{change.name}`", change.span)
+    found = sorted(
+        {
+            each.endpoint.label
+            for each in analysis.sites
+            if each.endpoint.kind is change.kind and each.endpoint.label
+        }
+    )
+    remedy = f"it has {listed(f'`{each}`' for each in found)}" if found else "look at what it has"
+    message = f"the file has no {change.kind.word} `{change.name}`"
+    return RefusedError(message, change.span, remedy)
 
 
 def refuse_parts(change: Remove | Rename | Update, sites: Sequence[Site]) -> None:

@@ -10,21 +10,24 @@ from plastron_tui.model.source import EndpointKind, Remove
 from plastron_tui.sources.splices import line_number
 
 from ..analysis import Analysis, Site
-from ..read_parameters import parameter_call
-from ..scopes import CppFile, Function, Scope, Variable, last_name
+from ..scopes import CppFile, Scope, Variable
+from .containers import in_container
 from .creation import Creation, creation_of, holder_of, variable_of
 from .deletions import Deletions
+from .descriptors import take_descriptor
+from .kept_values import KeptValues
 from .leftovers import (
     functions_of,
     has_uses,
     is_idle,
-    is_stub,
     remove_function,
+    take_callbacks,
     take_headers,
     take_literals,
     take_placeholders,
     take_types,
 )
+from .listening import block_for_listeners
 from .own_functions import (
     asking_function,
     emptied_functions,
@@ -38,9 +41,10 @@ from .own_functions import (
 )
 from .parameter_names import unname_unused
 from .plans import Plan
-from .refusals import RefusedError, in_use, not_there, refuse_parts
+from .refusals import RefusedError, in_use, not_there
 from .served import ServedCode
-from .statements import calls_method, emptied, local_of, only_calls, only_sets, statement_of
+from .shared_statements import SharedStatements
+from .statements import calls_method, emptied, local_of, only_sets, statement_of
 from .units import sites_of
 from .uses import hidden_uses, uses_of
 
@@ -51,8 +55,13 @@ _ENDING = frozenset(
 )
 
 
-def plan_removal(analysis: Analysis, change: Remove) -> Plan:
+def plan_removal(analysis: Analysis, change: Remove, others: Iterable[Remove] = ()) -> Plan:
     """Plan the removal of an endpoint.
+
+    Args:
+        analysis: the files.
+        change: what is asked for.
+        others: what else goes; what one statement makes of it goes with the endpoint.
 
     Raises:
         RefusedError: the files have none such, or use it in another way.
@@ -60,7 +69,23 @@ def plan_removal(analysis: Analysis, change: Remove) -> Plan:
     sites = sites_of(analysis, change)
     if not sites:
         raise not_there(analysis, change)
-    return _Removal(analysis, change, sites).plan()
+    going = [site for other in others for site in sites_of(analysis, other)]
+    removal = _Removal(analysis, change, sites, going)
+    for site in sites:
+        removal.take(site)
+    return removal.plan()
+
+
+def plan_silence(analysis: Analysis, change: Remove) -> Plan:
+    """Plan to take out what publishes through a publisher, which itself stays.
+
+    Raises:
+        RefusedError: nothing of the files holds it.
+    """
+    removal = _Removal(analysis, change, [], [])
+    for site in sites_of(analysis, change):
+        removal.silence(site)
+    return removal.plan()
 
 
 class _Removal:
@@ -70,11 +95,15 @@ class _Removal:
         used: where the endpoint is used in another way, as file and line.
     """
 
-    def __init__(self, analysis: Analysis, change: Remove, sites: list[Site]) -> None:
+    def __init__(
+        self, analysis: Analysis, change: Remove, sites: list[Site], going: list[Site]
+    ) -> None:
         self._analysis = analysis
         self._sites = sites
         self._change = change
         self._gone = Deletions()
+        self._shared = SharedStatements(analysis, change, [*sites, *going], self._gone)
+        self._kept = KeptValues(analysis, sites, self._gone)
         self._served = ServedCode(analysis, self._gone)
         self._plan = Plan()
         self.used: list[tuple[CppFile, int]] = []
@@ -85,8 +114,6 @@ class _Removal:
         Raises:
             RefusedError: the endpoint is used in another way.
         """
-        for site in self._sites:
-            self.take(site)
         self._take_idle()
         self._served.finish(self._plan.lost)
         used = [*self.used, *self._served.used]
@@ -98,25 +125,23 @@ class _Removal:
         """Take one call site out, with what holds it and what only served it."""
         if site in self._plan.lost:
             return
-        if any(each.call is site.call and each is not site for each in self._analysis.sites):
-            refuse_parts(self._change, [site])
-            message = f"line {site.endpoint.line} creates it among others"
-            raise RefusedError(message, self._change.span, "change the line by hand")
-        self._plan.lost.append(site)
+        self._plan.lost += [site, *self._shared.created_with(site)]
         if self._gone.covers(site.file, site.call.node.start_byte) or self._take_reading(site):
+            return
+        if site.endpoint.kind is EndpointKind.PARAMETER and self._kept.keep(site):
+            take_descriptor(self._analysis, site, self._gone)
             return
         is_call = site.call.receiver is None and site.call.name == "call"
         if is_call and self._served.take_call(site):
             return
         creation = creation_of(self._analysis, site)
         if creation is None or is_call:
-            message = f"line {site.endpoint.line} does more than to create it"
-            raise RefusedError(message, self._change.span, "change the line by hand")
+            raise self._does_more(site)
         creation.delete(self._gone)
         self._served.note(creation.file, creation.node)
-        self._check_others(site)
+        self._plan.lost += self._shared.gone_with(site, self._plan.lost)
         if site.endpoint.kind is EndpointKind.PARAMETER:
-            self._take_descriptor(site)
+            take_descriptor(self._analysis, site, self._gone)
         if site.endpoint.kind is EndpointKind.ACTION_SERVER:
             self._take_goals(site)
             if creation.variable is not None:
@@ -124,6 +149,8 @@ class _Removal:
             self._served.take_named()
         if creation.variable is not None:
             self._take_variable(creation, site)
+        if creation.container is not None:
+            self.used += in_container(self._analysis, creation.container, self._gone)
 
     def _take_variable(self, creation: Creation, site: Site) -> None:
         variable = creation.variable
@@ -149,6 +176,19 @@ class _Removal:
         self._take_guards(left)
         self._note_hidden(variable)
         creation.delete_declaration(self._gone)
+
+    def silence(self, site: Site) -> None:
+        """Take out the statements that publish through a publisher, with what only served them."""
+        creation = creation_of(self._analysis, site)
+        if creation is None or creation.variable is None:
+            raise self._does_more(site)
+        for file, node, scope in uses_of(self._analysis, creation.variable):
+            if not self._gone.covers(file, node.start_byte):
+                self._take_sending(file, node, scope)
+
+    def _does_more(self, site: Site) -> RefusedError:
+        message = f"line {site.endpoint.line} does more than to create it"
+        return RefusedError(message, self._change.span, "change the line by hand")
 
     def _pending(self, variable: Variable) -> list[Site]:
         """Return the call sites that are yet to go and give a variable its value."""
@@ -179,18 +219,25 @@ class _Removal:
 
     def _take_use(self, file: CppFile, node: Node, scope: Scope) -> bool:
         """Take out a statement that does nothing but use the endpoint."""
-        statement = statement_of(node)
+        if self._take_sending(file, node, scope):
+            return True
+        statement, syntax = statement_of(node), file.syntax
         if statement is None or statement.type != "expression_statement":
             return False
-        syntax = file.syntax
-        if calls_method(statement, node, syntax, _SENDING):
-            self._gone.statement(file, statement)
-            self._take_message(file, statement, scope)
-            return True
         if calls_method(statement, node, syntax, _ENDING) or only_sets(statement, node):
             self._gone.statement(file, statement)
             return True
         return False
+
+    def _take_sending(self, file: CppFile, node: Node, scope: Scope) -> bool:
+        statement = statement_of(node)
+        if statement is None or statement.type != "expression_statement":
+            return False
+        if not calls_method(statement, node, file.syntax, _SENDING):
+            return False
+        self._gone.statement(file, statement)
+        self._take_message(file, statement, scope)
+        return True
 
     def _take_asking(self, scope: Scope) -> bool:
         """Take out a function that only asks through the endpoint, and what begins it."""
@@ -217,39 +264,6 @@ class _Removal:
             if all(self._gone.covers(file, node.start_byte) for file, node, _ in uses):
                 self._gone.statement(variable.file, variable.node)
         return True
-
-    def _check_others(self, site: Site) -> None:
-        """Refuse to take out a statement that creates other endpoints as well."""
-        for each in self._analysis.sites:
-            is_covered = self._gone.covers(each.file, each.call.node.start_byte)
-            if is_covered and each not in self._plan.lost and each not in self._sites:
-                message = f"line {site.endpoint.line} creates it among others"
-                raise RefusedError(message, self._change.span, "change the line by hand")
-
-    def _take_descriptor(self, site: Site) -> None:
-        """Take out the local variable that describes a parameter, and a block left empty."""
-        node, scope = parameter_call(site.call).descriptor, site.call.scope
-        name = "" if node is None else last_name(node, scope)
-        at = site.call.node.start_byte
-        variable = self._analysis.unit.lookup(name, scope, at) if name else None
-        if variable is None or variable.kind != "local":
-            return
-        setting = []
-        for file, use, _ in uses_of(self._analysis, variable):
-            if self._gone.covers(file, use.start_byte):
-                continue
-            statement = statement_of(use)
-            if statement is None or not (only_sets(statement, use) or only_calls(statement, use)):
-                return
-            setting.append(statement)
-        for each in (*setting, variable.node):
-            self._gone.statement(variable.file, each)
-        block = variable.node.parent
-        outer = None if block is None else block.parent
-        if block is None or outer is None or outer.type != "compound_statement":
-            return
-        if all(self._gone.covers(variable.file, each.start_byte) for each in block.named_children):
-            self._gone.statement(variable.file, block)
 
     def _take_reading(self, site: Site) -> bool:
         """Take out a function that reads a parameter as Plastron writes it."""
@@ -306,6 +320,10 @@ class _Removal:
     def _take_guards(self, left: Iterable[tuple[CppFile, Node, Scope]]) -> None:
         """Take out what only asked about the endpoint before it was used."""
         for file, node, _ in left:
+            unheard = block_for_listeners(self._analysis, file, node)
+            if unheard is not None:
+                self._gone.statement(file, unheard)
+                continue
             block = emptied(node, file, self._gone)
             condition = None if block is None else block.child_by_field_name("condition")
             is_asking = condition is not None and self._served.is_asking(file, node, condition)
@@ -325,13 +343,7 @@ class _Removal:
             for functions in helpers:
                 for each in functions:
                     remove_function(each, self._gone)
-        for site in list(self._plan.lost):
-            for functions in functions_of(self._analysis, site):
-                if self._is_gone(functions) or has_uses(self._analysis, functions, self._gone):
-                    continue
-                if all(is_stub(each) for each in functions if each.scope is not None):
-                    for each in functions:
-                        remove_function(each, self._gone)
+        take_callbacks(self._analysis, self._plan.lost, self._gone)
         self._gone.take_empty()
         self._gone.take_sections()
         self._note_parameters()
@@ -376,6 +388,3 @@ class _Removal:
                 if not has_uses(self._analysis, listed, self._gone):
                     for each in listed:
                         remove_function(each, self._gone)
-
-    def _is_gone(self, functions: list[Function]) -> bool:
-        return all(self._gone.covers(each.file, each.node.start_byte) for each in functions)

@@ -69,7 +69,7 @@ def _origin(analysis: Analysis, site: Site, change: Rename, wanted: dict[Site, R
     is_alone = sum(each.call is site.call for each in analysis.sites) == 1
     if given is None or site.endpoint.name is None or site.bindings or not is_alone:
         raise _not_alone(site, change)
-    if _depends_on_parameter(analysis, given, site.place):
+    if depends_on_parameter(analysis, given, site.place):
         raise _not_alone(site, change)
     return Origin(site.file, given.start_byte, given.end_byte)
 
@@ -84,8 +84,8 @@ def _is_shared(origin: Origin) -> bool:
     return is_macro or (bool(origin.variables) and origin.variables[-1].kind == "global")
 
 
-def _depends_on_parameter(analysis: Analysis, node: Node, scope: Scope) -> bool:
-    """Whether callers of a function decide what an expression is."""
+def depends_on_parameter(analysis: Analysis, node: Node, scope: Scope) -> bool:
+    """Tell whether callers of a function decide what an expression is."""
     stack = [node]
     while stack:
         each = stack.pop()

@@ -11,6 +11,7 @@ from plastron_tui.ros.catalog import Catalog
 
 from ..analysis import Analysis, Site
 from ..scopes import CppFile
+from .clang_format import ClangFormat
 from .plans import Plan
 
 
@@ -19,7 +20,15 @@ class NotInPlaceError(Exception):
 
 
 class OtherCodeError(NotInPlaceError):
-    """A callback that cannot do with messages of another type."""
+    """A callback that cannot do with messages of another type.
+
+    Attributes:
+        lack: what that type has not of what it uses, "" for nothing that is known.
+    """
+
+    def __init__(self, lack: str = "") -> None:
+        super().__init__()
+        self.lack = lack
 
 
 @dataclass(slots=True)
@@ -32,6 +41,8 @@ class Replacement:
         change: what is asked for.
         catalog: the interface types.
         plan: what it does.
+        settings: what the settings around the files say of their layout.
+        old: the name that the endpoint had before, for what is told.
     """
 
     analysis: Analysis
@@ -39,6 +50,8 @@ class Replacement:
     change: Update
     catalog: Catalog
     plan: Plan
+    settings: ClangFormat = field(default_factory=ClangFormat)
+    old: str = ""
     _put: set[tuple[str, int]] = field(default_factory=set)
 
     def put(self, file: CppFile, node: Node, text: str) -> None:

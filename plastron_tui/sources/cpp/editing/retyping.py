@@ -3,35 +3,43 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterator, Sequence
 
 from tree_sitter import Node
 
-from plastron_tui.diagnostics import Diagnostic, codes, listed
-from plastron_tui.model.kinds import callback_of
-from plastron_tui.ros.interfaces import Interface, InterfaceKind, InterfaceName
+from plastron_tui.ros.interfaces import InterfaceKind, InterfaceName
 from plastron_tui.sources.splices import line_end, line_start, newline_of
 
 from .. import interface_types
-from ..scopes import CppFile, Function, Scope, Variable, last_name
+from ..scopes import CppFile, Variable
 from ..shapes import OBJECTS
 from .creation import creation_of
-from .deletions import Deletions
-from .leftovers import functions_of, has_uses, headers_of, is_stub, named
-from .replacing import NotInPlaceError, OtherCodeError, Replacement
-from .uses import scope_at, uses_of, word
+from .leftovers import headers_of, named
+from .replacing import NotInPlaceError, Replacement
+from .resending import Sending
+from .retyped_callbacks import called_back, check_retyped
+from .uses import scope_at, uses_of
 
 _POINTER = re.compile(r"(?:Const)?Ptr\Z|(?:::(?:Const)?(?:Shared|Unique|Weak)?Ptr)\Z")
 _PART = re.compile(r"::(?:Request|Response|Event)(?:Type)?\b.*|(?:Request|Response)(?:Ptr)?\Z")
-_NUMBERS = frozenset(
-    [f"{sign}int{bits}" for sign in ("u", "") for bits in (8, 16, 32, 64)] + ["float32", "float64"]
+# Methods that are the same whatever the type is.
+_ANY_TYPE = frozenset(
+    {b"shutdown", b"reset", b"on_activate", b"on_deactivate", b"service_is_ready", b"isValid"}
+    | {b"wait_for_service", b"waitForExistence", b"exists", b"getService", b"getTopic"}
+    | {b"get_service_name", b"get_topic_name", b"getNumSubscribers", b"get_subscription_count"}
 )
-_BOTH = 2
+# Functions that Plastron writes, for any type.
+_WAITS = frozenset({b"is_served", b"wait_until_served", b"wait_for_action"})
 _TYPES = frozenset({"qualified_identifier", "type_identifier"})
 
 
 def retype(
-    update: Replacement, type_: InterfaceName, kind: InterfaceKind, *, calls_same: bool
+    update: Replacement,
+    type_: InterfaceName,
+    kind: InterfaceKind,
+    *,
+    calls_same: bool,
+    sent: Sequence[Sending] = (),
 ) -> None:
     """Write another type wherever an endpoint says its own.
 
@@ -40,6 +48,7 @@ def retype(
         type_: the type.
         kind: its kind.
         calls_same: whether the endpoint goes on calling what it calls.
+        sent: what is sent through the endpoint, and will be filled anew.
 
     Raises:
         OtherCodeError: what it calls is made for the old type; nothing was written yet.
@@ -52,9 +61,11 @@ def retype(
     new_class = interface_types.class_name(type_, kind, analysis.ros_version)
     written = _Written(update, old, new_class)
     if calls_same:
-        _check_callback(update, type_, kind)
+        check_retyped(update, type_, kind)
     is_said = sum(written.put_types(site.file, each) for each in site.call.type_nodes)
-    is_said += _retype_variable(update, written)
+    is_said += _retype_variable(update, written, sent)
+    for each in sent:
+        _retype_sent(each, written)
     if calls_same:
         is_said += _retype_callback(update, written)
     elif site.shape.type == "callback":
@@ -62,6 +73,18 @@ def retype(
     if not is_said:
         raise NotInPlaceError
     _include(update, old, type_, kind, written.places)
+
+
+def _retype_sent(sending: Sending, written: _Written) -> None:
+    """Write the new type where a message is made that is sent, or goes."""
+    sent = sending.sent
+    if sending.refilling is not None:
+        if sent.variable is None or not written.put_types(sent.file, sent.variable.node):
+            raise NotInPlaceError
+        return
+    for node in (sent.given, *sending.unused):
+        if node is not None:
+            written.note(sent.file, node)
 
 
 class _Written:
@@ -85,6 +108,12 @@ class _Written:
             self._update.put(file, each, self._text(file.syntax.word(each)))
             found += 1
         return found
+
+    def note(self, file: CppFile, node: Node) -> None:
+        """Note that a part of a file says the old type no longer."""
+        self.places |= {
+            (file.name, each.start_byte, each.end_byte) for each in self._types(file, node)
+        }
 
     def _types(self, file: CppFile, node: Node) -> Iterator[Node]:
         types = self._update.analysis.types
@@ -112,7 +141,7 @@ class _Written:
         return self._new_class + ("" if behind is None else behind[0])
 
 
-def _retype_variable(update: Replacement, written: _Written) -> int:
+def _retype_variable(update: Replacement, written: _Written, sent: Sequence[Sending]) -> int:
     """Write the new type where the variable is declared that holds the endpoint."""
     site = update.site
     creation = creation_of(update.analysis, site)
@@ -120,7 +149,7 @@ def _retype_variable(update: Replacement, written: _Written) -> int:
     if variable is None:
         return 0
     is_sending = not site.shape.callback
-    if is_sending and _is_used(update, variable):
+    if is_sending and _is_used(update, variable, sent):
         # What is sent, or asked for, is of the old type.
         raise NotInPlaceError
     type_node = variable.type_node
@@ -134,7 +163,7 @@ def _retype_variable(update: Replacement, written: _Written) -> int:
     return found
 
 
-def _is_used(update: Replacement, variable: Variable) -> bool:
+def _is_used(update: Replacement, variable: Variable, sent: Sequence[Sending]) -> bool:
     own = update.site.call.node
     creation = creation_of(update.analysis, update.site)
     assert creation is not None
@@ -142,21 +171,28 @@ def _is_used(update: Replacement, variable: Variable) -> bool:
     return any(
         not (file is creation.file and whole.start_byte <= node.start_byte < whole.end_byte)
         and not _only_ends(node)
+        and not any(_is_in(node, each.sent.call) for each in sent if each.sent.file is file)
         for file, node, _ in uses_of(update.analysis, variable)
         if node.id != own.id
     )
+
+
+def _is_in(node: Node, outer: Node) -> bool:
+    return outer.start_byte <= node.start_byte < outer.end_byte
 
 
 def _only_ends(node: Node) -> bool:
     outer = node.parent
     field = None if outer is None else outer.child_by_field_name("field")
     text = b"" if field is None else field.text or b""
-    return text in (b"shutdown", b"reset", b"on_activate", b"on_deactivate")
+    call = None if outer is None or outer.type != "argument_list" else outer.parent
+    called = None if call is None else call.child_by_field_name("function")
+    return text in _ANY_TYPE or (called is not None and called.text in _WAITS)
 
 
 def _retype_callback(update: Replacement, written: _Written) -> int:
     """Write the new type in what the endpoint calls back: its declaration, its definition."""
-    given, functions = _called(update)
+    given, functions = called_back(update)
     if given is None:
         return 0
     found = written.put_types(update.site.place.file, given)
@@ -165,158 +201,6 @@ def _retype_callback(update: Replacement, written: _Written) -> int:
         if listed_parameters is not None:
             found += written.put_types(each.file, listed_parameters)
     return found
-
-
-def _called(update: Replacement) -> tuple[Node | None, list[Function]]:
-    """Return what an endpoint calls back, with the functions of the files that this is."""
-    site, position = update.site, update.site.shape.callback
-    if position is None:
-        return None, []
-    if position >= len(site.arguments):
-        raise NotInPlaceError
-    given, place = site.arguments[position], site.place
-    name = last_name(given, place)
-    if name and update.analysis.unit.lookup(name, place, given.start_byte) is not None:
-        # What a variable holds may be called for others as well.
-        raise NotInPlaceError
-    functions = [each for listed in functions_of(update.analysis, site) for each in listed]
-    return given, functions
-
-
-def _check_callback(update: Replacement, type_: InterfaceName, kind: InterfaceKind) -> None:
-    given, functions = _called(update)
-    if given is None:
-        return
-    if functions and _serves_others(update, functions):
-        raise OtherCodeError
-    _check_body(update, given, functions, type_, kind)
-
-
-def _serves_others(update: Replacement, functions: list[Function]) -> bool:
-    """Whether anything but the endpoint calls a function."""
-    analysis, site = update.analysis, update.site
-    if any(
-        each is not site and set(each.callback.functions) & set(functions)
-        for each in analysis.sites
-    ):
-        return True
-    gone = Deletions()
-    gone.part(site.file, site.call.node.start_byte, site.call.node.end_byte)
-    if site.options is not None:
-        node = site.options.node
-        gone.part(site.file, node.start_byte, node.end_byte)
-    return has_uses(analysis, functions, gone)
-
-
-def _check_body(
-    update: Replacement,
-    given: Node,
-    functions: list[Function],
-    type_: InterfaceName,
-    kind: InterfaceKind,
-) -> None:
-    """Tell of a callback that has code in it for the old type.
-
-    Raises:
-        NotInPlaceError: it cannot do with the new one, and no statement says to call it.
-    """
-    site, interface = update.site, update.catalog.find(type_, kind)
-    bodies = list(_bodies(update, given, functions))
-    if functions and all(is_stub(each) for each in functions if each.scope is not None):
-        return
-    missing: dict[str, None] = {}
-    is_whole = False
-    old = None if site.endpoint.type is None else update.catalog.find(site.endpoint.type, kind)
-    for body, file, parameters in bodies:
-        for section, name in enumerate(parameters):
-            is_whole = is_whole or _is_handed_on(body, file, name)
-            for field in _fields_used(body, file, name):
-                if not _is_same_field(old, interface, section, field):
-                    missing[field] = None
-    is_named = callback_of(update.change.endpoint) is not None
-    if (missing or is_whole) and not is_named:
-        raise OtherCodeError
-    if not any(_uses_parameters(*each) for each in bodies):
-        return
-    what = "its callback" if site.endpoint.callback is None else f"`{site.endpoint.callback}`"
-    message = f"{what} was written for `{site.endpoint.type}`, and gets `{type_}`"
-    if missing:
-        message += f", which has no {listed(f'`{each}`' for each in missing)}"
-    help_ = "change it by hand, or name another function with `calling`"
-    note = Diagnostic(codes.OTHER_TYPE, message, update.change.endpoint.span, help=help_)
-    update.plan.notes.append(note)
-
-
-def _is_same_field(old: Interface | None, new: Interface | None, section: int, field: str) -> bool:
-    """Tell whether a field of a new type is one of the old type's, or a number as that is."""
-    types = []
-    for interface in (old, new):
-        if interface is None or section >= len(interface.sections):
-            return False
-        fields = interface.sections[section].fields
-        types += [each.type for each in fields if each.name == field]
-    if len(types) != _BOTH:
-        return False
-    return types[0] == types[1] or all(
-        each.package is None and not each.is_array and each.name in _NUMBERS for each in types
-    )
-
-
-def _is_handed_on(body: Node, file: CppFile, name: str) -> bool:
-    """Tell whether code does more with a parameter than to look into it, or to log it."""
-    if not name:
-        return False
-    code = file.syntax.code
-    for found in word(name).finditer(code, body.start_byte, body.end_byte):
-        if re.match(rb"\s*(?:->|\.)", code[found.end() : found.end() + 8]):
-            continue
-        before = code[max(body.start_byte, found.start() - 16) : found.start()]
-        if re.search(rb"(?:->|\.|\(void\)\s*|static_cast<void>\()\Z", before):
-            continue
-        return True
-    return False
-
-
-def _bodies(
-    update: Replacement, given: Node, functions: Iterable[Function]
-) -> Iterator[tuple[Node, CppFile, list[str]]]:
-    """Yield what an endpoint calls back: the body, its file, the names of its parameters."""
-    for each in functions:
-        body = each.body
-        if body is not None:
-            yield body, each.file, [parameter.name for parameter in each.parameters]
-    stack = [given]
-    while stack:
-        node = stack.pop()
-        if node.type == "lambda_expression":
-            found = _scope_of(update.site.file, node)
-            body = node.child_by_field_name("body")
-            if body is not None and found is not None and found.function is not None:
-                names = [parameter.name for parameter in found.function.parameters]
-                yield body, update.site.file, names
-        else:
-            stack += node.named_children
-
-
-def _scope_of(file: CppFile, node: Node) -> Scope | None:
-    return next((each for each in file.scopes if each.node.id == node.id), None)
-
-
-def _fields_used(body: Node, file: CppFile, name: str) -> Iterator[str]:
-    """Yield the fields that code uses of a parameter."""
-    if not name:
-        return
-    pattern = re.compile(
-        rb"(?<![\w.>])" + re.escape(name.encode()) + rb"\s*(?:->|\.)\s*(\w+)(\s*\()?"
-    )
-    for found in pattern.finditer(file.syntax.code, body.start_byte, body.end_byte):
-        if found[2] is None:
-            yield found[1].decode()
-
-
-def _uses_parameters(body: Node, file: CppFile, names: list[str]) -> bool:
-    code = file.syntax.code
-    return any(name and word(name).search(code, body.start_byte, body.end_byte) for name in names)
 
 
 def _include(

@@ -14,12 +14,14 @@ from plastron_tui.ros.interfaces import Field, InterfaceKind
 
 from .. import literals
 from ..analysis import Site
+from ..scopes import Function
 from .adding import Addition, put_in_body
 from .computing import computing_for
 from .hearing import hearing_functions
 from .interfaces import refuse
 from .members import declare, is_local
 from .parameter_names import commented_name, give_name
+from .refilling import stamp
 from .timers import capture, node_captures, period_of, run_at, timer_name
 from .turns import Turn, may_leave, own_turn
 
@@ -87,8 +89,7 @@ def sends(
         heard,
     )
     if added.interfaces.needs_stamp(value):
-        now = f"{added.place.node}now()" if added.is_ros2 else "ros::Time::now()"
-        lines.append(f"{variable}.header.stamp = {now};")
+        lines.append(stamp(added, f"{variable}."))
     lines = [f"{class_} {variable};", *lines, f"{sender.call}publish({variable});"]
     required = [*conditions.required, *required]
     if required:
@@ -201,9 +202,9 @@ def _react(added: Addition, sender: Sender, publication: Publication, reaction: 
     elif function is None or body is None:
         reason = "no one function of the file hears it"
     elif len(function.parameters) != 1:
-        reason = f"`{function.name}` takes more or less than the message"
-    elif added.analysis.unit.class_of_function(function) is not added.owner or sender.is_local:
-        reason = f"`{function.name}` does not see `{sender.variable}`"
+        reason = f"`{function.name or 'a lambda'}` takes more or less than the message"
+    elif not _sees(added, function, sender):
+        reason = f"`{function.name or 'a lambda'}` does not see `{sender.variable}`"
     elif len(added.analysis.callers.of(function)) > (site_is_lambda(sites[0]) and 1):
         reason = f"`{function.name}` is called for something else too"
     if reason or function is None or body is None:
@@ -236,6 +237,20 @@ def _react(added: Addition, sender: Sender, publication: Publication, reaction: 
     )
     put_in_body(added, function.file, function.node, body, lines, is_end)
     added.include_types(function.file)
+
+
+def _sees(added: Addition, function: Function, sender: Sender) -> bool:
+    """Tell whether a function that hears can name what publishes."""
+    if function.node.type != "lambda_expression":
+        is_method = added.analysis.unit.class_of_function(function) is added.owner
+        return is_method and not sender.is_local
+    syntax = function.file.syntax
+    taken = function.node.child_by_field_name("captures")
+    text = "" if taken is None else "".join(syntax.word(taken).split())
+    if sender.is_local:
+        at = function.node.start_byte
+        return text.startswith("[&") and text[2:3] in ("]", ",") and at > added.place.offset
+    return added.owner is None or "this" in text or text[:2] in ("[&", "[=")
 
 
 def site_is_lambda(site: Site) -> bool:

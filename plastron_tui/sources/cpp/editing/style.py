@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections import Counter
+from collections.abc import Iterable
 from dataclasses import dataclass
 
 from plastron_tui.sources.splices import line_start, newline_of
@@ -15,7 +16,12 @@ _TAB = 4
 LONGEST = 100
 """The longest line of ROS 2's style; a file of longer lines is written with these."""
 
+_NARROW = 80
+_LONGEST_OF_ROS1 = 120
+"""What the page "CppStyleGuide" of the wiki of ROS 1 allows."""
+
 _CONTROL = re.compile(rb"^[ \t]*(?:\} )?(?:if|for|while|else|try)\b[^\n;]*?(\{)?[ \t]*\r?$", re.M)
+_ONE_LINE = re.compile(rb"\{( ?)[^{}\s][^{}\n]*;( ?)\}")
 _REFERENCE = re.compile(r"[\w>]( ?)&( ?)[a-z_]\w*")
 
 
@@ -30,6 +36,11 @@ class Style:
         is_control_broken: whether that of an `if` or a loop has.
         reference: how `const T & x` stands there: ` & `, `& ` or ` &`.
         width: the longest line.
+        continuation: what a line begins with that goes on with a call, behind the indent of its
+            first.
+        is_aligned: whether the lines of a call begin below its first argument.
+        is_spaced: whether an empty line stands between functions.
+        pad: what stands inside of the braces of a block in one line.
     """
 
     indent: str
@@ -38,9 +49,15 @@ class Style:
     is_control_broken: bool
     reference: str
     width: int
+    continuation: str = "  "
+    is_aligned: bool = False
+    is_spaced: bool = True
+    pad: str = ""
 
     def laid_out(self, lines: list[str], base: str) -> str:
-        """Return lines as the file has them; each level of theirs is a tab.
+        """Return lines as the file has them.
+
+        Each level of theirs is a tab, or a vertical tab where a call goes on.
 
         Args:
             lines: the lines; a `{` that ends one opens a block.
@@ -49,27 +66,54 @@ class Style:
         found = []
         columns = len(base.expandtabs(_TAB))
         for line in (part for whole in lines for part in self._broken(whole, columns)):
-            inner = line.lstrip("\t")
-            depth = len(line) - len(inner)
-            found.append(f"{base}{self.indent * depth}{inner}" if inner else "")
+            inner = line.lstrip("\t\v")
+            blanks = line[: len(line) - len(inner)]
+            steps = {"\t": self.indent, "\v": self.continuation}
+            indent = "".join(steps[each] for each in blanks)
+            found.append(f"{base}{indent}{inner}" if inner else "")
         return "".join(f"{line}{self.newline}" for line in found)
 
     def _broken(self, line: str, columns: int) -> list[str]:
         """Return a call or a head in several lines where it is too long for one."""
-        inner = line.lstrip("\t")
-        tabs = "\t" * (len(line) - len(inner))
-        step = len(self.indent.expandtabs(_TAB))
-        room = self.width - columns - step * len(tabs)
-        parts = _call_of(inner) if len(inner) > room else None
+        inner = line.lstrip("\t\v")
+        if inner.lstrip().startswith(("//", "/*", "*")):
+            return [line]
+        tabs = line[: len(line) - len(inner)]
+        widths = {"\t": len(self.indent.expandtabs(_TAB))}
+        widths["\v"] = len(self.continuation.expandtabs(_TAB))
+        room = self.width - columns - sum(widths[each] for each in tabs)
+        if len(inner) <= room:
+            return [line]
+        if inner.startswith(("if (", "while (")) and " && " in inner:
+            return self._condition(tabs, inner, room)
+        parts = _call_of(inner)
         if parts is None:
             return [line]
         head, arguments, tail = parts
-        joined = ", ".join(arguments)
-        room -= step
-        if len(joined) + len(tail) <= room:
-            return [f"{tabs}{head}", f"{tabs}\t{joined}{tail}"]
-        *first, last = arguments
-        return [f"{tabs}{head}", *(f"{tabs}\t{each}," for each in first), f"{tabs}\t{last}{tail}"]
+        longest = max(len(each) for each in arguments)
+        if self.is_aligned and len(head) + longest + len(tail) <= room:
+            first, *more = _filled(arguments, tail, room - len(head))
+            pad = " " * len(head)
+            return [f"{tabs}{head}{first}", *(f"{tabs}{pad}{each}" for each in more)]
+        lines = _filled(arguments, tail, room - widths["\v"])
+        below = [f"{tabs}\v{each}" for each in lines]
+        if len(lines) == len(arguments) and len(lines[-1]) > room - widths["\v"]:
+            # What does not fit alone is a call itself: `std::bind(…)`.
+            below[-1:] = self._broken(below[-1], columns)
+        return [f"{tabs}{head}", *below]
+
+    def _condition(self, tabs: str, line: str, room: int) -> list[str]:
+        """Return an `if` in several lines, each but the last of which ends in `&&`."""
+        lines: list[str] = []
+        for each in re.split(r"(?<= &&) ", line):
+            if lines and len(lines[-1]) + 1 + len(each) <= room:
+                lines[-1] += f" {each}"
+            else:
+                lines.append(each)
+        first, *more = lines
+        # What is asked stands out against what is done.
+        step = "\v" if len(self.continuation) > len(self.indent) else "\v\v"
+        return [f"{tabs}{first}", *(f"{tabs}{step}{each}" for each in more)]
 
     def opened(self, head: str) -> list[str]:
         """Return the line, or two, that begins a function."""
@@ -79,6 +123,18 @@ class Style:
         """Return an `if` or a loop around lines."""
         first = [head, "{"] if self.is_control_broken else [f"{head} {{"]
         return [*first, *(f"\t{each}" for each in lines), "}"]
+
+
+def _filled(arguments: list[str], tail: str, room: int) -> list[str]:
+    """Return arguments in lines, as many in each as it has room for."""
+    lines: list[str] = []
+    for at, each in enumerate(arguments, 1):
+        written = each + (tail if at == len(arguments) else ",")
+        if lines and len(lines[-1]) + 1 + len(written) <= room:
+            lines[-1] += f" {written}"
+        else:
+            lines.append(written)
+    return lines
 
 
 def _call_of(line: str) -> tuple[str, list[str], str] | None:
@@ -116,10 +172,12 @@ def _is_in_template(line: str, start: int, at: int) -> bool:
     return part.count("<") > part.count(">")
 
 
-def style_of(file: CppFile, ros_version: int, said: ClangFormat) -> Style:
+def style_of(
+    file: CppFile, ros_version: int, said: ClangFormat, files: Iterable[CppFile] = ()
+) -> Style:
     """Return the layout of a file: as its lines show it, and else as settings say.
 
-    How long a line may be is what the settings say first.
+    How long a line may be is what the settings say first, and else the files around it.
     """
     text, syntax = file.syntax.text, file.syntax
     steps: Counter[str] = Counter()
@@ -152,12 +210,87 @@ def style_of(file: CppFile, ros_version: int, said: ClangFormat) -> Style:
     )
     known = [each for each, _ in references.most_common() if each.strip() != each]
     reference = known[0] if known else said.reference or (" & " if ros_version == 2 else "& ")
-    longest = max((len(line.rstrip()) for line in text.split(b"\n")), default=0)
     width = said.width or 0
-    if not width:
-        width = LONGEST if ros_version == 2 else max(min(longest, 120), 80)
+    if not width and ros_version == 2:
+        width = LONGEST
+    elif not width:
+        texts = [each.syntax.text for each in (file, *files)]
+        longest = max(len(line.rstrip()) for each in texts for line in each.split(b"\n"))
+        width = min(max(longest, LONGEST), _LONGEST_OF_ROS1) if longest > _NARROW else _NARROW
     newline = newline_of(text).decode()
-    return Style(indent, newline, is_broken, is_control_broken, reference, width)
+    continuation, is_aligned = _continuation((file, *files), indent, said)
+    return Style(
+        indent,
+        newline,
+        is_broken,
+        is_control_broken,
+        reference,
+        width,
+        continuation,
+        is_aligned,
+        _is_spaced(file),
+        _pad(text, ros_version),
+    )
+
+
+def _continuation(files: Iterable[CppFile], indent: str, said: ClangFormat) -> tuple[str, bool]:
+    """Return how a call goes on in the lines of files: by which blanks, or below its first.
+
+    The first file that shows it says so.
+    """
+    steps = next((found for each in files if (found := _continuations(each))), Counter())
+    # One odd line, such as `   `, is no manner.
+    known = [
+        each
+        for each, count in steps.most_common()
+        if each is not None and (count > 1 or "\t" in each or len(each) % 2 == 0)
+    ]
+    is_aligned = steps[None] * 2 > sum(steps.values()) if steps else bool(said.is_aligned)
+    usual = said.continuation or indent
+    if said.continuation and "\t" in indent:
+        usual = indent
+    return known[0] if known else usual, is_aligned
+
+
+def _continuations(file: CppFile) -> Counter[str | None]:
+    """Count what lines that go on with a call begin with; None is below its first argument."""
+    text = file.syntax.text
+    steps: Counter[str | None] = Counter()
+    for call in file.calls:
+        listed = call.node.child_by_field_name("arguments")
+        given = listed.named_children if listed is not None else []
+        if listed is None or not given or given[-1].start_point.row == listed.start_point.row:
+            continue
+        first, last = given[0], given[-1]
+        if first.start_point.row > listed.start_point.row:
+            outer, inner = _blanks(text, listed.start_byte), _blanks(text, first.start_byte)
+            if inner.startswith(outer) and inner != outer and first.type != "comment":
+                steps[inner.removeprefix(outer)] += 1
+        elif last.start_point.column == first.start_point.column:
+            steps[None] += 1
+    return steps
+
+
+def _pad(text: bytes, ros_version: int) -> str:
+    """Return the blank in `{ f(); }`, as a file has it; the style of ROS 2 has none."""
+    found = Counter(each[1] for each in _ONE_LINE.finditer(text))
+    return found.most_common(1)[0][0].decode() if found else "" if ros_version == 2 else " "
+
+
+def _is_spaced(file: CppFile) -> bool:
+    """Tell whether empty lines stand between the functions of a file."""
+    text = file.syntax.text
+    found: Counter[bool] = Counter()
+    for scope in file.scopes:
+        following = scope.node.next_named_sibling
+        if scope.kind != "function" or following is None:
+            continue
+        rows = scope.node.end_point.row - scope.node.start_point.row
+        rows += following.end_point.row - following.start_point.row
+        if following.type == "function_definition" and rows:
+            between = text[scope.node.end_byte : following.start_byte]
+            found[between.count(b"\n") > 1] += 1
+    return found[True] >= found[False]
 
 
 def _blanks(text: bytes, offset: int) -> str:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+
 from plastron_tui.diagnostics import Diagnostic, codes
 from plastron_tui.model.kinds import Rate
 from plastron_tui.model.source import EndpointKind
@@ -10,12 +12,15 @@ from .. import literals
 from .adding import Addition
 from .functions import write_function
 from .handles import handle_for
-from .hearing import bound, wrapped
+from .hearing import bound
+from .lambdas import NewLambda, model_lambda, with_body
 from .manner import method_naming
 from .members import hold, is_local, type_of
 from .parameters import read_parameter
 
 K = EndpointKind
+
+_LITERAL = re.compile(rb"\b\d+(?:ns|us|ms|s|min)\b")
 
 
 def period_of(added: Addition, rate: Rate | float) -> str:
@@ -33,12 +38,20 @@ def period_of(added: Addition, rate: Rate | float) -> str:
     milliseconds = round(1000 / hertz)
     is_whole = milliseconds > 0 and 1000 / milliseconds == hertz
     if added.is_ros2:
+        if is_whole and _has_literals(added):
+            return f"{milliseconds}ms" if milliseconds % 1000 else f"{milliseconds // 1000}s"
         if is_whole:
             return f"std::chrono::milliseconds({milliseconds})"
         return f"std::chrono::duration<double>(1.0 / {literals.real(float(hertz))})"
     if is_whole:
         return f"ros::Duration({literals.real(milliseconds / 1000)})"
     return f"ros::Duration(1.0 / {literals.real(float(hertz))})"
+
+
+def _has_literals(added: Addition) -> bool:
+    """Tell whether the file writes times as literals: `500ms`."""
+    is_seen = any("literals" in using for each in added.place.scope.chain for using in each.usings)
+    return is_seen and _LITERAL.search(added.place.file.syntax.code) is not None
 
 
 def event_parameter(added: Addition) -> str:
@@ -59,14 +72,9 @@ def create_timer(
     added: Addition, timer: str, period: str, called: str, *, handle: str = "", once: bool = False
 ) -> None:
     """Create a timer that calls a function of the files."""
-    handed, _ = bound(added, called, 0 if added.is_ros2 else 1)
-    head, more = _head(added, handle), ["true"] if once else []
-    style = added.style(added.place.file)
-    declared = _declared(added)
-    arguments = [period, *handed, *more]
-    added.lines += wrapped(
-        f"{declared}{timer} = {head}", arguments, ");", style, len(style.indent) * 2
-    )
+    handed = bound(added, called, 0 if added.is_ros2 else 1)
+    arguments = ", ".join([period, *handed, *(["true"] if once else [])])
+    added.lines.append(f"{_declared(added)}{timer} = {_head(added, handle)}{arguments});")
     added.expect(K.TIMER, period, None, called)
     _include_chrono(added)
 
@@ -97,9 +105,20 @@ def run_at(
         once: whether it ticks once, in ROS 1.
     """
     timer = timer or timer_name(added, words)
+    tail = ", true);" if once else ");"
+    head = f"{_declared(added)}{timer} = {_head(added, handle)}"
     if added.owner is not None:
+        like = model_lambda(added, K.TIMER)
+        if like is not None and not like.handed_to and like.variable is None:
+            event = [each for each in (event_parameter(added),) if each]
+            added.lines += NewLambda(like, event, body).lines(added, head, [period], tail)
+            added.expect(K.TIMER, period, None, "")
+            _include_chrono(added)
+            return
         name = added.free(method_naming(added.analysis, verb).name(words))
-        write_function(added, name, event_parameter(added), body)
+        said = f"{verb.capitalize()}es" if verb.endswith("sh") else f"{verb.capitalize()}s"
+        event = [each for each in (event_parameter(added),) if each]
+        write_function(added, name, event, body, f"{said} {added.prose}.")
         create_timer(added, timer, period, name, handle=handle, once=once)
         return
     node = added.place.node
@@ -107,19 +126,9 @@ def run_at(
     # What the file has is seen without a word.
     captures = captures if is_local(added) else node_captures(added) if uses_node else ()
     taken = f"[{', '.join(dict.fromkeys(captures))}]"
-    head = f"{_declared(added)}{timer} = {_head(added, handle)}{period}, "
-    tail = ", true);" if once else ");"
-    opening = f"{taken}({event_parameter(added)}) {{"
+    opening = f"{taken}({event_parameter(added)})", False
     style = added.style(added.place.file)
-    if len(head) + len(opening) + len(style.indent) <= style.width:
-        added.lines.append(f"{head}{opening}")
-        added.lines += [f"\t{each}" for each in body]
-        added.lines.append(f"}}{tail}")
-    else:
-        first = head.removesuffix(f"{period}, ")
-        added.lines += [first, f"\t{period}, {opening}"]
-        added.lines += [f"\t\t{each}" for each in body]
-        added.lines.append(f"\t}}{tail}")
+    added.lines += with_body(head, [period], opening, body, tail, style, added.columns)
     added.expect(K.TIMER, period, None, "")
     _include_chrono(added)
 

@@ -20,7 +20,9 @@ _CALLED_BY_OTHERS = re.compile(rb"\b(?:override|virtual|final)\b")
 
 def uncalled_functions(before: Analysis, after: Analysis) -> list[Function]:
     """Return the functions that the files called before and do not call any more."""
+    # What is written anew may say the name in its log.
     rarer = {word.decode() for word in _words(before) - _words(after)}
+    rarer |= _callbacks(before) - _callbacks(after)
     was_called = {name for name, _ in _uncalled(before, rarer)}
     return [each for name, each in _uncalled(after, rarer) if name not in was_called]
 
@@ -34,6 +36,10 @@ def tell_uncalled(found: Sequence[Function], changes: Sequence[Change]) -> Itera
     it = "it if it is" if len(found) == 1 else "them if they are"
     span = span_of(changes)
     yield Diagnostic(codes.UNCALLED_FUNCTION, message, span, help=f"remove {it} of no other use")
+
+
+def _callbacks(analysis: Analysis) -> set[str]:
+    return {site.endpoint.callback for site in analysis.sites if site.endpoint.callback}
 
 
 def _words(analysis: Analysis) -> Counter[bytes]:

@@ -224,17 +224,18 @@ CASES = [
          "speed", rclcpp::QoS(1),
          [this](const std_msgs::msg::Float64::ConstSharedPtr msg) { onSpeed(msg); });
 +    imu_subscriber_ = create_subscription<sensor_msgs::msg::Imu>(
-+        "imu", rclcpp::QoS(1), std::bind(&DriveNode::imuCallback, this, std::placeholders::_1));
-+}
-+
-+void DriveNode::imuCallback(const sensor_msgs::msg::Imu::SharedPtr msg) {
-+    RCLCPP_INFO(logger_, "imu: %s", to_yaml(*msg).c_str());
++        "imu", rclcpp::QoS(1),
++        [this](const sensor_msgs::msg::Imu::ConstSharedPtr msg) { onImu(msg); });
  }
 
  void DriveNode::onSpeed(const std_msgs::msg::Float64::ConstSharedPtr& msg) {
      RCLCPP_INFO(logger_, "speed: %f", msg->data);
  }
 
++void DriveNode::onImu(const sensor_msgs::msg::Imu::ConstSharedPtr& msg) {
++    RCLCPP_INFO(logger_, "imu: %s", to_yaml(*msg).c_str());
++}
++
  }  // namespace drive
 === x.hpp
  #pragma once
@@ -252,7 +253,7 @@ CASES = [
 
  private:
      void onSpeed(const std_msgs::msg::Float64::ConstSharedPtr& msg);
-+    void imuCallback(const sensor_msgs::msg::Imu::SharedPtr msg);
++    void onImu(const sensor_msgs::msg::Imu::ConstSharedPtr& msg);
 
      rclcpp::Logger logger_ = get_logger();
      rclcpp::Publisher<std_msgs::msg::String>::SharedPtr state_publisher_;
@@ -285,11 +286,6 @@ CASES = [
 +  }
 +
 +private:
-+  rclcpp::Client<std_srvs::srv::SetBool>::SharedPtr ask_client_;
-+
-+private:
-+  rclcpp::TimerBase::SharedPtr ask_timer_;
-+
 +  void call_ask()
 +  {
 +    if (!ask_client_->service_is_ready()) {
@@ -304,6 +300,9 @@ CASES = [
 +        RCLCPP_INFO(get_logger(), "ask: %s", to_yaml(*future.get()).c_str());
 +      });
 +  }
++
++  rclcpp::Client<std_srvs::srv::SetBool>::SharedPtr ask_client_;
++  rclcpp::TimerBase::SharedPtr ask_timer_;
  };
 
  int main(int argc, char ** argv)

@@ -118,8 +118,7 @@ CASES = [
      m_pubState.publish(state);
  }
 
-+bool Driver::onGo(
-+    std_srvs::Trigger::Request &req, std_srvs::Trigger::Response &res) {
++bool Driver::onGo(std_srvs::Trigger::Request &req, std_srvs::Trigger::Response &res) {
 +    ROS_INFO_STREAM("go: " << req);
 +    res.success = true;
 +    return true;
@@ -151,8 +150,7 @@ CASES = [
  private:
      void onSpeed(const std_msgs::Float64ConstPtr &speed);
      void onTimer(const ros::TimerEvent &);
-+    bool onGo(
-+        std_srvs::Trigger::Request &req, std_srvs::Trigger::Response &res);
++    bool onGo(std_srvs::Trigger::Request &req, std_srvs::Trigger::Response &res);
 
      ros::NodeHandle m_nh;
      ros::NodeHandle m_pnh;
@@ -275,8 +273,8 @@ CASES = [
 +  void callAsk(const ros::TimerEvent&) {
 +    std_srvs::SetBool call;
 +    call.request.data = true;
-+    if (
-+      ask_client_.waitForExistence(ros::Duration(10.0)) && ask_client_.call(call)) {
++    if (ask_client_.waitForExistence(ros::Duration(10.0)) &&
++        ask_client_.call(call)) {
 +      NODELET_INFO_STREAM("ask: " << call.response);
 +    } else {
 +      NODELET_ERROR("ask: there was no answer");

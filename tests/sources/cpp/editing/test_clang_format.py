@@ -20,10 +20,10 @@ from plastron_tui.sources.cpp.editing.clang_format import (
     ("text", "wanted"),
     [
         ("", ClangFormat()),
-        ("BasedOnStyle: Google\n", ClangFormat(80, "  ", False, "& ")),
+        ("BasedOnStyle: Google\n", ClangFormat(80, "  ", False, "& ", "    ", True)),
         (
             "---\nBasedOnStyle: Google\nColumnLimit: 100\nBreakBeforeBraces: Allman\n...\n",
-            ClangFormat(100, "  ", True, "& "),
+            ClangFormat(100, "  ", True, "& ", "    ", True),
         ),
         ("ColumnLimit: 0\nUseTab: Always\nIndentWidth: 4\n", ClangFormat(120, "\t", None, None)),
         ("Language: Java\nColumnLimit: 60\n---\nIndentWidth: '4'\n", ClangFormat(None, "    ")),

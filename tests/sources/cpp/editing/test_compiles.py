@@ -10,7 +10,7 @@ from patches import edit
 
 from plastron_tui.model.source import place_of
 
-pytestmark = pytest.mark.long
+pytestmark = pytest.mark.long(0.5)
 
 
 def written(nodes, version, folder):

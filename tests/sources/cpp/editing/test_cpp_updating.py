@@ -261,5 +261,6 @@ def test_code_for_the_old_type_is_told() -> None:
     _, text, name, endpoint, edits = next(each for each in UPDATES if "the statement" in each[0])
     told = check(patched(text, *edits), Update(K.SUBSCRIPTION, name, endpoint, AT))
     assert [each.message for each in told] == [
-        "`onGoal` was written for `std_msgs/String`, and gets `std_msgs/Int32`, which has no `data`"
+        "`onGoal` was written for `std_msgs/String`, and gets `std_msgs/Int32`, which has another"
+        " `data`"
     ]

@@ -1,0 +1,70 @@
+"""Whether a function that the files have can be called by an endpoint.
+
+Source: `ros/node_handle.h` of Noetic, `rclcpp/any_subscription_callback.hpp`,
+`rclcpp/any_service_callback.hpp` and `rclcpp/create_timer.hpp` of Jazzy.
+"""
+
+from __future__ import annotations
+
+from plastron_tui.diagnostics import Span, codes
+from plastron_tui.model.source import EndpointKind
+from plastron_tui.ros.interfaces import InterfaceName
+
+from ..analysis import Analysis
+from ..scopes import Function
+from .interfaces import refuse
+
+K = EndpointKind
+
+# How many arguments a function may take, the usual number first.
+_TAKEN = {
+    (1, K.SUBSCRIPTION): (1,),
+    (1, K.SERVICE): (2, 1),
+    (1, K.TIMER): (1,),
+    (2, K.SUBSCRIPTION): (1, 2),
+    (2, K.SERVICE): (2, 3),
+    (2, K.TIMER): (0, 1),
+}
+
+
+def check_callback(
+    analysis: Analysis,
+    kind: EndpointKind,
+    function: Function,
+    type_: InterfaceName | None,
+    span: Span | None,
+) -> None:
+    """Refuse to let an endpoint call a function that does not take what it would be called with.
+
+    Raises:
+        RefusedError: it takes other arguments.
+    """
+    message = misfit(analysis, kind, function, type_)
+    if message is not None:
+        remedy = "name another function with `calling`"
+        refuse(codes.INVALID_FUNCTION, message, span, remedy)
+
+
+def misfit(
+    analysis: Analysis, kind: EndpointKind, function: Function, type_: InterfaceName | None
+) -> str | None:
+    """Return why an endpoint of a type cannot call a function, None where nothing is known of it.
+
+    The others of its name are not looked at: several functions of a name fit or not, who knows.
+    """
+    same = {len(each.parameters) for each in analysis.unit.functions.get(function.name, ())}
+    ways = _TAKEN.get((analysis.ros_version, kind))
+    if ways is None or len(same) > 1:
+        return None
+    count = len(function.parameters)
+    name = f"`{function.name}`"
+    if count not in ways:
+        plural = "" if count == 1 else "s"
+        return f"{name} takes {count} argument{plural}, and would be called with {ways[0]}"
+    if type_ is None or kind not in (K.SUBSCRIPTION, K.SERVICE):
+        return None
+    taken = function.parameters[0]
+    found = analysis.types.interface(taken.type, function.scope or function.place, True)
+    if found is None or found == type_:
+        return None
+    return f"{name} takes `{found}`, and would be called with `{type_}`"
