@@ -176,6 +176,13 @@ def test_parameters(cpp: CppGraph, programs: dict[str, Path]) -> None:
     end(node)
 
 
+def test_a_parameter_that_begins_as_no_number(cpp: CppGraph, programs: dict[str, Path]) -> None:
+    given = ("--ros-args", "-p", "speed:=.nan")
+    node = cpp.run_program(programs["cruiser"], *given, environ=cpp.program_env)
+    assert node.wait(60) != 0, node.output
+    assert "speed is not a number" in node.output
+
+
 def test_a_node_that_ends_after_its_calls(cpp: CppGraph, programs: dict[str, Path]) -> None:
     pilot = programs["pilot"]
     alone = cpp.run(pilot)
@@ -211,6 +218,19 @@ def test_goals(
     assert outcomes(send(graph, second_at=2)) == {0: "aborted", 1: "succeeded"}
     sender = send(graph)
     wait_until(lambda: told(sender, "feedback"), "a feedback")
+    end(node)
+
+
+def test_a_simulation_paces_a_node(
+    actors: dict[str, Path], ros2_with_services: Graph, with_actions: CppLibrary
+) -> None:
+    graph, chatter = ros2_with_services, {"/chatter": "std_msgs/String"}
+    given = ("--ros-args", "-p", "use_sim_time:=true")
+    node = graph.run_program(actors["counter"], *given, environ=with_actions.environ)
+    graph.wait_for_endpoint("counter", "publishers", "/chatter")
+    assert graph.listen(chatter, 0.5, silent=list(chatter))["/chatter"] == []
+    graph.run_with(Path(__file__).with_name("simulated_clock.py"))
+    assert graph.listen(chatter, 0.2)["/chatter"]
     end(node)
 
 

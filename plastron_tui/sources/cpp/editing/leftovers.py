@@ -15,7 +15,7 @@ from .. import interface_types
 from ..analysis import Analysis, Site
 from ..scopes import CppFile, Function, Variable
 from .deletions import Deletions
-from .lambdas import handed_functions
+from .lambdas import handed_functions, lambda_of
 from .uses import hidden_uses, uses_of, word
 
 _LOGS = re.compile(r"(?:ROS|NODELET|RCLCPP)_(?:INFO|DEBUG|WARN|ERROR)\w*\s*\(")
@@ -65,6 +65,18 @@ def functions_of(analysis: Analysis, site: Site) -> Iterator[list[Function]]:
         if analysis.unit.class_of_function(each) is owner
     ]
     yield same
+
+
+def take_held_lambdas(analysis: Analysis, lost: Sequence[Site], gone: Deletions) -> None:
+    """Take out the local variables whose lambdas nothing calls any more, where they are stubs."""
+    for site in lost:
+        found = lambda_of(analysis, site)
+        if found is None or found.variable is None or found.function is None:
+            continue
+        used = uses_of(analysis, found.variable)
+        is_free = all(gone.covers(file, node.start_byte) for file, node, _ in used)
+        if is_free and is_stub(found.function):
+            gone.statement(found.variable.file, found.variable.node)
 
 
 def has_uses(analysis: Analysis, functions: Sequence[Function], gone: Deletions) -> bool:

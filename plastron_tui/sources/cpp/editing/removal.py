@@ -23,6 +23,7 @@ from .leftovers import (
     remove_function,
     take_callbacks,
     take_headers,
+    take_held_lambdas,
     take_literals,
     take_placeholders,
     take_types,
@@ -347,6 +348,7 @@ class _Removal:
                 for each in functions:
                     remove_function(each, self._gone)
         take_callbacks(self._analysis, self._plan.lost, self._gone)
+        take_held_lambdas(self._analysis, self._plan.lost, self._gone)
         self._gone.take_empty()
         self._gone.take_sections()
         self._note_parameters()

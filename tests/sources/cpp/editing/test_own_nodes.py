@@ -66,3 +66,52 @@ def test_every_statement_is_taken_back(tmp_path: Path, library: str) -> None:
     texts = [each.read_text() for each in tmp_path.rglob("*.[ch]pp")]
     left = {word for word in WORDS for text in texts if word in text}
     assert left == set()
+
+
+HAND_WRITTEN = {
+    "roscpp": """\
+#include <ros/ros.h>
+#include <std_srvs/Empty.h>
+class A
+{
+public:
+  A() {client_ = nh_.serviceClient<std_srvs::Empty>("go");}
+
+private:
+  ros::NodeHandle nh_;
+  ros::ServiceClient client_;
+};
+""",
+    "rclcpp": """\
+#include <rclcpp/rclcpp.hpp>
+#include <std_srvs/srv/empty.hpp>
+class A : public rclcpp::Node
+{
+public:
+  A() : Node("a") {client_ = create_client<std_srvs::srv::Empty>("go");}
+
+private:
+  rclcpp::Client<std_srvs::srv::Empty>::SharedPtr client_;
+};
+""",
+}
+MORE = """\
+load 'a.cpp' as n
+create_message five of message_type Int32 and input 5
+n publish five to 'echo' of message_type Int32 for_each 'heard'
+n client_requests 'go' of service_type Empty with input none
+generate_node n
+"""
+
+
+@pytest.mark.parametrize("library", HAND_WRITTEN)
+def test_what_is_new_may_need_what_is_new(tmp_path: Path, library: str) -> None:
+    """A publisher answers to a subscription of the same program, an old client gets a request."""
+    source = tmp_path / "a.cpp"
+    source.write_text(HAND_WRITTEN[library])
+    subscribe = "subscribe n to 'heard' of message_type Int32\n"
+    head, publish, *rest = MORE.partition("n publish")
+    _generate(tmp_path, "".join([head, subscribe, publish, *rest]), in_place=True)
+    text = source.read_text()
+    assert text.index("echo_message.data = 5;") > text.index("heard: ")
+    assert "call_go(" in text.replace("callGo", "call_go")
