@@ -53,8 +53,10 @@ void Driver::step() {
 """
 
 
-def edit(folder: Path, change: Change) -> tuple[FileSet | None, tuple[Diagnostic, ...]]:
-    for name, text in {"main.cpp": MAIN, "driver.h": HEADER, "step.cpp": OTHER}.items():
+def edit(
+    folder: Path, change: Change, header: bytes = HEADER, other: bytes = OTHER
+) -> tuple[FileSet | None, tuple[Diagnostic, ...]]:
+    for name, text in {"main.cpp": MAIN, "driver.h": header, "step.cpp": other}.items():
         (folder / name).write_bytes(text)
     path, language = folder / "main.cpp", find_language("cpp")
     others = language.others(path, MAIN)
@@ -71,6 +73,18 @@ def test_what_another_source_uses_stays(tmp_path: Path) -> None:
     files, told = edit(tmp_path, Remove(K.PUBLISHER, "out"))
     assert files is None
     assert told[0].message == "the publisher `out` is used in line 7 of `step.cpp`"
+
+
+def test_what_a_source_of_another_folder_uses_stays(tmp_path: Path) -> None:
+    (tmp_path / "package.xml").write_text("<package/>\n")
+    (tmp_path / "src").mkdir()
+    (tmp_path / "tools").mkdir()
+    text = b'#include "driver.h"\n\nvoid stop(Driver& driver) { driver.out_.shutdown(); }\n'
+    (tmp_path / "tools" / "stop.cpp").write_bytes(text)
+    header = HEADER.replace(b"  void step();\n", b"").replace(b"Driver();", b"Driver() = default;")
+    files, told = edit(tmp_path / "src", Remove(K.PUBLISHER, "out"), header, b"")
+    assert files is None
+    assert told[0].message == "`out_` of `driver.h` is used in line 3 of `stop.cpp`"
 
 
 def test_what_a_header_includes_for_others_stays(tmp_path: Path) -> None:
