@@ -69,11 +69,13 @@ class Preprocessed(NamedTuple):
         code: the text with blanks for comments, directives, and what is never compiled.
         includes: its includes, in order; not those of branches that are never compiled.
         defines: its macros without arguments.
+        conditionals: where each conditional starts and ends, with its directives; inner ones first.
     """
 
     code: bytearray
     includes: tuple[Include, ...]
     defines: tuple[Define, ...]
+    conditionals: tuple[tuple[int, int], ...]
 
 
 class _Branch(NamedTuple):
@@ -136,6 +138,7 @@ def _preprocessed(code: bytearray, bare: bytearray) -> tuple[Preprocessed, list[
     defines: list[Define] = []
     opened: list[list[tuple[int, int, bool]]] = []
     dead: list[_Branch] = []
+    conditionals: list[tuple[int, int]] = []
     for directive in list(_DIRECTIVE.finditer(bytes(bare))):
         start, end = directive.span()
         word, rest = directive[1], bytes(code[directive.start(2) : end])
@@ -151,6 +154,7 @@ def _preprocessed(code: bytearray, bare: bytearray) -> tuple[Preprocessed, list[
         elif word in (b"else", b"elif") and opened:
             opened[-1].append((start, end, word == b"elif" and _NEVER.match(rest) is not None))
         elif word == b"endif" and opened:
+            conditionals.append((opened[-1][0][0], end))
             dead += _choose(opened.pop(), start, code, bare, len(opened))
         blank(code, start, end)
         blank(bare, start, end)
@@ -162,6 +166,7 @@ def _preprocessed(code: bytearray, bare: bytearray) -> tuple[Preprocessed, list[
         code,
         tuple(each for each in includes if not never[each.start]),
         tuple(each for each in defines if not never[each.start]),
+        tuple(conditionals),
     )
     return found, dead
 

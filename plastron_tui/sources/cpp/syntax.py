@@ -27,6 +27,7 @@ class Syntax(ParsedFile):
             macros that no parser sees through.
         includes: the includes of the file.
         defines: its macros without arguments.
+        conditionals: where its conditionals start and end, as in `Preprocessed`.
         overrides_qos: whether it lets parameters change a quality of service.
     """
 
@@ -37,6 +38,7 @@ class Syntax(ParsedFile):
     code: bytes
     includes: tuple[Include, ...]
     defines: tuple[Define, ...]
+    conditionals: tuple[tuple[int, int], ...]
     overrides_qos: bool
 
     def word(self, node: Node) -> str:
@@ -69,7 +71,8 @@ def parse(text: bytes) -> Syntax:
     errors = count_errors(tree.root_node)
     overrides = b"QosOverridingOptions" in source or b"qos_overriding_options" in source
     includes, defines = prepared.includes, prepared.defines
-    return Syntax(text, encoding, tree, errors, source, includes, defines, overrides)
+    found = (includes, defines, prepared.conditionals, overrides)
+    return Syntax(text, encoding, tree, errors, source, *found)
 
 
 def _wide_errors(root: Node) -> Iterator[tuple[int, int]]:

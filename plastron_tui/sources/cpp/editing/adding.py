@@ -17,6 +17,7 @@ from plastron_tui.sources.splices import line_end, line_start
 from ..analysis import Analysis, Site
 from ..scopes import CppFile, Scope, Variable
 from .clang_format import ClangFormat
+from .conditional_place import end_of_conditional
 from .include_place import add_include, is_included
 from .interfaces import Interfaces
 from .manner import free_name, held_by
@@ -142,10 +143,22 @@ class Addition:
             self.include(file, header)
         self.interfaces.headers.clear()
 
-    def put_behind(self, file: CppFile, node: Node, lines: list[str], *, gap: bool = False) -> None:
-        """Write lines behind a statement or a declaration, with an empty line before for a gap."""
+    def put_behind(
+        self,
+        file: CppFile,
+        node: Node,
+        lines: list[str],
+        *,
+        gap: bool = False,
+        is_part: bool = False,
+    ) -> None:
+        """Write lines behind a statement or a declaration, with an empty line before for a gap.
+
+        They go behind a conditional that it stands in, unless they are a part of what it does.
+        """
         style, text = self.style(file), file.syntax.text
-        end = node.end_byte
+        end = None if is_part else end_of_conditional(file, node, lines)
+        end = node.end_byte if end is None else end
         if text[end : end + 1] == b";":
             end += 1
         indent = _indent(text, node.start_byte)

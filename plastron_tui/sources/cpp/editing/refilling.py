@@ -315,7 +315,7 @@ def _insert(filled: Filled, added: Addition, anchor: Node | None, lines: list[st
     if not lines:
         return
     if anchor is not None:
-        added.put_behind(filled.file, anchor, lines)
+        added.put_behind(filled.file, anchor, lines, is_part=True)
         return
     statements, owner = filled.block.named_children, filled.block.parent
     if statements and statements[-1].type == "return_statement":
