@@ -71,6 +71,10 @@ class Deletions:
             else:
                 self._emptied[file].append((node.start_byte, node.end_byte))
             return
+        if outer is not None and self._is_last_of_label(file, outer, node):
+            # A label stands before a statement, until C++23.
+            self._emptied[file].append((node.start_byte, node.end_byte))
+            return
         self._nodes.append((file, node))
         end = node.end_byte
         behind = node.next_sibling
@@ -78,6 +82,16 @@ class Deletions:
             # `void f() {};`
             end = behind.end_byte
         self._lines[file].append((node.start_byte, end))
+
+    def _is_last_of_label(self, file: CppFile, outer: Node, node: Node) -> bool:
+        """Tell whether a label is left without a statement where one goes."""
+        if outer.type == "labeled_statement":
+            return True
+        if outer.type != "case_statement" or outer.next_named_sibling is not None:
+            return False
+        value = outer.child_by_field_name("value")
+        others = [each for each in outer.named_children if each not in (node, value)]
+        return all(self.covers(file, each.start_byte) for each in others)
 
     def declarator(self, file: CppFile, node: Node, index: int) -> None:
         """Take out one of several names that a declaration declares, or it with the last one."""

@@ -11,6 +11,37 @@ K = EndpointKind
 
 REMOVALS = [
     (
+        "what a label stands before",
+        K.PUBLISHER,
+        "chatter",
+        """
+ #include <ros/ros.h>
+-#include <std_msgs/String.h>
+
+-ros::Publisher pub;
+-
+ void send(int kind) {
+   switch (kind) {
+-    case 0: pub.publish(std_msgs::String()); break;
++    case 0: break;
+-    case 1: pub.publish(std_msgs::String());
++    case 1:
+     case 2: return;
+-    default: pub.publish(std_msgs::String());
++    default: {}
+   }
+ }
+
+ int main(int argc, char** argv) {
+   ros::init(argc, argv, "n");
+   ros::NodeHandle nh;
+-  pub = nh.advertise<std_msgs::String>("chatter", 10);
+   send(argc);
+   ros::spin();
+ }
+""",
+    ),
+    (
         "a local publisher in main with its loop",
         K.PUBLISHER,
         "chatter",
