@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+
 # [lex.key] and [lex.digraph] of ISO C++20.
 _WORDS = """
     alignas alignof and and_eq asm auto bitand bitor bool break case catch char char16_t
@@ -20,6 +22,14 @@ _MACROS = """
     EOF INFINITY NAN NULL assert errno linux offsetof stderr stdin stdout unix
 """
 
+# Families of macros in these headers, and in those of the libraries of ROS and of Boost.
+_FAMILIES = re.compile(
+    r"(?:BOOST|FP|M|RCL|RCLCPP|RCUTILS|RMW|ROS|ROSCONSOLE|SIG|TOPIC)_[A-Z0-9_]+|"
+    r"[A-Z0-9_]+_(?:MAX|MIN)|"
+    r"SIG(?:ABRT|ALRM|CHLD|CONT|FPE|HUP|ILL|INT|KILL|PIPE|QUIT|SEGV|STOP|TERM|TRAP|USR[12])|"
+    r"BUFSIZ|CHAR_BIT|EXIT_(?:FAILURE|SUCCESS)|HUGE_VALF?|SEEK_(?:CUR|END|SET)"
+)
+
 _KEYWORDS = frozenset(_WORDS.split())
 _TAKEN = _KEYWORDS | frozenset(_MACROS.split())
 
@@ -31,4 +41,4 @@ def is_keyword(word: str) -> bool:
 
 def is_taken(word: str) -> bool:
     """Tell whether a word is a keyword or a macro, and so the name of nothing else."""
-    return word in _TAKEN
+    return word in _TAKEN or _FAMILIES.fullmatch(word) is not None

@@ -36,7 +36,7 @@ from .adding import Addition, variables_like
 from .calling import add_requests
 from .clang_format import ClangFormat
 from .computing import computing_for
-from .existing_callbacks import check_callback
+from .existing_callbacks import check_callback, check_new_name
 from .functions import write_function
 from .handles import handle_for
 from .hearing import (
@@ -184,6 +184,7 @@ def _repeat(added: Addition, timer: Timer) -> None:
     if found is not None:
         check_callback(added.analysis, K.TIMER, found, None, added.span)
     else:
+        check_new_name(added.analysis, added.place, timer.name, added.span)
         body = [log_line(added, f"{naming.label(timer.name, 'a timer')} ticks", "")]
         event = [each for each in (event_parameter(added),) if each]
         write_function(added, timer.name, event, body, "Called at a rate.")
@@ -308,6 +309,8 @@ def _callback(added: Addition, interface: Interface, class_: str) -> str:
     left = None if wanted else idle_callback(added, _naming(added).name(added.topic), class_)
     if left is not None:
         return left
+    if wanted is not None:
+        check_new_name(added.analysis, added.place, wanted, added.span)
     name = wanted or _callback_name(added)
     added.taken.add(name)
     parameters, body = _served(added, interface, class_)

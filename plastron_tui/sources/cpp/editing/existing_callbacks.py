@@ -6,13 +6,17 @@ Source: `ros/node_handle.h` of Noetic, `rclcpp/any_subscription_callback.hpp`,
 
 from __future__ import annotations
 
+import re
+
 from plastron_tui.diagnostics import Span, codes
 from plastron_tui.model.source import EndpointKind
 from plastron_tui.ros.interfaces import InterfaceName
 
 from ..analysis import Analysis
-from ..scopes import Function
+from ..naming import is_name
+from ..scopes import CppFile, Function
 from .interfaces import refuse
+from .place import Place
 
 K = EndpointKind
 
@@ -25,6 +29,9 @@ _TAKEN = {
     (2, K.SERVICE): (2, 3),
     (2, K.TIMER): (0, 1),
 }
+
+# What a function that is written calls.
+_LOGGED = frozenset({"get_logger", "to_yaml"})
 
 
 def check_callback(
@@ -43,6 +50,29 @@ def check_callback(
     if message is not None:
         remedy = "name another function with `calling`"
         refuse(codes.INVALID_FUNCTION, message, span, remedy)
+
+
+def check_new_name(analysis: Analysis, place: Place, name: str, span: Span | None) -> None:
+    """Refuse to write a function under a name that stands for something else where it is called.
+
+    Raises:
+        RefusedError: it does.
+    """
+    message = None
+    if not is_name(name):
+        message = f"`{name}` cannot be a name in C++"
+    elif analysis.unit.lookup(name, place.scope, place.offset) is not None:
+        message = f"`{name}` is the name of a variable in the file"
+    elif place.owner is not None and (name in _LOGGED or _is_called(place.owner.file, name)):
+        message = f"the file calls a function `{name}` of another class"
+    if message is not None:
+        refuse(codes.INVALID_FUNCTION, message, span, "choose another name")
+
+
+def _is_called(file: CppFile, name: str) -> bool:
+    """Tell whether a file has a call that a method of a name would take from a base class."""
+    pattern = rb"(?:(?<![\w.>:])|\bthis->)" + name.encode() + rb"\s*(?:<[^;(]*>\s*)?\("
+    return re.search(pattern, file.syntax.code) is not None
 
 
 def misfit(
