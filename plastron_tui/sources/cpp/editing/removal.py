@@ -45,7 +45,7 @@ from .plans import Plan
 from .refusals import RefusedError, in_use, not_there
 from .served import ServedCode
 from .shared_statements import SharedStatements
-from .statements import calls_method, emptied, local_of, only_sets, statement_of
+from .statements import calls_method, emptied, local_of, only_sets, sets_what_stays, statement_of
 from .units import sites_of
 from .uses import hidden_uses, uses_of
 
@@ -238,6 +238,8 @@ class _Removal:
         if statement is None or statement.type != "expression_statement":
             return False
         if not calls_method(statement, node, file.syntax, _SENDING):
+            return False
+        if sets_what_stays(self._analysis, statement, scope):
             return False
         self._gone.statement(file, statement)
         self._take_message(file, statement, scope)

@@ -38,6 +38,25 @@ def calls_method(statement: Node, node: Node, syntax: Syntax, names: frozenset[s
     return holder.start_byte <= node.start_byte and node.end_byte <= holder.end_byte
 
 
+def sets_what_stays(analysis: Analysis, statement: Node, scope: Scope) -> bool:
+    """Tell whether what a call is given sets a member or a variable of the file on the way.
+
+    As in `pub.publish(last_ = message)`.
+    """
+    stack = [statement]
+    while stack:
+        each = stack.pop()
+        if each.type in ("assignment_expression", "update_expression"):
+            target = each.child_by_field_name("left") or each.child_by_field_name("argument")
+            name = last_name(target, scope) if target and target.type == "identifier" else ""
+            variable = analysis.unit.lookup(name, scope, each.start_byte) if name else None
+            if variable is None or variable.kind != "local":
+                return True
+        if each.type != "lambda_expression":
+            stack += each.named_children
+    return False
+
+
 def only_sets(statement: Node, node: Node) -> bool:
     """Tell whether a statement does nothing but give what a node names, or a part of it, a value.
 

@@ -341,6 +341,8 @@ USED = [
     ("const Guard<int> guard(pub_);", "line 9"),
     ("map_[1] = pub_;", "line 9"),
     ("show(pub_->get_subscription_count());", "line 9"),
+    ("pub_->publish(last_ = message);", "line 9"),
+    ("pub_->publish(made(count_++));", "line 9"),
 ]
 
 
