@@ -19,7 +19,7 @@ T = TypeVar("T")
 
 IN_CI = bool(os.environ.get("CI"))
 
-_QUICK = 8
+_QUICK = 12
 """The quick suite tries one of so many examples; `long` tests try all."""
 
 _is_quick = False

@@ -208,12 +208,16 @@ def _is_open(file: IO[str], path: Path) -> bool:
 
 @contextmanager
 def _unfinished(workspace: Workspace) -> Iterator[None]:
-    """Mark a workspace while it is built in: a killed compiler may have left half a file."""
-    mark = workspace.unfinished
-    if mark.exists():
+    """Mark a workspace while it is built in: a killed compiler may have left half a file.
+
+    Nothing is built upon either where the workspace was moved: CMake refuses it.
+    """
+    mark, place = workspace.unfinished, workspace.root / "place"
+    if mark.exists() or not place.is_file() or place.read_bytes() != os.fsencode(workspace.root):
         for folder in ("build", "devel", "install"):
             shutil.rmtree(workspace.root / folder, ignore_errors=True)
     mark.touch()
+    place.write_bytes(os.fsencode(workspace.root))
     try:
         yield
     except _FailedError:

@@ -85,7 +85,7 @@ NODES = {
     + "} };",
 }  # fmt: skip
 
-_QUICK = {"templates", "doubled text"}
+_QUICK = {"braces", "doubled text"}
 
 
 @pytest.mark.parametrize("name", mostly_long(NODES, _QUICK))

@@ -281,6 +281,14 @@ def test_what_a_killed_build_left_is_not_built_upon(environ: dict[str, str]) -> 
     assert (build(environ, Speed=b"float64 y\n") / "was_incremental").exists()
 
 
+def test_a_workspace_that_was_moved_is_made_anew(environ: dict[str, str], tmp_path: Path) -> None:
+    build(environ, Speed=b"float64 x\n")
+    (tmp_path / "cache").rename(tmp_path / "moved")
+    environ["XDG_CACHE_HOME"] = str(tmp_path / "moved")
+    assert (build(environ, Speed=b"float64 y\n") / "was_incremental").exists() is False
+    assert (build(environ, Speed=b"float64 z\n") / "was_incremental").exists()
+
+
 def test_two_runs_at_once_build_once(environ: dict[str, str]) -> None:
     made: list[Path] = []
     runs = [threading.Thread(target=lambda: made.append(build(environ))) for _ in range(3)]
@@ -313,9 +321,7 @@ def test_what_is_used_is_not_forgotten(
     assert (first.exists(), second.exists()) == (True, False)
 
 
-def test_a_disk_that_is_full_is_told_whatever_the_tool_makes_of_it(
-    environ: dict[str, str],
-) -> None:
+def test_a_full_disk_is_told_whatever_a_tool_makes_of_it(environ: dict[str, str]) -> None:
     write_colcon(environ, "#!/bin/sh\necho 'write(): No space left on device'\nexit 2\n")
     _, [found] = overlay(SOURCED, [BuiltPackage("demo", FILES)], lambda _: None, environ)
     place = f"{environ['XDG_CACHE_HOME']}/plastron"

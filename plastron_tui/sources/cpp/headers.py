@@ -40,7 +40,7 @@ def others(path: Path, text: bytes) -> tuple[str, ...]:
     roots = _roots(folder)
     found: dict[str, None] = {}
     if path.suffix in _HEADERS:
-        for name in _sources_of(path, folder):
+        for name in (*_sources_of(path, folder), *_declaring(path)):
             found[name] = None
     left = [_MOST_BYTES]
     _gather(text, folder, roots, folder, path.stem, found, left, 0)
@@ -182,6 +182,17 @@ def _sources_of(path: Path, folder: str) -> Iterator[str]:
                 return
     if found:
         yield from _only_source(os.path.join(root, "src"), folder, path.stem)  # noqa: PTH118
+
+
+def _declaring(path: Path) -> Iterator[str]:
+    """Yield the header that declares the templates which `NAME_impl.hpp` beside it defines."""
+    for ending in ("_impl", "-impl", "_inl"):
+        if path.stem.endswith(ending):
+            for suffix in (path.suffix, *_HEADERS):
+                name = path.stem.removesuffix(ending) + suffix
+                if path.with_name(name).is_file():
+                    yield name
+                    return
 
 
 def _only_source(root: str, folder: str, stem: str) -> Iterator[str]:

@@ -102,3 +102,23 @@ def test_a_header_is_in_a_folder_that_the_package_adds(
     source = find_language("cpp").read(path, with_others(path, path.read_bytes())).source
     assert source is not None
     assert [each.name for each in source.endpoints] == names
+
+
+def test_the_header_of_a_template_says_what_its_other_header_uses(tmp_path: Path) -> None:
+    (tmp_path / "a.h").write_text(
+        "#include <actionlib/server/action_server.h>\n#include <std_msgs/String.h>\n"
+        "template <class T> class A {\n  using S = actionlib::ActionServer<a_msgs::FooAction>;\n"
+        "  void init(ros::NodeHandle& nh);\n  void hear(const std_msgs::StringConstPtr& m);\n"
+        '  std::unique_ptr<S> server_;\n};\n#include "a_impl.h"\n'
+    )
+    path = tmp_path / "a_impl.h"
+    path.write_text(
+        f"{ROS1}template <class T> void A<T>::init(ros::NodeHandle& nh) {{\n"
+        '  nh.subscribe("b", 1, &A::hear, this);\n  server_.reset(new S(nh, "c", false));\n}\n'
+    )
+    source = find_language("cpp").read(path, with_others(path, path.read_bytes())).source
+    assert source is not None
+    assert [(each.name, str(each.type)) for each in source.endpoints] == [
+        ("b", "std_msgs/String"),
+        ("c", "a_msgs/Foo"),
+    ]

@@ -38,13 +38,6 @@ def _class(added: Addition, interface: Interface) -> str:
 
 def serve_action(added: Addition, server: ActionServer, interface: Interface) -> None:
     """Let a node serve an action, with a function of its own that works on the goals."""
-    if added.owner is None:
-        place = added.place
-        line = place.function.node.start_point.row + 1
-        message = f"a function of a class has to work on the goals of `{server.name}`"
-        message += f", and `{place.function.name}` in line {line} is of none"
-        remedy = "write the server by hand, or let a node that is a class serve it"
-        refuse(codes.EDIT_REFUSED, message, added.span, remedy)
     class_ = _class(added, interface)
     wanted = server.callback
     is_there = wanted is not None and existing(added, wanted) is not None
@@ -87,21 +80,23 @@ def _serve_in_ros2(added: Addition, class_: str, name: str, is_there: bool) -> N
         file = write_function(added, name, [parameter], body, _said(added))
         _include_action(added, file)
         added.include(added.place.file, "thread")
-    called = f"{name}(goal_handle);"
+    called, taken = f"{name}(goal_handle);", "this" if added.owner is not None else ""
     if not is_there:
         pad = added.style(added.place.file).pad
         handed = f"{{{pad}{name}(goal_handle);{pad}}}"
-        called = f"std::thread([this, goal_handle]() {handed}).detach();"
+        both = f"{taken}, goal_handle" if taken else "goal_handle"
+        called = f"std::thread([{both}]() {handed}).detach();"
+    declared = "auto " if is_local(added) else ""
     text = literals.string(name_as_written(added.endpoint.name, 2))
     pad = added.style(added.place.file).pad
     accepted = f"{{{pad}return rclcpp_action::GoalResponse::ACCEPT_AND_EXECUTE;{pad}}}"
     cancelled = f"{{{pad}return rclcpp_action::CancelResponse::ACCEPT;{pad}}}"
     added.lines += [
-        f"{variable} = rclcpp_action::create_server<{class_}>(",
+        f"{declared}{variable} = rclcpp_action::create_server<{class_}>(",
         f"\v{added.place.node_argument}, {text},",
         f"\v[](const auto &, const auto &) {accepted},",
         f"\v[](const auto &) {cancelled},",
-        "\v[this](const auto & goal_handle) {",
+        f"\v[{taken}](const auto & goal_handle) {{",
         f"\v\t{called}",
         "\v});",
     ]
@@ -110,10 +105,15 @@ def _serve_in_ros2(added: Addition, class_: str, name: str, is_there: bool) -> N
 def _serve_in_ros1(added: Addition, class_: str, name: str, is_there: bool) -> None:
     server = f"actionlib::SimpleActionServer<{class_}Action>"
     variable, file = hold(added, K.ACTION_SERVER, f"std::unique_ptr<{server}>")
+    where = file or added.place.file
+    added.include(where, "actionlib/server/simple_action_server.h")
     if file is not None:
-        added.include(file, "actionlib/server/simple_action_server.h")
         added.include(file, "memory")
-        added.include_types(file)
+    added.include_types(where)
+    # A function of none but itself gets the server that `main` has, as the last parameter.
+    there = existing(added, name)
+    is_given = is_local(added) and (there is None or len(there.parameters) > 1)
+    used = "server" if is_given else variable
     if not is_there:
         style = added.style(added.place.file)
         reference = style.reference
@@ -126,24 +126,33 @@ def _serve_in_ros1(added: Addition, class_: str, name: str, is_there: bool) -> N
                 "for (int step = 0; step < 10 && ros::ok(); ++step)",
                 [
                     *style.block(
-                        f"if ({variable}->isPreemptRequested())",
-                        [f"{variable}->setPreempted(result);", "return;"],
+                        f"if ({used}->isPreemptRequested())",
+                        [f"{used}->setPreempted(result);", "return;"],
                     ),
-                    f"{variable}->publishFeedback(feedback);",
+                    f"{used}->publishFeedback(feedback);",
                     "rate.sleep();",
                 ],
             ),
-            f"{variable}->setSucceeded(result);",
+            f"{used}->setSucceeded(result);",
         ]
-        parameter = f"const {class_}GoalConstPtr{reference}goal"
-        write_function(added, name, [parameter], body, _said(added))
+        parameters = [f"const {class_}GoalConstPtr{reference}goal"]
+        if is_given:
+            parameters.append(f"{server}{reference.replace('&', '*')}server")
+        write_function(added, name, parameters, body, _said(added))
     binder, placeholder = bind_manner(added, 1)
-    if not placeholder.startswith("_") and binder.startswith("boost"):
+    called = name
+    if added.owner is not None:
+        called = f"{binder}(&{added.owner.name}::{name}, this, {placeholder}1)"
+    elif is_given:
+        called = f"{binder}({name}, {placeholder}1, &{variable})"
+    is_bound = called != name
+    if is_bound and not placeholder.startswith("_") and binder.startswith("boost"):
         added.include(added.place.file, "boost/bind/bind.hpp")
-    assert added.owner is not None, "it was refused otherwise"
-    called = f"{binder}(&{added.owner.name}::{name}, this, {placeholder}1)"
     given = ", ".join((*_named(added), called, "false"))
-    added.lines += [f"{variable}.reset(new {server}({given}));", f"{variable}->start();"]
+    if is_local(added):
+        added.lines += [f"{server} {variable}({given});", f"{variable}.start();"]
+    else:
+        added.lines += [f"{variable}.reset(new {server}({given}));", f"{variable}->start();"]
 
 
 def _said(added: Addition) -> str:

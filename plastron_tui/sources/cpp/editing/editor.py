@@ -42,6 +42,7 @@ from .still_read import tell_still_read
 from .uncalled import tell_uncalled, uncalled_functions
 from .units import Found, analyze_files, endpoints_of, outlines_of, sites_of
 from .updating import plan_update
+from .used_elsewhere import used_elsewhere
 
 
 def edit_cpp(source: SourceUnit, changes: Sequence[Change], catalog: Catalog) -> Rendered:
@@ -82,6 +83,10 @@ def edit_cpp(source: SourceUnit, changes: Sequence[Change], catalog: Catalog) ->
         help_ = "make this change in the file by hand"
         return Rendered(None, (Diagnostic(codes.EDIT_REFUSED, message, where, help=help_),))
     before, after = edits.before, edits.analysis
+    use = used_elsewhere(source.path, before, after)
+    if use is not None:
+        refused = Diagnostic(codes.ENDPOINT_IN_USE, use, where, help="change that file first")
+        return Rendered(None, (refused,))
     uncalled = uncalled_functions(before, after)
     edits.notes += tell_uncalled(uncalled, changes)
     edits.notes += tell_still_read(before, after, changes, uncalled)

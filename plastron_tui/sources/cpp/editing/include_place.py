@@ -44,7 +44,7 @@ def add_include(plan: Plan, unit: Unit, file: CppFile, header: str, ros_version:
     if not near:
         _add_alone(plan, file, every, _written(header, is_standard or ros_version == 1))
         return
-    is_angled = is_standard or near[-1].is_angled
+    is_angled = is_standard or header.startswith("boost/") or near[-1].is_angled
     run = _runs(file, near)[-1]
     around = next(each for each in _runs(file, every) if run[-1] in each)
     if _is_sorted(around):

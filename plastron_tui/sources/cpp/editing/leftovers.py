@@ -15,7 +15,7 @@ from .. import interface_types
 from ..analysis import Analysis, Site
 from ..scopes import CppFile, Function, Variable
 from .deletions import Deletions
-from .lambdas import handed_functions
+from .lambdas import handed_functions, lambda_of
 from .uses import hidden_uses, uses_of, word
 
 _LOGS = re.compile(r"(?:ROS|NODELET|RCLCPP)_(?:INFO|DEBUG|WARN|ERROR)\w*\s*\(")
@@ -67,6 +67,18 @@ def functions_of(analysis: Analysis, site: Site) -> Iterator[list[Function]]:
     yield same
 
 
+def take_held_lambdas(analysis: Analysis, lost: Sequence[Site], gone: Deletions) -> None:
+    """Take out the local variables whose lambdas nothing calls any more, where they are stubs."""
+    for site in lost:
+        found = lambda_of(analysis, site)
+        if found is None or found.variable is None or found.function is None:
+            continue
+        used = uses_of(analysis, found.variable)
+        is_free = all(gone.covers(file, node.start_byte) for file, node, _ in used)
+        if is_free and is_stub(found.function):
+            gone.statement(found.variable.file, found.variable.node)
+
+
 def has_uses(analysis: Analysis, functions: Sequence[Function], gone: Deletions) -> bool:
     """Tell whether anything that stays names a function, but for itself."""
     name = functions[0].name
@@ -75,7 +87,7 @@ def has_uses(analysis: Analysis, functions: Sequence[Function], gone: Deletions)
     pattern = re.compile(rb"(?<![A-Za-z0-9_])" + re.escape(name.encode()) + rb"(?!\w)")
     if any(hidden_uses(analysis, name, gone)):
         return True
-    for file in analysis.unit.files:
+    for file in analysis.unit.all_files:
         for found in pattern.finditer(file.syntax.code):
             if gone.covers(file, found.start()):
                 continue
@@ -180,10 +192,13 @@ def take_types(analysis: Analysis, sites: Sequence[Site], gone: Deletions) -> No
         if _is_named(analysis, type_.name, gone):
             continue
         for file in analysis.unit.files:
-            if file.is_beside:
-                continue
+            # What a header includes, and does not need itself, may be for other sources.
+            is_own = not file.name or any(
+                gone.covers(file, found.start())
+                for found in named(type_.name).finditer(gone.written(file))
+            )
             text = file.syntax.text
-            for include in file.syntax.includes:
+            for include in file.syntax.includes if is_own else ():
                 if include.path in headers_of(type_, kind, analysis.ros_version):
                     start = line_start(text, include.start)
                     gone.line(file, start, line_end(text, start))
@@ -237,7 +252,7 @@ def take_placeholders(analysis: Analysis, gone: Deletions) -> None:
                 continue
             was_said = any(
                 gone.covers(each, found.start())
-                for each in analysis.unit.files
+                for each in analysis.unit.all_files
                 for found in word(own).finditer(each.syntax.code)
             )
             if was_said and not _is_said(analysis, own, file, node, gone):
@@ -296,7 +311,7 @@ def _is_said(analysis: Analysis, name: str, file: CppFile, node: Node, gone: Del
     return any(
         not gone.covers(each, found.start())
         and not (each is file and node.start_byte <= found.start() < node.end_byte)
-        for each in analysis.unit.files
+        for each in analysis.unit.all_files
         for found in word(name).finditer(gone.written(each))
     )
 
@@ -312,6 +327,6 @@ def _is_named(analysis: Analysis, name: str, gone: Deletions) -> bool:
     pattern = named(name)
     return any(
         not gone.covers(file, found.start())
-        for file in analysis.unit.files
+        for file in analysis.unit.all_files
         for found in pattern.finditer(gone.written(file))
     )

@@ -11,7 +11,7 @@ from plastron_tui.sources.written_anew import no_longer_decides, no_longer_sends
 
 from ..analysis import Analysis, Site
 from .creation import creation_of
-from .refilling import is_worked_out
+from .refilling import STAMP, is_worked_out
 from .sent import PUBLISHING, Sent, sent_through
 from .units import sites_of
 
@@ -57,7 +57,7 @@ def worked_out(analysis: Analysis, sent: Sent) -> Iterator[str]:
         if sent.given is not None and is_worked_out(sent.given, sent.file):
             yield sent.file.syntax.slice(sent.given)
         return
-    for node, _, given, scope in analysis.fields.of(variable.name):
+    for node, path, given, scope in analysis.fields.of(variable.name):
         found = analysis.unit.lookup(variable.name, scope, node.start_byte)
-        if found is variable and is_worked_out(given, scope.file):
+        if found is variable and path != STAMP and is_worked_out(given, scope.file):
             yield scope.file.syntax.slice(given)

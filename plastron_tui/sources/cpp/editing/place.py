@@ -112,8 +112,9 @@ def find_place(analysis: Analysis, change: Add, kind: EndpointKind) -> Place:
         key = (
             is_foreign,
             bool(place.file.name) and not place.owner,
+            is_helper,
             is_parameter != is_wanted,
-            2 if is_helper else rank,
+            rank,
             site.endpoint.kind is not kind,
             place.after is None,
             -at,
@@ -192,7 +193,7 @@ def beside(analysis: Analysis, site: Site) -> Place | None:
     if body is None:
         return None
     after, block = _statement(site.call.node, body)
-    if after is not None and _leaves(after):
+    if after is not None and leaves(after):
         return None
     after = _with_uses(analysis, site, after)
     owner = analysis.unit.class_of_function(function)
@@ -217,7 +218,8 @@ def _with_uses(analysis: Analysis, site: Site, after: Node | None) -> Node | Non
     return after
 
 
-def _leaves(statement: Node) -> bool:
+def leaves(statement: Node) -> bool:
+    """Tell whether nothing behind a statement is reached."""
     return statement.type in ("return_statement", "throw_statement")
 
 
@@ -305,7 +307,7 @@ def _of_class(analysis: Analysis, owner: Scope) -> Place | None:
     if node is None:
         return None
     statements = body.named_children
-    after = next((each for each in reversed(statements) if not _leaves(each)), None)
+    after = next((each for each in reversed(statements) if not leaves(each)), None)
     return Place(found[0].file, found[0], body, after, owner, node, is_end=after is None)
 
 

@@ -8,10 +8,11 @@ from dataclasses import dataclass, field
 
 from plastron_tui.diagnostics import Diagnostic
 from plastron_tui.model.source import FileSet
-from plastron_tui.sources.splices import Splice, apply
+from plastron_tui.sources.splices import Splice, apply, line_number
 
 from ..analysis import Site
 from ..scopes import CppFile
+from .refusals import RefusedError
 from .units import Key
 
 
@@ -32,7 +33,15 @@ class Plan:
     notes: list[Diagnostic] = field(default_factory=list)
 
     def replace(self, file: CppFile, start: int, end: int, text: str = "") -> None:
-        """Replace a part of a file."""
+        """Replace a part of a file.
+
+        Raises:
+            RefusedError: the file is one of another node, which is only looked into.
+        """
+        if file.is_beside:
+            line = line_number(file.syntax.text, start)
+            message = f"line {line} of `{file.name}`, a file of another node, has a part of it"
+            raise RefusedError(message, None, "change that file first")
         encoded = text.encode(file.syntax.encoding)
         self.splices[file.name].append(Splice(start, end, encoded))
 

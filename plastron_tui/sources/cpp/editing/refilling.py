@@ -29,7 +29,8 @@ from .statements import only_sets, statement_of
 from .units import labels_of
 from .uses import uses_of
 
-_STAMP = "header.stamp"
+STAMP = "header.stamp"
+"""The time at which a message is sent, which nobody calls a value of it."""
 _BLANKS = re.compile(r"\s+")
 # What makes a value of a type of the standard library from what it is given.
 _MAKING = re.compile(r"(?:std::)?(?:string|vector<[\w: ]+>)|(?:\w+::)*[A-Z]\w*")
@@ -151,7 +152,7 @@ def refill(update: Replacement, refilling: Refilling) -> list[str]:
     gone = Deletions()
     anchor = filled.after
     for path, (statement, given, scope) in said.items():
-        is_stamp = path == _STAMP and values.is_stamped and path not in wanted
+        is_stamp = path == STAMP and values.is_stamped and path not in wanted
         if path not in wanted and not is_stamp:
             gone.statement(filled.file, statement)
         else:
@@ -160,13 +161,13 @@ def refill(update: Replacement, refilling: Refilling) -> list[str]:
             continue
         if path in wanted:
             update.put(filled.file, given, wanted[path])
-        if is_worked_out(given, filled.file):
+        if path != STAMP and is_worked_out(given, filled.file):
             lost.append(filled.file.syntax.slice(given))
     update.plan.splices[filled.file.name] += gone.splices(filled.file)
     lines = [
         f"{filled.holder}{path} = {text};" for path, text in wanted.items() if path not in said
     ]
-    if values.is_stamped and _STAMP not in {*wanted, *said}:
+    if values.is_stamped and STAMP not in {*wanted, *said}:
         lines.append(stamp(added, filled.holder))
     _insert(filled, added, anchor, lines)
     take_over(update, added)
@@ -177,7 +178,7 @@ def stamp(added: Addition, holder: str) -> str:
     """Write what gives a message the time at which it is sent."""
     node = node_in_methods(added.analysis, added.place)
     now = f"{node}now()" if node is not None else "rclcpp::Clock(RCL_ROS_TIME).now()"
-    return f"{holder}{_STAMP} = {now if added.is_ros2 else 'ros::Time::now()'};"
+    return f"{holder}{STAMP} = {now if added.is_ros2 else 'ros::Time::now()'};"
 
 
 def take_over(update: Replacement, added: Addition) -> None:

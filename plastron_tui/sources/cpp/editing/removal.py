@@ -23,6 +23,7 @@ from .leftovers import (
     remove_function,
     take_callbacks,
     take_headers,
+    take_held_lambdas,
     take_literals,
     take_placeholders,
     take_types,
@@ -169,6 +170,9 @@ class _Removal:
         self._served.begin(variable)
         left: list[tuple[CppFile, Node, Scope]] = []
         for file, node, scope in uses_of(self._analysis, variable):
+            if file.is_beside:
+                self.used.append((file, node.start_point.row + 1))
+                continue
             if self._gone.covers(file, node.start_byte) or self._take_use(file, node, scope):
                 continue
             if not self._take_asking(scope) and not self._served.take(file, node):
@@ -344,6 +348,7 @@ class _Removal:
                 for each in functions:
                     remove_function(each, self._gone)
         take_callbacks(self._analysis, self._plan.lost, self._gone)
+        take_held_lambdas(self._analysis, self._plan.lost, self._gone)
         self._gone.take_empty()
         self._gone.take_sections()
         self._note_parameters()

@@ -219,14 +219,16 @@ def _include(
     is_named = _is_named(update, old, places)
     for file in files:
         text = file.syntax.text
+        # What a header includes, and does not need itself, may be for other sources.
+        is_kept = is_named or (bool(file.name) and all(name != file.name for name, _, _ in places))
         for include in file.syntax.includes:
             if include.path not in headers:
                 continue
             start = line_start(text, include.start)
-            if not is_named and not is_there:
+            if not is_kept and not is_there:
                 at = text.index(include.path.encode(), start)
                 update.put_between(file, at, at + len(include.path.encode()), header)
-            elif not is_named:
+            elif not is_kept:
                 update.put_between(file, start, line_end(text, start), "")
             elif not is_there:
                 line = f"#include <{header}>" if include.is_angled else f'#include "{header}"'
@@ -240,7 +242,7 @@ def _include(
 def _is_named(update: Replacement, old: InterfaceName, places: set[tuple[str, int, int]]) -> bool:
     """Tell whether anything else says the old type."""
     pattern = named(old.name)
-    for file in update.analysis.unit.files:
+    for file in update.analysis.unit.all_files:
         own = [(start, end) for name, start, end in places if name == file.name]
         for found in pattern.finditer(file.syntax.code):
             if not any(start <= found.start() < end for start, end in own):

@@ -7,7 +7,7 @@ from dataclasses import replace
 from ..analysis import Analysis, Site
 from ..scopes import Variable
 from .adding import Addition
-from .place import Place, beside, start_rank
+from .place import Place, beside, leaves, start_rank
 from .visibility import sees_member
 
 
@@ -20,47 +20,52 @@ def goes_where_it_is_seen(added: Addition, site: Site, variable: Variable) -> bo
         variable: the variable.
     """
     analysis = added.analysis
+    place = added.place
     if variable.kind == "local":
-        place = added.place if added.place.beside is site else beside(analysis, site)
-        found = None if place is None else _in_its_block(place, site, variable)
-    elif _is_seen(analysis, added.place, site, variable):
+        if place.beside is site and _may_name(analysis, place, variable):
+            return True
+        found = _behind_creation(analysis, site)
+        if found is None or _is_declared_within(found, variable) or _ends(analysis, found):
+            return False
+    elif variable.kind != "member" or sees_member(analysis, place.owner, variable):
         return True
     else:
         found = beside(analysis, site)
-    if found is None or not _is_seen(analysis, found, site, variable):
-        return False
+        if found is None or not sees_member(analysis, found.owner, variable):
+            return False
     if start_rank(analysis, found.function) is None or _is_called_back(analysis, found):
         return False
     added.place = found
     return True
 
 
-def _in_its_block(place: Place, site: Site, variable: Variable) -> Place | None:
-    """Return the place in the block that has a call, None where the variable ends before it."""
-    after = site.call.node
-    while after.parent is not None and after.parent.type != "compound_statement":
-        after = after.parent
-    if after.parent is None:
-        return None
-    if after.parent.id == place.body.id:
-        after = place.after or after
-    declared = variable.node
-    is_within = after.start_byte <= declared.start_byte and declared.end_byte <= after.end_byte
-    if declared.id != after.id and is_within and variable.file is place.file:
-        # `if (T a = b)`: it is seen in that statement alone.
-        return None
-    block = after.parent
-    return None if block is None else replace(place, body=block, after=after)
+def _may_name(analysis: Analysis, place: Place, variable: Variable) -> bool:
+    named = analysis.unit.lookup(variable.name, place.scope, place.offset)
+    return named is variable and not _ends(analysis, place)
 
 
-def _is_seen(analysis: Analysis, place: Place, site: Site, variable: Variable) -> bool:
-    if variable.kind == "local":
-        # A variable of a method is gone, or not seen, in the method that sends.
-        is_there = place.beside is site
-        return is_there and place.owner is None and not _is_called_back(analysis, place)
-    if variable.kind == "member":
-        return sees_member(analysis, place.owner, variable)
-    return True
+def _ends(analysis: Analysis, place: Place) -> bool:
+    """Tell whether what is local at a place ends before the node does."""
+    return place.owner is not None or _is_called_back(analysis, place)
+
+
+def _behind_creation(analysis: Analysis, site: Site) -> Place | None:
+    """Return the place behind the statement of a call, in the block that has it."""
+    place = beside(analysis, site)
+    node = site.call.node
+    while node.parent is not None and node.parent.type != "compound_statement":
+        node = node.parent
+    if place is None or node.parent is None or leaves(node):
+        return None
+    return replace(place, body=node.parent, after=node)
+
+
+def _is_declared_within(place: Place, variable: Variable) -> bool:
+    """Tell whether a variable ends with the statement behind which a place is: `if (T a = b)`."""
+    after, node = place.after, variable.node
+    if after is None or after.id == node.id or variable.file is not place.file:
+        return False
+    return after.start_byte <= node.start_byte and node.end_byte <= after.end_byte
 
 
 def _is_called_back(analysis: Analysis, place: Place) -> bool:

@@ -30,6 +30,23 @@ _CALLED = frozenset(
     | {"spin_until_future_complete", "get_logger", "static_cast", "size", "get", "sleep_for"}
     | {"now", "sleep", "bind", "get_clock", "get_name", "getName"}
 )
+_SERVING = frozenset(
+    {"call", "async_send_request", "prune_pending_requests", "remove_pending_request"}
+    | {"waitForExistence", "wait_for_service", "service_is_ready", "getService"}
+    | {"sendGoal", "sendGoalAndWait", "async_send_goal", "async_get_result", "getResult"}
+    | {"waitForServer", "waitForResult", "isServerConnected", "stopTrackingGoal"}
+    | {"wait_for_action_server", "action_server_is_ready", "cancelGoal", "cancelAllGoals"}
+    | {"cancelGoalsAtAndBeforeTime", "async_cancel_goal", "async_cancel_all_goals"}
+    | {"publish", "sendTransform", "getNumSubscribers", "get_subscription_count", "getTopic"}
+    | {"getNumPublishers", "get_publisher_count", "get_topic_name", "get_service_name"}
+    | {"is_activated", "isLatched", "setSucceeded", "setAborted", "setPreempted", "isActive"}
+    | {"isPreemptRequested", "isNewGoalAvailable", "acceptNewGoal", "publishFeedback"}
+    | {"is_canceling", "canceled", "succeed", "abort", "publish_feedback", "get_goal", "is_active"}
+    | {"get_goal_id", "get_status", "execute", "start", "shutdown", "reset", "cancel", "stop"}
+    | {"on_activate", "on_deactivate", "isNull", "getErrorCode", "setRejected", "setCanceled"}
+)
+"""Methods of endpoints, and of what comes of them, that are of no use without them."""
+
 _LEAVING = frozenset({"shutdown", "exit", "requestShutdown"})
 _OTHER_WORK = frozenset(
     {"assignment_expression", "update_expression", "new_expression", "delete_expression"}
@@ -177,7 +194,8 @@ class Serving:
         if callee.type == "field_expression":
             root = self.root(file, callee)
             is_filling = name in _FILLING and root is not None and root.kind == "local"
-            return name in _READING or is_filling or (root is not None and root in self.going)
+            is_serving = name in _SERVING and root is not None and root in self.going
+            return name in _READING or is_filling or is_serving
         if name in self._analysis.unit.functions:
             return False
         if name in _CALLED or callee.type == "primitive_type":

@@ -20,7 +20,7 @@ def uses_of(analysis: Analysis, variable: Variable) -> Iterator[tuple[CppFile, N
     So does what may name it: a member of that name of an object whose type is not known.
     """
     own = variable.declarator.start_byte if variable.declarator is not None else -1
-    for file in analysis.unit.files:
+    for file in analysis.unit.all_files:
         for found in word(variable.name).finditer(file.syntax.code):
             if file is variable.file and found.start() == own:
                 continue
@@ -62,7 +62,7 @@ def hidden_uses(analysis: Analysis, name: str, gone: Deletions) -> Iterator[tupl
 
     That are macros, and branches of the preprocessor that stand for another one.
     """
-    for file in analysis.unit.files:
+    for file in analysis.unit.all_files:
         for found in word(name).finditer(gone.written(file)):
             start, end = found.span()
             if not file.syntax.code[start:end].strip() and not gone.covers(file, start):

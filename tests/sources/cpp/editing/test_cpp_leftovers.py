@@ -106,3 +106,27 @@ def test_an_endpoint_that_is_handed_on_stays() -> None:
     assert refusal(text, Remove(K.PUBLISHER, "a")) == (
         "endpoint-in-use: the publisher `a` is used in line 9"
     )
+
+
+def test_a_lambda_that_only_a_variable_holds_goes() -> None:
+    text = """
+ #include "rclcpp/rclcpp.hpp"
+-#include "std_msgs/msg/string.hpp"
+
+ class Ear : public rclcpp::Node
+ {
+ public:
+   Ear()
+   : Node("ear")
+   {
+-    auto words_callback = [this](std_msgs::msg::String::UniquePtr msg) -> void {
+-      RCLCPP_INFO(this->get_logger(), "%s", msg->data.c_str());
+-    };
+-    words_ = this->create_subscription<std_msgs::msg::String>("words", 10, words_callback);
+   }
+-
+-private:
+-  rclcpp::Subscription<std_msgs::msg::String>::SharedPtr words_;
+ };
+"""
+    check(text, Remove(K.SUBSCRIPTION, "words"))

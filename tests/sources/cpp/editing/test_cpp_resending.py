@@ -232,6 +232,13 @@ STAMPED = {
         "out_->publish(m);",
         [],
     ),
+    "one that goes with the type": (
+        "geometry_msgs::msg::PointStamped m;\nm.header.stamp = stamp_;\nm.point.x = 2.0;\n"
+        "out_->publish(m);",
+        "geometry_msgs::msg::PointStamped m;\nm.header.stamp = stamp_;\nm.point.x = 2.0;\n"
+        "out_->publish(m);",
+        [],
+    ),
     "a field that is worked out and goes": (
         "geometry_msgs::msg::PointStamped m;\nm.header.stamp = now();\nm.point.x = 1.0;\n"
         "m.point.y = high(count_);\nout_->publish(m);",

@@ -51,9 +51,6 @@ def test_a_node_takes_each_kind_or_says_why_not(path: Path) -> None:
         for what, change in each_kind(version).items():
             done = edit_cpp(source, [change._replace(node=label)], CATALOGS[version])
             wanted = _reason(name, what)
-            if done.files is None and what == "action server":
-                # The one kind that a function which is no method cannot have.
-                wanted = wanted or "a function of a class"
             messages = [each.message for each in done.diagnostics]
             assert (done.files is None) == bool(wanted), (label, what, messages)
             if not wanted:

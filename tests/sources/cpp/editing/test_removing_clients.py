@@ -267,6 +267,7 @@ USED = {
     "what a condition asks besides": 'if (moved++ > 0 && client.call(asked)) { ROS_INFO("?"); }',
     "an object that works": "if (client.call(asked)) { Robot robot; robot.move(); }",
     "an object that ends": "Guard guard(client);",
+    "a method that nobody knows": "client.anything();",
     "an answer apart": "std_srvs::SetBool::Response r; client.call(asked.request, r); use(r);",
     "what throws where an answer came": "if (client.call(asked)) { throw 1; }",
 }
