@@ -104,7 +104,9 @@ def _check_body(
                 types = _field_types(old, interface, section, field)
                 if types is None or types[1] is None:
                     missing[field] = None
-                elif not _is_alike(*types):
+                elif not _is_alike(*types) or (
+                    is_log and types[0] != types[1] and _is_formatted(body, file, name, field)
+                ):
                     differing[field] = None
     is_named = callback_of(update.change.endpoint) is not None
     lack = _lack(missing, differing)
@@ -209,6 +211,13 @@ def _fields_used(body: Node, file: CppFile, name: str) -> Iterator[str]:
     for found in pattern.finditer(file.syntax.code, body.start_byte, body.end_byte):
         if found[2] is None:
             yield found[1].decode()
+
+
+def _is_formatted(body: Node, file: CppFile, name: str, field: str) -> bool:
+    """Tell whether a log gives a field to a format, which says the type of a number."""
+    words = re.escape(name.encode()), re.escape(field.encode())
+    given = re.compile(rb",\s*%s\s*(?:->|\.)\s*%s\s*[,)]" % words)
+    return given.search(file.syntax.code, body.start_byte, body.end_byte) is not None
 
 
 def _uses_parameters(body: Node, file: CppFile, names: list[str]) -> bool:

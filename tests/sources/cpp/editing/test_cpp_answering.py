@@ -322,3 +322,23 @@ def test_a_stub_that_logs_what_the_new_type_has_not_is_written_anew() -> None:
 """
     new = Subscription("in", INT, None, AT)
     assert check(patch, Update(K.SUBSCRIPTION, "in", new, AT)) == ()
+
+
+@pytest.mark.parametrize(("given", "is_kept"), [("msg.data", False), ("int(msg.data)", True)])
+def test_a_number_in_a_format_is_not_another_number(given: str, is_kept: bool) -> None:
+    text = f"""
+ #include <ros/ros.h>
+ #include <std_msgs/Int32.h>
+ void hear(const std_msgs::Int32& msg) {{ ROS_INFO("%d", {given}); }}
+ int main(int argc, char** argv) {{
+   ros::init(argc, argv, "n");
+   ros::NodeHandle nh;
+   ros::Subscriber in = nh.subscribe("in", 7, hear);
+ }}
+"""
+    real = InterfaceName("std_msgs", "Float64")
+    files, _ = edit(
+        sides(text)[0], Update(K.SUBSCRIPTION, "in", Subscription("in", real, None, AT), AT)
+    )
+    assert files is not None
+    assert (f'"%d", {given}'.encode() in files.main) == is_kept
