@@ -21,6 +21,7 @@ from loaded_packages import (
     run,
     texts,
 )
+from machine import examples
 
 ADDED = {
     "ament_python": {
@@ -258,7 +259,7 @@ def _styled(text: str, style: str) -> bytes:
     return (b"\xef\xbb\xbf" if style == "bom" else b"") + text.encode()
 
 
-@settings(max_examples=25, deadline=None)
+@settings(max_examples=examples(25), deadline=None)
 @given(
     kind=some.sampled_from(sorted(KINDS)),
     depends=some.lists(some.sampled_from(["std_msgs", "nav_msgs", "tf2", "yaml"]), unique=True),

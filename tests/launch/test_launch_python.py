@@ -9,13 +9,14 @@ import pytest
 from ament_linters import findings
 from hypothesis import HealthCheck, Phase, given, settings
 from launch_files import launch_files
+from machine import examples
 
 from plastron_tui.ros.launch import Include, LaunchFile, ParameterValue, StartedNode, Unread
 from plastron_tui.sources.launch.python_reader import read_launch_python
 from plastron_tui.targets.launch.python import write_python
 
 written_often = settings(
-    max_examples=60,
+    max_examples=examples(60),
     deadline=None,
     suppress_health_check=list(HealthCheck),
     phases=(Phase.explicit, Phase.reuse, Phase.generate),

@@ -6,6 +6,7 @@ import pytest
 from hypothesis import HealthCheck, Phase, given, settings
 from hypothesis import strategies as some
 from launch_files import launch_files
+from machine import examples
 
 from plastron_tui.ros.launch import Text
 from plastron_tui.ros.launch_text import text
@@ -16,7 +17,7 @@ from plastron_tui.targets.launch.xml import write_xml
 
 @pytest.mark.parametrize("ros_version", [1, 2])
 @settings(
-    max_examples=60,
+    max_examples=examples(60),
     deadline=None,
     suppress_health_check=list(HealthCheck),
     # What is drawn is large, and shrinks for minutes.

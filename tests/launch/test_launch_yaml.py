@@ -8,6 +8,7 @@ import pytest
 import yaml
 from hypothesis import HealthCheck, Phase, given, settings
 from launch_files import launch_files
+from machine import examples
 
 from plastron_tui.diagnostics import codes
 from plastron_tui.ros.launch import Format, LaunchFile, StartedNode, items_of
@@ -30,7 +31,7 @@ def _body(element: Element) -> Any:
 
 
 @settings(
-    max_examples=60,
+    max_examples=examples(60),
     deadline=None,
     suppress_health_check=list(HealthCheck),
     phases=(Phase.explicit, Phase.reuse, Phase.generate),

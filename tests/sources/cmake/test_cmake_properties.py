@@ -6,6 +6,7 @@ from pathlib import Path
 
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from machine import examples
 
 from plastron_tui.sources.cmake import dependencies, interfaces, programs, shares
 from plastron_tui.sources.cmake.facts import facts
@@ -95,7 +96,7 @@ def files(draw: st.DrawFn) -> bytes:
     return text.replace("\n", draw(st.sampled_from(["\n", "\n", "\r\n"]))).encode()
 
 
-@settings(max_examples=150, deadline=None)
+@settings(max_examples=examples(150), deadline=None)
 @given(files(), st.sampled_from(PAIRS))
 def test_what_is_added_goes_again(text, pair) -> None:  # type: ignore[no-untyped-def]
     add, remove, value = pair
@@ -113,7 +114,7 @@ def test_what_is_added_goes_again(text, pair) -> None:  # type: ignore[no-untype
         assert remove(edited.text, PATH, value) == (text, ())
 
 
-@settings(max_examples=100, deadline=None)
+@settings(max_examples=examples(100), deadline=None)
 @given(st.binary(max_size=60) | st.text('()[]"#${}\\\n ifendset', max_size=60).map(str.encode))
 def test_any_bytes_are_read_or_refused(text: bytes) -> None:
     for add, remove, value in PAIRS:

@@ -160,6 +160,15 @@ def test_a_call_is_that_of_the_overload_that_takes_its_literals() -> None:
     assert [each.name for each in read(head + called).endpoints] == ["a/heard", None, "7"]
 
 
+def test_a_number_is_no_function() -> None:
+    functions = (
+        f"void keep(const std::string& t, std::function<void()> heard) {{ {USE} }}\n"
+        f"void keep(const std::string& t, int depth) {{ {USE} }}\n"
+    )
+    source = read(f'{ROS1}ros::NodeHandle nh;\n{functions}int main() {{ keep("a", 2); }}')
+    assert [each.name for each in source.endpoints] == [None, "a"]
+
+
 OF_HEADER = [
     ("", []),
     ('make(nh, "a");', ["a"]),

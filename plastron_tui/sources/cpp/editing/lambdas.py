@@ -211,7 +211,9 @@ class NewLambda:
             # As one finds it: `{call(x);}` or `{ call(x); }`.
             pad = " " if self.like.scope.file.syntax.slice(body)[1:2] == " " else ""
             given = f"{text} {{{pad}{' '.join(self.body)}{pad}}}"
-            return [f"{head}{', '.join([*before, given])}{tail}"]
+            room = style.width - used - len(style.continuation.expandtabs(4))
+            if len(given) + len(tail) <= room:
+                return [f"{head}{', '.join([*before, given])}{tail}"]
         return with_body(
             head,
             before,

@@ -112,8 +112,9 @@ def find_place(analysis: Analysis, change: Add, kind: EndpointKind) -> Place:
         key = (
             is_foreign,
             bool(place.file.name) and not place.owner,
+            is_helper,
             is_parameter != is_wanted,
-            2 if is_helper else rank,
+            rank,
             site.endpoint.kind is not kind,
             place.after is None,
             -at,

@@ -17,7 +17,7 @@ from .creation import creation_of
 from .leftovers import headers_of, named
 from .replacing import NotInPlaceError, Replacement
 from .resending import Sending
-from .retyped_callbacks import called_back, check_retyped
+from .retyped_callbacks import called_back, check_retyped, vanishing
 from .uses import scope_at, uses_of
 
 _POINTER = re.compile(r"(?:Const)?Ptr\Z|(?:::(?:Const)?(?:Shared|Unique|Weak)?Ptr)\Z")
@@ -68,8 +68,12 @@ def retype(
         _retype_sent(each, written)
     if calls_same:
         is_said += _retype_callback(update, written)
-    elif site.shape.type == "callback":
-        is_said = 1
+    else:
+        is_said += site.shape.type == "callback"
+        for function in vanishing(update):
+            listed = function.declarator.child_by_field_name("parameters")
+            if listed is not None:
+                written.note(function.file, listed)
     if not is_said:
         raise NotInPlaceError
     _include(update, old, type_, kind, written.places)

@@ -21,6 +21,7 @@ _LONGEST_OF_ROS1 = 120
 """What the page "CppStyleGuide" of the wiki of ROS 1 allows."""
 
 _CONTROL = re.compile(rb"^[ \t]*(?:\} )?(?:if|for|while|else|try)\b[^\n;]*?(\{)?[ \t]*\r?$", re.M)
+_ENDS = ("", ";", "{", ");", "));", "const", "const {", "-> void {", "-> bool {", "-> void")
 _ONE_LINE = re.compile(rb"\{( ?)[^{}\s][^{}\n]*;( ?)\}")
 _REFERENCE = re.compile(r"[\w>]( ?)&( ?)[a-z_]\w*")
 
@@ -154,7 +155,7 @@ def _call_of(line: str) -> tuple[str, list[str], str] | None:
         elif letter in ")]}" and starts:
             start = starts.pop()
             rest = line[at + 1 :].strip()
-            is_last = line[start] == "(" and rest in ("", ";", "{", ");", "));", "const", "const {")
+            is_last = line[start] == "(" and rest in _ENDS
             if is_last and not starts and start + 1 < at:
                 ends = [*commas.get(start, []), at]
                 begins = [start + 1, *(each + 1 for each in ends[:-1])]

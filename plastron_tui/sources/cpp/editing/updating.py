@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Set as AbstractSet
+
 from tree_sitter import Node
 
 from plastron_tui.diagnostics import Diagnostic, codes
@@ -25,9 +27,10 @@ from ..scopes import Function
 from ..timers import recreated
 from .addition import write_callback
 from .clang_format import ClangFormat
+from .deletions import Deletions
 from .existing_callbacks import misfit
 from .hearing import bound, existing
-from .leftovers import functions_of, is_stub
+from .leftovers import functions_of, is_stub, remove_function
 from .pacing import set_period
 from .place import beside
 from .plans import Plan
@@ -37,6 +40,7 @@ from .refusals import not_there
 from .replacing import NotInPlaceError, OtherCodeError, Replacement
 from .requalifying import requalify
 from .resending import answer, resend, sent_now
+from .retyped_callbacks import vanishing
 from .retyping import retype
 from .units import key_of, labels_of, sites_of
 from .uses import word
@@ -137,7 +141,8 @@ def _change(update: Replacement, *, is_again: bool) -> tuple[EndpointKind, str |
         except OtherCodeError as error:
             retype(update, type_name, interface, calls_same=False)
             calls_other = True
-            _tell_lost(update, type_name, error.lack)
+            if not vanishing(update):
+                _tell_lost(update, type_name, error.lack)
         type_ = str(type_name)
     if calls_other:
         callback = _call(update, wanted, is_retyped=is_retyped)
@@ -219,8 +224,14 @@ def _call(update: Replacement, wanted: str | None, *, is_retyped: bool) -> str:
     if place is None or place.owner is not owner:
         # The call names the class of its function.
         raise NotInPlaceError
-    name = _write(update, is_retyped=is_retyped)
+    gone = Deletions()
+    stubs = vanishing(update) if is_retyped else []
+    for each in stubs:
+        remove_function(each, gone)
+    name = _write(update, is_retyped=is_retyped, instead_of={each.name for each in stubs})
     update.put(site.place.file, name_node, name)
+    for file in gone.files:
+        update.plan.splices[file.name] += gone.splices(file)
     return name
 
 
@@ -255,11 +266,14 @@ def _replace_lambda(
     return name
 
 
-def _write(update: Replacement, *, is_retyped: bool) -> str:
+def _write(
+    update: Replacement, *, is_retyped: bool, instead_of: AbstractSet[str] = frozenset()
+) -> str:
     """Write a function that logs, in the manner of those that the files have."""
     if not isinstance(update.change.endpoint, Subscription | Service):
         raise NotInPlaceError
     added = addition_at(update)
+    added.taken -= instead_of
     name = write_callback(added)
     for file, splices in added.plan.splices.items():
         update.plan.splices[file] += [

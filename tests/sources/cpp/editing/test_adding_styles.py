@@ -160,6 +160,41 @@ CASES = [
         id="headers of the standard and of packages in order",
     ),
     pytest.param(
+        publish("mode", "geometry_msgs/Point", rate=2.0, x=1.5),
+        """
++#include <chrono>
++#include <geometry_msgs/msg/point.hpp>
+ #include <memory>
+ #include <rclcpp/rclcpp.hpp>
+ #include <std_msgs/msg/string.hpp>
+ #include <utility>
+
+ struct Gate : rclcpp::Node
+ {
+   Gate()
+   : Node("gate")
+   {
+     pub_ = create_publisher<std_msgs::msg::String>("state", 1);
++    mode_pub_ = create_publisher<geometry_msgs::msg::Point>("mode", 1);
++    mode_timer_ = create_wall_timer(
++      std::chrono::milliseconds(500), std::bind(&Gate::publish_mode, this));
+   }
++
++  void publish_mode()
++  {
++    geometry_msgs::msg::Point message;
++    message.x = 1.5;
++    mode_pub_->publish(message);
++  }
++
+   rclcpp::Publisher<std_msgs::msg::String>::SharedPtr pub_;
++  rclcpp::Publisher<geometry_msgs::msg::Point>::SharedPtr mode_pub_;
++  rclcpp::TimerBase::SharedPtr mode_timer_;
+ };
+""",
+        id="headers of all kinds in one order",
+    ),
+    pytest.param(
         publish("at", "sensor_msgs/Temperature", rate=7.0, temperature=1.5),
         """
 +#include <chrono>
