@@ -244,7 +244,10 @@ class CppFile:
         syntax: its text and tree.
         root: the scope of the whole file.
         scopes: all scopes, in the order of the text.
-        captures: what the query of the structure has found, in the order of the text.
+        calls: its calls, in the order of the text.
+        assignments: what assigns, each with its scope.
+        initializers: the initializers of constructors, each with its scope.
+        news: the `new` expressions, each with its scope.
         is_beside: whether it is no part of the set, and only looked into.
     """
 

@@ -20,7 +20,6 @@ from .refusals import RefusedError
 from .units import labels_of
 
 _STARTING = re.compile(r"(?:on_?)?(?:init|set_?up|start|config|activate|create|advertise)", re.I)
-_CLIMBED = frozenset({"compound_statement", "try_statement"})
 
 
 @dataclass(frozen=True, slots=True)
