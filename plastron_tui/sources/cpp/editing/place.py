@@ -339,10 +339,8 @@ def node_in_methods(analysis: Analysis, place: Place) -> str | None:
 def _methods(analysis: Analysis, owner: Scope, name: str) -> list[Function]:
     return [
         each
-        for each in analysis.unit.functions.get(name, ())
-        if each.scope is not None
-        and not each.file.is_beside
-        and analysis.unit.class_of_function(each) is owner
+        for each in analysis.unit.functions_of(owner, name)
+        if each.scope is not None and not each.file.is_beside
     ]
 
 

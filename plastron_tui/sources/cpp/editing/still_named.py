@@ -34,10 +34,7 @@ def tell_still_named(after: Analysis, changes: Sequence[Change]) -> Iterator[Dia
         bare = (old or "").lstrip("~/")
         if old is None or bare in left or len(bare) < _FEWEST_LETTERS:
             continue
-        found = [
-            f"{line}" if not file.name else f"{line} of `{file.name.rpartition('/')[2]}`"
-            for file, line in _lines(after, bare)
-        ]
+        found = [file.place_of(line) for file, line in _lines(after, bare)]
         if found:
             lines = listed(dict.fromkeys(found))
             says = "line {} still says" if len(set(found)) == 1 else "lines {} still say"
