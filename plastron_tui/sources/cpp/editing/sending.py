@@ -192,6 +192,8 @@ def _react(added: Addition, sender: Sender, publication: Publication, reaction: 
     body = function.body if function is not None else None
     if not sites:
         reason = "the file does not subscribe to it"
+    elif sites[0].endpoint.type is None:
+        reason = "the file does not say its type"
     elif function is None or body is None:
         reason = "no one function of the file hears it"
     elif len(function.parameters) != 1:
