@@ -22,6 +22,9 @@ _REAL = re.compile(
     r"|(?:std::)?chrono::duration<(?:double|float)>)\s*[({]\s*)(?P<one>1(?:\.0*)?\s*/\s*)?"
     r"[\d.']+f?(?P<tail>\s*[)}])"
 )
+_MOST_DIGITS = 9
+"""How long a number of seconds may be that stands for itself: `0.3333333333333333` says less than
+`1.0 / 3.0`."""
 _UNITS = (("s", "seconds", 1), ("ms", "milliseconds", 10**3), ("us", "microseconds", 10**6),
           ("ns", "nanoseconds", 10**9))  # fmt: skip
 
@@ -67,7 +70,10 @@ def _period(text: str, hertz: float) -> str:
                 count = round(period * scale)
                 return f"{found['head']}{unit}{found['open']}{count}{found['close']}"
     if found := _REAL.fullmatch(text):
-        number = f"{found['one']}{literals.real(hertz)}" if found["one"] else literals.real(period)
+        text = literals.real(period)
+        if len(text) > _MOST_DIGITS:
+            text = f"1.0 / {literals.real(hertz)}"
+        number = f"{found['one']}{literals.real(hertz)}" if found["one"] else text
         return f"{found['head']}{number}{found['tail']}"
     raise NotInPlaceError
 

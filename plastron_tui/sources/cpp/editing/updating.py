@@ -25,12 +25,14 @@ from plastron_tui.sources.written_anew import written_anew
 from ..analysis import Analysis, Site
 from ..scopes import Function
 from ..timers import recreated
+from .accesses import access
 from .addition import write_callback
 from .clang_format import ClangFormat
 from .deletions import Deletions
 from .existing_callbacks import misfit
 from .hearing import bound, existing
 from .leftovers import functions_of, is_stub, remove_function
+from .manner import held_by
 from .pacing import set_period
 from .place import beside
 from .plans import Plan
@@ -43,7 +45,7 @@ from .resending import answer, resend, sent_now
 from .retyped_callbacks import vanishing
 from .retyping import retype
 from .units import key_of, labels_of, sites_of
-from .uses import word
+from .uses import uses_of, word
 
 # How many parameters the functions of a kind take.
 _TAKEN = {EndpointKind.SUBSCRIPTION: 1, EndpointKind.SERVICE: 2}
@@ -160,7 +162,16 @@ def _set_rate(update: Replacement, timer: Timer) -> None:
         return
     if timer.rate.parameter is not None or site.shape.name >= len(site.arguments):
         raise NotInPlaceError
+    if _is_paced_elsewhere(update):
+        raise NotInPlaceError
     set_period(update, site.arguments[site.shape.name], site.place, timer.rate.hertz)
+
+
+def _is_paced_elsewhere(update: Replacement) -> bool:
+    """Tell whether other code of the files overrules a period: `timer_.setPeriod(…)`."""
+    held = held_by(update.analysis, update.site)
+    used = () if held is None else uses_of(update.analysis, held)
+    return any(access(update.analysis, file, node).method == "setPeriod" for file, node, _ in used)
 
 
 def _tell_lost(update: Replacement, type_: InterfaceName, lack: str) -> None:
