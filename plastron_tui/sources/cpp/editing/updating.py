@@ -121,7 +121,7 @@ def _change(update: Replacement, *, is_again: bool) -> tuple[EndpointKind, str |
     kind, name, type_, callback = key_of(site.endpoint)
     if isinstance(endpoint, Timer):
         try:
-            _set_rate(update, endpoint)
+            _set_rate(update, endpoint, is_again=is_again)
         except NotInPlaceError:
             if not is_again:
                 raise
@@ -156,7 +156,7 @@ def _change(update: Replacement, *, is_again: bool) -> tuple[EndpointKind, str |
     return kind, name, type_, callback
 
 
-def _set_rate(update: Replacement, timer: Timer) -> None:
+def _set_rate(update: Replacement, timer: Timer, *, is_again: bool) -> None:
     site = update.site
     if timer.rate is None:
         return
@@ -164,7 +164,8 @@ def _set_rate(update: Replacement, timer: Timer) -> None:
         raise NotInPlaceError
     if _is_paced_elsewhere(update):
         raise NotInPlaceError
-    set_period(update, site.arguments[site.shape.name], site.place, timer.rate.hertz)
+    given = site.arguments[site.shape.name]
+    set_period(update, given, site.place, timer.rate.hertz, is_again=is_again)
 
 
 def _is_paced_elsewhere(update: Replacement) -> bool:

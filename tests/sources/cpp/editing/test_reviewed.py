@@ -128,6 +128,49 @@ PATCHES = [
         id="what stands behind a loop that ends with the node is never done",
     ),
     pytest.param(
+        repeats("tick", 3.0),
+        """
+ #include <ros/ros.h>
+ class A {
+  public:
+   A() {
+     if (rate_ > 0)
+     {
+-      timer_ = nh_.createTimer(ros::Duration(1.0 / rate_), &A::tick, this);
++      timer_ = nh_.createTimer(ros::Duration(1.0 / 3.0), &A::tick, this);
+     }
+   }
+   void tick(const ros::TimerEvent&) { count_++; }
+   ros::NodeHandle nh_;
+   ros::Timer timer_;
+   double rate_;
+   int count_;
+ };
+""",
+        id="a period is changed where it is computed, under its condition",
+    ),
+    pytest.param(
+        repeats("tick", 4.0),
+        """
+ #include <ros/ros.h>
+ class A {
+  public:
+   A() {
+-    timer_ = nh_.createTimer(ros::Duration(1.0), &A::tick, this);
++    timer_ = nh_.createTimer(ros::Duration(0.25), &A::tick, this);
+   }
+   void faster(double rate) {
+     timer_ = nh_.createTimer(ros::Duration(1.0 / rate), &A::tick, this);
+   }
+   void tick(const ros::TimerEvent&) { count_++; }
+   ros::NodeHandle nh_;
+   ros::Timer timer_;
+   int count_;
+ };
+""",
+        id="a timer that is created again at a computed rate keeps that",
+    ),
+    pytest.param(
         publish("out", data="hi"),
         """
 +#include <chrono>
