@@ -31,6 +31,7 @@ from .addition import plan_addition
 from .clang_format import clang_format_of
 from .guessed_names import tell_guessed_names
 from .idle_code import tell_idle
+from .keeps_running import never_called
 from .lost import lost_sending, options_of
 from .plans import Plan, with_splices
 from .refusals import RefusedError, refuse_parts
@@ -83,6 +84,9 @@ def edit_cpp(source: SourceUnit, changes: Sequence[Change], catalog: Catalog) ->
         help_ = "make this change in the file by hand"
         return Rendered(None, (Diagnostic(codes.EDIT_REFUSED, message, where, help=help_),))
     before, after = edits.before, edits.analysis
+    silent = never_called(before, after, where)
+    if silent is not None:
+        return Rendered(None, (silent,))
     use = used_elsewhere(source.path, before, after)
     if use is not None:
         refused = Diagnostic(codes.ENDPOINT_IN_USE, use, where, help="change that file first")

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 from additions import publish, repeat, subscribe
-from patches import check, refusal
+from patches import check, edit, refusal, sides
 
 from plastron_tui.diagnostics import Span
 from plastron_tui.model.kinds import Publisher, Rate, Subscription, Timer, kind_of
@@ -281,3 +281,30 @@ def test_what_several_functions_create_is_not_sent_in_one_of_them() -> None:
 """
     said = refusal(text, publish("map", rate=3.0, data="x"))
     assert "lines 5, 6 create `map` in functions of which any may run" in said
+
+
+SPINNING = [
+    pytest.param("ros::spin();", True, id="it spins"),
+    pytest.param("while (ros::ok()) { ros::spinOnce(); }", True, id="it spins in a loop"),
+    pytest.param("ros::AsyncSpinner hands(2); hands.start();", True, id="others spin"),
+    pytest.param("Robot robot; robot.run();", True, id="what runs may spin"),
+    pytest.param("write(nh);", False, id="it ends"),
+]
+
+
+@pytest.mark.parametrize(("line", "is_called"), SPINNING)
+def test_what_nothing_would_call_is_not_added(line: str, is_called: bool) -> None:
+    text = f"""
+ #include <ros/ros.h>
+ int main(int argc, char** argv)
+ {{
+   ros::init(argc, argv, "n");
+   ros::NodeHandle nh;
+   {line}
+   return 0;
+ }}
+"""
+    files, told = edit(sides(text)[0], subscribe("imu"))
+    assert (files is not None) is is_called
+    said = ["the file does not spin, so that `imuCallback` would not be called"]
+    assert [each.message for each in told] == ([] if is_called else said)
