@@ -3,18 +3,20 @@
 from __future__ import annotations
 
 import pytest
-from additions import publish, repeat, subscribe
+from additions import parameter, publish, repeat, subscribe
 from patches import check, edit, refusal, sides
 
 from plastron_tui.diagnostics import Span
 from plastron_tui.model.kinds import Publisher, Rate, Subscription, Timer, kind_of
 from plastron_tui.model.source import Change, EndpointKind, Update
 from plastron_tui.ros.interfaces import InterfaceName
+from plastron_tui.ros.parameters import ParameterType
 from plastron_tui.ros.qos import Qos
 
 K = EndpointKind
 AT = Span(0, 0)
 IMAGE = InterfaceName("sensor_msgs", "Image")
+INT = ParameterType.INT
 BEST = Qos(depth=7, reliability="best_effort")
 
 
@@ -169,6 +171,25 @@ PATCHES = [
  };
 """,
         id="a timer that is created again at a computed rate keeps that",
+    ),
+    pytest.param(
+        parameter("count", INT, 2),
+        """
+ #include <rclcpp/rclcpp.hpp>
+ #include <std_msgs/msg/string.hpp>
+ class Sender {
+  public:
+   Sender(rclcpp::Node & node, const std::string & topic)
+   {
+     pub_ = node.create_publisher<std_msgs::msg::String>(topic, 1);
++    if (!node.has_parameter("count")) {
++      node.declare_parameter<int64_t>("count", 2);
++    }
+   }
+   rclcpp::Publisher<std_msgs::msg::String>::SharedPtr pub_;
+ };
+""",
+        id="objects that share a node declare a parameter once",
     ),
     pytest.param(
         publish("out", data="hi"),
