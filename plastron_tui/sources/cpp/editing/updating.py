@@ -85,6 +85,7 @@ def plan_update(
     plan, labels = Plan(), labels_of(analysis)
     again = recreated(analysis, sites)
     for site in sites:
+        before = {name: list(each) for name, each in plan.splices.items()}
         update = Replacement(
             analysis, site, change, catalog, plan, settings or ClangFormat(), old or change.name
         )
@@ -92,6 +93,10 @@ def plan_update(
             redeclare(update, change.endpoint)
             continue
         key = _change(update, is_again=site in again)
+        for name, each in before.items():
+            # What the call sites have in common is written once: a function, an include.
+            new = plan.splices[name][len(each) :]
+            plan.splices[name] = each + [splice for splice in new if splice not in each]
         plan.lost.append(site)
         plan.added.append((labels.get(site, ""), key))
     plan.lost += _parameters_in(analysis, plan)

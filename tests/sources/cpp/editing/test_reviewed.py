@@ -10,13 +10,12 @@ from plastron_tui.diagnostics import Span
 from plastron_tui.model.kinds import Publisher, Rate, Subscription, Timer, kind_of
 from plastron_tui.model.source import Change, EndpointKind, Update
 from plastron_tui.ros.interfaces import InterfaceName
-from plastron_tui.ros.parameters import ParameterType
 from plastron_tui.ros.qos import Qos
 
 K = EndpointKind
 AT = Span(0, 0)
 IMAGE = InterfaceName("sensor_msgs", "Image")
-INT = ParameterType.INT
+NUMBER = InterfaceName("std_msgs", "Int32")
 BEST = Qos(depth=7, reliability="best_effort")
 
 
@@ -173,7 +172,7 @@ PATCHES = [
         id="a timer that is created again at a computed rate keeps that",
     ),
     pytest.param(
-        parameter("count", INT, 2),
+        parameter("count", "int", 2),
         """
  #include <rclcpp/rclcpp.hpp>
  #include <std_msgs/msg/string.hpp>
@@ -190,6 +189,29 @@ PATCHES = [
  };
 """,
         id="objects that share a node declare a parameter once",
+    ),
+    pytest.param(
+        Update(K.SUBSCRIPTION, "in", Subscription("in", NUMBER, None, AT), AT),
+        """
+ #include <ros/ros.h>
+ #include <std_msgs/Bool.h>
++#include <std_msgs/Int32.h>
+ void heard(const std_msgs::Bool& msg) { ROS_INFO_STREAM(msg); }
++void inCallback(const std_msgs::Int32& msg) {
++  ROS_INFO_STREAM("in: " << msg);
++}
+ int main(int argc, char** argv) {
+   ros::init(argc, argv, "n");
+   ros::NodeHandle nh;
+   ros::Subscriber sub;
+-  if (argc > 1) { sub = nh.subscribe("in", 1, heard); }
+-  else { sub = nh.subscribe("in", 2, heard); }
++  if (argc > 1) { sub = nh.subscribe("in", 1, inCallback); }
++  else { sub = nh.subscribe("in", 2, inCallback); }
+   ros::spin();
+ }
+""",
+        id="what two calls have in common is written once",
     ),
     pytest.param(
         publish("out", data="hi"),
