@@ -40,7 +40,7 @@ from .renaming import plan_renames
 from .replacing import NotInPlaceError
 from .still_named import tell_still_named
 from .still_read import tell_still_read
-from .uncalled import tell_uncalled, uncalled_functions
+from .uncalled import tell_uncalled, uncalled_functions, uncalled_lambdas
 from .units import Found, analyze_files, endpoints_of, outlines_of, sites_of
 from .updating import plan_update
 from .used_elsewhere import used_elsewhere
@@ -92,7 +92,7 @@ def edit_cpp(source: SourceUnit, changes: Sequence[Change], catalog: Catalog) ->
         refused = Diagnostic(codes.ENDPOINT_IN_USE, use, where, help="change that file first")
         return Rendered(None, (refused,))
     uncalled = uncalled_functions(before, after)
-    edits.notes += tell_uncalled(uncalled, changes)
+    edits.notes += tell_uncalled([*uncalled, *uncalled_lambdas(before, after)], changes)
     edits.notes += tell_still_read(before, after, changes, uncalled)
     edits.notes += tell_idle(before, after, changes)
     parameters = unread(

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import pytest
 from additions import parameter, publish, repeat, subscribe
-from patches import check, edit, refusal, sides
+from patches import check, edit, read, refusal, sides
 
 from plastron_tui.diagnostics import Span
 from plastron_tui.model.kinds import Publisher, Rate, Subscription, Timer, kind_of
-from plastron_tui.model.source import Change, EndpointKind, Update
+from plastron_tui.model.source import Change, EndpointKind, Remove, Update
 from plastron_tui.ros.interfaces import InterfaceName
 from plastron_tui.ros.qos import Qos
 
@@ -351,3 +351,22 @@ def test_what_nothing_would_call_is_not_added(line: str, is_called: bool) -> Non
     assert (files is not None) is is_called
     said = ["the file does not spin, so that `imuCallback` would not be called"]
     assert [each.message for each in told] == ([] if is_called else said)
+
+
+def test_a_lambda_that_nothing_calls_any_more_is_told() -> None:
+    text = """
+ #include <rclcpp/rclcpp.hpp>
+ class A : public rclcpp::Node {
+  public:
+   A() : Node("a") {
+     auto tick = [this]() { count_++; };
+     timer_ = create_wall_timer(std::chrono::seconds(1), tick);
+   }
+   rclcpp::TimerBase::SharedPtr timer_;
+   int count_;
+ };
+"""
+    (timer,) = (each for each in read(sides(text)[0]).endpoints if each.kind is K.TIMER)
+    files, told = edit(sides(text)[0], Remove(K.TIMER, timer.callback or ""))
+    assert files is not None, told
+    assert [each.message for each in told] == ["nothing in the file calls `tick` (line 5) any more"]
