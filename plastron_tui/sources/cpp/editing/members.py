@@ -135,7 +135,10 @@ def declare(added: Addition, line: str, kind: EndpointKind | None = None) -> Cpp
         return _declare_global(added, line, kind)
     owner = added.owner
     own = [each for _, each in variables_like(added, kind) if each.scope is owner] if kind else []
-    own = own or [each for _, each in variables_like(added) if each.scope is owner]
+    # What holds a parameter stands with the settings, and not with the endpoints.
+    held = [(site, each) for site, each in variables_like(added) if each.scope is owner]
+    own = own or [each for site, each in held if site.endpoint.kind is not K.PARAMETER]
+    own = own or [each for _, each in held]
     own = own or [each for each in _members(owner) if _is_hidden(owner, each.node)]
     if own:
         last = max(own, key=lambda each: each.node.start_byte)
