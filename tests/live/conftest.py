@@ -36,14 +36,14 @@ ROS1_MODULES = "rospy, rosmaster, roslaunch, genpy, std_msgs.msg, std_srvs.srv, 
 def made_packages(environment: Environment, cache: Path) -> dict[str, str]:
     """Return the environment of nodes with the packages of the language's table.
 
-    They are made once for all workers, in the folder.
+    They are made once for all workers, in the folder. No ROS waits for what another one builds.
     """
     environ = {**os.environ, "XDG_CACHE_HOME": str(cache)}
     catalog = Catalog(environment.distribution)
     kinds = (InterfaceKind.SERVICE, InterfaceKind.ACTION)
     packages = {package for kind in kinds for package in catalog.packages(kind)}
     definitions = {name: catalog.table_package(name) for name in packages}
-    with (cache / "lock").open("w") as lock:
+    with (cache / f"{environment.distribution}.lock").open("w") as lock:
         fcntl.flock(lock, fcntl.LOCK_EX)
         overlays: list[Path] = []
         for name, each in sorted(definitions.items()):

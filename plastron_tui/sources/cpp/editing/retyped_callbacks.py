@@ -53,6 +53,15 @@ def check_retyped(update: Replacement, type_: InterfaceName, kind: InterfaceKind
     _check_body(update, given, functions, type_, kind)
 
 
+def vanishing(update: Replacement) -> list[Function]:
+    """Return the functions that an endpoint calls back, where they only log, and go with that."""
+    _, functions = called_back(update)
+    defined = [each for each in functions if each.scope is not None]
+    if not defined or not all(map(is_stub, defined)) or _serves_others(update, functions):
+        return []
+    return functions
+
+
 def _serves_others(update: Replacement, functions: list[Function]) -> bool:
     """Whether anything but the endpoint calls a function."""
     analysis, site = update.analysis, update.site
@@ -83,9 +92,7 @@ def _check_body(
     """
     site, interface = update.site, update.catalog.find(type_, kind)
     bodies = list(_bodies(update, given, functions))
-    is_stubs = all(is_stub(each) for each in functions if each.scope is not None)
-    if functions and is_stubs and not _uses_fields(bodies):
-        return
+    is_log = bool(functions) and all(is_stub(each) for each in functions if each.scope is not None)
     missing: dict[str, None] = {}
     differing: dict[str, None] = {}
     is_whole = False
@@ -97,10 +104,17 @@ def _check_body(
                 types = _field_types(old, interface, section, field)
                 if types is None or types[1] is None:
                     missing[field] = None
-                elif not _is_alike(*types):
+                elif not _is_alike(*types) or (
+                    is_log and types[0] != types[1] and _is_formatted(body, file, name, field)
+                ):
                     differing[field] = None
     is_named = callback_of(update.change.endpoint) is not None
     lack = _lack(missing, differing)
+    if is_log:
+        # What logs a field is written anew for another one.
+        if lack:
+            raise OtherCodeError(lack)
+        return
     if (lack or is_whole) and not is_named:
         raise OtherCodeError(lack)
     if not any(_uses_parameters(*each) for each in bodies):
@@ -199,8 +213,11 @@ def _fields_used(body: Node, file: CppFile, name: str) -> Iterator[str]:
             yield found[1].decode()
 
 
-def _uses_fields(bodies: Iterable[tuple[Node, CppFile, list[str]]]) -> bool:
-    return any([*_fields_used(*each[:2], name)] for each in bodies for name in each[2])
+def _is_formatted(body: Node, file: CppFile, name: str, field: str) -> bool:
+    """Tell whether a log gives a field to a format, which says the type of a number."""
+    words = re.escape(name.encode()), re.escape(field.encode())
+    given = re.compile(rb",\s*%s\s*(?:->|\.)\s*%s\s*[,)]" % words)
+    return given.search(file.syntax.code, body.start_byte, body.end_byte) is not None
 
 
 def _uses_parameters(body: Node, file: CppFile, names: list[str]) -> bool:

@@ -298,3 +298,47 @@ def test_a_name_that_objects_share_is_told(rest: str) -> None:
     assert files is not None
     shared = "each object of `Arm` creates `x`, while line 6 gives each a name of its own"
     assert [each.message for each in told] == ([shared] if rest else [])
+
+
+def test_a_stub_that_logs_what_the_new_type_has_not_is_written_anew() -> None:
+    patch = """
+ #include <rclcpp/rclcpp.hpp>
+-#include <std_msgs/msg/string.hpp>
++#include <std_msgs/msg/int32.hpp>
+ class N : public rclcpp::Node {
+  public:
+   N() : Node("n") {
+-    in_ = create_subscription<std_msgs::msg::String>("in", 7, std::bind(&N::on_in, this, _1));
++    in_ = create_subscription<std_msgs::msg::Int32>("in", 7, std::bind(&N::on_in, this, _1));
+   }
+-  void on_in(const std_msgs::msg::String & msg) {
+-    RCLCPP_INFO(get_logger(), "in: %s", msg.data.c_str());
++  void on_in(const std_msgs::msg::Int32 & msg) {
++    RCLCPP_INFO(get_logger(), "in: %s", to_yaml(msg).c_str());
+   }
+-  rclcpp::Subscription<std_msgs::msg::String>::SharedPtr in_;
++  rclcpp::Subscription<std_msgs::msg::Int32>::SharedPtr in_;
+ };
+"""
+    new = Subscription("in", INT, None, AT)
+    assert check(patch, Update(K.SUBSCRIPTION, "in", new, AT)) == ()
+
+
+@pytest.mark.parametrize(("given", "is_kept"), [("msg.data", False), ("int(msg.data)", True)])
+def test_a_number_in_a_format_is_not_another_number(given: str, is_kept: bool) -> None:
+    text = f"""
+ #include <ros/ros.h>
+ #include <std_msgs/Int32.h>
+ void hear(const std_msgs::Int32& msg) {{ ROS_INFO("%d", {given}); }}
+ int main(int argc, char** argv) {{
+   ros::init(argc, argv, "n");
+   ros::NodeHandle nh;
+   ros::Subscriber in = nh.subscribe("in", 7, hear);
+ }}
+"""
+    real = InterfaceName("std_msgs", "Float64")
+    files, _ = edit(
+        sides(text)[0], Update(K.SUBSCRIPTION, "in", Subscription("in", real, None, AT), AT)
+    )
+    assert files is not None
+    assert (f'"%d", {given}'.encode() in files.main) == is_kept
