@@ -12,7 +12,7 @@ from plastron_tui.model.source import EndpointKind
 from plastron_tui.ros.interfaces import InterfaceName
 from plastron_tui.sources.splices import line_start
 
-from ..scopes import CppFile, Scope, Variable
+from ..scopes import CppFile, Scope, Variable, statements_in
 from .adding import Addition, variables_like
 from .manner import is_marked_global, variable_naming
 from .place import is_managed
@@ -135,7 +135,10 @@ def declare(added: Addition, line: str, kind: EndpointKind | None = None) -> Cpp
         return _declare_global(added, line, kind)
     owner = added.owner
     own = [each for _, each in variables_like(added, kind) if each.scope is owner] if kind else []
-    own = own or [each for _, each in variables_like(added) if each.scope is owner]
+    # What holds a parameter stands with the settings, and not with the endpoints.
+    held = [(site, each) for site, each in variables_like(added) if each.scope is owner]
+    own = own or [each for site, each in held if site.endpoint.kind is not K.PARAMETER]
+    own = own or [each for _, each in held]
     own = own or [each for each in _members(owner) if _is_hidden(owner, each.node)]
     if own:
         last = max(own, key=lambda each: each.node.start_byte)
@@ -162,7 +165,7 @@ def _declare_at_end(added: Addition, owner: Scope, line: str) -> None:
     """Declare a member at the end of the last private part of a class."""
     body = owner.node.child_by_field_name("body")
     assert body is not None, "a class that creates something has a body"
-    parts = [each for each in body.named_children if each.type != "comment"]
+    parts = statements_in(body)
     last = parts[-1] if parts else None
     is_private = last is not None and access_of(owner, body_end(last)) != "public"
     if not is_private and owner.node.type == "class_specifier":

@@ -17,10 +17,10 @@ from ..scopes import CppFile, Function, Scope, Variable
 from ..shapes import TRANSFORMS
 from .manner import held_by
 from .refusals import RefusedError
+from .statements import above, is_endless
 from .units import labels_of
 
 _STARTING = re.compile(r"(?:on_?)?(?:init|set_?up|start|config|activate|create|advertise)", re.I)
-_CLIMBED = frozenset({"compound_statement", "try_statement"})
 
 
 @dataclass(frozen=True, slots=True)
@@ -53,6 +53,12 @@ class Place:
         if self.after is not None:
             return self.after.end_byte
         return self.body.end_byte - 1 if self.is_end else self.body.start_byte + 1
+
+    @property
+    def is_conditional(self) -> bool:
+        """Whether a condition decides if anything is created there."""
+        outer = self.body.parent
+        return outer is not None and outer.type in ("if_statement", "else_clause")
 
     @property
     def scope(self) -> Scope:
@@ -195,6 +201,8 @@ def beside(analysis: Analysis, site: Site) -> Place | None:
     after, block = _statement(site.call.node, body)
     if after is not None and leaves(after):
         return None
+    if after is not None and is_endless(site.file, after):
+        after = above(after)
     after = _with_uses(analysis, site, after)
     owner = analysis.unit.class_of_function(function)
     node = node_prefix(analysis, site) if analysis.ros_version == 2 else ""
@@ -340,10 +348,8 @@ def node_in_methods(analysis: Analysis, place: Place) -> str | None:
 def _methods(analysis: Analysis, owner: Scope, name: str) -> list[Function]:
     return [
         each
-        for each in analysis.unit.functions.get(name, ())
-        if each.scope is not None
-        and not each.file.is_beside
-        and analysis.unit.class_of_function(each) is owner
+        for each in analysis.unit.functions_of(owner, name)
+        if each.scope is not None and not each.file.is_beside
     ]
 
 

@@ -10,9 +10,11 @@ from plastron_tui.diagnostics import Diagnostic, Span, codes, listed
 from plastron_tui.model.source import Change, Remove, Update
 
 from ..analysis import Analysis
-from ..scopes import Function
+from ..scopes import Function, Variable
 from .deletions import Deletions
+from .lambdas import lambda_of
 from .leftovers import has_uses
+from .uses import uses_of
 
 _WORD = re.compile(rb"[A-Za-z_]\w*")
 _CALLED_BY_OTHERS = re.compile(rb"\b(?:override|virtual|final)\b")
@@ -27,11 +29,32 @@ def uncalled_functions(before: Analysis, after: Analysis) -> list[Function]:
     return [each for name, each in _uncalled(after, rarer) if name not in was_called]
 
 
-def tell_uncalled(found: Sequence[Function], changes: Sequence[Change]) -> Iterator[Diagnostic]:
+def uncalled_lambdas(before: Analysis, after: Analysis) -> list[Variable]:
+    """Return the variables whose lambdas endpoints called before, and nothing calls any more."""
+    lambdas = (lambda_of(before, site) for site in before.sites)
+    names = {each.variable.name for each in lambdas if each is not None and each.variable}
+    return [
+        variable
+        for scope in after.unit.scopes()
+        for name in sorted(names & scope.variables.keys())
+        for variable in scope.variables[name]
+        if variable.value is not None
+        and variable.value.type == "lambda_expression"
+        and not variable.file.is_beside
+        and not any(uses_of(after, variable))
+    ]
+
+
+def tell_uncalled(
+    found: Sequence[Function | Variable], changes: Sequence[Change]
+) -> Iterator[Diagnostic]:
     """Warn of functions that the files do not call any more."""
     if not found:
         return
-    names = listed(f"`{each.name}` (line {each.node.start_point.row + 1})" for each in found)
+    names = listed(
+        f"`{each.name}` (line {each.file.place_of(each.node.start_point.row + 1)})"
+        for each in found
+    )
     message = f"nothing in the file calls {names} any more"
     it = "it if it is" if len(found) == 1 else "them if they are"
     span = span_of(changes)
@@ -53,10 +76,8 @@ def _uncalled(analysis: Analysis, names: set[str]) -> Iterator[tuple[tuple[str, 
     """Yield the functions of some names that nothing names, with their class and name."""
     nothing = Deletions()
     for name in sorted(names & analysis.unit.functions.keys()):
-        by_class: dict[str, list[Function]] = {}
-        for each in analysis.unit.functions[name]:
-            by_class.setdefault(each.class_name, []).append(each)
-        for class_name, functions in by_class.items():
+        for functions in analysis.unit.functions_by_class(name):
+            class_name = functions[0].class_name
             defined = [each for each in functions if each.scope is not None]
             if not defined or defined[0].file.is_beside or name == class_name:
                 continue
