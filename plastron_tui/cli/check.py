@@ -39,8 +39,9 @@ def command(files: tuple[Path, ...], target: str | None, format_: str) -> None:
         workspace = session.workspace
         if not (workspace.is_written or has_errors(diagnostics)):
             diagnostics = (*diagnostics, nothing_to_generate())
-        if workspace.has_more_than_nodes and not has_errors(diagnostics):
-            # What files of a package that exists do not take shows when they are changed.
+        is_changing = any(each.node.source for each in workspace.generations)
+        if (is_changing or workspace.has_more_than_nodes) and not has_errors(diagnostics):
+            # What a file or a package that exists does not take shows when it is changed.
             _, found_in_files = session.plan()
             diagnostics = tuple(dict.fromkeys((*diagnostics, *found_in_files)))
         if format_ == "json":

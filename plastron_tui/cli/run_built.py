@@ -207,7 +207,23 @@ def _beside(
             beside.insert(0, table_package(environment, each, definitions))
     if not left:
         return beside, []
-    return [], [not_found(environment, left)._replace(span=nodes[0].generation.span)]
+    needing = _needing(nodes, left) or nodes[0]
+    return [], [not_found(environment, left)._replace(span=needing.generation.span)]
+
+
+def _needing(nodes: Sequence[Generated], packages: Sequence[str]) -> Generated | None:
+    """Return the first node that includes a header of one of the packages, if any does."""
+    from plastron_tui.targets import find_target
+
+    folders = tuple(f"{each}/" for each in packages)
+    for each in nodes:
+        target = find_target(each.generation.library)
+        if each.files is None or target is None:
+            continue
+        headers = (x for _, text in each.files.files.texts for x in target.language.imports(text))
+        if any(header.startswith(folders) for header in headers):
+            return each
+    return None
 
 
 def own_packages(

@@ -27,6 +27,15 @@ def test_check_says_nothing_of_a_right_program(run: Run, here: Path) -> None:
     assert (result.returncode, result.stdout, result.stderr) == (0, b"", b"")
 
 
+def test_check_says_what_is_refused_of_a_loaded_file(run: Run, here: Path) -> None:
+    write(here, "import rospy\nrospy.init_node('n')\n", "n.py")
+    write(here, "load 'n.py' as n\ngenerate_node n using roscpp\n")
+    told = [run(command, "a.plastron") for command in ("check", "generate")]
+    assert [result.returncode for result in told] == [1, 1]
+    assert told[0].stderr == told[1].stderr
+    assert told[0].stderr.startswith(b"error[unsupported-target]")
+
+
 def test_check_shows_place_and_remedy(run: Run, here: Path) -> None:
     write(here, BROKEN)
     result = run("check", "a.plastron")

@@ -66,3 +66,24 @@ def test_what_no_build_would_find_is_told_before_anything_is_built(
     assert problem.message.startswith(told)
     assert problem.span is not None
     assert text[problem.span.start :].startswith("generate_node ears")
+
+
+def test_the_node_that_needs_what_is_missing_is_shown(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    (tmp_path / "ros1" / "share" / "roscpp" / "cmake").mkdir(parents=True)
+    monkeypatch.setattr(build_needs, "prefixes_of", lambda *_: [tmp_path / "ros1"])
+    mute = "create_node 'mute' as mute using roscpp\ngenerate_node mute\n"
+    text = mute + PROGRAM.partition("create_node 'ears'")[0]
+    session = Session(
+        text.encode(), tmp_path / "robot.plastron", Options(is_writing=True), environ={}
+    )
+    plan, _ = session.plan()
+    for file in plan.files:
+        file.path.parent.mkdir(parents=True, exist_ok=True)
+        file.path.write_bytes(file.text)
+    debian = Environment(Origin.DEBIAN, 1, "noetic", Path("/usr/bin/python3"))
+    _, (problem,) = built_files(session, session.generated(), {"roscpp": debian}, RunSetup())
+    assert problem.message.startswith("`std_msgs` is not installed")
+    assert problem.span is not None
+    assert text[problem.span.start :].startswith("generate_node eyes")
