@@ -43,7 +43,8 @@ ENDS = [
 WORDS = (
     *("heard", "steady_", "fast_", "echo_", "reset_", "go_", "dock", "fetch", "speed", "blink"),
     *('"frame', "String", "Int32", "Empty", "SetBool", "Fibonacci", "send_goal", "ask("),
-    *("wait_until_served", "end_goals"),
+    *("wait_until_served", "wait_for_action", "is_served", "is_answered", "is_current"),
+    *("is_done", "goes_on", "fail(", "start(", "end_goals"),
 )
 
 
