@@ -69,6 +69,18 @@ def test_every_statement_is_taken_back(tmp_path: Path, library: str) -> None:
     assert left == set()
 
 
+@pytest.mark.long
+def test_the_helpers_of_a_managed_node_are_taken_back(tmp_path: Path) -> None:
+    program = NODE.format(library="rclcpp").replace(" using ", " managed using ")
+    _generate(tmp_path, program)
+    (source,) = tmp_path.rglob("*.cpp")
+    helpers = ("accept_goal(", "fail(", "goes_on(", "is_answered(", "send_goal(")
+    assert [each for each in helpers if each not in source.read_text()] == []
+    load = f"load '{source.relative_to(tmp_path)}' as n\n"
+    _generate(tmp_path, f"{load}{chr(10).join(ENDS)}\ngenerate_node n\n", in_place=True)
+    assert [each for each in helpers if each in source.read_text()] == []
+
+
 HAND_WRITTEN = {
     "roscpp": """\
 #include <ros/ros.h>
