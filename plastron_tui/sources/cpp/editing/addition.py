@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from dataclasses import replace
 
 from plastron_tui.diagnostics import codes
 from plastron_tui.model.kinds import (
@@ -55,7 +56,7 @@ from .members import hold, is_local, open_private, type_of
 from .parameters import declare_parameter
 from .place import find_place, sites_of_node
 from .plans import Plan
-from .sender_place import goes_where_it_is_seen
+from .sender_place import check_one_function_creates, goes_where_it_is_seen
 from .sending import Sender, add_publishing
 from .shared_names import shared_name
 from .timers import create_timer, event_parameter, node_captures, period_of, timer_name
@@ -149,6 +150,7 @@ def _present(added: Addition, present: list[Site]) -> Sender:
     """Return what the files have to send with."""
     endpoint = added.endpoint
     once = isinstance(endpoint, Publisher) and any(each.is_once for each in endpoint.publications)
+    check_one_function_creates(added, present)
     for site in reversed(present):
         variable = held_by(added.analysis, site)
         if variable is None or site.endpoint.type == TRANSFORMS:
@@ -170,7 +172,10 @@ def _present(added: Addition, present: list[Site]) -> Sender:
         written = added.analysis.types.expand(variable.type, variable.scope)
         is_pointer = variable.is_pointer or "Ptr" in written or "ptr<" in written
         is_pointer = is_pointer or (written == "auto" and added.is_ros2)
-        return Sender(variable.name, is_pointer, variable.kind == "local")
+        sender = Sender(variable.name, is_pointer, variable.kind == "local")
+        type_ = added.analysis.receivers.type_of_variable(variable)
+        is_of_images = type_ == "image_transport::Publisher"
+        return replace(sender, count="getNumSubscribers") if is_of_images else sender
     lines = ", ".join(str(site.endpoint.line) for site in present)
     message = f"no variable of the file holds `{endpoint.name}`, created in line {lines}"
     remedy = "keep it in a variable first"

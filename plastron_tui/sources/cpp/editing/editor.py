@@ -31,6 +31,7 @@ from .addition import plan_addition
 from .clang_format import clang_format_of
 from .guessed_names import tell_guessed_names
 from .idle_code import tell_idle
+from .keeps_running import never_called
 from .lost import lost_sending, options_of
 from .plans import Plan, with_splices
 from .refusals import RefusedError, refuse_parts
@@ -39,7 +40,7 @@ from .renaming import plan_renames
 from .replacing import NotInPlaceError
 from .still_named import tell_still_named
 from .still_read import tell_still_read
-from .uncalled import tell_uncalled, uncalled_functions
+from .uncalled import tell_uncalled, uncalled_functions, uncalled_lambdas
 from .units import Found, analyze_files, endpoints_of, outlines_of, sites_of
 from .updating import plan_update
 from .used_elsewhere import used_elsewhere
@@ -83,12 +84,15 @@ def edit_cpp(source: SourceUnit, changes: Sequence[Change], catalog: Catalog) ->
         help_ = "make this change in the file by hand"
         return Rendered(None, (Diagnostic(codes.EDIT_REFUSED, message, where, help=help_),))
     before, after = edits.before, edits.analysis
+    silent = never_called(before, after, where)
+    if silent is not None:
+        return Rendered(None, (silent,))
     use = used_elsewhere(source.path, before, after)
     if use is not None:
         refused = Diagnostic(codes.ENDPOINT_IN_USE, use, where, help="change that file first")
         return Rendered(None, (refused,))
     uncalled = uncalled_functions(before, after)
-    edits.notes += tell_uncalled(uncalled, changes)
+    edits.notes += tell_uncalled([*uncalled, *uncalled_lambdas(before, after)], changes)
     edits.notes += tell_still_read(before, after, changes, uncalled)
     edits.notes += tell_idle(before, after, changes)
     parameters = unread(

@@ -101,9 +101,16 @@ def is_local(added: Addition) -> bool:
 
 
 def hold(
-    added: Addition, kind: EndpointKind, type_: str, words: str = ""
+    added: Addition, kind: EndpointKind, type_: str, words: str = "", *, last: bool = False
 ) -> tuple[str, CppFile | None]:
     """Declare what holds an endpoint, unless it is a local variable.
+
+    Args:
+        added: the endpoint.
+        kind: what is held.
+        type_: the type of what holds it.
+        words: what its name is made of, "" for the endpoint's name.
+        last: whether it stands behind all that was declared, not beside its like.
 
     Returns:
         Its name, and the file that declares it, None for a local one.
@@ -116,7 +123,7 @@ def hold(
     name = added.free(wanted, named.end)
     if is_local(added):
         return name, None
-    file = declare(added, f"{type_} {name};", kind)
+    file = declare(added, f"{type_} {name};", None if last else kind)
     if kind is not K.PARAMETER and is_managed(added.analysis, added.owner):
         follow_transitions(added, kind, name)
     return name, file
@@ -128,7 +135,10 @@ def declare(added: Addition, line: str, kind: EndpointKind | None = None) -> Cpp
         return _declare_global(added, line, kind)
     owner = added.owner
     own = [each for _, each in variables_like(added, kind) if each.scope is owner] if kind else []
-    own = own or [each for _, each in variables_like(added) if each.scope is owner]
+    # What holds a parameter stands with the settings, and not with the endpoints.
+    held = [(site, each) for site, each in variables_like(added) if each.scope is owner]
+    own = own or [each for site, each in held if site.endpoint.kind is not K.PARAMETER]
+    own = own or [each for _, each in held]
     own = own or [each for each in _members(owner) if _is_hidden(owner, each.node)]
     if own:
         last = max(own, key=lambda each: each.node.start_byte)

@@ -25,6 +25,7 @@ from .interfaces import refuse
 from .members import hold
 from .own_functions import getter_of
 from .place import beside, node_in_methods, start_rank
+from .shared_names import shared_name
 
 K = EndpointKind
 
@@ -126,14 +127,23 @@ def _declare_in_ros2(added: Addition, parameter: Parameter, class_: str, value: 
         for field, number in (("from", parameter.minimum), ("to", parameter.maximum)):
             written = literals.integer(int(number)) if is_whole else literals.real(float(number))
             lines.append(f"descriptor.{kind}_range[0].{field}_value = {written};")
-    if not lines:
-        added.lines.append(f"{node}declare_parameter{template}({name}, {value});")
-        return
-    added.include(added.place.file, _HEADER)
-    added.interfaces.packages["rcl_interfaces"] = None
-    added.lines += ["{", "\trcl_interfaces::msg::ParameterDescriptor descriptor;"]
-    added.lines += [f"\t{each}" for each in lines]
-    added.lines += [f"\t{node}declare_parameter{template}({name}, {value}, descriptor);", "}"]
+    arguments = [name, value]
+    if lines:
+        arguments.append("descriptor")
+        added.include(added.place.file, _HEADER)
+        added.interfaces.packages["rcl_interfaces"] = None
+        lines.insert(0, "rcl_interfaces::msg::ParameterDescriptor descriptor;")
+    has_block = bool(lines)
+    lines.append(f"{node}declare_parameter{template}({', '.join(arguments)});")
+    if shared_name(added) is not None:
+        # Who declares a parameter twice gets a `ParameterAlreadyDeclaredException`.
+        style = added.style(added.place.file)
+        added.expect(K.PARAMETER, parameter.name, None, "")
+        added.lines += style.block(f"if (!{node}has_parameter({name}))", lines)
+    elif has_block:
+        added.lines += ["{", *(f"\t{each}" for each in lines), "}"]
+    else:
+        added.lines += lines
 
 
 def read_parameter(added: Addition, name: str, *, in_method: bool = False) -> Read:

@@ -17,6 +17,7 @@ from ..scopes import CppFile, Function, Scope, Variable
 from ..shapes import TRANSFORMS
 from .manner import held_by
 from .refusals import RefusedError
+from .statements import above, is_endless
 from .units import labels_of
 
 _STARTING = re.compile(r"(?:on_?)?(?:init|set_?up|start|config|activate|create|advertise)", re.I)
@@ -52,6 +53,12 @@ class Place:
         if self.after is not None:
             return self.after.end_byte
         return self.body.end_byte - 1 if self.is_end else self.body.start_byte + 1
+
+    @property
+    def is_conditional(self) -> bool:
+        """Whether a condition decides if anything is created there."""
+        outer = self.body.parent
+        return outer is not None and outer.type in ("if_statement", "else_clause")
 
     @property
     def scope(self) -> Scope:
@@ -194,6 +201,8 @@ def beside(analysis: Analysis, site: Site) -> Place | None:
     after, block = _statement(site.call.node, body)
     if after is not None and leaves(after):
         return None
+    if after is not None and is_endless(site.file, after):
+        after = above(after)
     after = _with_uses(analysis, site, after)
     owner = analysis.unit.class_of_function(function)
     node = node_prefix(analysis, site) if analysis.ros_version == 2 else ""

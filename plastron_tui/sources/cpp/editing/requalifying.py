@@ -2,12 +2,18 @@
 
 from __future__ import annotations
 
+import re
+
+from tree_sitter import Node
+
 from plastron_tui.model.kinds import Publisher, Subscription
 from plastron_tui.ros.qos import Qos
 from plastron_tui.ros.qos_words import gives, latch_of
 
 from .. import qos_code
 from .replacing import NotInPlaceError, Replacement
+
+_RMW = re.compile(r"\brmw_qos_profile_(?!t\b)\w+\Z|(?:\.|->)(?:get_)?rmw_qos_profile\(\)\Z")
 
 
 def requalify(update: Replacement) -> None:
@@ -28,7 +34,10 @@ def requalify(update: Replacement) -> None:
     if update.analysis.ros_version == 2:
         if qos.depth is None and qos.history is None:
             qos = qos._replace(depth=found.depth)
-        update.put(site.place.file, site.arguments[at], qos_code.profile(qos))
+        written = qos_code.profile(qos)
+        if _is_of_rmw(update, site.arguments[at]):
+            written += ".get_rmw_qos_profile()"
+        update.put(site.place.file, site.arguments[at], written)
         return
     if qos.depth:
         update.put(site.place.file, site.arguments[at], str(qos.depth))
@@ -46,3 +55,18 @@ def requalify(update: Replacement) -> None:
         update.put_between(site.place.file, end, end, f", {written}")
     else:
         raise NotInPlaceError
+
+
+def _is_of_rmw(update: Replacement, given: Node) -> bool:
+    """Tell whether an argument is an `rmw_qos_profile_t`, which no `rclcpp::QoS` becomes.
+
+    Source: `message_filters::Subscriber` and `image_transport::create_publisher` of Humble.
+    """
+    place = update.site.place
+    text = place.file.syntax.word(given)
+    if _RMW.search(text):
+        return True
+    if given.type not in ("identifier", "field_identifier"):
+        return False
+    found = update.analysis.unit.lookup(text, place, given.start_byte)
+    return found is not None and found.type.endswith("rmw_qos_profile_t")

@@ -14,6 +14,7 @@ from .. import interface_types
 from ..scopes import CppFile, Variable
 from ..shapes import OBJECTS
 from .creation import creation_of
+from .include_place import add_include
 from .leftovers import headers_of, named
 from .replacing import NotInPlaceError, Replacement
 from .resending import Sending
@@ -218,10 +219,13 @@ def _include(
     files = [each for each in update.analysis.unit.files if not each.is_beside]
     is_there = any(include.path == header for file in files for include in file.syntax.includes)
     is_named = _is_named(update, old, places)
+    saying = [each for each in files if any(name == each.name for name, _, _ in places)]
+    own = next((each for each in saying if each.name), files[0])
     for file in files:
         text = file.syntax.text
         # What a header includes, and does not need itself, may be for other sources.
-        is_kept = is_named or (bool(file.name) and all(name != file.name for name, _, _ in places))
+        says = any(name == file.name for name, _, _ in places)
+        is_kept = is_named or (bool(file.name) and not says)
         for include in file.syntax.includes:
             if include.path not in headers:
                 continue
@@ -231,6 +235,9 @@ def _include(
                 update.put_between(file, at, at + len(include.path.encode()), header)
             elif not is_kept:
                 update.put_between(file, start, line_end(text, start), "")
+            elif not is_there and bool(file.name) and not says:
+                # Who says the new type includes it, and not a header that others have too.
+                add_include(update.plan, update.analysis.unit, own, header, version)
             elif not is_there:
                 line = f"#include <{header}>" if include.is_angled else f'#include "{header}"'
                 end = line_end(text, start)

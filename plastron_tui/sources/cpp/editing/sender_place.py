@@ -2,12 +2,17 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import replace
+
+from plastron_tui.diagnostics import listed
 
 from ..analysis import Analysis, Site
 from ..scopes import Variable
 from .adding import Addition
+from .manner import held_by
 from .place import Place, beside, leaves, start_rank
+from .refusals import RefusedError
 from .visibility import sees_member
 
 
@@ -28,6 +33,7 @@ def goes_where_it_is_seen(added: Addition, site: Site, variable: Variable) -> bo
         if found is None or _is_declared_within(found, variable) or _ends(analysis, found):
             return False
     elif variable.kind != "member" or sees_member(analysis, place.owner, variable):
+        _go_into_its_block(added, site, variable)
         return True
     else:
         found = beside(analysis, site)
@@ -37,6 +43,28 @@ def goes_where_it_is_seen(added: Addition, site: Site, variable: Variable) -> bo
         return False
     added.place = found
     return True
+
+
+def check_one_function_creates(added: Addition, sites: Sequence[Site]) -> None:
+    """Refuse to send through what several functions create: any one of them may run.
+
+    Raises:
+        RefusedError: several do.
+    """
+    functions = {id(added.analysis.unit.function_of(site.call.scope)) for site in sites}
+    if len(functions) > 1:
+        lines = listed(str(site.endpoint.line) for site in sites)
+        message = f"lines {lines} create `{added.endpoint.name}` in functions of which any may run"
+        raise RefusedError(message, added.span, "let one function create it first")
+
+
+def _go_into_its_block(added: Addition, site: Site, variable: Variable) -> None:
+    """Let an endpoint go into the `if` that alone creates what it is sent through."""
+    analysis, place = added.analysis, added.place
+    creating = [each for each in analysis.sites if held_by(analysis, each) is variable]
+    found = _behind_creation(analysis, site)
+    if len(creating) == 1 and found is not None and found.function is place.function:
+        added.place = place if found.body.id == place.body.id else found
 
 
 def _may_name(analysis: Analysis, place: Place, variable: Variable) -> bool:

@@ -36,11 +36,13 @@ class Sender:
         variable: what holds the publisher.
         is_pointer: whether that points to it.
         is_local: whether it is a local variable.
+        count: its method that counts who listens; that of `image_transport::Publisher` is another.
     """
 
     variable: str
     is_pointer: bool
     is_local: bool
+    count: str = "get_subscription_count"
 
     @property
     def call(self) -> str:
@@ -102,6 +104,9 @@ def _again(added: Addition, sender: Sender, sent: Sequence[Publication]) -> None
     turn = own_turn(added)
     if turn is not None and sender.is_local and turn.owner.type == "function_definition":
         turn = None
+    if added.place.is_conditional:
+        # Where there is no publisher, the turn is one nevertheless.
+        turn = None
     fitting: list[Publication] = []
     by_rate: dict[Rate, list[Publication]] = defaultdict(list)
     for each in sent:
@@ -159,7 +164,7 @@ def _once(added: Addition, sender: Sender, publications: Sequence[Publication]) 
         declare(added, f"bool {heard} = false;")
     body = [
         f"const bool was_heard = {heard};",
-        f"{heard} = {sender.call}get_subscription_count() > 0;",
+        f"{heard} = {sender.call}{sender.count}() > 0;",
         *added.style(added.place.file).block(
             f"if (was_heard && {heard})",
             [

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+
 from tree_sitter import Node
 
 from ..analysis import Analysis
@@ -9,6 +11,8 @@ from ..scopes import CppFile, Scope, Variable, last_name
 from ..syntax import Syntax
 from .deletions import Deletions
 
+_LOOPS = frozenset({"while_statement", "do_statement", "for_statement"})
+_ENDLESS = re.compile(r"\bok\(|\A\(?\s*(?:true|1)\s*\)?\Z")
 _BLOCKS = frozenset(
     {"compound_statement", "translation_unit", "declaration_list", "field_declaration_list"}
 )
@@ -101,3 +105,19 @@ def emptied(node: Node, file: CppFile, gone: Deletions) -> Node | None:
         return None
     parts = body.named_children if body.type == "compound_statement" else [body]
     return inner if all(gone.covers(file, each.start_byte) for each in parts) else None
+
+
+def is_endless(file: CppFile, statement: Node) -> bool:
+    """Tell whether a statement is a loop that ends with the node: `while (ros::ok())`."""
+    if statement.type not in _LOOPS:
+        return False
+    condition = statement.child_by_field_name("condition")
+    return condition is None or _ENDLESS.search(file.syntax.word(condition)) is not None
+
+
+def above(statement: Node) -> Node | None:
+    """Return the statement above another one, None for none."""
+    found = statement.prev_named_sibling
+    while found is not None and found.type == "comment":
+        found = found.prev_named_sibling
+    return found

@@ -10,9 +10,11 @@ from plastron_tui.diagnostics import Diagnostic, Span, codes, listed
 from plastron_tui.model.source import Change, Remove, Update
 
 from ..analysis import Analysis
-from ..scopes import Function
+from ..scopes import Function, Variable
 from .deletions import Deletions
+from .lambdas import lambda_of
 from .leftovers import has_uses
+from .uses import uses_of
 
 _WORD = re.compile(rb"[A-Za-z_]\w*")
 _CALLED_BY_OTHERS = re.compile(rb"\b(?:override|virtual|final)\b")
@@ -27,7 +29,25 @@ def uncalled_functions(before: Analysis, after: Analysis) -> list[Function]:
     return [each for name, each in _uncalled(after, rarer) if name not in was_called]
 
 
-def tell_uncalled(found: Sequence[Function], changes: Sequence[Change]) -> Iterator[Diagnostic]:
+def uncalled_lambdas(before: Analysis, after: Analysis) -> list[Variable]:
+    """Return the variables whose lambdas endpoints called before, and nothing calls any more."""
+    lambdas = (lambda_of(before, site) for site in before.sites)
+    names = {each.variable.name for each in lambdas if each is not None and each.variable}
+    return [
+        variable
+        for scope in after.unit.scopes()
+        for name in sorted(names & scope.variables.keys())
+        for variable in scope.variables[name]
+        if variable.value is not None
+        and variable.value.type == "lambda_expression"
+        and not variable.file.is_beside
+        and not any(uses_of(after, variable))
+    ]
+
+
+def tell_uncalled(
+    found: Sequence[Function | Variable], changes: Sequence[Change]
+) -> Iterator[Diagnostic]:
     """Warn of functions that the files do not call any more."""
     if not found:
         return

@@ -25,12 +25,14 @@ from plastron_tui.sources.written_anew import written_anew
 from ..analysis import Analysis, Site
 from ..scopes import Function
 from ..timers import recreated
+from .accesses import access
 from .addition import write_callback
 from .clang_format import ClangFormat
 from .deletions import Deletions
 from .existing_callbacks import misfit
 from .hearing import bound, existing
 from .leftovers import functions_of, is_stub, remove_function
+from .manner import held_by
 from .pacing import set_period
 from .place import beside
 from .plans import Plan
@@ -43,7 +45,7 @@ from .resending import answer, resend, sent_now
 from .retyped_callbacks import vanishing
 from .retyping import retype
 from .units import key_of, labels_of, sites_of
-from .uses import word
+from .uses import uses_of, word
 
 # How many parameters the functions of a kind take.
 _TAKEN = {EndpointKind.SUBSCRIPTION: 1, EndpointKind.SERVICE: 2}
@@ -83,6 +85,7 @@ def plan_update(
     plan, labels = Plan(), labels_of(analysis)
     again = recreated(analysis, sites)
     for site in sites:
+        before = {name: list(each) for name, each in plan.splices.items()}
         update = Replacement(
             analysis, site, change, catalog, plan, settings or ClangFormat(), old or change.name
         )
@@ -90,6 +93,10 @@ def plan_update(
             redeclare(update, change.endpoint)
             continue
         key = _change(update, is_again=site in again)
+        for name, each in before.items():
+            # What the call sites have in common is written once: a function, an include.
+            new = plan.splices[name][len(each) :]
+            plan.splices[name] = each + [splice for splice in new if splice not in each]
         plan.lost.append(site)
         plan.added.append((labels.get(site, ""), key))
     plan.lost += _parameters_in(analysis, plan)
@@ -119,7 +126,7 @@ def _change(update: Replacement, *, is_again: bool) -> tuple[EndpointKind, str |
     kind, name, type_, callback = key_of(site.endpoint)
     if isinstance(endpoint, Timer):
         try:
-            _set_rate(update, endpoint)
+            _set_rate(update, endpoint, is_again=is_again)
         except NotInPlaceError:
             if not is_again:
                 raise
@@ -154,13 +161,23 @@ def _change(update: Replacement, *, is_again: bool) -> tuple[EndpointKind, str |
     return kind, name, type_, callback
 
 
-def _set_rate(update: Replacement, timer: Timer) -> None:
+def _set_rate(update: Replacement, timer: Timer, *, is_again: bool) -> None:
     site = update.site
     if timer.rate is None:
         return
     if timer.rate.parameter is not None or site.shape.name >= len(site.arguments):
         raise NotInPlaceError
-    set_period(update, site.arguments[site.shape.name], site.place, timer.rate.hertz)
+    if _is_paced_elsewhere(update):
+        raise NotInPlaceError
+    given = site.arguments[site.shape.name]
+    set_period(update, given, site.place, timer.rate.hertz, is_again=is_again)
+
+
+def _is_paced_elsewhere(update: Replacement) -> bool:
+    """Tell whether other code of the files overrules a period: `timer_.setPeriod(…)`."""
+    held = held_by(update.analysis, update.site)
+    used = () if held is None else uses_of(update.analysis, held)
+    return any(access(update.analysis, file, node).method == "setPeriod" for file, node, _ in used)
 
 
 def _tell_lost(update: Replacement, type_: InterfaceName, lack: str) -> None:

@@ -32,7 +32,7 @@ PERIODS = [
     (
         "std::chrono::duration<double>(0.5)",
         3.0,
-        "std::chrono::duration<double>(0.3333333333333333)",
+        "std::chrono::duration<double>(1.0 / 3.0)",
     ),
     ("rclcpp::Duration::from_seconds(0.5)", 4.0, "rclcpp::Duration::from_seconds(0.25)"),
 ]
