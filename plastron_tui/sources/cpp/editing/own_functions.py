@@ -19,9 +19,11 @@ _ASKS = frozenset({"ask", "call", "send_goal"})
 
 # Functions that others need: name, what they are described as, how many statements they have.
 _HELPERS = (
+    ("accept_goal", "Accept a goal if the node is active.", 2),
     ("ask", "Call a service that is there, and log its answer.", 5),
     ("call", "Call a service that is there, and log its answer.", 4),
     ("fail", "Log an error, unless what was asked was ended.", 1),
+    ("goes_on", "Tell whether the node is active, and not ending.", 1),
     ("goes_on", "Tell whether the node is not ending.", 1),
     (
         "is_answered",
@@ -35,6 +37,11 @@ _HELPERS = (
         "send_goal",
         "Send a goal to an action that is served, and log its feedback and its result.",
         11,
+    ),
+    (
+        "send_goal",
+        "Send a goal to an action that is served, and log its feedback and its result.",
+        13,
     ),
     (
         "send_goal",

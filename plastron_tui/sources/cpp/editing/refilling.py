@@ -25,7 +25,7 @@ from .manner import identifiers
 from .place import beside, node_in_methods, sites_of_node
 from .refusals import RefusedError
 from .replacing import NotInPlaceError, Replacement
-from .statements import only_sets, statement_of
+from .statements import is_inside, only_sets, statement_of
 from .units import labels_of
 from .uses import uses_of
 
@@ -243,7 +243,7 @@ def _said(update: Replacement, filled: Filled) -> dict[str, Said]:
     prefix = _BLANKS.sub("", filled.holder)[len(variable.name) :].lstrip(".->")
     found: dict[str, Said] = {}
     for file, node, scope in uses_of(analysis, variable):
-        if any(each.start_byte <= node.start_byte < each.end_byte for each in filled.used):
+        if any(is_inside(node, each) for each in filled.used):
             continue
         statement = statement_of(node)
         text = "" if statement is None else _BLANKS.sub("", file.syntax.word(statement))

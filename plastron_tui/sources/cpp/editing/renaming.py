@@ -16,6 +16,7 @@ from ..scopes import Scope
 from .origins import SAME, Origin, name_argument, origin_of
 from .plans import Plan
 from .refusals import RefusedError, not_there, refuse_parts
+from .statements import is_inside
 from .units import key_of, labels_of, sites_of
 from .uses import uses_of
 
@@ -108,19 +109,16 @@ def _serves(
 ) -> bool:
     """Tell whether uses of a variable name endpoints that are renamed alike, or only tell them."""
     for node, scope in uses:
-        if any(site.file is scope.file and _is_in(node, name_argument(site)) for site in sites):
+        if any(site.file is scope.file and is_inside(node, name_argument(site)) for site in sites):
             continue
         if any(
-            site.file is scope.file and _is_in(node, name_argument(site)) for site in analysis.sites
+            site.file is scope.file and is_inside(node, name_argument(site))
+            for site in analysis.sites
         ):
             return False
         if not _only_tells(analysis, node, scope, origin):
             return False
     return True
-
-
-def _is_in(node: Node, outer: Node | None) -> bool:
-    return outer is not None and outer.start_byte <= node.start_byte < outer.end_byte
 
 
 def _only_tells(analysis: Analysis, node: Node, scope: Scope, origin: Origin) -> bool:
@@ -163,7 +161,7 @@ def _hands_on(analysis: Analysis, call: Node, node: Node, origin: Origin) -> boo
             continue
         position = next((at for at, each in enumerate(function.parameters) if each is variable), 0)
         for caller in analysis.callers.of(function):
-            if caller.node.id == call.id and _is_in(node, caller.argument(position)):
+            if caller.node.id == call.id and is_inside(node, caller.argument(position)):
                 return True
     return False
 

@@ -42,7 +42,7 @@ from .sent import (
     sent_through,
     timer_behind,
 )
-from .statements import only_sets, statement_of
+from .statements import is_inside, only_sets, statement_of
 from .uses import uses_of
 
 _ASKING = {
@@ -164,7 +164,7 @@ def _unused(update: Replacement, sent: Sent) -> tuple[Node, ...]:
         return ()
     found = [message.node]
     for _, node, _ in uses_of(update.analysis, message):
-        if sent.call.start_byte <= node.start_byte < sent.call.end_byte:
+        if is_inside(node, sent.call):
             continue
         statement = statement_of(node)
         if statement is None or not only_sets(statement, node):

@@ -19,6 +19,7 @@ from .leftovers import headers_of, named
 from .replacing import NotInPlaceError, Replacement
 from .resending import Sending
 from .retyped_callbacks import called_back, check_retyped, vanishing
+from .statements import is_inside
 from .uses import scope_at, uses_of
 
 _POINTER = re.compile(r"(?:Const)?Ptr\Z|(?:::(?:Const)?(?:Shared|Unique|Weak)?Ptr)\Z")
@@ -174,16 +175,12 @@ def _is_used(update: Replacement, variable: Variable, sent: Sequence[Sending]) -
     assert creation is not None
     whole = creation.node
     return any(
-        not (file is creation.file and whole.start_byte <= node.start_byte < whole.end_byte)
+        not (file is creation.file and is_inside(node, whole))
         and not _only_ends(node)
-        and not any(_is_in(node, each.sent.call) for each in sent if each.sent.file is file)
+        and not any(is_inside(node, each.sent.call) for each in sent if each.sent.file is file)
         for file, node, _ in uses_of(update.analysis, variable)
         if node.id != own.id
     )
-
-
-def _is_in(node: Node, outer: Node) -> bool:
-    return outer.start_byte <= node.start_byte < outer.end_byte
 
 
 def _only_ends(node: Node) -> bool:

@@ -17,7 +17,7 @@ from ..timers import recreated, timer_details
 from .leftovers import functions_of
 from .pacing import set_period, set_rate
 from .replacing import NotInPlaceError, Replacement
-from .statements import statement_of
+from .statements import is_inside, statement_of
 from .uses import scope_at, uses_of, word
 
 _LOOPS = frozenset({"while_statement", "for_statement", "do_statement"})
@@ -66,7 +66,7 @@ def sent_through(analysis: Analysis, variable: Variable, methods: frozenset[str]
             continue
         listed = call.child_by_field_name("arguments")
         arguments = listed.named_children if listed is not None else []
-        is_helped = any(each.start_byte <= node.start_byte < each.end_byte for each in arguments)
+        is_helped = any(is_inside(node, each) for each in arguments)
         given = arguments[-1 if is_helped else 0] if arguments else None
         message = None if given is None else _local(analysis, given, scope, statement)
         yield Sent(file, scope, call, statement, given, message, is_helped)
@@ -230,11 +230,7 @@ def timer_of(analysis: Analysis, function: Function) -> Site | None:
             continue
         at = site.shape.callback
         given = site.arguments[at] if at is not None and at < len(site.arguments) else None
-        is_lambda = (
-            given is not None
-            and given.start_byte <= function.node.start_byte < given.end_byte
-            and site.file is function.file
-        )
+        is_lambda = is_inside(function.node, given) and site.file is function.file
         named = [each for listed in functions_of(analysis, site) for each in listed]
         if is_lambda or function in named:
             found.append(site)

@@ -14,7 +14,7 @@ from .creation import delete_declarator, holder_of
 from .deletions import Deletions
 from .leftovers import functions_of, has_uses, remove_function
 from .serving import Serving
-from .statements import only_calls, only_sets, statement_of
+from .statements import is_inside, only_calls, only_sets, statement_of
 from .uses import uses_of
 from .visibility import access_of
 
@@ -168,8 +168,7 @@ class ServedCode:
             if site.endpoint.kind is not EndpointKind.TIMER:
                 continue
             bodies = self.bodies_of(site)
-            if any(each is file and x.start_byte <= node.start_byte < x.end_byte
-                   for each, x in bodies):  # fmt: skip
+            if any(each is file and is_inside(node, body) for each, body in bodies):
                 holder = holder_of(self._analysis, site)
                 if holder is not None:
                     yield site, holder
@@ -224,14 +223,18 @@ class ServedCode:
         queue = self._serving.root(file, given.named_children[0]) if given is not None else None
         if queue is None or not queue.type.endswith("CallbackQueue"):
             return
-        others = [each for each in self._left(queue) if not _is_within(each, file, statement)]
+        others = [
+            (used, x)
+            for used, x, _ in self._left(queue)
+            if not (used is file and is_inside(x, statement))
+        ]
         spinners = [
             each
             for known in self._analysis.unit.scopes()
             for listed in known.variables.values()
             for each in listed
             if each.type.endswith("AsyncSpinner")
-            and any(_is_in(each, x_file, x) for x_file, x, _ in others)
+            and any(used is each.file and is_inside(x, each.node) for used, x in others)
         ]
         if len(spinners) != len(others):
             return
@@ -315,15 +318,6 @@ class ServedCode:
             while text[start - 1 : start] in (b",", b" ", b"\n"):
                 start -= 1
         self._gone.part(file, start, end)
-
-
-def _is_within(use: tuple[CppFile, Node, Scope], file: CppFile, outer: Node) -> bool:
-    return use[0] is file and outer.start_byte <= use[1].start_byte < outer.end_byte
-
-
-def _is_in(variable: Variable, file: CppFile, node: Node) -> bool:
-    inside = variable.node.start_byte <= node.start_byte < variable.node.end_byte
-    return variable.file is file and inside
 
 
 def _names(file: CppFile, statement: Node, variable: Variable) -> bool:

@@ -18,6 +18,11 @@ _BLOCKS = frozenset(
 )
 
 
+def is_inside(node: Node, outer: Node | None) -> bool:
+    """Tell whether a node is a part of another one of its file, or that itself."""
+    return outer is not None and outer.start_byte <= node.start_byte < outer.end_byte
+
+
 def statement_of(node: Node) -> Node | None:
     """Return the statement that a node is in, whatever block that is in."""
     inner: Node | None = node
@@ -72,10 +77,7 @@ def only_sets(statement: Node, node: Node) -> bool:
     if inner.type != "assignment_expression":
         return False
     left = inner.child_by_field_name("left")
-    if left is None or not left.start_byte <= node.start_byte < left.end_byte:
-        return False
-    right = inner.child_by_field_name("right")
-    return right is not None
+    return is_inside(node, left) and inner.child_by_field_name("right") is not None
 
 
 def only_calls(statement: Node, node: Node) -> bool:

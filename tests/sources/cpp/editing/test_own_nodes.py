@@ -43,7 +43,8 @@ ENDS = [
 WORDS = (
     *("heard", "steady_", "fast_", "echo_", "reset_", "go_", "dock", "fetch", "speed", "blink"),
     *('"frame', "String", "Int32", "Empty", "SetBool", "Fibonacci", "send_goal", "ask("),
-    *("wait_until_served", "end_goals"),
+    *("wait_until_served", "wait_for_action", "is_served", "is_answered", "is_current"),
+    *("is_done", "goes_on", "fail(", "start(", "end_goals"),
 )
 
 
@@ -66,6 +67,18 @@ def test_every_statement_is_taken_back(tmp_path: Path, library: str) -> None:
     texts = [each.read_text() for each in tmp_path.rglob("*.[ch]pp")]
     left = {word for word in WORDS for text in texts if word in text}
     assert left == set()
+
+
+@pytest.mark.long
+def test_the_helpers_of_a_managed_node_are_taken_back(tmp_path: Path) -> None:
+    program = NODE.format(library="rclcpp").replace(" using ", " managed using ")
+    _generate(tmp_path, program)
+    (source,) = tmp_path.rglob("*.cpp")
+    helpers = ("accept_goal(", "fail(", "goes_on(", "is_answered(", "send_goal(")
+    assert [each for each in helpers if each not in source.read_text()] == []
+    load = f"load '{source.relative_to(tmp_path)}' as n\n"
+    _generate(tmp_path, f"{load}{chr(10).join(ENDS)}\ngenerate_node n\n", in_place=True)
+    assert [each for each in helpers if each in source.read_text()] == []
 
 
 HAND_WRITTEN = {
