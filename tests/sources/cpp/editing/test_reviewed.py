@@ -73,29 +73,29 @@ PATCHES = [
  class A : public rclcpp::Node {
   public:
    A() : Node("a") {
-     pub_ = image_transport::create_publisher(
+     _pub = image_transport::create_publisher(
        this, "image", rclcpp::QoS(1).transient_local().get_rmw_qos_profile());
-+    image_timer_ = create_wall_timer(
++    _image_timer = create_wall_timer(
 +      std::chrono::milliseconds(200), std::bind(&A::publish_image, this));
    }
 
   private:
 +  void publish_image() {
-+    const bool was_heard = image_is_heard_;
-+    image_is_heard_ = pub_.getNumSubscribers() > 0;
-+    if (was_heard && image_is_heard_) {
++    const bool was_heard = _image_is_heard;
++    _image_is_heard = _pub.getNumSubscribers() > 0;
++    if (was_heard && _image_is_heard) {
 +      // A subscription that is there for so long knows this publisher too.
-+      image_timer_->cancel();
++      _image_timer->cancel();
 +      sensor_msgs::msg::Image message;
 +      message.height = 1;
 +      message.header.stamp = now();
-+      pub_.publish(message);
++      _pub.publish(message);
 +    }
 +  }
 +
-   image_transport::Publisher pub_;
-+  rclcpp::TimerBase::SharedPtr image_timer_;
-+  bool image_is_heard_ = false;
+   image_transport::Publisher _pub;
++  rclcpp::TimerBase::SharedPtr _image_timer;
++  bool _image_is_heard = false;
  };
 """,
         id="who listens is counted as image_transport does",
