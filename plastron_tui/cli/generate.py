@@ -12,7 +12,7 @@ import click
 from plastron_tui.diagnostics import Diagnostic, codes, has_errors
 from plastron_tui.diagnostics.terminal import wants_colour
 from plastron_tui.output.diff import file_diff, visible_patch
-from plastron_tui.output.plan import FilePlan, FileState
+from plastron_tui.output.plan import FilePlan, FileState, PlannedFile
 from plastron_tui.output.writer import write_current
 from plastron_tui.session import Options, Session
 
@@ -160,13 +160,27 @@ def _differing(plan: FilePlan, before: FilePlan) -> FilePlan:
 def show_diff(plan: FilePlan) -> None:
     """Write how files change: as a patch, byte for byte, where it is not for a terminal."""
     for file in plan.files:
-        patch = file_diff(file)
+        patch = file_diff(replace(file, name=_name_in_patch(plan, file)))
         if sys.stdout.isatty():
             click.echo(visible_patch(patch), nl=False)
         else:
             sys.stdout.flush()
             sys.stdout.buffer.write(patch)
     sys.stdout.buffer.flush()
+
+
+def _name_in_patch(plan: FilePlan, file: PlannedFile) -> str:
+    """Return the name of a file in a patch: from the output folder, or from the working folder.
+
+    That is from the working folder for a file that is changed where it is, outside of the output
+    folder, so that one patch of a node with its headers and its package names each as it lies.
+    """
+    folder, here = plan.folder.resolve(), Path.cwd()
+    if file.path.is_relative_to(folder):
+        return file.path.relative_to(folder).as_posix()
+    if (folder / file.name).resolve() != file.path and file.path.is_relative_to(here):
+        return file.path.relative_to(here).as_posix()
+    return file.name
 
 
 def show_plan(plan: FilePlan, *, only_changes: bool = False, force: bool = False) -> None:
@@ -180,7 +194,8 @@ def show_plan(plan: FilePlan, *, only_changes: bool = False, force: bool = False
         is_replaced = force and file.state is FileState.CONFLICT
         state = f"{'replaced' if is_replaced else file.state.value:>9}"
         is_inside = file.path.parent == plan.folder.resolve()
-        path = plan.folder / file.name if is_inside else file.path
+        # The files of a package that the output folder is are named with the package.
+        path = plan.folder / file.name if is_inside and "/" not in file.name else file.path
         if wants_colour(sys.stdout):
             state = click.style(state, fg=_COLORS[file.state])
         click.echo(f"{state}  {shown_path(path)}", color=True)

@@ -10,12 +10,6 @@ T = TypeVar("T")
 Value = bool | int | float | str | tuple["Value", ...]
 """What a parameter holds; a list is a tuple."""
 
-PARAMETER_TYPES = ("bool", "int", "float", "string", "byte")
-"""The types of parameters; all have lists, `float_list`, and a byte comes in lists alone.
-
-Source: `rcl_interfaces/msg/ParameterType`.
-"""
-
 
 class Range(NamedTuple):
     """The values that a parameter may have, both ends among them; any step where it is 0."""

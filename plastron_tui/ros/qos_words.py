@@ -101,6 +101,26 @@ _ALL = (
 WORDS: Mapping[str, QosWord] = MappingProxyType({each.word: each for each in _ALL})
 """The words of the language, in the order in which they are written."""
 
+_LATCHED = WORDS["latched"].says
+
+
+def latch_of(qos: Qos) -> bool | None:
+    """Return whether a publisher of ROS 1 latches, None where it need not be said."""
+    if qos.common(_LATCHED) == _LATCHED:
+        return True
+    return False if qos.durability == DEFAULT.durability else None
+
+
+def gives(found: Qos, asked: Qos, version: int) -> bool:
+    """Tell whether a topic has all policies that are asked for, those of its ROS at least."""
+    if version == 1:
+        latch = latch_of(asked)
+        is_latched_so = None in (latch, found.durability) or latch is latch_of(found)
+        return is_latched_so and asked.depth in (None, found.depth)
+    wanted = asked.over(DEFAULT).known if asked.history == "keep_all" else asked.known
+    return all(getattr(found, name) == value for name, value in wanted.items())
+
+
 Said = tuple[str, float | None]
 """A word, and the number behind it."""
 

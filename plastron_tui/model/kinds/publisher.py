@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from typing import TYPE_CHECKING, NamedTuple
 
 from plastron_tui.diagnostics import Diagnostic, Label, Span, codes, write
@@ -54,6 +55,11 @@ class Publication(NamedTuple):
     parameter: str | None = None
     is_once: bool = False
     reaction: Reaction | None = None
+
+    def fits(self, rate: float | None) -> bool:
+        """Tell whether a loop of a rate can send it: its own is not written, or the same."""
+        is_same = rate is not None and math.isclose(self.rate, rate)
+        return self.is_rate_open or (is_same and self.parameter is None)
 
 
 class Publisher(NamedTuple):

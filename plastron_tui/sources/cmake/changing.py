@@ -64,14 +64,10 @@ def is_right(after: bytes, lists: CMakeLists, expected: Facts) -> bool:
         read = interpret(parse_cmake(after, lists.listing.path))
     except RefusedError:
         return False
-    before = Counter(_words(each) for each in lists.listing.commands())
-    now = Counter(_words(each) for each in read.listing.commands())
+    before = Counter(each.words for each in lists.listing.commands())
+    now = Counter(each.words for each in read.listing.commands())
     is_small = (before - now).total() <= 1 and (now - before).total() <= 1
     return is_small and read.name == lists.name and facts(read) == expected
-
-
-def _words(command: Command) -> tuple[str, ...]:
-    return (command.name, *(each.value for each in command.arguments))
 
 
 def removed(

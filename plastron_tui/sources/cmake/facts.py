@@ -132,9 +132,13 @@ def dependencies(lists: CMakeLists) -> Iterator[Entry]:
 
 
 def components(call: Call) -> Iterator[Entry]:
-    """Return the components that catkin is asked for."""
-    for item in call.section("COMPONENTS", FIND_WORDS):
-        yield Entry(item.value, item, call)
+    """Return the components that catkin is asked for.
+
+    They may follow `REQUIRED` without a word of their own ("find_package" of CMake's manual).
+    """
+    for word in ("REQUIRED", "COMPONENTS"):
+        for item in call.section(word, FIND_WORDS):
+            yield Entry(item.value, item, call)
 
 
 def destination_of(lists: CMakeLists, call: Call) -> str:

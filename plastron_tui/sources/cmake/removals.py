@@ -136,10 +136,10 @@ def _check(lists: CMakeLists, after: bytes, name: str, gone: _Gone) -> None:
         read = interpret(parse_cmake(after, listing.path))
     except RefusedError:
         read = None
-    left = None if read is None else Counter(_words(each) for each in read.listing.commands())
+    left = None if read is None else Counter(each.words for each in read.listing.commands())
     parts = {command.start for command, _ in gone.arguments}
     stay = Counter(
-        _words(each)
+        each.words
         for each in listing.commands()
         if each.start not in gone.commands and each.start not in parts
     )
@@ -149,17 +149,13 @@ def _check(lists: CMakeLists, after: bytes, name: str, gone: _Gone) -> None:
         raise refusal(listing.text, listing.path, _made(lists, name).command.span, why)
 
 
-def _words(command: Command) -> tuple[str, ...]:
-    return (command.name, *(each.value for each in command.arguments))
-
-
 def _conditions(lists: CMakeLists, gone: frozenset[int]) -> Counter[tuple[str, ...]]:
     """Return the first lines of the blocks that go as a whole."""
     found: Counter[tuple[str, ...]] = Counter()
     for group in _groups(lists, gone):
         for each in group:
             for branch in each.branches if isinstance(each, Block) else ():
-                found[_words(branch.opening)] += 1
+                found[branch.opening.words] += 1
     return found
 
 

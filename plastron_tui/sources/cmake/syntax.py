@@ -78,6 +78,11 @@ class Command:
         """Where it is, in bytes."""
         return self.start, self.end
 
+    @property
+    def words(self) -> tuple[str, ...]:
+        """Its name and the values of its arguments, which is all that it says."""
+        return (self.name, *(each.value for each in self.arguments))
+
 
 @dataclass(frozen=True, slots=True)
 class Branch:

@@ -86,8 +86,7 @@ class Callers:
         neither the main file nor what the headers run mentions, is not run by this node, and
         neither is an overload that no call fits.
         """
-        around = scope.enclosing("function")
-        function = around.function if around is not None else None
+        function = scope.around
         if function is None or scope.file is self._unit.files[0]:
             return True
         if not scope.file.name.endswith(_HEADERS):

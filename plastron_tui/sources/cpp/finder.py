@@ -174,8 +174,7 @@ class Finder:
 
     def _of_unknown_class(self, call: Call, shape: Shape) -> Found | None:
         """Match a call in a method of a class that none of the files declares."""
-        around = call.scope.enclosing("function")
-        function = around.function if around is not None else None
+        function = call.scope.around
         if shape.on != "node" or function is None or not function.qualifier or call.qualifier:
             return None
         if call.name in self._unit.functions:

@@ -75,7 +75,7 @@ def mask_macros(code: bytearray) -> None:
     found = bytes(code)
     for sign, macro in _BLANK:
         if sign.search(found) is not None:
-            found = macro.sub(_blanks, found)
+            found = macro.sub(blanked, found)
     if b"OREACH" in found or b"foreach" in found:
         found = _mask_loops(found)
     if b"Q_OBJECT" in code:
@@ -102,7 +102,8 @@ def join_macros(code: bytearray, defines: Sequence[Define], text: bytes) -> None
         code[each.end() - 1 : each.end()] = b"+"
 
 
-def _blanks(found: re.Match[bytes]) -> bytes:
+def blanked(found: re.Match[bytes]) -> bytes:
+    """Return blanks for what is found, so that the rest stays where it is."""
     return re.sub(rb"[^\n]", b" ", found[0])
 
 
@@ -117,7 +118,7 @@ def _unless_joined(code: bytes) -> Callable[[re.Match[bytes]], bytes]:
             end += 1
         is_first = start == 0 or code[start - 1] in _BEFORE
         is_last = end == len(code) or code[end] not in _AFTER
-        return _blanks(found) if is_first and is_last else found[0]
+        return blanked(found) if is_first and is_last else found[0]
 
     return replace
 

@@ -151,8 +151,8 @@ def _of_class(analysis: Analysis, owner: Scope) -> NodeSite:
     # What only heirs give a constructor is no name of the class itself.
     unit.bindings = {
         each: (None, {})
-        for each in unit.functions.get(owner.name, ())
-        if unit.class_of_function(each) is owner and _is_for_heirs(analysis, each)
+        for each in unit.functions_of(owner, owner.name)
+        if _is_for_heirs(analysis, each)
     }
     named = _names(analysis, owner, 0)
     if not named and owner.name not in owner.functions:

@@ -6,12 +6,11 @@ Source: `rclcpp/qos.hpp` of Jazzy (profiles, setters), `ros/advertise_options.h`
 from __future__ import annotations
 
 from plastron_tui.ros.qos import DEFAULT, PROFILES, SYSTEM_DEFAULT, Qos
-from plastron_tui.ros.qos_words import WORDS
+from plastron_tui.ros.qos_words import latch_of
 
 from . import literals
 
 _NAMED = {"sensor_data": "rclcpp::SensorDataQoS()", "system_default": "rclcpp::SystemDefaultsQoS()"}
-_LATCHED = WORDS["latched"].says
 
 _DURATIONS = {"deadline": "deadline", "lifespan": "lifespan", "lease": "liveliness_lease_duration"}
 _SETTERS = {
@@ -60,5 +59,5 @@ def latch(qos: Qos | None, *, is_publisher: bool) -> str:
     """
     known = qos or Qos()
     depth = known.depth if known.depth else (DEFAULT.depth if is_publisher else 0)
-    is_latched = is_publisher and known.common(_LATCHED) == _LATCHED
+    is_latched = is_publisher and latch_of(known) is True
     return f"{depth}, true" if is_latched else str(depth)

@@ -351,8 +351,7 @@ class Receivers:
         owner = variable.scope.enclosing("class") if variable.kind == "member" else None
         if owner is None:
             return False
-        made = self._unit.functions.get(owner.name, [])
-        own = [each for each in made if self._unit.class_of_function(each) is owner]
+        own = self._unit.functions_of(owner, owner.name)
         return bool(own) and all(each.scope is None for each in own)
 
     def _given(self, parameter: Variable, guess: Prefix) -> Prefix:

@@ -114,6 +114,13 @@ def body_of(definition: Node) -> Node | None:
     return body
 
 
+def statements_in(block: Node | None) -> list[Node]:
+    """Return what a block has but for comments; nothing of None."""
+    return (
+        [] if block is None else [each for each in block.named_children if each.type != "comment"]
+    )
+
+
 @dataclass(slots=True, eq=False)
 class Function:
     """A function or method that is declared or defined.
@@ -153,6 +160,11 @@ class Function:
     def body(self) -> Node | None:
         """Its block, which may be that of a `try` that is the function's, None for none."""
         return body_of(self.node)
+
+    @property
+    def statements(self) -> list[Node]:
+        """The statements of its block, none of a declaration; comments are no statements."""
+        return statements_in(self.body)
 
     @property
     def returned(self) -> Node | None:
@@ -221,6 +233,12 @@ class Scope:
         return scope
 
     @property
+    def around(self) -> Function | None:
+        """The function that it is in, which is that around a lambda, None for none."""
+        scope = self.enclosing("function")
+        return None if scope is None else scope.function
+
+    @property
     def chain(self) -> Iterator[Scope]:
         """The scope and those around it, the innermost first."""
         scope: Scope | None = self
@@ -244,7 +262,10 @@ class CppFile:
         syntax: its text and tree.
         root: the scope of the whole file.
         scopes: all scopes, in the order of the text.
-        captures: what the query of the structure has found, in the order of the text.
+        calls: its calls, in the order of the text.
+        assignments: what assigns, each with its scope.
+        initializers: the initializers of constructors, each with its scope.
+        news: the `new` expressions, each with its scope.
         is_beside: whether it is no part of the set, and only looked into.
     """
 
@@ -257,6 +278,10 @@ class CppFile:
     initializers: list[tuple[Node, Scope]] = field(default_factory=list)
     news: list[tuple[Node, Scope]] = field(default_factory=list)
     is_beside: bool = False
+
+    def place_of(self, line: int) -> str:
+        """Return how a message names a line, with the name of a file that is not the main one."""
+        return f"{line} of `{self.name.rpartition('/')[2]}`" if self.name else f"{line}"
 
 
 def _parameters(listed: Node, scope: Scope) -> Iterator[Variable]:

@@ -135,6 +135,22 @@ class Unit:
             self._class_of[function] = found
         return self._class_of[function]
 
+    def functions_of(self, owner: Scope | None, name: str) -> list[Function]:
+        """Return what declares and defines the functions of a name of a class, or of no class."""
+        named = self.functions.get(name, ())
+        return [each for each in named if self.class_of_function(each) is owner]
+
+    def with_declarations(self, function: Function) -> list[Function]:
+        """Return a function with its declarations, and with the others that share its name."""
+        return self.functions_of(self.class_of_function(function), function.name)
+
+    def functions_by_class(self, name: str) -> list[list[Function]]:
+        """Return the functions of a name, those of one class or of none together."""
+        by_class: dict[str, list[Function]] = {}
+        for each in self.functions.get(name, ()):
+            by_class.setdefault(each.class_name, []).append(each)
+        return list(by_class.values())
+
     def bases(self, owner: Scope) -> tuple[Scope, ...]:
         """Return a class and those of the files that it derives from."""
         found = self._bases.get(id(owner))

@@ -90,8 +90,7 @@ def _counted(analysis: Analysis, loop: Scope) -> list[dict[Variable, Value]]:
 
 
 def _calls(analysis: Analysis, scope: Scope, depth: int) -> Iterator[Bindings]:
-    around = scope.enclosing("function")
-    function = around.function if around is not None else None
+    function = scope.around
     if function is None or depth >= _MOST_DEEP:
         return
     has_template = function.place.kind == "template"

@@ -8,13 +8,14 @@ from typing import NamedTuple
 
 from tree_sitter import Node
 
+from plastron_tui.sources.gone_names import is_surely_name
+
 from .analysis import Analysis
 from .references import identifiers
 from .splices import is_commented_code, line_end, line_start
 
 # Frames of tf and attributes often have the names of topics.
 _OTHER = re.compile(rb"frame|transform|\btf|(has|get|set)attr", re.IGNORECASE)
-_NAME_PART = re.compile(rb"[/_~]")
 
 
 class NameText(NamedTuple):
@@ -50,7 +51,7 @@ def texts_saying(analysis: Analysis, name: str) -> Iterator[NameText]:
             continue
         parts = [each for each in node.named_children if each.type == "string_content"]
         is_whole = [analysis.syntax.slice(each).lstrip("~/") for each in parts] == [bare]
-        is_sure = _is_sure(found, bare, node.text or b"")
+        is_sure = is_surely_name(found[0], bare, node.text or b"")
         yield NameText(node, found.start(), found.end(), found[0].decode(), is_whole, is_sure)
 
 
@@ -64,7 +65,7 @@ def docs_naming(analysis: Analysis, name: str) -> Iterator[NameText]:
             continue
         line = text[line_start(text, found.start()) : line_end(text, found.start())]
         written = found[0].decode()
-        is_sure = _is_sure(found, bare, line) and not (is_word and written == bare)
+        is_sure = is_surely_name(found[0], bare, line) and not (is_word and written == bare)
         said = NameText(node, found.start(), found.end(), written, False, is_sure)
         if is_sure and not is_other_name(analysis, said):
             yield said
@@ -79,10 +80,6 @@ def _mentions(analysis: Analysis, bare: str) -> Iterator[tuple[re.Match[bytes], 
             node = node.parent
         if node is not None:
             yield found, node
-
-
-def _is_sure(found: re.Match[bytes], bare: str, around: bytes) -> bool:
-    return bool(_NAME_PART.search(found[0]) or _called(bare).search(around))
 
 
 def is_documentation(string: Node) -> bool:
@@ -112,10 +109,3 @@ def is_other_name(analysis: Analysis, text: NameText) -> bool:
     start = source.rfind(b"\n", 0, text.start) + 1
     end = source.find(b"\n", text.end)
     return bool(_OTHER.search(source, start, end if end >= 0 else len(source)))
-
-
-def _called(name: str) -> re.Pattern[bytes]:
-    """Return what finds `topic scan`, `'scan' topic` and `scan service`."""
-    noun, bare = rb"(?:topic|service|action)\b", re.escape(name.encode())
-    pattern = rb"(?i:%s)[\s:=]*['\"`]?%s\b|\b%s['\"`]?\s+(?i:%s)" % (noun, bare, bare, noun)
-    return re.compile(pattern)

@@ -4,13 +4,14 @@ from __future__ import annotations
 
 from plastron_tui.diagnostics import codes
 from plastron_tui.model.kinds import Endpoint, Publisher, Subscription
-from plastron_tui.ros.qos import DEFAULT, Qos
+from plastron_tui.ros.qos import Qos
+from plastron_tui.ros.qos_words import gives
 
 from .addition import Addition
 from .analysis import Site
 from .calls import Argument
 from .messages import CannotAddError
-from .qos_code import keywords, latch_of, new_keywords, profile
+from .qos_code import keywords, new_keywords, profile
 from .replacing import NotInPlaceError, Replacement
 from .splices import Splice
 from .syntax import parts_of
@@ -26,16 +27,7 @@ def asked_qos(endpoint: Endpoint) -> Qos | None:
 def has_policies(endpoint: Endpoint, found: Qos | None, version: int) -> bool:
     """Tell whether a call gives all policies that are asked for, those of its ROS at least."""
     asked = asked_qos(endpoint)
-    return asked is None or _gives(asked, found or Qos(), version)
-
-
-def _gives(asked: Qos, found: Qos, version: int) -> bool:
-    if version == 1:
-        latch = latch_of(asked)
-        is_latched_so = None in (latch, found.durability) or latch is latch_of(found)
-        return is_latched_so and asked.depth in (None, found.depth)
-    wanted = asked.over(DEFAULT).known if asked.history == "keep_all" else asked.known
-    return all(getattr(found, name) == value for name, value in wanted.items())
+    return asked is None or gives(found or Qos(), asked, version)
 
 
 def check_policies(added: Addition, site: Site) -> None:
@@ -50,7 +42,7 @@ def check_policies(added: Addition, site: Site) -> None:
     found = site.endpoint.qos or Qos()
     if endpoint.qos.over(found) == found:
         return
-    if not added.is_rclpy and _gives(endpoint.qos, found, version=1):
+    if not added.is_rclpy and gives(found, endpoint.qos, version=1):
         return
     message = f"the publisher of `{added.name}` in line {site.endpoint.line} does not show"
     raise CannotAddError(

@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from plastron_tui.ros.qos import DEFAULT, PROFILES, Qos
-from plastron_tui.ros.qos_words import WORDS
+from plastron_tui.ros.qos_words import latch_of
 
 from . import literals
 
@@ -22,7 +22,6 @@ _ORDER = (
 """The policies in the order in which `rclpy.qos.QoSProfile` takes them."""
 
 _KEYWORDS = {"lease": "liveliness_lease_duration"}
-_LATCHED = WORDS["latched"].says
 
 
 def profile(qos: Qos, use: Callable[[str, str], str]) -> str:
@@ -57,13 +56,6 @@ def _policy(policy: str, value: str | float, use: Callable[[str, str], str]) -> 
     # No limit is the default of every duration, which is not said.
     seconds = literals.number(int(value) if value % 1 == 0 else value)
     return f"{use('rclpy.duration', 'Duration')}(seconds={seconds})"
-
-
-def latch_of(qos: Qos) -> bool | None:
-    """Return what `latch` says of a publisher of rospy, None where it need not be said."""
-    if qos.common(_LATCHED) == _LATCHED:
-        return True
-    return False if qos.durability == DEFAULT.durability else None
 
 
 def keywords(qos: Qos, *, is_publisher: bool) -> dict[str, str]:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections import defaultdict
 from collections.abc import Sequence
 
@@ -63,7 +62,7 @@ def _again(added: Addition, sent: Sequence[Publication]) -> list[str]:
     fitting: list[Publication] = []
     by_rate: dict[Rate, list[Publication]] = defaultdict(list)
     for publication in sent:
-        is_fitting = block is not None and _fits(publication, block.rate)
+        is_fitting = block is not None and publication.fits(block.rate)
         rate = Rate(publication.rate, publication.parameter)
         (fitting if is_fitting else by_rate[rate]).append(publication)
     if block is not None and fitting:
@@ -86,12 +85,6 @@ def _wakes(added: Addition, line: int) -> Diagnostic:
     message += f" `{added.name}` it runs more often than before"
     help_ = "let the loop sleep at a rate, or spin in a thread of its own"
     return Diagnostic(codes.WAKES_LOOP, message, added.endpoint.span, help=help_)
-
-
-def _fits(publication: Publication, own_rate: float | None) -> bool:
-    """Whether a message goes into a loop: its rate is not written, or the loop's."""
-    is_same = own_rate is not None and math.isclose(publication.rate, own_rate)
-    return publication.is_rate_open or (is_same and publication.parameter is None)
 
 
 def _publish_in(added: Addition, block: Node, publications: Sequence[Publication]) -> None:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from plastron_tui.diagnostics import Span
 from plastron_tui.model.kinds import Parameter
-from plastron_tui.model.kinds.ranges import EVERY_FLOAT, EVERY_INTEGER, Interval, limits_of
+from plastron_tui.model.kinds.ranges import Interval
 from plastron_tui.model.values import MessageValue
 from plastron_tui.model.workspace import Node
 from plastron_tui.ros.catalog import Catalog
@@ -18,8 +18,6 @@ from plastron_tui.sources.cpp.qos_code import latch, profile
 from plastron_tui.targets.planning.writing import Writing
 
 from .dialect import Dialect
-
-_EVERY = {ParameterType.INT: EVERY_INTEGER, ParameterType.FLOAT: EVERY_FLOAT}
 
 _PARAMETER_TYPES = {
     1: {"bool": "bool", "int": "int", "float": "double", "string": "std::string"},
@@ -55,7 +53,7 @@ class CppWriting(Writing):
     def computing(self) -> Computing:
         """What writes the values that are known when they are sent."""
         # Not kept: each would hold the other, and only the cycle collector would free them.
-        given = self.catalog, self.ros_version, self.node.span, self._parameter_value
+        given = self.catalog, self.ros_version, self.node.span, self.parameter_value
         return Computing(*given, self.functions)
 
     def held(self, attribute: str) -> str:
@@ -163,12 +161,6 @@ class CppWriting(Writing):
         array = {"bool": "bool", "int": "integer", "double": "double", "string": "string"}[element]
         reader = f"as_{array}_array" if parameter.holds.is_list else f"as_{element}"
         return f"get_parameter({literals.string(own)}).{reader}()"
-
-    def _parameter_value(self, name: str) -> tuple[str, Interval | None]:
-        parameter = self.parameter_of(name)
-        assert parameter.holds is not None  # statements say it
-        limits = limits_of(self.node, parameter, self.ros_version)
-        return self.parameter(name), limits or _EVERY.get(parameter.holds.element)
 
     def parameter_name(self, name: str, *, is_own: bool) -> str:
         """Write the name of a parameter; the node's own ones are asked of a handle of their own."""

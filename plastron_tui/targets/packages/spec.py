@@ -25,11 +25,6 @@ class BuildType(str, Enum):
     AMENT_CMAKE = "ament_cmake"
     AMENT_CMAKE_PYTHON = "ament_cmake_python"
 
-    @property
-    def has_cmake(self) -> bool:
-        """Whether a `CMakeLists.txt` says what is built."""
-        return self is not BuildType.AMENT_PYTHON
-
 
 class PackagedNode(NamedTuple):
     """A node in a package.

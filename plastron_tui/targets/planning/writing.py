@@ -8,7 +8,7 @@ from typing import NoReturn, Protocol
 
 from plastron_tui.diagnostics import Code, Diagnostic, Span, codes
 from plastron_tui.model.kinds import Condition, Endpoint, Parameter
-from plastron_tui.model.kinds.ranges import Interval
+from plastron_tui.model.kinds.ranges import EVERY_FLOAT, EVERY_INTEGER, Interval, limits_of
 from plastron_tui.model.values import (
     Computed,
     MessageValue,
@@ -28,6 +28,7 @@ from plastron_tui.sources.naming import Scope
 from .plan import MethodPlan, SendPlan
 
 _HEADER = InterfaceName("std_msgs", "Header")
+_EVERY = {ParameterType.INT: EVERY_INTEGER, ParameterType.FLOAT: EVERY_FLOAT}
 
 
 class CannotPlanError(Exception):
@@ -219,6 +220,13 @@ class Writing(ABC):
         # A node of ROS 1 may be written for ROS 2, which has no sign for its own ones.
         names = (parameter_name(name.removeprefix("~/"), version) for version in (1, 2))
         return next(parameters[each] for each in names if each in parameters)
+
+    def parameter_value(self, name: str) -> tuple[str, Interval | None]:
+        """Write what reads a parameter, and tell which numbers it may be; None for no number."""
+        parameter = self.parameter_of(name)
+        assert parameter.holds is not None  # statements say it
+        limits = limits_of(self.node, parameter, self.ros_version)
+        return self.parameter(name), limits or _EVERY.get(parameter.holds.element)
 
     def message_class(self, type_: InterfaceName | None, name: str, span: Span | None) -> str:
         """Write the class of an endpoint's messages."""

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from plastron_tui.diagnostics import Span
 from plastron_tui.model.kinds import Parameter
-from plastron_tui.model.kinds.ranges import EVERY_FLOAT, EVERY_INTEGER, Interval, limits_of
+from plastron_tui.model.kinds.ranges import Interval
 from plastron_tui.model.values import Computed, MessageValue, Value
 from plastron_tui.model.workspace import Node
 from plastron_tui.ros.catalog import Catalog
@@ -23,7 +23,6 @@ AS_FLOAT32 = "as_float32"
 
 _IN_RANGE = "in_range"
 _ALL_IN_RANGE = "all_in_range"
-_EVERY = {ParameterType.INT: EVERY_INTEGER, ParameterType.FLOAT: EVERY_FLOAT}
 
 _RANGES = {ParameterType.INT: "IntegerRange", ParameterType.FLOAT: "FloatingPointRange"}
 _RANGE_FIELDS = {ParameterType.INT: "integer_range", ParameterType.FLOAT: "floating_point_range"}
@@ -83,7 +82,7 @@ class PythonWriting(Writing):
     def computing(self) -> Computing:
         """What writes the values that are known when they are sent."""
         # Not kept: each would hold the other, and only the cycle collector would free them.
-        given = self.catalog, self.ros_version, self.node.span, self._parameter_value
+        given = self.catalog, self.ros_version, self.node.span, self.parameter_value
         return Computing(*given, self.dialect, self.functions)
 
     def string(self, text: str) -> str:
@@ -178,12 +177,6 @@ class PythonWriting(Writing):
         """Write the value that a parameter of the node has."""
         parameter = self.parameter_of(name)
         return self.dialect.parameter(parameter, self.getter)
-
-    def _parameter_value(self, name: str) -> tuple[str, Interval | None]:
-        parameter = self.parameter_of(name)
-        assert parameter.holds is not None  # statements say it
-        limits = limits_of(self.node, parameter, self.ros_version)
-        return self.parameter(name), limits or _EVERY.get(parameter.holds.element)
 
     def parameter_type(self, type_: ParameterType) -> str:
         """Write no type: Python needs none."""

@@ -26,6 +26,7 @@ project(rover)
 find_package(catkin REQUIRED COMPONENTS rospy)
 {}
 """
+BARE = "cmake_minimum_required(VERSION 3.0.2)\nproject(rover)\n{}\ncatkin_package()\n"
 
 Edit = Callable[[bytes, Path, str], Edited]
 EDITS: dict[str, tuple[Edit, Edit]] = {
@@ -63,6 +64,9 @@ CASES = [
     ("dependency std_msgs", AMENT, "foreach(x rclpy std_msgs)\n  find_package(${x} REQUIRED)\nendforeach()"),
     ("dependency std_msgs", AMENT, "find_package(ament_cmake_auto)\nament_auto_find_build_dependencies()"),
     ("dependency std_msgs", AMENT, "if(X)\n  find_package(std_msgs REQUIRED)\nendif()\nfind_package(rclpy)\n<find_package(std_msgs REQUIRED)\n>"),
+    ("dependency std_msgs", BARE, "find_package(catkin REQUIRED roscpp< std_msgs> tf)"),
+    ("dependency std_msgs", BARE, "find_package(catkin REQUIRED std_msgs roscpp)"),
+    ("dependency std_msgs", BARE, "find_package(catkin REQUIRED tf COMPONENTS roscpp std_msgs)"),
     ("exported std_msgs", CATKIN, "catkin_package(<CATKIN_DEPENDS std_msgs>)"),
     ("exported std_msgs", CATKIN, "catkin_package(CATKIN_DEPENDS<\n  std_msgs>)"),
     ("exported std_msgs", CATKIN, "catkin_package(\n  CATKIN_DEPENDS\n  roscpp\n<  std_msgs\n>  DEPENDS eigen\n)"),

@@ -12,7 +12,7 @@ from plastron_tui.model.kinds import Endpoint
 from plastron_tui.model.source import EndpointKind
 from plastron_tui.ros.interfaces import InterfaceName
 from plastron_tui.sources import naming
-from plastron_tui.sources.splices import line_end, line_start
+from plastron_tui.sources.splices import indent_of, line_end, line_start
 
 from ..analysis import Analysis, Site
 from ..scopes import CppFile, Scope, Variable
@@ -148,7 +148,7 @@ class Addition:
         end = node.end_byte
         if text[end : end + 1] == b";":
             end += 1
-        indent = _indent(text, node.start_byte)
+        indent = indent_of(text, node.start_byte).decode()
         rest = _REST.match(text, end)
         assert rest is not None, "the pattern fits everything"
         if rest.end() != line_end(text, max(end - 1, 0)):
@@ -184,7 +184,7 @@ class Addition:
             if not line.startswith((b"//", b"/*", b"*")) and not line.endswith(b"*/"):
                 break
             offset = above
-        written = style.laid_out(lines, _indent(text, node.start_byte))
+        written = style.laid_out(lines, indent_of(text, node.start_byte).decode())
         before = text[line_start(text, offset - 1) : offset].strip() if offset else b""
         if gap and before and not before.endswith(b"{"):
             written = style.newline + written
@@ -195,7 +195,7 @@ class Addition:
         """The columns that are taken before a statement at the place."""
         place = self.place
         node = place.after if place.after is not None else place.function.node
-        blanks = _indent(place.file.syntax.text, node.start_byte)
+        blanks = indent_of(place.file.syntax.text, node.start_byte).decode()
         extra = "" if place.after is not None else self.style(place.file).indent
         return len(f"{blanks}{extra}".expandtabs(4))
 
@@ -215,7 +215,7 @@ def put_in_body(
 ) -> None:
     """Write lines at the start or the end of a block."""
     style, text = added.style(file), file.syntax.text
-    outer = _indent(text, owner.start_byte)
+    outer = indent_of(text, owner.start_byte).decode()
     inner = outer + style.indent
     written = style.laid_out(lines, inner)
     start, end = body.start_byte + 1, body.end_byte - 1
@@ -254,12 +254,6 @@ def put_in_body(
         added.plan.replace(file, start, start + blanks, style.newline + written + inner)
         return
     added.plan.replace(file, offset, offset, written)
-
-
-def _indent(text: bytes, offset: int) -> str:
-    start = line_start(text, offset)
-    line = text[start:offset]
-    return line[: len(line) - len(line.lstrip(b" \t"))].decode("ascii")
 
 
 def variables_like(

@@ -20,7 +20,7 @@ from .manner import Naming, variable_naming
 from .members import declare
 from .place import node_in_methods
 from .sending import Sender
-from .timers import capture, node_captures, period_of, run_at, timer_name
+from .timers import capture, duration_of, node_captures, period_of, run_at, timer_name
 
 _SOON = 10.0
 """How often a node looks whether a service or an action is there, in hertz."""
@@ -50,7 +50,8 @@ def _call(
     handle: str,
 ) -> None:
     period = period_of(added, _SOON if rate is None else rate)
-    timer = timer_name(added, added.topic)
+    # A timer asks its queue when it goes, so it has to go before the queue.
+    timer = timer_name(added, added.topic, last=bool(handle))
     body = []
     if added.is_ros2:
         body += waits(added, f"{sender.call}service_is_ready()", "service")
@@ -163,8 +164,8 @@ def _own_thread(added: Addition) -> str:
     )
     file = added.place.file
     if not is_member:
-        # None of them can be there before `ros::init`; what another function creates stays.
-        kept = "" if added.place.function.name == "main" else "static "
+        # None of them can be there before `ros::init`.
+        kept = duration_of(added)
         added.lines.append(f"{kept}ros::CallbackQueue {queue};")
         added.lines.append(f"{kept}ros::AsyncSpinner {spinner}(1, &{queue});")
         added.lines.append(f"{kept}ros::NodeHandle {handle};")

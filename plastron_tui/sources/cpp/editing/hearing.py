@@ -5,8 +5,6 @@ from __future__ import annotations
 import re
 from dataclasses import dataclass
 
-from tree_sitter import Node
-
 from plastron_tui.model.kinds import Service
 from plastron_tui.model.source import EndpointKind
 
@@ -277,8 +275,3 @@ def idle_callback(added: Addition, name: str, class_: str) -> str | None:
         if len(types) != count or not is_of:
             return None
     return name
-
-
-def line_of(node: Node) -> int:
-    """Return the line of a node, from 1."""
-    return int(node.start_point.row) + 1

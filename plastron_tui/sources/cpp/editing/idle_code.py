@@ -44,9 +44,8 @@ def _idle(analysis: Analysis) -> Iterator[tuple[tuple[str, ...], str]]:
             is_made = each.name.lstrip("~") == each.class_name or each.scope is None
             if body is None or is_made or each.file.is_beside or _does(each.file, body):
                 continue
-            line = each.node.start_point.row + 1
-            where = f"line {line}{_of(each.file)}"
-            yield ("function", each.class_name, each.name), f"`{each.name}` ({where})"
+            where = each.file.place_of(each.node.start_point.row + 1)
+            yield ("function", each.class_name, each.name), f"`{each.name}` (line {where})"
     for file in analysis.unit.files:
         if file.is_beside:
             continue
@@ -55,12 +54,8 @@ def _idle(analysis: Analysis) -> Iterator[tuple[tuple[str, ...], str]]:
             if body is not None and _only_sleeps(file, body):
                 around = scope_at(file, loop.start_byte).enclosing("function")
                 name = "" if around is None else around.name
-                where = f"line {loop.start_point.row + 1}{_of(file)}"
-                yield ("loop", file.name, name), f"the loop in {where}"
-
-
-def _of(file: CppFile) -> str:
-    return f" of `{file.name.rpartition('/')[2]}`" if file.name else ""
+                where = file.place_of(loop.start_point.row + 1)
+                yield ("loop", file.name, name), f"the loop in line {where}"
 
 
 def _does(file: CppFile, body: Node) -> bool:

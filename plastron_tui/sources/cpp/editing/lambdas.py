@@ -111,9 +111,7 @@ def handed_functions(analysis: Analysis, site: Site, owner: Scope | None) -> Ite
     """Yield the methods that a lambda does nothing but hand its arguments to."""
     found = lambda_of(analysis, site) if owner is not None else None
     name = found.handed_to if found is not None else ""
-    for each in analysis.unit.functions.get(name, ()):
-        if analysis.unit.class_of_function(each) is owner:
-            yield each
+    yield from analysis.unit.functions_of(owner, name)
 
 
 def callback_names(analysis: Analysis, sites: Iterable[Site]) -> Iterator[tuple[EndpointKind, str]]:

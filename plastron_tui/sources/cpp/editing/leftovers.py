@@ -13,7 +13,7 @@ from plastron_tui.sources.splices import line_end, line_start
 
 from .. import interface_types
 from ..analysis import Analysis, Site
-from ..scopes import CppFile, Function, Variable
+from ..scopes import CppFile, Function, Variable, statements_in
 from .deletions import Deletions
 from .lambdas import handed_functions, lambda_of
 from .uses import hidden_uses, uses_of, word
@@ -58,13 +58,7 @@ def functions_of(analysis: Analysis, site: Site) -> Iterator[list[Function]]:
     named = [each for each in called if not each.file.is_beside]
     if not named:
         return
-    owner = analysis.unit.class_of_function(named[0])
-    same = [
-        each
-        for each in analysis.unit.functions.get(named[0].name, [])
-        if analysis.unit.class_of_function(each) is owner
-    ]
-    yield same
+    yield analysis.unit.with_declarations(named[0])
 
 
 def take_held_lambdas(analysis: Analysis, lost: Sequence[Site], gone: Deletions) -> None:
@@ -114,19 +108,13 @@ def _is_declarator(node: Node, file: CppFile, own: set[tuple[str, int]]) -> bool
 
 def is_stub(function: Function) -> bool:
     """Tell whether a function does nothing but log, as a new one does."""
-    return all(_is_log(each, function) for each in body_of(function))
+    return all(_is_log(each, function) for each in function.statements)
 
 
 def is_idle(function: Function, gone: Deletions) -> bool:
     """Tell whether nothing is left of what a function did."""
-    body = body_of(function)
+    body = function.statements
     return bool(body) and all(gone.covers(function.file, each.start_byte) for each in body)
-
-
-def body_of(function: Function) -> list[Node]:
-    """Return the statements of a definition; none of a declaration."""
-    body = function.body
-    return [] if body is None else [each for each in body.named_children if each.type != "comment"]
 
 
 def _is_log(node: Node, of: Function | Variable) -> bool:
@@ -168,8 +156,7 @@ def _given_lambdas(analysis: Analysis, site: Site) -> Iterator[Variable]:
         if variable.value.type != "lambda_expression":
             continue
         body = variable.value.child_by_field_name("body")
-        parts = [] if body is None else [x for x in body.named_children if x.type != "comment"]
-        if all(_is_log(each, variable) for each in parts):
+        if all(_is_log(each, variable) for each in statements_in(body)):
             yield variable
 
 

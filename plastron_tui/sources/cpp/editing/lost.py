@@ -43,11 +43,9 @@ def lost_sending(analysis: Analysis, change: Update) -> Iterator[Diagnostic]:
             sent += sent_through(analysis, creation.variable, PUBLISHING)
     said = (text for each in sent for text in worked_out(analysis, each))
     yield from no_longer_sends(said, new, change.name)
-    places = sorted({(each.file.name, each.call.start_point.row + 1) for each in sent})
-    lines = [
-        f"{line} of `{name.rpartition('/')[2]}`" if name else f"{line}" for name, line in places
-    ]
-    yield from no_longer_decides(lines, new, change.name)
+    in_order = sorted(sent, key=lambda each: (each.file.name, each.call.start_byte))
+    lines = dict.fromkeys(each.file.place_of(each.call.start_point.row + 1) for each in in_order)
+    yield from no_longer_decides(list(lines), new, change.name)
 
 
 def worked_out(analysis: Analysis, sent: Sent) -> Iterator[str]:

@@ -12,7 +12,7 @@ from plastron_tui.model.unique_names import numbered
 
 from ..analysis import Analysis, Site
 from ..keywords import is_taken
-from ..scopes import Scope, Variable
+from ..scopes import Variable
 from .creation import creation_of
 
 K = EndpointKind
@@ -260,8 +260,3 @@ def method_naming(analysis: Analysis, verb: str) -> Naming:
     names = [each for each in names if each not in own]
     usual = "snake" if analysis.ros_version == 2 else "camel"
     return Naming(_casing(names) if _has_casing(names) else usual, verb)
-
-
-def main_names(scope: Scope) -> set[str]:
-    """Return the names of a scope."""
-    return {*scope.variables, *scope.functions}

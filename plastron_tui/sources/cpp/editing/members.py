@@ -12,7 +12,7 @@ from plastron_tui.model.source import EndpointKind
 from plastron_tui.ros.interfaces import InterfaceName
 from plastron_tui.sources.splices import line_start
 
-from ..scopes import CppFile, Scope, Variable
+from ..scopes import CppFile, Scope, Variable, statements_in
 from .adding import Addition, variables_like
 from .manner import is_marked_global, variable_naming
 from .place import is_managed
@@ -101,9 +101,16 @@ def is_local(added: Addition) -> bool:
 
 
 def hold(
-    added: Addition, kind: EndpointKind, type_: str, words: str = ""
+    added: Addition, kind: EndpointKind, type_: str, words: str = "", *, last: bool = False
 ) -> tuple[str, CppFile | None]:
     """Declare what holds an endpoint, unless it is a local variable.
+
+    Args:
+        added: the endpoint.
+        kind: what is held.
+        type_: the type of what holds it.
+        words: what its name is made of, "" for the endpoint's name.
+        last: whether it stands behind all that was declared, not beside its like.
 
     Returns:
         Its name, and the file that declares it, None for a local one.
@@ -116,7 +123,7 @@ def hold(
     name = added.free(wanted, named.end)
     if is_local(added):
         return name, None
-    file = declare(added, f"{type_} {name};", kind)
+    file = declare(added, f"{type_} {name};", None if last else kind)
     if kind is not K.PARAMETER and is_managed(added.analysis, added.owner):
         follow_transitions(added, kind, name)
     return name, file
@@ -158,7 +165,7 @@ def _declare_at_end(added: Addition, owner: Scope, line: str) -> None:
     """Declare a member at the end of the last private part of a class."""
     body = owner.node.child_by_field_name("body")
     assert body is not None, "a class that creates something has a body"
-    parts = [each for each in body.named_children if each.type != "comment"]
+    parts = statements_in(body)
     last = parts[-1] if parts else None
     is_private = last is not None and access_of(owner, body_end(last)) != "public"
     if not is_private and owner.node.type == "class_specifier":

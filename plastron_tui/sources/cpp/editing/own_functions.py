@@ -11,7 +11,7 @@ from ..analysis import Analysis
 from ..scopes import CppFile, Function, Scope, Variable
 from ..serving import description_of
 from .deletions import Deletions
-from .leftovers import body_of, has_uses
+from .leftovers import has_uses
 from .uses import scope_at, word
 
 _WAITS = ("is_served", "wait_until_served", "wait_for_action")
@@ -71,24 +71,14 @@ def asking_function(analysis: Analysis, scope: Scope) -> list[Function]:
 
     It comes with its declarations; there are none where it does anything else.
     """
-    around = scope.enclosing("function")
-    function = None if around is None else around.function
+    function = scope.around
     if function is None or not _only_asks(function):
         return []
-    return _with_declarations(analysis, function)
-
-
-def _with_declarations(analysis: Analysis, function: Function) -> list[Function]:
-    owner = analysis.unit.class_of_function(function)
-    return [
-        each
-        for each in analysis.unit.functions.get(function.name, ())
-        if analysis.unit.class_of_function(each) is owner
-    ]
+    return analysis.unit.with_declarations(function)
 
 
 def _only_asks(function: Function) -> bool:
-    body = body_of(function)
+    body = function.statements
     return bool(body) and all(_is_asking(each, function.file) for each in body)
 
 
@@ -122,13 +112,13 @@ def emptied_functions(analysis: Analysis, name: str, gone: Deletions) -> Iterato
         if not own.startswith(("publish_", "end_goals")):
             continue
         defined = [each for each in functions if each.scope is not None]
-        if len(defined) != 1 or not body_of(defined[0]):
+        if len(defined) != 1 or not defined[0].statements:
             continue
         function = defined[0]
         is_empty = all(
             gone.covers(function.file, each.start_byte)
             or b"lock_guard" in function.file.syntax.code[each.start_byte : each.end_byte]
-            for each in body_of(function)
+            for each in function.statements
         )
         if gone.covers(function.file, function.node.start_byte) or not is_empty:
             continue
@@ -147,7 +137,7 @@ def goal_functions(analysis: Analysis, name: str) -> Iterator[list[Function]]:
         function, kind = defined[0], own.partition("_")[0]
         node, text = function.node, function.file.syntax.text
         is_step = kind != "execute" or _STEP in text[node.start_byte : node.end_byte]
-        if not is_step or len(body_of(function)) not in _GOAL_STATEMENTS[kind]:
+        if not is_step or len(function.statements) not in _GOAL_STATEMENTS[kind]:
             continue
         descriptions = (
             f"Work on a goal of {name}.",
@@ -172,11 +162,10 @@ def goal_variables(analysis: Analysis, functions: Sequence[Function]) -> Iterato
 
 def reading_function(analysis: Analysis, scope: Scope, name: str) -> list[Function]:
     """Return the function that reads a parameter as Plastron writes it, with its declarations."""
-    around = scope.enclosing("function")
-    function = None if around is None else around.function
-    if function is None or len(body_of(function)) not in range(3, 9):
+    function = scope.around
+    if function is None or len(function.statements) not in range(3, 9):
         return []
-    found = _with_declarations(analysis, function)
+    found = analysis.unit.with_declarations(function)
     bare = name.removeprefix("~").removeprefix("/")
     description = f"Return the parameter {bare}, or its last good value."
     return found if any(_is_described(each, description) for each in found) else []
@@ -237,11 +226,10 @@ def _outer_statement(node: Node) -> Node | None:
 
 def repeating_function(analysis: Analysis, scope: Scope, gone: Deletions) -> list[Function]:
     """Return the function that only begins again what goes, with its declarations."""
-    around = scope.enclosing("function")
-    function = None if around is None else around.function
+    function = scope.around
     if function is None or not function.name.startswith("repeat_"):
         return []
-    for each in body_of(function):
+    for each in function.statements:
         if each.type == "declaration" or gone.covers(function.file, each.start_byte):
             continue
         inner = each.child_by_field_name("consequence")
@@ -250,7 +238,7 @@ def repeating_function(analysis: Analysis, scope: Scope, gone: Deletions) -> lis
         parts = inner.named_children if inner.type == "compound_statement" else [inner]
         if not all(gone.covers(function.file, part.start_byte) for part in parts):
             return []
-    return _with_declarations(analysis, function)
+    return analysis.unit.with_declarations(function)
 
 
 def unused_helpers(analysis: Analysis, gone: Deletions) -> Iterator[list[Function]]:
@@ -261,7 +249,7 @@ def unused_helpers(analysis: Analysis, gone: Deletions) -> Iterator[list[Functio
         if not functions or all(gone.covers(each.file, each.node.start_byte) for each in functions):
             continue
         defined = [each for each in functions if each.scope is not None]
-        if len(defined) != 1 or len(body_of(defined[0])) != statements:
+        if len(defined) != 1 or len(defined[0].statements) != statements:
             continue
         if not any(_is_described(each, description) for each in functions):
             continue

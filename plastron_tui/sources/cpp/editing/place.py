@@ -21,7 +21,6 @@ from .statements import above, is_endless
 from .units import labels_of
 
 _STARTING = re.compile(r"(?:on_?)?(?:init|set_?up|start|config|activate|create|advertise)", re.I)
-_CLIMBED = frozenset({"compound_statement", "try_statement"})
 
 
 @dataclass(frozen=True, slots=True)
@@ -349,10 +348,8 @@ def node_in_methods(analysis: Analysis, place: Place) -> str | None:
 def _methods(analysis: Analysis, owner: Scope, name: str) -> list[Function]:
     return [
         each
-        for each in analysis.unit.functions.get(name, ())
-        if each.scope is not None
-        and not each.file.is_beside
-        and analysis.unit.class_of_function(each) is owner
+        for each in analysis.unit.functions_of(owner, name)
+        if each.scope is not None and not each.file.is_beside
     ]
 
 

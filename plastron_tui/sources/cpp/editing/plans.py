@@ -47,10 +47,16 @@ class Plan:
 
 
 def with_splices(files: FileSet, splices: Mapping[str, Iterable[Splice]]) -> FileSet:
-    """Return a set of files with splices applied."""
+    """Return a set of files with splices applied.
+
+    Raises:
+        RefusedError: one is for a file that is not of the set.
+    """
     for name, each in splices.items():
         own = name or files.names[0]
         text = files.get(own)
-        assert text is not None, "splices are for files of the set"
+        if text is None:
+            message = f"`{name}`, a file of another node, has a part of it"
+            raise RefusedError(message, None, "change that file first")
         files = files.with_text(own, apply(text, each))
     return files

@@ -51,8 +51,7 @@ def refuse_parts(change: Remove | Rename | Update, sites: Sequence[Site]) -> Non
 def in_use(change: Remove, used: Sequence[tuple[CppFile, int]]) -> RefusedError:
     """Say where an endpoint is used that is to go."""
     places = dict.fromkeys(
-        f"{line}" if not file.name else f"{line} of `{file.name.rpartition('/')[2]}`"
-        for file, line in sorted(used, key=lambda each: (each[0].name, each[1]))
+        file.place_of(line) for file, line in sorted(used, key=lambda each: (each[0].name, each[1]))
     )
     is_one = len(places) == 1
     name = change.kind.written(change.name)

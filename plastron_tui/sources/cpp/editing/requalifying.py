@@ -7,14 +7,13 @@ import re
 from tree_sitter import Node
 
 from plastron_tui.model.kinds import Publisher, Subscription
-from plastron_tui.ros.qos import DEFAULT, Qos
-from plastron_tui.ros.qos_words import WORDS
+from plastron_tui.ros.qos import Qos
+from plastron_tui.ros.qos_words import gives, latch_of
 
 from .. import qos_code
 from .replacing import NotInPlaceError, Replacement
 
 _RMW = re.compile(r"\brmw_qos_profile_(?!t\b)\w+\Z|(?:\.|->)(?:get_)?rmw_qos_profile\(\)\Z")
-_LATCHED = WORDS["latched"].says
 
 
 def requalify(update: Replacement) -> None:
@@ -27,7 +26,7 @@ def requalify(update: Replacement) -> None:
     if not isinstance(endpoint, Publisher | Subscription) or endpoint.span is None:
         return
     qos, found = endpoint.qos, site.endpoint.qos or Qos()
-    if qos is None or _gives(qos, found, update.analysis.ros_version):
+    if qos is None or gives(found, qos, update.analysis.ros_version):
         return
     at = site.shape.queue
     if at is None or at >= len(site.arguments):
@@ -43,8 +42,8 @@ def requalify(update: Replacement) -> None:
     if qos.depth:
         update.put(site.place.file, site.arguments[at], str(qos.depth))
     latch = site.shape.latch
-    is_latched = _latch(qos)
-    if latch is None or is_latched is None or is_latched is _latch(found):
+    is_latched = latch_of(qos)
+    if latch is None or is_latched is None or is_latched is latch_of(found):
         return
     written = "true" if is_latched else "false"
     if latch < len(site.arguments):
@@ -71,18 +70,3 @@ def _is_of_rmw(update: Replacement, given: Node) -> bool:
         return False
     found = update.analysis.unit.lookup(text, place, given.start_byte)
     return found is not None and found.type.endswith("rmw_qos_profile_t")
-
-
-def _gives(asked: Qos, found: Qos, version: int) -> bool:
-    """Tell whether a call gives all policies that are asked for, those of its ROS at least."""
-    if version == 1:
-        is_latched_so = None in (_latch(asked), found.durability) or _latch(asked) is _latch(found)
-        return is_latched_so and asked.depth in (None, found.depth)
-    wanted = asked.over(DEFAULT).known if asked.history == "keep_all" else asked.known
-    return all(getattr(found, name) == value for name, value in wanted.items())
-
-
-def _latch(qos: Qos) -> bool | None:
-    if qos.common(_LATCHED) == _LATCHED:
-        return True
-    return False if qos.durability == DEFAULT.durability else None

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections import defaultdict
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -112,7 +111,7 @@ def _again(added: Addition, sender: Sender, sent: Sequence[Publication]) -> None
     fitting: list[Publication] = []
     by_rate: dict[Rate, list[Publication]] = defaultdict(list)
     for each in sent:
-        is_fitting = turn is not None and _fits(each, turn.rate)
+        is_fitting = turn is not None and each.fits(turn.rate)
         (fitting if is_fitting else by_rate[Rate(each.rate, each.parameter)]).append(each)
     if turn is not None and fitting:
         _publish_in(added, sender, turn, fitting)
@@ -130,12 +129,6 @@ def _captures(added: Addition, sender: Sender, body: Sequence[str]) -> tuple[str
     node = added.place.node
     uses_node = bool(node) and any(node in line for line in body)
     return (*node_captures(added), *own) if uses_node else own
-
-
-def _fits(publication: Publication, own_rate: float | None) -> bool:
-    """Whether a message goes into a loop: its rate is not written, or the loop's."""
-    is_same = own_rate is not None and math.isclose(publication.rate, own_rate)
-    return publication.is_rate_open or (is_same and publication.parameter is None)
 
 
 def _publish_in(
@@ -207,6 +200,8 @@ def _react(added: Addition, sender: Sender, publication: Publication, reaction: 
     body = function.body if function is not None else None
     if not sites:
         reason = "the file does not subscribe to it"
+    elif sites[0].endpoint.type is None:
+        reason = "the file does not say its type"
     elif function is None or body is None:
         reason = "no one function of the file hears it"
     elif len(function.parameters) != 1:

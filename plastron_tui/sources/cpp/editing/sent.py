@@ -196,8 +196,7 @@ def timer_behind(analysis: Analysis, sent: Sent) -> Site | None:
     found: set[Function] = set()
     for file in () if function is None else analysis.unit.files:
         for use in word(function.name).finditer(file.syntax.code) if function else ():
-            around = scope_at(file, use.start()).enclosing("function")
-            other = None if around is None else around.function
+            other = scope_at(file, use.start()).around
             if other is not None and other.name.startswith("repeat_"):
                 found.add(other)
     return timer_of(analysis, found.pop()) if len(found) == 1 else None

@@ -9,10 +9,10 @@ from tree_sitter import Node
 from plastron_tui.model.source import EndpointKind
 
 from ..analysis import Analysis, Site
-from ..scopes import CppFile, Function, Scope, Variable
+from ..scopes import CppFile, Function, Scope, Variable, statements_in
 from .creation import delete_declarator, holder_of
 from .deletions import Deletions
-from .leftovers import body_of, functions_of, has_uses, remove_function
+from .leftovers import functions_of, has_uses, remove_function
 from .serving import Serving
 from .statements import only_calls, only_sets, statement_of
 from .uses import uses_of
@@ -196,7 +196,7 @@ class ServedCode:
         return any(self._is_left_idle(file, body) for file, body in self.bodies_of(site))
 
     def _is_left_idle(self, file: CppFile, body: Node) -> bool:
-        parts = [each for each in body.named_children if each.type != "comment"]
+        parts = statements_in(body)
         left = [each for each in parts if not self._gone.covers(file, each.start_byte)]
         return len(left) < len(parts) and all(
             each.type in ("declaration", "expression_statement", "return_statement")
@@ -288,12 +288,10 @@ class ServedCode:
     def take_named(self) -> None:
         """Take out the functions that only what goes named, and that do nothing but serve it."""
         for name in dict.fromkeys(self._named):
-            functions = self._analysis.unit.functions.get(name, [])
-            by_class: dict[str, list[Function]] = {}
-            for each in functions:
-                by_class.setdefault(each.class_name, []).append(each)
-            for same in by_class.values():
-                if any(each.file.is_beside for each in same) or not any(map(body_of, same)):
+            for same in self._analysis.unit.functions_by_class(name):
+                if any(each.file.is_beside for each in same):
+                    continue
+                if not any(each.statements for each in same):
                     continue
                 if not has_uses(self._analysis, same, self._gone) and self._serves_alone(same):
                     for each in same:

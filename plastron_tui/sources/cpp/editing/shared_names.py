@@ -21,9 +21,8 @@ def shared_name(added: Addition) -> Diagnostic | None:
     if len(analysis.callers.makers(owner)) == 1:
         return None
     for site in added.sites:
-        around = site.call.scope.enclosing("function")
         given = name_argument(site)
-        if around is None or around.function is not added.place.function or given is None:
+        if site.call.scope.around is not added.place.function or given is None:
             continue
         if site.shape.kind.facts.interface and depends_on_parameter(analysis, given, site.place):
             line = site.endpoint.line

@@ -7,7 +7,7 @@ from collections.abc import Iterator, Sequence
 
 from plastron_tui.diagnostics import Diagnostic, codes, listed
 from plastron_tui.model.source import Change
-from plastron_tui.sources.gone_names import gone_name
+from plastron_tui.sources.gone_names import gone_name, is_surely_name
 from plastron_tui.sources.splices import line_end, line_number, line_start
 
 from ..analysis import Analysis
@@ -17,7 +17,6 @@ from ..scopes import CppFile
 _FEWEST_LETTERS = 4
 # Frames of tf often have the names of topics.
 _OTHER = re.compile(rb"frame|transform|\btf", re.IGNORECASE)
-_NAME_PART = re.compile(rb"[/_~]")
 _COMMENTED_CODE = re.compile(rb"//.*[;{}(]\s*\Z")
 
 
@@ -34,10 +33,7 @@ def tell_still_named(after: Analysis, changes: Sequence[Change]) -> Iterator[Dia
         bare = (old or "").lstrip("~/")
         if old is None or bare in left or len(bare) < _FEWEST_LETTERS:
             continue
-        found = [
-            f"{line}" if not file.name else f"{line} of `{file.name.rpartition('/')[2]}`"
-            for file, line in _lines(after, bare)
-        ]
+        found = [file.place_of(line) for file, line in _lines(after, bare)]
         if found:
             lines = listed(dict.fromkeys(found))
             says = "line {} still says" if len(set(found)) == 1 else "lines {} still say"
@@ -63,7 +59,7 @@ def _says(
     """Tell whether a string or a comment says the name for sure."""
     syntax = file.syntax
     start, end = found.span()
-    is_sure = bool(_NAME_PART.search(found[0]) or _called(bare).search(around))
+    is_sure = is_surely_name(found[0], bare, around)
     if not syntax.code[start:end].strip():
         is_code = _COMMENTED_CODE.search(around.rstrip()) is not None
         is_word = bare in analysis.unit.functions or _names_variable(analysis, bare)
@@ -89,10 +85,3 @@ def _names_node(analysis: Analysis, file: CppFile, at: int) -> bool:
         for each in analysis.nodes
         if each.place.type not in ("class_specifier", "struct_specifier")
     )
-
-
-def _called(name: str) -> re.Pattern[bytes]:
-    """Return what finds `topic scan`, `'scan' topic` and `scan service`."""
-    noun, bare = rb"(?:topic|service|action)\b", re.escape(name.encode())
-    pattern = rb"(?i:%s)[\s:=]*['\"`]?%s\b|\b%s['\"`]?\s+(?i:%s)" % (noun, bare, bare, noun)
-    return re.compile(pattern)

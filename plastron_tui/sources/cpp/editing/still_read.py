@@ -84,9 +84,7 @@ def _never_run(analysis: Analysis, uncalled: Sequence[Function]) -> list[Functio
             if any(part.has(each.scope.file, each.node.start_byte) for each in calls)
         }
         for name in sorted(names & analysis.unit.functions.keys()):
-            same = analysis.unit.functions[name]
-            owner = analysis.unit.class_of_function(function)
-            own = [each for each in same if analysis.unit.class_of_function(each) is owner]
+            own = analysis.unit.functions_of(analysis.unit.class_of_function(function), name)
             defined = [each for each in own if each.scope is not None]
             if len(defined) != 1 or defined[0] in gone or defined[0].file.is_beside:
                 continue
@@ -187,8 +185,7 @@ class _Uses:
         left = [path for path in paths if not any(path[: len(each)] == each for each in again)]
         told: dict[Function | None, str] = {}
         for scope, node, done in read:
-            around = scope.enclosing("function")
-            function = None if around is None else around.function
+            function = scope.around
             is_first = self._variable.kind != "local" and self._is_first(scope, node)
             if not is_first and function not in told and any(_reads(done, each) for each in left):
                 told[function] = self._told(scope, node, function)
@@ -210,9 +207,8 @@ class _Uses:
             if current.type in _LOOPS or current.type == "lambda_expression":
                 return False
             current = current.parent
-        around = scope.enclosing("function")
-        function = None if around is None else around.function
-        if function is None or around is self._variable.scope.enclosing("function"):
+        function = scope.around
+        if function is None or function is self._variable.scope.around:
             return True
         if function.name in (function.class_name, "onInit", "main"):
             return True
@@ -233,9 +229,8 @@ class _Uses:
 
     def _told(self, scope: Scope, node: Node, function: Function | None) -> str:
         who = "" if function is None else f" by `{function.name}`"
-        name = scope.file.name.rpartition("/")[2]
-        where = f"line {node.start_point.row + 1}" + (f" of `{name}`" if name else "")
-        return f"{'waited for' if _is_wait(node) else 'read'}{who} in {where}"
+        where = scope.file.place_of(node.start_point.row + 1)
+        return f"{'waited for' if _is_wait(node) else 'read'}{who} in line {where}"
 
 
 def _is_wait(node: Node) -> bool:

@@ -7,7 +7,7 @@ from collections import Counter
 from collections.abc import Iterable
 from dataclasses import dataclass
 
-from plastron_tui.sources.splices import line_start, newline_of
+from plastron_tui.sources.splices import indent_of, line_start, newline_of
 
 from ..scopes import CppFile, body_of
 from .clang_format import ClangFormat
@@ -189,14 +189,14 @@ def style_of(
         body = body_of(scope.node)
         if body is None or body.start_point.row == body.end_point.row:
             continue
-        outer = _blanks(text, scope.node.start_byte)
+        outer = indent_of(text, scope.node.start_byte).decode()
         if scope.kind == "function":
             start = line_start(text, body.start_byte)
             broken[not text[start : body.start_byte].strip()] += 1
         for each in body.named_children[:3]:
             if each.type == "access_specifier":
                 continue
-            inner = _blanks(text, each.start_byte)
+            inner = indent_of(text, each.start_byte).decode()
             if inner.startswith(outer) and inner != outer:
                 steps[inner.removeprefix(outer)] += 1
     indent = steps.most_common(1)[0][0] if steps else said.indent or "  "
@@ -264,7 +264,8 @@ def _continuations(file: CppFile) -> Counter[str | None]:
             continue
         first, last = given[0], given[-1]
         if first.start_point.row > listed.start_point.row:
-            outer, inner = _blanks(text, listed.start_byte), _blanks(text, first.start_byte)
+            outer = indent_of(text, listed.start_byte).decode()
+            inner = indent_of(text, first.start_byte).decode()
             if inner.startswith(outer) and inner != outer and first.type != "comment":
                 steps[inner.removeprefix(outer)] += 1
         elif last.start_point.column == first.start_point.column:
@@ -292,9 +293,3 @@ def _is_spaced(file: CppFile) -> bool:
             between = text[scope.node.end_byte : following.start_byte]
             found[between.count(b"\n") > 1] += 1
     return found[True] >= found[False]
-
-
-def _blanks(text: bytes, offset: int) -> str:
-    start = line_start(text, offset)
-    line = text[start:offset]
-    return line[: len(line) - len(line.lstrip(b" \t"))].decode("ascii")

@@ -16,7 +16,7 @@ from .functions import write_function
 from .handles import handle_for
 from .hearing import bound
 from .lambdas import NewLambda, model_lambda, with_body
-from .manner import method_naming
+from .manner import method_naming, variable_naming
 from .members import hold, is_local, type_of
 from .parameters import read_parameter
 
@@ -63,9 +63,19 @@ def event_parameter(added: Addition) -> str:
     return f"const ros::TimerEvent{added.style(added.place.file).reference.rstrip()}"
 
 
-def timer_name(added: Addition, words: str) -> str:
-    """Declare what holds a timer, and return its name."""
-    variable, file = hold(added, K.TIMER, type_of(added, K.TIMER, ""), words)
+def timer_name(added: Addition, words: str, *, last: bool = False) -> str:
+    """Declare what holds a timer, and return its name.
+
+    Args:
+        added: the endpoint.
+        words: what the name is made of.
+        last: whether it goes first of all that was declared, being in a thread of its own. Where
+            the function keeps that thread, its timer is declared as it is created.
+    """
+    if last and added.owner is None:
+        named = variable_naming(added.analysis, K.TIMER, added.sites, is_member=False)
+        return added.free(named.name(words), named.end)
+    variable, file = hold(added, K.TIMER, type_of(added, K.TIMER, ""), words, last=last)
     del file
     return variable
 
@@ -76,7 +86,7 @@ def create_timer(
     """Create a timer that calls a function of the files."""
     handed = bound(added, called, 0 if added.is_ros2 else 1)
     arguments = ", ".join([period, *handed, *(["true"] if once else [])])
-    added.lines.append(f"{_declared(added)}{timer} = {_head(added, handle)}{arguments});")
+    added.lines.append(f"{_declared(added, handle)}{timer} = {_head(added, handle)}{arguments});")
     added.expect(K.TIMER, period, None, called)
     _include_chrono(added)
 
@@ -108,7 +118,7 @@ def run_at(
     """
     timer = timer or timer_name(added, words)
     tail = ", true);" if once else ");"
-    head = f"{_declared(added)}{timer} = {_head(added, handle)}"
+    head = f"{_declared(added, handle)}{timer} = {_head(added, handle)}"
     if added.owner is not None:
         like = model_lambda(added, K.TIMER)
         if like is not None and not like.handed_to and like.variable is None:
@@ -173,7 +183,14 @@ def node_captures(added: Addition) -> tuple[str, ...]:
     return (f"&{node[:-1]}",) if node.endswith(".") else (node.removesuffix("->"),)
 
 
-def _declared(added: Addition) -> str:
+def duration_of(added: Addition) -> str:
+    """Write how long a variable of the function lives: what `main` has not created stays."""
+    return "" if added.place.function.name == "main" else "static "
+
+
+def _declared(added: Addition, handle: str) -> str:
+    if handle and added.owner is None:
+        return f"{duration_of(added)}ros::Timer "
     if not is_local(added):
         return ""
     # Not `auto`: what the timer calls may name it.

@@ -51,7 +51,10 @@ def tell_uncalled(
     """Warn of functions that the files do not call any more."""
     if not found:
         return
-    names = listed(f"`{each.name}` (line {each.node.start_point.row + 1})" for each in found)
+    names = listed(
+        f"`{each.name}` (line {each.file.place_of(each.node.start_point.row + 1)})"
+        for each in found
+    )
     message = f"nothing in the file calls {names} any more"
     it = "it if it is" if len(found) == 1 else "them if they are"
     span = span_of(changes)
@@ -73,10 +76,8 @@ def _uncalled(analysis: Analysis, names: set[str]) -> Iterator[tuple[tuple[str, 
     """Yield the functions of some names that nothing names, with their class and name."""
     nothing = Deletions()
     for name in sorted(names & analysis.unit.functions.keys()):
-        by_class: dict[str, list[Function]] = {}
-        for each in analysis.unit.functions[name]:
-            by_class.setdefault(each.class_name, []).append(each)
-        for class_name, functions in by_class.items():
+        for functions in analysis.unit.functions_by_class(name):
+            class_name = functions[0].class_name
             defined = [each for each in functions if each.scope is not None]
             if not defined or defined[0].file.is_beside or name == class_name:
                 continue

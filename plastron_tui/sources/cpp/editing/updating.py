@@ -213,11 +213,7 @@ def _call(update: Replacement, wanted: str | None, *, is_retyped: bool) -> str:
     if name_node is None or not own:
         raise NotInPlaceError
     owner = analysis.unit.class_of_function(own[0])
-    others = [
-        each
-        for each in analysis.unit.functions.get(wanted or "", ())
-        if analysis.unit.class_of_function(each) is owner
-    ]
+    others = analysis.unit.functions_of(owner, wanted or "")
     if wanted is not None and others:
         if _has_answer(update):
             raise NotInPlaceError

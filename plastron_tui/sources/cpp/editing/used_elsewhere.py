@@ -12,6 +12,7 @@ from plastron_tui.regular_files import read_regular
 from plastron_tui.sources.splices import line_number
 
 from ..analysis import Analysis
+from ..macros import blanked
 from ..scopes import CppFile
 
 _SUFFIXES = frozenset({".cpp", ".cc", ".cxx"})
@@ -42,7 +43,7 @@ def used_elsewhere(path: Path, before: Analysis, after: Analysis) -> str | None:
         if other.resolve() in own or other == path:
             continue
         with suppress(OSError, ValueError):
-            text = _COMMENT.sub(_blank, read_regular(other, _LARGEST))
+            text = _COMMENT.sub(blanked, read_regular(other, _LARGEST))
             for header, members in lost.items():
                 if header.encode() not in text:
                     continue
@@ -69,10 +70,6 @@ def _use(text: bytes, owner: str, name: str) -> int | None:
     reach = rb"(?<![\w])" if is_own else rb"(?:\.|->)\s*"
     found = re.search(reach + re.escape(name.encode()) + rb"(?!\w)", text)
     return None if found is None else line_number(text, found.start())
-
-
-def _blank(found: re.Match[bytes]) -> bytes:
-    return re.sub(rb"[^\n]", b" ", found[0])
 
 
 def _sources(path: Path) -> Iterator[Path]:

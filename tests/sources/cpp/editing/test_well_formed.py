@@ -15,6 +15,9 @@ from plastron_tui.model.source import Add, EndpointKind, Remove, Update
 from plastron_tui.model.values import Computed, MessageValue, OfParameter
 from plastron_tui.ros.interfaces import FieldType
 from plastron_tui.ros.parameters import ParameterType
+from plastron_tui.sources.cpp.editing.plans import with_splices
+from plastron_tui.sources.cpp.editing.refusals import RefusedError
+from plastron_tui.sources.splices import Splice
 
 K = EndpointKind
 
@@ -217,3 +220,8 @@ def test_a_callback_that_logs_a_field_of_the_old_type():
     changed, _ = edit(files(text), Update(K.SUBSCRIPTION, "a", new, AT))
     assert "void hear(const sensor_msgs::Imu" not in shown(changed)
     assert interface("sensor_msgs/Imu") == new.type
+
+
+def test_what_is_in_a_file_of_another_node_is_not_changed():
+    with pytest.raises(RefusedError, match="a file of another node"):
+        with_splices(files(ALIAS), {"other.cpp": [Splice(0, 0, b"x")]})
