@@ -214,6 +214,22 @@ PATCHES = [
         id="what two calls have in common is written once",
     ),
     pytest.param(
+        Remove(K.PARAMETER, "~/rate"),
+        """
+ #include <ros/ros.h>
+ int main(int argc, char** argv) {
+   ros::init(argc, argv, "n");
+   ros::NodeHandle nh("~");
+-  double rate;
+-  nh.param("rate", rate, 10.0);
++  double rate = 10.0;
+   ros::Rate pause(rate);
+   while (ros::ok()) pause.sleep();
+ }
+""",
+        id="a default is the first value of what is declared just above",
+    ),
+    pytest.param(
         publish("out", data="hi"),
         """
 +#include <chrono>
