@@ -230,6 +230,23 @@ PATCHES = [
         id="a default is the first value of what is declared just above",
     ),
     pytest.param(
+        publish("odom", "nav_msgs/Odometry"),
+        """
+ #include "rclcpp/rclcpp.hpp"
+
++#include "nav_msgs/msg/odometry.hpp"
+ #include "nav_msgs/msg/path.hpp"
+
+ #include "std_srvs/srv/trigger.hpp"
+ int main(int argc, char** argv) {
+   rclcpp::init(argc, argv);
+   auto node = rclcpp::Node::make_shared("a");
++  auto odom_pub = node->create_publisher<nav_msgs::msg::Odometry>("odom", 10);
+ }
+""",
+        id="types of one package are included together",
+    ),
+    pytest.param(
         publish("out", data="hi"),
         """
 +#include <chrono>
