@@ -382,7 +382,7 @@ def test_what_nothing_would_call_is_not_added(line: str, is_called: bool) -> Non
 """
     files, told = edit(sides(text)[0], subscribe("imu"))
     assert (files is not None) is is_called
-    said = ["the file does not spin, so that `imuCallback` would not be called"]
+    said = ["`main` in line 2 does not spin, so that `imuCallback` would not be called"]
     assert [each.message for each in told] == ([] if is_called else said)
 
 
