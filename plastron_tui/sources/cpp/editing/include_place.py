@@ -13,6 +13,9 @@ from ..unit import Unit
 from .plans import Plan
 
 _INTERFACE = re.compile(r"[\w.+-]+/(?:msg|srv|action)/\w+\.hpp|\w+_(?:msgs|srvs)/[A-Z]\w*\.h")
+_STANDARD = re.compile(
+    r"\w+|(?:assert|c?math|errno|float|limits|signal|stdio|stdint|stdlib|string|time|unistd)\.h"
+)
 _CONDITION = re.compile(rb"^[ \t]*#[ \t]*(if|endif)", re.MULTILINE)
 _TOP = re.compile(rb"^[ \t]*#[ \t]*(?:pragma[ \t]+once|define[ \t]+\w+)[ \t]*\r?\n", re.MULTILINE)
 _CODE = frozenset({"namespace_definition", "class_specifier", "struct_specifier"}) | frozenset(
@@ -40,7 +43,10 @@ def add_include(plan: Plan, unit: Unit, file: CppFile, header: str, ros_version:
         offset = max(first.start, _start_of(file))
         plan.replace(file, offset, offset, f"#include <{header}>{newline}{newline}")
         return
-    near = like or _beside(includes, is_standard=is_standard)
+    # Two services of one package stand together, wherever the messages are.
+    package = header.split("/")[0] + "/"
+    own = [each for each in like if each.path.startswith(package) and not is_standard]
+    near = own or like or _beside(includes, is_standard=is_standard)
     if not near:
         _add_alone(plan, file, every, _written(header, is_standard or ros_version == 1))
         return
@@ -135,7 +141,10 @@ def _is_like(include: Include, header: str) -> bool:
     path = include.path
     if _INTERFACE.fullmatch(header) is not None:
         return _INTERFACE.fullmatch(path) is not None
-    return ("/" in path) == ("/" in header) and (include.is_angled or "/" in path)
+    if "/" not in header:
+        # `<apriltag.h>` is the header of a package.
+        return "/" not in path and include.is_angled and _STANDARD.fullmatch(path) is not None
+    return "/" in path
 
 
 def _runs(file: CppFile, includes: list[Include]) -> list[list[Include]]:

@@ -12,6 +12,7 @@ from plastron_tui.diagnostics import Diagnostic, Span, codes
 from plastron_tui.model.source import EndpointKind
 
 from ..analysis import Analysis
+from ..scopes import Function
 
 _SPINNING = re.compile(rb"spin|executor|callback_?queue|callAvailable|callOne", re.IGNORECASE)
 # What other files define may spin, if it is called something like this.
@@ -32,24 +33,29 @@ def never_called(before: Analysis, after: Analysis, span: Span | None) -> Diagno
     Only a file with a `main` that starts ROS is looked at. One that had callbacks before is taken
     to know how.
     """
-    if any(site.endpoint.kind in _CALLED for site in before.sites) or not _starts(before):
+    main = _starting(before)
+    if any(site.endpoint.kind in _CALLED for site in before.sites) or main is None:
         return None
     new = next((site for site in after.sites if site.endpoint.kind in _CALLED), None)
-    if new is None or any(_SPINNING.search(each.syntax.code) for each in before.unit.all_files):
+    if new is None or any(_SPINNING.search(each.syntax.code) for each in after.unit.all_files):
         return None
     foreign = before.unit.calls.keys() - before.unit.functions.keys() - {"init", "param"}
     if any(map(_STAYING.search, foreign)):
         return None
     what = f"`{new.endpoint.callback}`" if new.endpoint.callback else "what is called back"
-    message = f"the file does not spin, so that {what} would not be called"
+    line = main.node.start_point.row + 1
+    message = f"`main` in line {line} does not spin, so that {what} would not be called"
     spin = "ros::spin()" if before.ros_version == 1 else "rclcpp::spin(node)"
     return Diagnostic(codes.EDIT_REFUSED, message, span, help=f"let it spin first, with `{spin}`")
 
 
-def _starts(analysis: Analysis) -> bool:
-    mains = [each for each in analysis.unit.functions.get("main", ()) if not each.file.is_beside]
-    files = {each.file.name for each in mains if each.scope is not None}
-    return any(
-        call.scope.file.name in files and call.qualifier in ("ros", "rclcpp")
+def _starting(analysis: Analysis) -> Function | None:
+    """Return the `main` that starts ROS, None for none."""
+    starts = [
+        call.scope.file.name
         for call in analysis.unit.calls.get("init", ())
-    )
+        if call.qualifier in ("ros", "rclcpp")
+    ]
+    mains = (each for each in analysis.unit.functions.get("main", ()) if each.scope is not None)
+    found = (each for each in mains if not each.file.is_beside and each.file.name in starts)
+    return next(found, None)

@@ -89,7 +89,12 @@ class KeptValues:
             return self._keep_otherwise(site, node)
         text = self._default(site, is_typed=True)
         if text not in (None, name):
-            self._gone.replace(file, node, f"{name} = {text}")
+            declared = _declared_above(outer, variable, file)
+            if declared is not None:
+                self._gone.replace(file, declared, f"{name} = {text}")
+                self._gone.statement(file, outer)
+            else:
+                self._gone.replace(file, node, f"{name} = {text}")
             return True
         if text is None and not self._is_set(variable, site):
             return False
@@ -267,6 +272,16 @@ def _text(default: object, type_: str | None, version: int, is_typed: bool) -> s
         return f"std::string({text})"
     is_wide = version == 2 and holds is ParameterType.INT
     return f"int64_t{{{text}}}" if is_wide else text
+
+
+def _declared_above(statement: Node, variable: Variable, file: CppFile) -> Node | None:
+    """Return the name in the declaration just above that has no value yet, None for none."""
+    node, name = statement.prev_sibling, variable.declarator
+    if node is None or name is None or name.parent is None or variable.file is not file:
+        return None
+    if node.type != "declaration" or node.id != variable.node.id or node.id != name.parent.id:
+        return None
+    return name if len(node.children_by_field_name("declarator")) == 1 else None
 
 
 def _only_assigns(node: Node) -> bool:

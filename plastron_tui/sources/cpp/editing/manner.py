@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections import Counter
 from collections.abc import Iterable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from plastron_tui.model.source import EndpointKind
 from plastron_tui.model.unique_names import numbered
@@ -49,6 +49,11 @@ class Naming:
     behind: str = ""
     start: str = ""
     end: str = ""
+
+    @property
+    def bare(self) -> Naming:
+        """The names of what no word stands for: in the same manner, without one."""
+        return replace(self, before="", behind="")
 
     def name(self, words: str) -> str:
         """Return the name of something that small words say."""

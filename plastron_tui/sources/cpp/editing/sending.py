@@ -18,6 +18,7 @@ from .adding import Addition, put_in_body
 from .computing import computing_for
 from .hearing import hearing_functions
 from .interfaces import refuse
+from .manner import variable_naming
 from .members import declare, is_local
 from .parameter_names import commented_name, give_name
 from .refilling import stamp
@@ -156,8 +157,10 @@ def _once(added: Addition, sender: Sender, publications: Sequence[Publication]) 
         added.lines += lines
         return
     timer = timer_name(added, added.topic)
-    end = "_" if timer.endswith("_") else ""
-    heard = added.free(f"{added.topic}_is_heard{end}", end)
+    is_member = added.owner is not None
+    like = variable_naming(added.analysis, EndpointKind.TIMER, added.sites, is_member=is_member)
+    named = like.bare.name(f"{added.topic}_is_heard")
+    heard = added.free(named, like.end)
     if is_local(added):
         added.lines.append(f"bool {heard} = false;")
     else:

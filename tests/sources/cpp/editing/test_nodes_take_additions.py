@@ -27,6 +27,19 @@ PARTS = {
 LATCHED = ("roscpp/functional_style.cpp", "message once")
 """What publishes to the same topic already, and keeps nothing for who listens later."""
 
+BRIEF = "roscpp/parameters.cpp"
+"""What ends at once, and calls nothing back."""
+CALLED_BACK = {
+    "message in the file's loop",
+    "message at a rate",
+    "subscription",
+    "service",
+    "service with an answer",
+    "timer",
+    "action server",
+    "goal",
+}
+
 
 def _read(path: Path) -> bytes | None:
     return path.read_bytes() if path.is_file() else None
@@ -36,6 +49,8 @@ def _reason(name: str, what: str) -> str:
     """Return the start of the message of a refusal that has to be, "" where there is none."""
     if name in PARTS:
         return "the file has no place"
+    if name == BRIEF and what in CALLED_BACK:
+        return "`main` in line"
     return "the publisher of" if (name, what) == LATCHED else ""
 
 

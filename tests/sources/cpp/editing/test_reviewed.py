@@ -73,29 +73,29 @@ PATCHES = [
  class A : public rclcpp::Node {
   public:
    A() : Node("a") {
-     pub_ = image_transport::create_publisher(
+     _pub = image_transport::create_publisher(
        this, "image", rclcpp::QoS(1).transient_local().get_rmw_qos_profile());
-+    image_timer_ = create_wall_timer(
++    _image_timer = create_wall_timer(
 +      std::chrono::milliseconds(200), std::bind(&A::publish_image, this));
    }
 
   private:
 +  void publish_image() {
-+    const bool was_heard = image_is_heard_;
-+    image_is_heard_ = pub_.getNumSubscribers() > 0;
-+    if (was_heard && image_is_heard_) {
++    const bool was_heard = _image_is_heard;
++    _image_is_heard = _pub.getNumSubscribers() > 0;
++    if (was_heard && _image_is_heard) {
 +      // A subscription that is there for so long knows this publisher too.
-+      image_timer_->cancel();
++      _image_timer->cancel();
 +      sensor_msgs::msg::Image message;
 +      message.height = 1;
 +      message.header.stamp = now();
-+      pub_.publish(message);
++      _pub.publish(message);
 +    }
 +  }
 +
-   image_transport::Publisher pub_;
-+  rclcpp::TimerBase::SharedPtr image_timer_;
-+  bool image_is_heard_ = false;
+   image_transport::Publisher _pub;
++  rclcpp::TimerBase::SharedPtr _image_timer;
++  bool _image_is_heard = false;
  };
 """,
         id="who listens is counted as image_transport does",
@@ -212,6 +212,39 @@ PATCHES = [
  }
 """,
         id="what two calls have in common is written once",
+    ),
+    pytest.param(
+        Remove(K.PARAMETER, "~/rate"),
+        """
+ #include <ros/ros.h>
+ int main(int argc, char** argv) {
+   ros::init(argc, argv, "n");
+   ros::NodeHandle nh("~");
+-  double rate;
+-  nh.param("rate", rate, 10.0);
++  double rate = 10.0;
+   ros::Rate pause(rate);
+   while (ros::ok()) pause.sleep();
+ }
+""",
+        id="a default is the first value of what is declared just above",
+    ),
+    pytest.param(
+        publish("odom", "nav_msgs/Odometry"),
+        """
+ #include "rclcpp/rclcpp.hpp"
+
++#include "nav_msgs/msg/odometry.hpp"
+ #include "nav_msgs/msg/path.hpp"
+
+ #include "std_srvs/srv/trigger.hpp"
+ int main(int argc, char** argv) {
+   rclcpp::init(argc, argv);
+   auto node = rclcpp::Node::make_shared("a");
++  auto odom_pub = node->create_publisher<nav_msgs::msg::Odometry>("odom", 10);
+ }
+""",
+        id="types of one package are included together",
     ),
     pytest.param(
         publish("out", data="hi"),
@@ -349,7 +382,7 @@ def test_what_nothing_would_call_is_not_added(line: str, is_called: bool) -> Non
 """
     files, told = edit(sides(text)[0], subscribe("imu"))
     assert (files is not None) is is_called
-    said = ["the file does not spin, so that `imuCallback` would not be called"]
+    said = ["`main` in line 2 does not spin, so that `imuCallback` would not be called"]
     assert [each.message for each in told] == ([] if is_called else said)
 
 
