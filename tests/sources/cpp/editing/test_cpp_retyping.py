@@ -143,9 +143,24 @@ struct Ear : rclcpp::Node {
 """
 
 
+def other_type(text: str) -> bytes:
+    new = Subscription("in", INT, None, AT)
+    files, told = edit(FileSet.single(".cpp", text.encode()), Update(K.SUBSCRIPTION, "in", new, AT))
+    assert files is not None, told
+    return files.main
+
+
 def test_an_object_that_is_called_gets_no_other_type() -> None:
-    new = Subscription("in", InterfaceName("std_msgs", "Int32"), None, AT)
-    files, _ = edit(FileSet.single(".cpp", FUNCTOR.encode()), Update(K.SUBSCRIPTION, "in", new, AT))
-    assert files is not None
-    assert b'"in", 1, std::bind(&Ear::on_in, this' in files.main
-    assert b"Handler{this}" not in files.main
+    changed = other_type(FUNCTOR)
+    assert b"std::bind(&Ear::on_in, this" in changed
+    assert b"Handler{this}" not in changed
+
+
+def test_what_a_name_of_the_file_says_holds_no_other_type() -> None:
+    text = FUNCTOR.replace("  rclcpp::Subscription<std", "  using In = rclcpp::Subscription<std")
+    text = text.replace("::SharedPtr in_;", ";\n  In::SharedPtr in_;")
+    text = text.replace("Handler{this}", "[this](std_msgs::msg::String::SharedPtr) {}")
+    assert "  using In = rclcpp::Subscription<std_msgs::msg::String>;\n  In::SharedPtr in_;" in text
+    changed = other_type(text)
+    assert b"In::SharedPtr" not in changed
+    assert b"rclcpp::Subscription<std_msgs::msg::Int32>::SharedPtr" in changed
