@@ -321,6 +321,9 @@ def _own_node(analysis: Analysis, owner: Scope) -> str | None:
             variable = variables[0]
             type_ = receivers.type_of_variable(variable)
             if type_ in NODE_CLASSES and not variable.is_list:
+                if re.search(r"\bWeakPtr\b|\bweak_ptr<", variable.type):
+                    # Who calls a method of a node's own object still has the node.
+                    return f"{name}.lock()->"
                 return f"{name}->" if "Ptr" in variable.type or "ptr<" in variable.type else None
     return None
 
