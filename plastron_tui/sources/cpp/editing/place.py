@@ -18,6 +18,7 @@ from ..shapes import TRANSFORMS
 from .manner import held_by
 from .refusals import RefusedError
 from .units import labels_of
+from .uses import is_static
 
 _STARTING = re.compile(r"(?:on_?)?(?:init|set_?up|start|config|activate|create|advertise)", re.I)
 _CLIMBED = frozenset({"compound_statement", "try_statement"})
@@ -99,6 +100,9 @@ def find_place(analysis: Analysis, change: Add, kind: EndpointKind) -> Place:
             # A variable of a header is one of each source that includes it.
             continue
         if any(place.function.node.id == each.node.id for each in _called_back(analysis)):
+            continue
+        if is_static(analysis, place.function):
+            # What makes the object has no member at hand.
             continue
         rank = start_rank(analysis, place.function)
         if rank is None:

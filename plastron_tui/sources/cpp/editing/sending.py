@@ -24,6 +24,7 @@ from .parameter_names import commented_name, give_name
 from .refilling import stamp
 from .timers import capture, node_captures, period_of, run_at, timer_name
 from .turns import Turn, may_leave, own_turn
+from .uses import is_static
 
 _ONCE = 5.0
 """How often a node of ROS 2 looks whether somebody listens, in hertz."""
@@ -245,8 +246,7 @@ def _sees(added: Addition, function: Function, sender: Sender) -> bool:
     """Tell whether a function that hears can name what publishes."""
     if function.node.type != "lambda_expression":
         is_method = added.analysis.unit.class_of_function(function) is added.owner
-        is_static = added.owner is not None and _is_static(added, function)
-        return is_method and not is_static and not sender.is_local
+        return is_method and not is_static(added.analysis, function) and not sender.is_local
     syntax = function.file.syntax
     taken = function.node.child_by_field_name("captures")
     text = "" if taken is None else "".join(syntax.word(taken).split())
@@ -254,18 +254,6 @@ def _sees(added: Addition, function: Function, sender: Sender) -> bool:
         at = function.node.start_byte
         return text.startswith("[&") and text[2:3] in ("]", ",") and at > added.place.offset
     return added.owner is None or "this" in text or text[:2] in ("[&", "[=")
-
-
-def _is_static(added: Addition, function: Function) -> bool:
-    """Tell whether a method has no object; its declaration in the class may alone say so."""
-    unit = added.analysis.unit
-    return any(
-        part.type == "storage_class_specifier" and each.file.syntax.word(part) == "static"
-        for each in unit.functions.get(function.name, ())
-        if unit.class_of_function(each) is added.owner
-        and len(each.parameters) == len(function.parameters)
-        for part in each.node.children
-    )
 
 
 def site_is_lambda(site: Site) -> bool:

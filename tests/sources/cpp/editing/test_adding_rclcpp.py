@@ -4,11 +4,7 @@ from __future__ import annotations
 
 import pytest
 from additions import publish, request, subscribe
-from patches import check, edit
-
-from plastron_tui.model.source import FileSet
-from plastron_tui.model.values import MessageValue
-from plastron_tui.ros.interfaces import InterfaceName
+from patches import check
 
 CASES = [
     pytest.param(
@@ -366,34 +362,3 @@ CASES = [
 @pytest.mark.parametrize(("change", "patch"), CASES)
 def test_a_patch(change, patch):
     check(patch, change)
-
-
-WEAK = """
-#include <rclcpp/rclcpp.hpp>
-#include <std_msgs/msg/string.hpp>
-class Layer {
-public:
-  void init(const rclcpp::Node::WeakPtr & parent) {
-    node_ = parent;
-    auto node = node_.lock();
-    pub_ = node->create_publisher<std_msgs::msg::String>("state", 1);
-  }
-private:
-  HELD node_;
-  rclcpp::Publisher<std_msgs::msg::String>::SharedPtr pub_;
-};
-"""
-
-
-@pytest.mark.parametrize("held", ["rclcpp::Node::WeakPtr", "std::weak_ptr<rclcpp::Node>"])
-def test_a_node_that_is_held_weakly_is_locked(held: str) -> None:
-    text = WEAK.replace("HELD", held).encode()
-    change = publish(
-        "at",
-        "geometry_msgs/PointStamped",
-        rate=7.0,
-        point=MessageValue(InterfaceName("geometry_msgs", "Point"), {"x": 1.5}),
-    )
-    files, told = edit(FileSet.single(".cpp", text), change)
-    assert files is not None, told
-    assert b"stamp = node_.lock()->now();" in files.main
