@@ -189,11 +189,15 @@ def bound(added: Addition, name: str, arguments: int) -> list[str]:
 
 
 def bind_manner(added: Addition, arguments: int) -> tuple[str, str]:
-    """Return what binds a method, and what its placeholders begin with, as the file has them."""
+    """Return what binds a method, and what its placeholders begin with, as the file has them.
+
+    A file without has what declares `std::bind` included.
+    """
     texts = _callback_texts(added)
     binds = [each for each in texts if re.match(r"(?:std::|boost::)?bind\b", each)]
     if not binds:
         if added.is_ros2:
+            added.include(added.place.file, "functional")
             return "std::bind", _usual_placeholder(added, arguments)
         return "boost::bind", "boost::placeholders::_"
     binder = binds[0].partition("(")[0].strip()

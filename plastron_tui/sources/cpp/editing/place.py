@@ -19,6 +19,7 @@ from .manner import held_by
 from .refusals import RefusedError
 from .statements import above, is_endless
 from .units import labels_of
+from .uses import is_static
 
 _STARTING = re.compile(r"(?:on_?)?(?:init|set_?up|start|config|activate|create|advertise)", re.I)
 
@@ -105,6 +106,9 @@ def find_place(analysis: Analysis, change: Add, kind: EndpointKind) -> Place:
             # A variable of a header is one of each source that includes it.
             continue
         if any(place.function.node.id == each.node.id for each in _called_back(analysis)):
+            continue
+        if is_static(analysis, place.function):
+            # What makes the object has no member at hand.
             continue
         rank = start_rank(analysis, place.function)
         if rank is None:
@@ -329,6 +333,9 @@ def _own_node(analysis: Analysis, owner: Scope) -> str | None:
             variable = variables[0]
             type_ = receivers.type_of_variable(variable)
             if type_ in NODE_CLASSES and not variable.is_list:
+                if re.search(r"\bWeakPtr\b|\bweak_ptr<", variable.type):
+                    # Who calls a method of a node's own object still has the node.
+                    return f"{name}.lock()->"
                 return f"{name}->" if "Ptr" in variable.type or "ptr<" in variable.type else None
     return None
 

@@ -48,9 +48,13 @@ def check_retyped(update: Replacement, type_: InterfaceName, kind: InterfaceKind
     given, functions = called_back(update)
     if given is None:
         return
+    bodies = list(_bodies(update, given, functions))
+    if not functions and not bodies:
+        # An object that is called, or what another file has: it takes the old type.
+        raise NotInPlaceError
     if functions and _serves_others(update, functions):
         raise OtherCodeError
-    _check_body(update, given, functions, type_, kind)
+    _check_bodies(update, bodies, functions, type_, kind)
 
 
 def vanishing(update: Replacement) -> list[Function]:
@@ -78,9 +82,9 @@ def _serves_others(update: Replacement, functions: list[Function]) -> bool:
     return has_uses(analysis, functions, gone)
 
 
-def _check_body(
+def _check_bodies(
     update: Replacement,
-    given: Node,
+    bodies: list[tuple[Node, CppFile, list[str]]],
     functions: list[Function],
     type_: InterfaceName,
     kind: InterfaceKind,
@@ -91,7 +95,6 @@ def _check_body(
         NotInPlaceError: it cannot do with the new one, and no statement says to call it.
     """
     site, interface = update.site, update.catalog.find(type_, kind)
-    bodies = list(_bodies(update, given, functions))
     is_log = bool(functions) and all(is_stub(each) for each in functions if each.scope is not None)
     missing: dict[str, None] = {}
     differing: dict[str, None] = {}

@@ -159,7 +159,14 @@ def _retype_variable(update: Replacement, written: _Written, sent: Sequence[Send
         # What is sent, or asked for, is of the old type.
         raise NotInPlaceError
     type_node = variable.type_node
-    if type_node is None or "<" not in variable.file.syntax.word(type_node):
+    if type_node is None:
+        return 0
+    said = variable.file.syntax.word(type_node)
+    if "<" not in said:
+        scope = scope_at(variable.file, type_node.start_byte)
+        if "<" in update.analysis.types.expand(said, scope):
+            # A name of the file stands for the old type; others may say it too.
+            raise NotInPlaceError
         return 0
     if len(variable.node.children_by_field_name("declarator")) > 1:
         raise NotInPlaceError

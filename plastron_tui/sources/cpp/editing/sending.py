@@ -24,6 +24,7 @@ from .parameter_names import commented_name, give_name
 from .refilling import stamp
 from .timers import capture, node_captures, period_of, run_at, timer_name
 from .turns import Turn, may_leave, own_turn
+from .uses import is_static
 
 _ONCE = 5.0
 """How often a node of ROS 2 looks whether somebody listens, in hertz."""
@@ -246,7 +247,7 @@ def _sees(added: Addition, function: Function, sender: Sender) -> bool:
     """Tell whether a function that hears can name what publishes."""
     if function.node.type != "lambda_expression":
         is_method = added.analysis.unit.class_of_function(function) is added.owner
-        return is_method and not sender.is_local
+        return is_method and not is_static(added.analysis, function) and not sender.is_local
     syntax = function.file.syntax
     taken = function.node.child_by_field_name("captures")
     text = "" if taken is None else "".join(syntax.word(taken).split())

@@ -8,7 +8,7 @@ from collections.abc import Iterator
 from tree_sitter import Node
 
 from ..analysis import Analysis
-from ..scopes import CppFile, Scope, Variable
+from ..scopes import CppFile, Function, Scope, Variable
 from .deletions import Deletions
 
 _NAMES = frozenset({"identifier", "field_identifier"})
@@ -78,3 +78,17 @@ def scope_at(file: CppFile, offset: int) -> Scope:
     """Return the innermost scope that an offset is in."""
     inside = (scope for scope in file.scopes if scope.start <= offset < scope.end)
     return max(inside, key=lambda scope: (scope.start, -scope.end), default=file.root)
+
+
+def is_static(analysis: Analysis, function: Function) -> bool:
+    """Tell whether a function is a method without an object, which its declaration may say."""
+    owner = analysis.unit.class_of_function(function)
+    if owner is None:
+        return False
+    return any(
+        part.type == "storage_class_specifier" and each.file.syntax.word(part) == "static"
+        for each in analysis.unit.functions.get(function.name, ())
+        if analysis.unit.class_of_function(each) is owner
+        and len(each.parameters) == len(function.parameters)
+        for part in each.node.children
+    )

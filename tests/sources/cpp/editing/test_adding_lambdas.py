@@ -103,6 +103,8 @@ CASES = [
     pytest.param(
         subscribe("imu", callback="on_imu"),
         """
++#include <functional>
++
  #include <rclcpp/rclcpp.hpp>
 +#include <sensor_msgs/msg/imu.hpp>
  #include <std_msgs/msg/string.hpp>

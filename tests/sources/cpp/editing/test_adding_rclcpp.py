@@ -269,6 +269,7 @@ CASES = [
         request("ask", data=True),
         """
 +#include <chrono>
++#include <functional>
  #include <memory>
 
  #include "rclcpp/rclcpp.hpp"

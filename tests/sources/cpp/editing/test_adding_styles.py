@@ -120,6 +120,7 @@ CASES = [
  #include "x.hpp"
 
 +#include <chrono>
++#include <functional>
  #include <string>
 
  #include <rclcpp_components/register_node_macro.hpp>
@@ -163,6 +164,7 @@ CASES = [
         publish("mode", "geometry_msgs/Point", rate=2.0, x=1.5),
         """
 +#include <chrono>
++#include <functional>
 +#include <geometry_msgs/msg/point.hpp>
  #include <memory>
  #include <rclcpp/rclcpp.hpp>
@@ -198,6 +200,7 @@ CASES = [
         publish("at", "sensor_msgs/Temperature", rate=7.0, temperature=1.5),
         """
 +#include <chrono>
++#include <functional>
 +
  #include <rclcpp/rclcpp.hpp>
 +#include <sensor_msgs/msg/temperature.hpp>

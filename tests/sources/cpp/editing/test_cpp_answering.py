@@ -130,7 +130,7 @@ def test_a_function_that_answers_in_branches_is_called_no_longer() -> None:
     files, told = edit(before, Update(K.SERVICE, "stop", new, AT))
     assert files is not None
     assert b"response->success = true;" in files.main
-    assert "nothing in the file calls `stop` (line 9) any more" in [each.message for each in told]
+    assert "nothing in the file calls `stop` (line 11) any more" in [each.message for each in told]
 
 
 CLIENT2 = """

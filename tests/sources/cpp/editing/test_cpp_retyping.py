@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import pytest
-from patches import check
+from patches import check, edit
 from updated_nodes import ROS1, patched
 
 from plastron_tui.diagnostics import Span
@@ -14,7 +14,7 @@ from plastron_tui.model.kinds import (
     Timer,
     kind_of,
 )
-from plastron_tui.model.source import EndpointKind, Update
+from plastron_tui.model.source import EndpointKind, FileSet, Update
 from plastron_tui.ros.interfaces import InterfaceName
 
 K = EndpointKind
@@ -125,3 +125,42 @@ def test_a_client_that_nothing_calls_gets_another_type() -> None:
  }
 """
     check(patch, Update(kind_of(Client), "go", Client("go", SET_BOOL, (), AT), AT))
+
+
+FUNCTOR = """
+#include <rclcpp/rclcpp.hpp>
+#include <std_msgs/msg/string.hpp>
+struct Ear : rclcpp::Node {
+  struct Handler {
+    Ear * owner;
+    void operator()(const std_msgs::msg::String &) const {}
+  };
+  Ear() : Node("ear") {
+    in_ = create_subscription<std_msgs::msg::String>("in", 1, Handler{this});
+  }
+  rclcpp::Subscription<std_msgs::msg::String>::SharedPtr in_;
+};
+"""
+
+
+def other_type(text: str) -> bytes:
+    new = Subscription("in", INT, None, AT)
+    files, told = edit(FileSet.single(".cpp", text.encode()), Update(K.SUBSCRIPTION, "in", new, AT))
+    assert files is not None, told
+    return files.main
+
+
+def test_an_object_that_is_called_gets_no_other_type() -> None:
+    changed = other_type(FUNCTOR)
+    assert b"std::bind(&Ear::on_in, this" in changed
+    assert b"Handler{this}" not in changed
+
+
+def test_what_a_name_of_the_file_says_holds_no_other_type() -> None:
+    text = FUNCTOR.replace("  rclcpp::Subscription<std", "  using In = rclcpp::Subscription<std")
+    text = text.replace("::SharedPtr in_;", ";\n  In::SharedPtr in_;")
+    text = text.replace("Handler{this}", "[this](std_msgs::msg::String::SharedPtr) {}")
+    assert "  using In = rclcpp::Subscription<std_msgs::msg::String>;\n  In::SharedPtr in_;" in text
+    changed = other_type(text)
+    assert b"In::SharedPtr" not in changed
+    assert b"rclcpp::Subscription<std_msgs::msg::Int32>::SharedPtr" in changed

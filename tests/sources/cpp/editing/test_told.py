@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import pytest
+from additions import publish
 from patches import edit, sides
 
 from plastron_tui.diagnostics import Span
 from plastron_tui.model.kinds import Message, Publication, Publisher, Subscription
-from plastron_tui.model.source import Add, EndpointKind, Remove, Rename, Update
+from plastron_tui.model.source import Add, EndpointKind, FileSet, Remove, Rename, Update
 from plastron_tui.model.values import MessageValue
 from plastron_tui.ros.interfaces import InterfaceName
 
@@ -155,3 +156,24 @@ def test_a_message_of_transforms_gets_a_publisher_of_its_own() -> None:
     assert files is not None
     assert b'create_publisher<tf2_msgs::msg::TFMessage>("/tf", 10)' in files.main
     assert b"sender_->publish" not in files.main
+
+
+STATIC = """
+#include <rclcpp/rclcpp.hpp>
+#include <std_msgs/msg/string.hpp>
+struct Ear : rclcpp::Node {
+  Ear() : Node("ear") {
+    in_ = create_subscription<std_msgs::msg::String>("in", 1, &Ear::heard);
+  }
+  STORAGE void heard(const std_msgs::msg::String &) {}
+  rclcpp::Subscription<std_msgs::msg::String>::SharedPtr in_;
+};
+"""
+
+
+@pytest.mark.parametrize("storage", ["static", "static inline", "inline static"])
+def test_a_static_method_that_hears_sees_no_publisher(storage: str) -> None:
+    text = STATIC.replace("STORAGE", storage).encode()
+    files, told = edit(FileSet.single(".cpp", text), publish("out", heard="in", data="x"))
+    assert files is None
+    assert "`heard` does not see `out_pub_`" in told[0].message
