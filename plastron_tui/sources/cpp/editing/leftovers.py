@@ -39,6 +39,11 @@ _HEADERS = {
     "boost/bind.hpp": _BIND,
     "boost/bind/bind.hpp": _BIND,
     "chrono": re.compile(rb"\bchrono|" + _DURATION),
+    "functional": re.compile(
+        rb"\b(?:not_fn|mem_fn|function|invoke|c?ref|hash|less|greater|equal_to|plus|minus"
+        rb"|multiplies|divides|modulus|negate|bit_\w+|logical_\w+|reference_wrapper)\b"
+        rb"|\bbind|\bplaceholders\b"
+    ),
     "memory": re.compile(
         rb"\b(?:make|allocate)_(?:shared|unique)\b|\b(?:shared|unique|weak)_ptr\b"
         rb"|\benable_shared_from_this\b|\b\w+_pointer_cast\b|\baddressof\b|\ballocator"
