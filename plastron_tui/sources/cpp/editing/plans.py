@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections import defaultdict
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
@@ -14,6 +15,9 @@ from ..analysis import Site
 from ..scopes import CppFile
 from .refusals import RefusedError
 from .units import Key
+
+_LITERAL = re.compile(r'"(?:[^"\\\n]|\\.)*"')
+_WIDE = re.compile(r"[^\x00-\x7f]")
 
 
 @dataclass(slots=True)
@@ -42,8 +46,28 @@ class Plan:
             line = line_number(file.syntax.text, start)
             message = f"line {line} of `{file.name}`, a file of another node, has a part of it"
             raise RefusedError(message, None, "change that file first")
-        encoded = text.encode(file.syntax.encoding)
+        encoded = _in_utf8(file, text).encode(file.syntax.encoding)
         self.splices[file.name].append(Splice(start, end, encoded))
+
+
+def _in_utf8(file: CppFile, text: str) -> str:
+    """Return a text whose new strings are UTF-8, as messages are, in a file of another encoding.
+
+    The bytes of a string are those of the file; others are written as octal escapes.
+    """
+    encoding, before = file.syntax.encoding, file.syntax.text
+    if encoding == "utf-8" or text.isascii():
+        return text
+
+    def escaped(found: re.Match[str]) -> str:
+        is_copied = found[0].encode(encoding, "replace") in before
+        return found[0] if is_copied else _WIDE.sub(_octal, found[0])
+
+    return _LITERAL.sub(escaped, text)
+
+
+def _octal(found: re.Match[str]) -> str:
+    return "".join(f"\\{byte:03o}" for byte in found[0].encode())
 
 
 def with_splices(files: FileSet, splices: Mapping[str, Iterable[Splice]]) -> FileSet:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 
 from tree_sitter import Node
 
@@ -18,7 +18,7 @@ from .plans import Plan
 from .refusals import RefusedError, not_there, refuse_parts
 from .statements import is_inside
 from .units import key_of, labels_of, sites_of
-from .uses import uses_of
+from .uses import scope_at, uses_of, word
 
 _WRITTEN = {
     "assignment_expression": "left",
@@ -102,6 +102,17 @@ def depends_on_parameter(analysis: Analysis, node: Node, scope: Scope) -> bool:
 def _uses(analysis: Analysis, origin: Origin) -> Iterable[list[tuple[Node, Scope]]]:
     for variable in origin.variables:
         yield [(node, scope) for _, node, scope in uses_of(analysis, variable)]
+    for define in origin.file.syntax.defines:
+        if define.start <= origin.start < define.end:
+            yield list(_macro_uses(analysis, define.name))
+
+
+def _macro_uses(analysis: Analysis, name: str) -> Iterator[tuple[Node, Scope]]:
+    for file in analysis.unit.files:
+        for found in word(name).finditer(file.syntax.code):
+            node = file.syntax.root.named_descendant_for_byte_range(*found.span())
+            if node is not None:
+                yield node, scope_at(file, found.start())
 
 
 def _serves(
@@ -135,8 +146,8 @@ def _only_tells(analysis: Analysis, node: Node, scope: Scope, origin: Origin) ->
         outer = _WRITTEN.get(inner.type)
         if outer is not None:
             target = inner.child_by_field_name(outer) if outer else inner.named_children[0]
-            word = "" if target is None else syntax.word(target)
-            return re.split(r"->|\.", word)[-1].lstrip("*&") in names
+            text = "" if target is None else syntax.word(target)
+            return re.split(r"->|\.", text)[-1].lstrip("*&") in names
         if inner.type == "call_expression":
             called = inner.child_by_field_name("function")
             name = "" if called is None else syntax.word(called)

@@ -94,6 +94,25 @@ def test_two_change_places() -> None:
     check(text, Rename(K.PUBLISHER, "a", "b"), Rename(K.PUBLISHER, "b", "a"))
 
 
+def test_a_macro_that_says_something_else_as_well_stays() -> None:
+    text = """
+ #include <ros/ros.h>
+ #include <std_msgs/String.h>
+ #define NAME "a"
+ int main(int c, char ** v)
+ {
+   ros::init(c, v, "n");
+   ros::NodeHandle nh;
+-  auto one = nh.advertise<std_msgs::String>(NAME, 1);
++  auto one = nh.advertise<std_msgs::String>("b", 1);
+   std_msgs::String said;
+   said.data = NAME;
+   one.publish(said);
+ }
+"""
+    check(text, Rename(K.PUBLISHER, "a", "b"))
+
+
 def test_a_name_comes_from_who_makes_the_node() -> None:
     text = """
  #include "x.hpp"
