@@ -57,6 +57,16 @@ def others(path: Path, text: bytes) -> tuple[str, ...]:
     return tuple(found)
 
 
+def included_by(path: Path, text: bytes) -> Iterator[Path]:
+    """Yield the headers of its package that a source includes itself."""
+    folder = os.path.dirname(os.path.abspath(path))  # noqa: PTH100,PTH120 (never raises)
+    roots = _roots(folder)
+    for include in _includes(text):
+        place = _place(include, folder, roots)
+        if place is not None:
+            yield Path(place)
+
+
 def _gather(
     text: bytes,
     folder: str,

@@ -51,7 +51,12 @@ _HEADERS = {
     "rcl_interfaces/msg/parameter_descriptor.hpp": re.compile(rb"\bParameterDescriptor\b"),
     "ros/callback_queue.h": re.compile(rb"\bCallbackQueue"),
     "rclcpp_action/rclcpp_action.hpp": re.compile(rb"\brclcpp_action\b"),
+    "string": re.compile(
+        rb"\b(?:w|u8|u16|u32|basic_)?string\b|\bto_w?string\b|\bsto(?:i|l|ll|ul|ull|f|d|ld)\b"
+        rb"|\bgetline\b|\bchar_traits\b"
+    ),
     "thread": re.compile(rb"\bthread\b|\bthis_thread\b"),
+    "vector": re.compile(rb"\bvector\b"),
 }
 """What a header is for, as far as it can tell: it goes with the last use of that."""
 

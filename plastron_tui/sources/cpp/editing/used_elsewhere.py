@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import re
 from collections.abc import Iterator
 from contextlib import suppress
@@ -12,12 +13,14 @@ from plastron_tui.regular_files import read_regular
 from plastron_tui.sources.splices import line_number
 
 from ..analysis import Analysis
+from ..headers import included_by
 from ..macros import blanked
 from ..scopes import CppFile
 
 _SUFFIXES = frozenset({".cpp", ".cc", ".cxx"})
 _LARGEST = 256 * 1024
 _MOST_SOURCES = 200
+_MOST_FOLDERS = 400
 _MOST_ABOVE = 4
 _COMMENT = re.compile(rb"//[^\n]*|/\*.*?\*/", re.DOTALL)
 
@@ -32,7 +35,7 @@ def used_elsewhere(path: Path, before: Analysis, after: Analysis) -> str | None:
     """
     pairs = zip(before.unit.files, after.unit.files, strict=True)
     lost = {
-        old.name.replace("{}", path.stem).rpartition("/")[2]: gone
+        place_of(path, old.name).resolve(): gone
         for old, new in pairs
         if old.name and old is not new and (gone := _members(old) - _members(new))
     }
@@ -44,13 +47,14 @@ def used_elsewhere(path: Path, before: Analysis, after: Analysis) -> str | None:
             continue
         with suppress(OSError, ValueError):
             text = _COMMENT.sub(blanked, read_regular(other, _LARGEST))
-            for header, members in lost.items():
-                if header.encode() not in text:
-                    continue
-                for owner, name in sorted(members):
+            if not any(each.name.encode() in text for each in lost):
+                continue
+            for header in dict.fromkeys(each.resolve() for each in included_by(other, text)):
+                for owner, name in sorted(lost.get(header, ())):
                     use = _use(text, owner, name)
                     if use is not None:
-                        return f"`{name}` of `{header}` is used in line {use} of `{other.name}`"
+                        where = f"line {use} of `{other.name}`"
+                        return f"`{name}` of `{header.name}` is used in {where}"
     return None
 
 
@@ -79,13 +83,11 @@ def _sources(path: Path) -> Iterator[Path]:
     if root is None:
         return
     found = 0
-    for folder in sorted({root, *(each for each in root.rglob("*") if each.is_dir())}):
-        if folder.is_symlink():
-            continue
-        with suppress(OSError):
-            for each in sorted(folder.iterdir()):
-                if each.suffix in _SUFFIXES and each.is_file():
-                    found += 1
-                    if found > _MOST_SOURCES:
-                        return
-                    yield each
+    for looked_at, (folder, inner, names) in enumerate(os.walk(root)):
+        inner[:] = sorted(each for each in inner if not each.startswith("."))
+        for name in sorted(names):
+            if Path(name).suffix in _SUFFIXES:
+                found += 1
+                yield Path(folder, name)
+        if looked_at >= _MOST_FOLDERS or found >= _MOST_SOURCES:
+            return
