@@ -224,7 +224,12 @@ def _include(
     headers = headers_of(old, kind, version)
     header = interface_types.header(new, kind, version)
     files = [each for each in update.analysis.unit.files if not each.is_beside]
-    is_there = any(include.path == header for file in files for include in file.syntax.includes)
+    # Whether headers include it, and the source: a header does not see what its source includes.
+    having = {
+        bool(file.name)
+        for file in files
+        if any(include.path == header for include in file.syntax.includes)
+    }
     is_named = _is_named(update, old, places)
     saying = [each for each in files if any(name == each.name for name, _, _ in places)]
     own = next((each for each in saying if each.name), files[0])
@@ -237,6 +242,7 @@ def _include(
             if include.path not in headers:
                 continue
             start = line_start(text, include.start)
+            is_there = True in having or (not file.name and bool(having))
             if not is_kept and not is_there:
                 at = text.index(include.path.encode(), start)
                 update.put_between(file, at, at + len(include.path.encode()), header)
@@ -249,8 +255,8 @@ def _include(
                 line = f"#include <{header}>" if include.is_angled else f'#include "{header}"'
                 end = line_end(text, start)
                 update.put_between(file, end, end, line + newline_of(text).decode())
-            is_there = True
-    if not is_there:
+            having.add(bool(file.name))
+    if not having:
         raise NotInPlaceError
 
 
