@@ -22,9 +22,6 @@ WHERE_SAID = frozenset(
 )
 """What is compared only where the JSON says it."""
 
-AWAITED: dict[str, str] = {}
-"""Why what is read of a fixture is not yet what is in it."""
-
 
 def _read(path: Path) -> bytes | None:
     return path.read_bytes() if path.is_file() else None
@@ -67,13 +64,11 @@ def _other(wanted: dict[str, Any], found: dict[str, Any], where: str) -> Iterato
             yield f"{where}: {key} {found.get(key)!r}, not {wanted.get(key)!r}"
 
 
-def _case(expected: Path) -> Any:
-    name = f"{expected.parent.name}/{expected.stem}"
-    marks = [pytest.mark.xfail(reason=AWAITED[name], strict=True)] if name in AWAITED else []
-    return pytest.param(expected, id=name, marks=marks)
+def _name(expected: Path) -> str:
+    return f"{expected.parent.name}/{expected.stem}"
 
 
-@pytest.mark.parametrize("expected", [_case(path) for path in EXPECTED])
+@pytest.mark.parametrize("expected", EXPECTED, ids=_name)
 def test_a_node_reads_as_its_author_says(expected: Path) -> None:
     wanted = json.loads(expected.read_text(encoding="utf-8"))
     path = expected.parent / wanted["file"]
