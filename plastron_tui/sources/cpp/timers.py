@@ -13,7 +13,7 @@ from .analysis import Analysis, Site
 from .durations import seconds
 from .holders import holder_of
 from .scopes import Variable
-from .serving import serves
+from .serving_timers import serves
 
 
 def timer_details(analysis: Analysis, site: Site) -> TimerDetails:

@@ -9,7 +9,7 @@ from tree_sitter import Node
 
 from ..analysis import Analysis
 from ..scopes import CppFile, Function, Scope, Variable
-from ..serving import description_of
+from ..serving_timers import description_of
 from .deletions import Deletions
 from .leftovers import has_uses
 from .uses import scope_at, word

@@ -14,6 +14,7 @@ from ..scopes import CppFile, Scope, Variable
 from .containers import in_container
 from .creation import Creation, creation_of, holder_of, variable_of
 from .deletions import Deletions
+from .dependent_code import DependentCode
 from .descriptors import take_descriptor
 from .kept_values import KeptValues
 from .leftovers import (
@@ -43,7 +44,6 @@ from .own_functions import (
 from .parameter_names import unname_unused
 from .plans import Plan
 from .refusals import RefusedError, in_use, not_there
-from .served import ServedCode
 from .shared_statements import SharedStatements
 from .statements import calls_method, emptied, local_of, only_sets, sets_what_stays, statement_of
 from .units import sites_of
@@ -105,7 +105,7 @@ class _Removal:
         self._gone = Deletions()
         self._shared = SharedStatements(analysis, change, [*sites, *going], self._gone)
         self._kept = KeptValues(analysis, sites, self._gone)
-        self._served = ServedCode(analysis, self._gone)
+        self._served = DependentCode(analysis, self._gone)
         self._plan = Plan()
         self.used: list[tuple[CppFile, int]] = []
 

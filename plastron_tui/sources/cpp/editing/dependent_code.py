@@ -12,8 +12,8 @@ from ..analysis import Analysis, Site
 from ..scopes import CppFile, Function, Scope, Variable, statements_in
 from .creation import delete_declarator, holder_of
 from .deletions import Deletions
+from .dependent_statements import DependentStatements
 from .leftovers import functions_of, has_uses, remove_function
-from .serving import Serving
 from .statements import is_inside, only_calls, only_sets, statement_of
 from .uses import uses_of
 from .visibility import access_of
@@ -24,7 +24,7 @@ _FILLING = frozenset(
 _ANSWERS = ("response", "Response")
 
 
-class ServedCode:
+class DependentCode:
     """The code that serves what goes.
 
     Attributes:
@@ -34,7 +34,7 @@ class ServedCode:
     def __init__(self, analysis: Analysis, gone: Deletions) -> None:
         self._analysis = analysis
         self._gone = gone
-        self._serving = Serving(analysis, gone)
+        self._serving = DependentStatements(analysis, gone)
         self._captures: list[tuple[CppFile, Node]] = []
         self._ended: list[tuple[Site, CppFile, Node]] = []
         self._named: list[str] = []
@@ -263,7 +263,7 @@ class ServedCode:
 
     def _serves_alone(self, functions: list[Function]) -> bool:
         """Tell whether functions do nothing but log, and answer what is always the same."""
-        own = Serving(self._analysis, self._gone)
+        own = DependentStatements(self._analysis, self._gone)
         own.is_alone = True
         own.going = {*self._serving.going, *(x for each in functions for x in each.parameters)}
         bodies = [(each.file, each.node.child_by_field_name("body")) for each in functions]

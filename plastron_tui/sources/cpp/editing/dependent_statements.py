@@ -59,7 +59,7 @@ _NEGATED = re.compile(r"\(*\s*!(?!=)|.*!=|.*==\s*(?:false|nullptr|NULL)\b", re.D
 _LOOPS = ("while_statement", "do_statement", "for_statement", "for_range_loop")
 
 
-class Serving:
+class DependentStatements:
     """What is known of the statements that serve what goes.
 
     Attributes:
