@@ -33,7 +33,7 @@ CLOSED_BY_ROSPY = re.compile(
 BROKEN_OFF = re.compile(
     r"^Exception ignored in: .*\nTraceback .*\n(?: .*\n|\n)*"
     # What Ctrl-C has kept from being made lacks its parts.
-    r"(?:KeyboardInterrupt|AttributeError: '\w*Executor' object has no attribute).*\n",
+    r"(?:KeyboardInterrupt|AttributeError: '\w+' object has no attribute).*\n",
     re.MULTILINE,
 )
 

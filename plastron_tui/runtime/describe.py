@@ -34,6 +34,7 @@ _AT_ONCE = 16
 _INFRASTRUCTURE_TOPICS = frozenset({"/rosout", "/rosout_agg", "/parameter_events"})
 _INFRASTRUCTURE_NODES = frozenset({"/rosout"})
 _INFRASTRUCTURE_PACKAGES = frozenset({"rcl_interfaces", "type_description_interfaces"})
+_TOPIC_KINDS = ("Publications", "Subscriptions")
 _ROSCPP_SERVICES = ("/get_loggers", "/set_logger_level")
 
 
@@ -91,24 +92,28 @@ def describe_ros1(uri: str) -> Described:
         types = dict(call(uri, "getTopicTypes"))
     except (MasterError, TypeError, ValueError) as error:
         return Described(None, (_no_graph(f"no ROS 1 master answers at {uri}", error),))
+    owners = {owner for _, found in chain(publishers, subscriptions, services) for owner in found}
     nodes: dict[str, DescribedNode] = {}
-    topic_types: dict[str, InterfaceName | None] = {
-        topic: interface_name(type_name) for topic, type_name in types.items()
-    }
-    _collect(nodes, EndpointKind.PUBLISHER, publishers, topic_types.get)
-    _collect(nodes, EndpointKind.SUBSCRIPTION, subscriptions, topic_types.get)
     with ThreadPoolExecutor(_AT_ONCE) as pool:
+        told = dict(
+            zip(owners, pool.map(lambda owner: _topic_types(uri, owner), owners), strict=True)
+        )
         names = [name for name, _ in services if not name.endswith(_ROSCPP_SERVICES)]
         found = pool.map(lambda name: _service_type(uri, name), names)
         service_types = dict(zip(names, found, strict=True))
-        _collect(nodes, EndpointKind.SERVICE, services, service_types.get)
-        alive = dict(zip(nodes, pool.map(lambda name: _answers(uri, name), nodes), strict=True))
-    gone = [name for name, is_alive in alive.items() if not is_alive]
+
+    def topic_type(owner: str, topic: str) -> InterfaceName | None:
+        return interface_name((told[owner] or {}).get(topic) or types.get(topic, ""))
+
+    _collect(nodes, EndpointKind.PUBLISHER, publishers, topic_type)
+    _collect(nodes, EndpointKind.SUBSCRIPTION, subscriptions, topic_type)
+    _collect(nodes, EndpointKind.SERVICE, services, lambda _, name: service_types.get(name))
+    gone = [name for name in nodes if told[name] is None]
     own = private_parameters(_tree(uri), nodes)
     kept = [
         replace(node, by_kind=with_actions(node.by_kind), parameters=own.get(name, {}))
         for name, node in nodes.items()
-        if alive[name]
+        if name not in gone
     ]
     return Described(_shown(kept), tuple(_gone(name) for name in gone))
 
@@ -150,13 +155,13 @@ def _collect(
     nodes: dict[str, DescribedNode],
     kind: EndpointKind,
     state: Iterable[tuple[str, list[str]]],
-    type_of: Callable[[str], InterfaceName | None],
+    type_of: Callable[[str, str], InterfaceName | None],
 ) -> None:
     """Add endpoints to the nodes, creating those that are new."""
     for name, owners in state:
         for owner in owners:
             node = nodes.get(owner, DescribedNode(owner))
-            endpoints = (*node.by_kind.get(kind, ()), (name, type_of(name)))
+            endpoints = (*node.by_kind.get(kind, ()), (name, type_of(owner, name)))
             nodes[owner] = DescribedNode(owner, {**node.by_kind, kind: endpoints})
 
 
@@ -222,13 +227,18 @@ def _tree(uri: str) -> object:
         return {}
 
 
-def _answers(uri: str, node: str) -> bool:
-    """Tell whether a node that the master has is still there."""
+def _topic_types(uri: str, node: str) -> dict[str, str] | None:
+    """Ask a node for the types of its topics; None where it is not there any more.
+
+    The master knows one type a topic, the first, be it of a node that is long gone; each node
+    knows its own (ROS wiki, "Slave API").
+    """
     try:
-        call(call(uri, "lookupNode", node), "getPid", limit=_PROBE_LIMIT)
-    except MasterError:
-        return False
-    return True
+        address = call(uri, "lookupNode", node)
+        lists = [call(address, f"get{kind}", limit=_PROBE_LIMIT) for kind in _TOPIC_KINDS]
+        return {topic: name for each in lists for topic, name in each if name != "*"}
+    except (MasterError, TypeError, ValueError):
+        return None
 
 
 def _service_type(uri: str, service: str) -> InterfaceName | None:

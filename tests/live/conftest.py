@@ -108,13 +108,24 @@ def _answers(uri: str) -> bool:
         return False
 
 
+def _parameters(master: ServerProxy) -> set[str]:
+    code, message, found = master.getParam("/test", "/")
+    assert code == 1 and isinstance(found, dict), message
+    return set(found)
+
+
 @pytest.fixture
 def ros1(ros1_env: dict[str, str], tmp_path: Path) -> Iterator[Graph]:
     logs = tmp_path / "ros1-logs"
     logs.mkdir()
     probe = Path(__file__).with_name("probe_ros1.py")
+    master = ServerProxy(ros1_env["ROS_MASTER_URI"])
+    before = _parameters(master)
     with processes() as started:
         yield Graph("rospy", ROS1_PYTHON, probe, ros1_env, logs, started)
+    # The master goes on, and what it keeps would be that of the next test's nodes.
+    for name in _parameters(master) - before:
+        master.deleteParam("/test", f"/{name}")
 
 
 ROS2_INSTALL = (

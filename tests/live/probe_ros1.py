@@ -81,10 +81,14 @@ def endpoints(node):
 
 
 def describe(node):
-    """Tell what a node has, as far as the master and the node's services tell it."""
+    """Tell what a node has, as far as the master, the node and its services tell it.
+
+    The master remembers the first type of a topic, be it of a node that is long gone.
+    """
     master = ServerProxy(rosgraph.get_master_uri())
     _, _, (publishers, subscribers, services) = master.getSystemState("/probe")
-    types = dict(master.getTopicTypes("/probe")[2])
+    asked = ServerProxy(master.lookupNode("/probe", "/" + node)[2])
+    types = dict(asked.getSubscriptions("/probe")[2] + asked.getPublications("/probe")[2])
 
     def topics(entries):
         return {

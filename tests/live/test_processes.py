@@ -25,6 +25,10 @@ BROKEN_OFF = (
 
 OUTPUTS = {
     "a destructor": (BROKEN_OFF.format("KeyboardInterrupt"), 0),
+    "a destructor of what was not made": (
+        BROKEN_OFF.format("AttributeError: 'Task' object has no attribute '_exception'"),
+        0,
+    ),
     "a destructor's own": (BROKEN_OFF.format("ValueError"), 1),
     "the node's own behind a destructor's": (
         BROKEN_OFF.format("KeyboardInterrupt") + TRACEBACK + "ValueError: 3\n",
