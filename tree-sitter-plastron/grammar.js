@@ -31,6 +31,8 @@ const KEYWORDS = [
   'licensed_under',
   'create_launch', 'load_launch', 'has_argument', 'no_longer_has_argument', 'no_longer_starts',
   'no_longer_includes', 'generate_launch',
+  'create_robot', 'load_robot', 'has_link', 'no_longer_has_link', 'has_joint',
+  'no_longer_has_joint', 'limits_joint', 'joint_type', 'generate_robot',
   'as', 'using', 'of', 'message_type', 'service_type', 'and', 'with', 'input', 'none',
   'to', 'from', 'calling', 'at', 'hz', 'True', 'False',
 ];
@@ -150,6 +152,32 @@ const PHRASES = {
   remapping: $ => ['remapping', open($, 'remaps', 'remaps')],
   setting: $ => ['setting', open($, 'settings', 'settings')],
   with_parameters: $ => ['with', 'parameters', quoted($, 'parameters')],
+  of_joint_type: $ => ['of', 'joint_type', word($, 'type', $.joint_type)],
+  shaped: $ => ['shaped', word($, 'shape', $.shape), open($, 'size', 'arguments')],
+  weighing: $ => ['weighing', field('weight', $.number)],
+  painted: $ => ['painted', part(
+    field('color', choice(alias($.identifier, $.color), $.string)),
+    field('color', alias($._unfinished_string, $.string)),
+  )],
+  at_position: $ => ['at', open($, 'position', 'vector')],
+  // rotation = number "," number "," number ( "deg" | "rad" )
+  turned: $ => ['turned', open($, 'rotation', 'vector'), word($, 'unit', $.unit)],
+  with_axis: $ => ['with', 'axis', open($, 'axis', 'vector')],
+  // "mimicking" name [ "times" number ]
+  mimicking: $ => ['mimicking', part(
+    seq(quoted($, 'mimicked'), optional(seq('times', field('factor', $.number)))),
+    seq(quoted($, 'mimicked'), 'times'),
+  )],
+  between_in_unit: $ => [
+    'between', field('minimum', $.number), 'and', field('maximum', $.number), word($, 'unit', $.unit),
+  ],
+  // "with" ( "effort" number "and" "velocity" number | "damping" number "and" "friction" number )
+  with_two: $ => ['with', part(
+    choice($._effort, $._damping),
+    choice($._broken_effort, $._broken_damping),
+  )],
+  effort: $ => ['effort', field('effort', $.number), 'and', 'velocity', field('velocity', $.number)],
+  damping: $ => ['damping', field('damping', $.number), 'and', 'friction', field('friction', $.number)],
 };
 
 /** The rules of the phrases: `_NAME`, and `_broken_NAME` for one that ends early. */
@@ -268,6 +296,14 @@ module.exports = grammar({
       $.includes_statement,
       $.no_longer_includes_statement,
       $.generate_launch_statement,
+      $.create_robot_statement,
+      $.load_robot_statement,
+      $.has_link_statement,
+      $.no_longer_has_link_statement,
+      $.has_joint_statement,
+      $.no_longer_has_joint_statement,
+      $.limits_joint_statement,
+      $.generate_robot_statement,
     ),
 
     // "create_node" name "as" variable [ "managed" ] [ "using" client_library ]
@@ -514,6 +550,58 @@ module.exports = grammar({
     // "generate_launch" variable
     generate_launch_statement: $ => statement($, ['generate_launch', variable($, 'launch')]),
 
+    // "create_robot" name "as" variable
+    create_robot_statement: $ => statement($, [
+      'create_robot', quoted($, 'name'), phrase($, 'as_variable'),
+    ]),
+
+    // "load_robot" name "as" variable
+    load_robot_statement: $ => statement($, [
+      'load_robot', quoted($, 'source'), phrase($, 'as_variable'),
+    ]),
+
+    // variable "has_link" name [ "shaped" shape input ] [ "weighing" number ]
+    //   [ "painted" ( color | string ) ] [ "at" vector ] [ "turned" vector unit ]
+    has_link_statement: $ => ownerStatement(
+      $,
+      'robot',
+      ['has_link', quoted($, 'link')],
+      phrase($, 'shaped'), phrase($, 'weighing'), phrase($, 'painted'),
+      phrase($, 'at_position'), phrase($, 'turned'),
+    ),
+
+    // variable "no_longer_has_link" name
+    no_longer_has_link_statement: $ => ownerStatement($, 'robot', [
+      'no_longer_has_link', quoted($, 'link'),
+    ]),
+
+    // variable "has_joint" name "of" "joint_type" joint_type "from" name "to" name [ "at" vector ]
+    //   [ "turned" vector unit ] [ "with" "axis" vector ] [ "mimicking" name [ "times" number ] ]
+    has_joint_statement: $ => ownerStatement(
+      $,
+      'robot',
+      ['has_joint', quoted($, 'joint'), phrase($, 'of_joint_type'), 'from', quoted($, 'parent'), 'to', quoted($, 'child')],
+      phrase($, 'at_position'), phrase($, 'turned'), phrase($, 'with_axis'), phrase($, 'mimicking'),
+    ),
+
+    // variable "no_longer_has_joint" name
+    no_longer_has_joint_statement: $ => ownerStatement($, 'robot', [
+      'no_longer_has_joint', quoted($, 'joint'),
+    ]),
+
+    // variable "limits_joint" name [ "between" number "and" number unit ]
+    //   [ "with" "effort" number "and" "velocity" number ]
+    //   [ "with" "damping" number "and" "friction" number ]
+    limits_joint_statement: $ => ownerStatement(
+      $,
+      'robot',
+      ['limits_joint', quoted($, 'joint')],
+      phrase($, 'between_in_unit'), phrase($, 'with_two'),
+    ),
+
+    // "generate_robot" variable
+    generate_robot_statement: $ => statement($, ['generate_robot', variable($, 'robot')]),
+
     ...phraseRules(),
 
     _stop: $ => choice($.incomplete, seq($._cut, optional($.skipped))),
@@ -591,6 +679,10 @@ module.exports = grammar({
       quoted($, 'parameter'),
       optional(seq('=', optional(field('value', $._broken_value)))),
     ),
+
+    // vector = number "," number "," number
+    vector: $ => seq($.number, ',', $.number, ',', $.number),
+    _unfinished_vector: $ => seq($.number, optional(seq(',', optional(seq($.number, optional(',')))))),
 
     // condition = [ "any" | "all" ] received ( "<" | ">" | "=" ) value
     condition: $ => seq(

@@ -7,7 +7,7 @@ from typing import NamedTuple, TypeAlias
 from tree_sitter import Node
 
 from .grammar import kind_id
-from .inputs import COMMENTS, InputValue, lower_value
+from .inputs import COMMENTS, InputValue, lower_number, lower_value
 
 _NONE = kind_id("none")
 
@@ -49,6 +49,8 @@ class SettingText(NamedTuple):
 FieldTexts: TypeAlias = tuple[FieldText, ...]
 RemapTexts: TypeAlias = tuple[RemapText, ...]
 SettingTexts: TypeAlias = tuple[SettingText, ...]
+Vector: TypeAlias = tuple[int | float, int | float, int | float]
+"""Three numbers, as they are written."""
 
 
 def lower_fields(node: Node, source: bytes) -> FieldTexts:
@@ -80,6 +82,12 @@ def lower_settings(node: Node, source: bytes) -> SettingTexts:
         )
         for each in _parts(node)
     )
+
+
+def lower_vector(node: Node, source: bytes) -> Vector:
+    """Lower three numbers."""
+    x, y, z = (lower_number(source[each.start_byte : each.end_byte]) for each in _parts(node))
+    return x, y, z
 
 
 def _parts(node: Node) -> list[Node]:

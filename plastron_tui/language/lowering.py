@@ -14,7 +14,7 @@ from plastron_tui.diagnostics import Diagnostic, Span, codes
 from . import statements as _statements  # noqa: F401 - declares the statements
 from .broken_lines import Broken
 from .declaration import DECLARATIONS, Clause, Declaration, Form, Statement
-from .definitions import lower_fields, lower_remaps, lower_settings
+from .definitions import lower_fields, lower_remaps, lower_settings, lower_vector
 from .document import Document
 from .grammar import field_id, kind_id
 from .inputs import (
@@ -57,6 +57,10 @@ def _file(node: Node, source: bytes) -> str:
     return _quoted(node, source) if node.type == "path" else _word(node, source)
 
 
+def _color(node: Node, source: bytes) -> str:
+    return lower_text(node, source) if node.type == "string" else _word(node, source)
+
+
 _BY_FORM: dict[Form, _Lower] = {
     Form.QUOTED: _quoted,
     Form.NUMBER: lambda node, source: lower_number(source[node.start_byte : node.end_byte]),
@@ -71,6 +75,8 @@ _BY_FORM: dict[Form, _Lower] = {
     Form.FIELDS: lower_fields,
     Form.REMAPS: lower_remaps,
     Form.SETTINGS: lower_settings,
+    Form.VECTOR: lower_vector,
+    Form.COLOR: _color,
 }
 """How what is in a slot becomes its value; of the other forms it is the text."""
 
@@ -190,7 +196,8 @@ def _too_deep(syntax: Node) -> Diagnostic:
 
 def _variables(node: Node, source: bytes) -> Iterator[str]:
     """Yield what a statement that has no effect names: variables, and names without quotes."""
-    for field in ("variable", "node", "service", "type", "package", "launch", "item"):
+    owners = ("node", "package", "launch", "robot")
+    for field in ("variable", "service", "type", "item", *owners):
         child = node.child_by_field_name(field)
         if child is not None:
             yield source[child.start_byte : child.end_byte].decode().strip("'")

@@ -25,6 +25,8 @@ class Form(Enum):
     FIELDS = auto()
     REMAPS = auto()
     SETTINGS = auto()
+    VECTOR = auto()
+    COLOR = auto()
 
     @property
     def is_open(self) -> bool:
@@ -33,7 +35,16 @@ class Form(Enum):
 
 
 _OPEN_FORMS = frozenset(
-    {Form.VALUE, Form.VALUES, Form.QOS, Form.CONDITION, Form.FIELDS, Form.REMAPS, Form.SETTINGS}
+    {
+        Form.VALUE,
+        Form.VALUES,
+        Form.QOS,
+        Form.CONDITION,
+        Form.FIELDS,
+        Form.REMAPS,
+        Form.SETTINGS,
+        Form.VECTOR,
+    }
 )
 
 
@@ -128,6 +139,23 @@ class SlotKind(Enum):
     SETTINGS = "'PARAMETER' = VALUE, …", "parameters, such as 'speed' = 0.5", Form.SETTINGS
     PARAMS_FILE = "'FILE.yaml'", "a parameter file in single quotes", Form.QUOTED
     INCLUDED = "'PACKAGE/FILE'", "a package and a launch file, in single quotes", Form.QUOTED
+    ROBOT_NAME = "'ROBOT_NAME'", "the name of a robot, in single quotes", Form.QUOTED
+    NEW_ROBOT = "ROBOT", "a variable for the robot", Form.VARIABLE, "ROBOT"
+    ROBOT = "ROBOT", "the variable of a robot", Form.VARIABLE
+    ROBOT_FILE = "'RELATIVE/PATH.urdf'", "the path of a URDF file, in single quotes", Form.QUOTED
+    LINK = "'LINK'", "the name of a link, in single quotes", Form.QUOTED
+    JOINT = "'JOINT'", "the name of a joint, in single quotes", Form.QUOTED
+    SHAPE = "SHAPE", "`box`, `cylinder`, `sphere` or `mesh`", Form.WORD
+    SIZE = "VALUES", "how large it is, such as `0.4, 0.3, 0.1`", Form.VALUES
+    WEIGHT = "KG", "a number of kilograms", Form.NUMBER
+    COLOR = "COLOR", "a colour, such as `blue` or \"#3060ff\"", Form.COLOR
+    POSITION = "X, Y, Z", "three numbers of metres, such as `0, 0.2, 0`", Form.VECTOR
+    ROTATION = "ROLL, PITCH, YAW", "three angles, such as `90, 0, 0`", Form.VECTOR
+    ANGLE_UNIT = "deg | rad", "`deg` or `rad`", Form.WORD
+    JOINT_TYPE = "JOINT_TYPE", "a joint type, such as `revolute`", Form.WORD
+    AXIS = "X, Y, Z", "three numbers, such as `0, 0, 1`", Form.VECTOR
+    FACTOR = "NUMBER", "a number", Form.NUMBER
+    LIMIT_UNIT = "deg | rad | m", "`deg`, `rad` or `m`", Form.WORD
 
     def __init__(self, placeholder: str, words: str, form: Form, makes: str = "") -> None:
         self.placeholder = placeholder

@@ -15,6 +15,8 @@ from .types import HasField, NoLongerHasField, DropType, GenerateType
 from .packages import CreatePackage, LoadPackage, Contains, NoLongerContains, GeneratePackage
 from .launches import CreateLaunch, LoadLaunch, HasArgument, NoLongerHasArgument, Starts
 from .launches import NoLongerStarts, Includes, NoLongerIncludes, GenerateLaunch
+from .robots import CreateRobot, LoadRobot, HasLink, NoLongerHasLink, HasJoint, NoLongerHasJoint
+from .robots import LimitsJoint, GenerateRobot
 # isort: on
 
 __all__ = [
@@ -26,23 +28,31 @@ __all__ = [
     "CreateMessageType",
     "CreateNode",
     "CreatePackage",
+    "CreateRobot",
     "CreateServiceType",
     "DropType",
     "GenerateLaunch",
     "GenerateNode",
     "GeneratePackage",
+    "GenerateRobot",
     "GenerateType",
     "HasArgument",
     "HasField",
+    "HasJoint",
+    "HasLink",
     "HasParameter",
     "Includes",
+    "LimitsJoint",
     "Load",
     "LoadLaunch",
     "LoadPackage",
+    "LoadRobot",
     "LoadType",
     "NoLongerContains",
     "NoLongerHasArgument",
     "NoLongerHasField",
+    "NoLongerHasJoint",
+    "NoLongerHasLink",
     "NoLongerHasParameter",
     "NoLongerIncludes",
     "NoLongerStarts",
