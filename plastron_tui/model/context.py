@@ -9,10 +9,12 @@ from typing import TYPE_CHECKING, NamedTuple
 from plastron_tui.diagnostics import Diagnostic, codes
 from plastron_tui.ros.catalog import Catalog
 from plastron_tui.ros.interfaces import InterfaceKind
+from plastron_tui.ros.robots.changes import MeshSize
 
 from .launches import LaunchReader, ParameterReader, no_launch, no_parameters
 from .libraries import Libraries
 from .package_source import PackageReader, no_package
+from .robots import RobotReader, no_robot
 
 if TYPE_CHECKING:
     from .source import SourceUnit
@@ -68,6 +70,10 @@ def _no_definition(source: str) -> LoadedDefinition:
     return LoadedDefinition(None, (found,))
 
 
+def _no_mesh(uri: str) -> None:
+    """Know no mesh: where a program has no folder, there is none."""
+
+
 class Setting(NamedTuple):
     """What a program is interpreted in.
 
@@ -81,6 +87,8 @@ class Setting(NamedTuple):
         read_package: reads the packages that the program loads.
         read_launch: reads the launch files that the program loads.
         read_parameters: reads the parameter files that launch files name.
+        read_robot: reads the robots that the program loads.
+        mesh_size: tells how large a mesh is that a robot has.
         is_chosen: whether somebody chose `library`; otherwise it is what there is on this machine.
     """
 
@@ -94,6 +102,8 @@ class Setting(NamedTuple):
     read_package: PackageReader = no_package
     read_launch: LaunchReader = no_launch
     read_parameters: ParameterReader = no_parameters
+    read_robot: RobotReader = no_robot
+    mesh_size: MeshSize = _no_mesh
 
     def ros_version(self, library: str | None) -> int:
         """Return the generation of ROS of a client library; of the program's for one unknown."""

@@ -15,7 +15,7 @@ from plastron_tui.language import statements as st
 from plastron_tui.language.declaration import Statement
 from plastron_tui.language.lowering import Program
 
-from . import launch_statements
+from . import launch_statements, robot_statements
 from .circles import check_circles
 from .context import Setting
 from .kinds import EDITABLE, EndpointKind
@@ -116,6 +116,7 @@ HANDLERS: dict[type[Statement], Callable[[Run, Any], None]] = {
     st.NoLongerContains: no_longer_contains,
     st.GeneratePackage: generate_package,
     **launch_statements.HANDLERS,
+    **robot_statements.HANDLERS,
     **{kind.editing.made_by: kind.editing.make for kind in EDITABLE},
     **{kind.editing.ended_by: partial(_end, kind) for kind in EDITABLE},
 }

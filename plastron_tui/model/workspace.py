@@ -28,6 +28,7 @@ if TYPE_CHECKING:
     from .launches import Launch, LaunchGeneration
     from .own_types import OwnType
     from .packages import Package, PackageGeneration
+    from .robots import Robot, RobotGeneration
     from .source import SourceUnit
 
 
@@ -201,10 +202,12 @@ class Workspace:
         types: its own interface types, by the name that statements have for them.
         packages: its packages.
         launches: its launch files.
+        robots: its robots.
         generations: the nodes that are written.
         written_types: the types that are written for their own sake, by the same names.
         written_packages: the packages that are written.
         written_launches: the launch files that are written.
+        written_robots: the robots that are written.
     """
 
     nodes: dict[str, Node] = field(default_factory=dict)
@@ -212,21 +215,29 @@ class Workspace:
     types: dict[str, OwnType] = field(default_factory=dict)
     packages: dict[str, Package] = field(default_factory=dict)
     launches: dict[str, Launch] = field(default_factory=dict)
+    robots: dict[str, Robot] = field(default_factory=dict)
     generations: list[Generation] = field(default_factory=list)
     written_types: dict[str, Span] = field(default_factory=dict)
     written_packages: list[PackageGeneration] = field(default_factory=list)
     written_launches: list[LaunchGeneration] = field(default_factory=list)
+    written_robots: list[RobotGeneration] = field(default_factory=list)
 
     @property
     def has_more_than_nodes(self) -> bool:
-        """Whether it writes packages, definitions or launch files, or may have to."""
-        return bool(self.types or self.written_packages or self.written_launches)
+        """Whether it writes packages, definitions, launch files or robots, or may have to."""
+        return bool(
+            self.types or self.written_packages or self.written_launches or self.written_robots
+        )
 
     @property
     def is_written(self) -> bool:
         """Whether the program asks for a file, of whatever kind."""
         return bool(
-            self.generations or self.written_types or self.written_packages or self.written_launches
+            self.generations
+            or self.written_types
+            or self.written_packages
+            or self.written_launches
+            or self.written_robots
         )
 
     def ros_versions(self, version_of: Callable[[str | None], int]) -> set[int]:
@@ -240,12 +251,13 @@ class Workspace:
 
     def what(self, variable: str) -> tuple[str, Span] | None:
         """Return what a variable stands for, in a word, and since where; None for a free one."""
-        named: dict[str, Mapping[str, Node | Message | OwnType | Package | Launch]] = {
+        named: dict[str, Mapping[str, Node | Message | OwnType | Package | Launch | Robot]] = {
             "node": self.nodes,
             "message": self.messages,
             "type": self.types,
             "package": self.packages,
             "launch file": self.launches,
+            "robot": self.robots,
         }
         for word, things in named.items():
             if variable in things:

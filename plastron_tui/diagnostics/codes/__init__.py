@@ -4,13 +4,27 @@ from __future__ import annotations
 
 from plastron_tui.diagnostics.code import Code
 
-from . import builds, files, launches, meaning, names, packages, ros, sentences, types, values, xml
+from . import (
+    builds,
+    files,
+    launches,
+    meaning,
+    names,
+    packages,
+    robots,
+    ros,
+    sentences,
+    types,
+    values,
+    xml,
+)
 from .builds import *  # noqa: F403
 from .files import *  # noqa: F403
 from .launches import *  # noqa: F403
 from .meaning import *  # noqa: F403
 from .names import *  # noqa: F403
 from .packages import *  # noqa: F403
+from .robots import *  # noqa: F403
 from .ros import *  # noqa: F403
 from .sentences import *  # noqa: F403
 from .types import *  # noqa: F403
@@ -29,6 +43,7 @@ GROUPS: dict[str, tuple[Code, ...]] = {
         types,
         packages,
         launches,
+        robots,
         files,
         xml,
         builds,

@@ -71,13 +71,13 @@ def circle(robot: Description) -> list[Joint] | None:
     up: Mapping[str, Joint] = holders(robot)
     done: set[str] = set()
     for start in robot.links:
-        path: list[str] = []
+        path: dict[str, int] = {}
         at = start
         while at in up and at not in done:
             if at in path:
-                around = path[path.index(at) :]
+                around = list(path)[path[at] :]
                 return [up[link] for link in reversed(around)]
-            path.append(at)
+            path[at] = len(path)
             at = up[at].parent
         done.update(path)
     return None

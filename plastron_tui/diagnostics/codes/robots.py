@@ -1,0 +1,167 @@
+"""Robots: links, joints, and what they are made of."""
+
+from __future__ import annotations
+
+from plastron_tui.diagnostics.code import Code
+
+_ROVER = "create_robot 'rover' as rover\n"
+_BASE = f"{_ROVER}rover has_link 'base'\n"
+_BODY = f"{_BASE}rover has_link 'body' shaped box 0.4, 0.3, 0.1 weighing 5\n"
+_FIXED = "rover has_joint 'hold' of joint_type fixed from 'base' to 'body'\n"
+_TURNING = "rover has_joint 'turn' of joint_type revolute from 'base' to 'body' with axis 0, 0, 1\n"
+_LIMITED = "rover limits_joint 'turn' between -90 and 90 deg with effort 10 and velocity 1\n"
+_END = "generate_robot rover\n"
+_WHOLE = f"{_BODY}{_FIXED}{_END}"
+
+UNKNOWN_ROBOT = Code(
+    "unknown-robot",
+    "No robot has this variable: it is misspelt, or the robot is described further down.",
+    bad=f"{_ROVER}rovr has_link 'base'\n{_END}",
+    good=f"{_BASE}{_END}",
+)
+
+ROBOT_EXISTS = Code(
+    "robot-exists",
+    "Two robots of a program have one name.",
+    bad="create_robot 'rover' as first\ncreate_robot 'rover' as second\n",
+    good="create_robot 'rover' as first\ncreate_robot 'arm' as second\n",
+)
+
+BAD_ROBOT_NAME = Code(
+    "bad-robot-name",
+    "A name that a robot, a link or a joint cannot have: letters, digits, `_`, `-` and dots are "
+    "what all tools take.",
+    bad=f"{_ROVER}rover has_link 'the base'\n{_END}",
+    good=f"{_ROVER}rover has_link 'the_base'\n{_END}",
+)
+
+UNKNOWN_LINK = Code(
+    "unknown-link",
+    "A robot has no link of this name.",
+    bad=f"{_BODY}rover has_joint 'hold' of joint_type fixed from 'bse' to 'body'\n{_END}",
+    good=_WHOLE,
+)
+
+UNKNOWN_JOINT = Code(
+    "unknown-joint",
+    "A robot has no joint of this name.",
+    bad=f"{_BODY}{_TURNING}rover limits_joint 'trun' between -90 and 90 deg with effort 10 and "
+    f"velocity 1\n{_END}",
+    good=f"{_BODY}{_TURNING}{_LIMITED}{_END}",
+)
+
+PART_EXISTS = Code(
+    "part-exists",
+    "A robot has a link or a joint of this name already. One that a loaded robot has is changed by "
+    "the same sentence; one of the program's own is changed where it is made.",
+    bad=f"{_BASE}rover has_link 'base'\n{_END}",
+    good=f"{_BODY}{_FIXED}{_END}",
+)
+
+PART_IN_USE = Code(
+    "part-in-use",
+    "A link or a joint is to go while something holds to it.",
+    bad=f"{_BODY}{_FIXED}rover no_longer_has_link 'body'\n{_END}",
+    good=f"{_BODY}{_FIXED}rover no_longer_has_joint 'hold'\nrover no_longer_has_link 'body'\n{_END}",
+)
+
+BAD_SHAPE = Code(
+    "bad-shape",
+    "A shape is `box X, Y, Z`, `cylinder RADIUS, LENGTH`, `sphere RADIUS` or `mesh \"URI\"`, and "
+    "lengths are positive.",
+    bad=f"{_ROVER}rover has_link 'base' shaped box 0.4, 0.3\n{_END}",
+    good=f"{_ROVER}rover has_link 'base' shaped box 0.4, 0.3, 0.1\n{_END}",
+)
+
+BAD_WEIGHT = Code(
+    "bad-weight",
+    "What a link weighs is a positive number of kilograms.",
+    bad=f"{_BASE}rover has_link 'body' shaped sphere 0.1 weighing 0\n"
+    f"{_FIXED}{_END}",
+    good=f"{_BASE}rover has_link 'body' shaped sphere 0.1 weighing 0.5\n{_FIXED}{_END}",
+)
+
+UNKNOWN_COLOR = Code(
+    "unknown-color",
+    "A colour has one of the names that Plastron knows, the name of a material of the robot, or a "
+    'code such as `"#3060ff"`.',
+    bad=f"{_ROVER}rover has_link 'base' shaped sphere 0.1 painted bleu\n{_END}",
+    good=f"{_ROVER}rover has_link 'base' shaped sphere 0.1 painted blue\n{_END}",
+)
+
+UNKNOWN_JOINT_TYPE = Code(
+    "unknown-joint-type",
+    "A joint is `revolute`, `continuous`, `prismatic`, `fixed`, `floating` or `planar`.",
+    bad=f"{_BODY}rover has_joint 'hold' of joint_type fix from 'base' to 'body'\n{_END}",
+    good=_WHOLE,
+)
+
+BAD_UNIT = Code(
+    "bad-unit",
+    "Angles are in `deg` or `rad`, and how far a prismatic joint slides is in `m`.",
+    bad=f"{_BODY}{_TURNING}rover limits_joint 'turn' between -1 and 1 m with effort 10 and velocity "
+    f"1\n{_END}",
+    good=f"{_BODY}{_TURNING}{_LIMITED}{_END}",
+)
+
+BAD_AXIS = Code(
+    "bad-axis",
+    "An axis points somewhere, and belongs to a joint that moves about it or along it.",
+    bad=f"{_BODY}rover has_joint 'turn' of joint_type continuous from 'base' to 'body' with axis 0, "
+    f"0, 0\n{_END}",
+    good=f"{_BODY}rover has_joint 'turn' of joint_type continuous from 'base' to 'body' with axis "
+    f"0, 0, 1\n{_END}",
+)
+
+BAD_LIMITS = Code(
+    "bad-limits",
+    "Limits go from the least to the greatest, effort and velocity are not negative, and a joint "
+    "that is fixed, floating or planar has none.",
+    bad=f"{_BODY}{_TURNING}rover limits_joint 'turn' between 90 and -90 deg with effort 10 and "
+    f"velocity 1\n{_END}",
+    good=f"{_BODY}{_TURNING}{_LIMITED}{_END}",
+)
+
+MISSING_LIMITS = Code(
+    "missing-limits",
+    "URDF wants limits, effort and velocity of joints that are revolute or prismatic.",
+    bad=f"{_BODY}{_TURNING}{_END}",
+    good=f"{_BODY}{_TURNING}{_LIMITED}{_END}",
+)
+
+BAD_MIMIC = Code(
+    "bad-mimic",
+    "A joint follows another one that moves, and not in a circle.",
+    bad=f"{_BODY}{_TURNING}{_LIMITED}rover has_link 'lid'\nrover has_joint 'open' of joint_type "
+    f"continuous from 'body' to 'lid' with axis 0, 0, 1 mimicking 'open'\n{_END}",
+    good=f"{_BODY}{_TURNING}{_LIMITED}rover has_link 'lid'\nrover has_joint 'open' of joint_type "
+    f"continuous from 'body' to 'lid' with axis 0, 0, 1 mimicking 'turn'\n{_END}",
+)
+
+NO_TREE = Code(
+    "no-tree",
+    "The links of a robot hang on one, its root: each other one is held by one joint, and none "
+    "holds itself by way of others.",
+    bad=f"{_BODY}{_END}",
+    good=_WHOLE,
+)
+
+IMPOSSIBLE_INERTIA = Code(
+    "impossible-inertia",
+    "No body has such an inertia: simulators refuse it, or go astray.",
+)
+
+ROOT_INERTIA = Code(
+    "root-inertia",
+    "The root has an inertia, which KDL, and what stands on it, leaves out of account.",
+    bad=f"{_ROVER}rover has_link 'base' shaped box 0.4, 0.3, 0.1 weighing 5\n{_END}",
+    good=_WHOLE,
+)
+
+UNIT_SLIP = Code(
+    "unit-slip",
+    "A number looks like one of another unit: a link of 400 m may be one of 400 mm, an angle of "
+    "90 rad one of 90 deg.",
+    bad=f"{_ROVER}rover has_link 'base' shaped box 400, 300, 100\n{_END}",
+    good=f"{_ROVER}rover has_link 'base' shaped box 0.4, 0.3, 0.1\n{_END}",
+)

@@ -1,0 +1,244 @@
+"""What the clauses of links and joints say, as URDF has it."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from math import isfinite, radians
+from typing import Any, NamedTuple
+
+from plastron_tui.diagnostics import Diagnostic, Span, codes, did_you_mean, guess
+from plastron_tui.language import statements as st
+from plastron_tui.language.definitions import Vector as WrittenVector
+from plastron_tui.language.inputs import Literal, NamedArgument, NestedValue
+from plastron_tui.ros.robots.colors import NAMES, material_name, rgba_of
+from plastron_tui.ros.robots.description import (
+    Box,
+    Cylinder,
+    Description,
+    JointType,
+    Material,
+    Mesh,
+    Shape,
+    Sphere,
+    Vector,
+)
+
+from .mistake import Mistake
+
+
+class _Form(NamedTuple):
+    """How a shape is written.
+
+    Attributes:
+        values: the names of its values, in their order.
+        optional: those that need not be there.
+        make: makes it of them.
+        example: how it is written.
+    """
+
+    values: tuple[str, ...]
+    make: Callable[..., Shape]
+    example: str
+    optional: tuple[str, ...] = ()
+
+
+_SHAPES: Mapping[str, _Form] = {
+    "box": _Form(("x", "y", "z"), lambda x, y, z: Box((x, y, z)), "box 0.4, 0.3, 0.1"),
+    "cylinder": _Form(("radius", "length"), Cylinder, "cylinder 0.1, 0.05"),
+    "sphere": _Form(("radius",), Sphere, "sphere 0.1"),
+    "mesh": _Form(("uri", "scale"), Mesh, 'mesh "package://rover/meshes/base.stl"', ("scale",)),
+}
+
+
+def shape_of(statement: st.HasLink) -> Shape | None:
+    """Return the shape that a link is given, None for none.
+
+    Raises:
+        Mistake: there is no such shape, or it has other values.
+    """
+    if statement.shape is None:
+        return None
+    where = statement.span_of("shape")
+    form = _SHAPES.get(statement.shape)
+    if form is None:
+        near, fix = guess(statement.shape, _SHAPES, where)
+        message = f"`{statement.shape}` is no shape"
+        help_text = near or "it is `box`, `cylinder`, `sphere` or `mesh`"
+        raise Mistake(Diagnostic(codes.BAD_SHAPE, message, where, help=help_text, fix=fix))
+    given = _values(statement, form)
+    made = {
+        name: _uri(*each) if name == "uri" else _scale(*each) if name == "scale" else _length(*each)
+        for name, each in given.items()
+    }
+    return form.make(**made)
+
+
+def _values(statement: st.HasLink, form: _Form) -> dict[str, tuple[Any, Span]]:
+    """Return the values of a shape by their names, and where each stands."""
+    found: dict[str, tuple[Any, Span]] = {}
+    whole = statement.span_of("size")
+    for place, argument in enumerate(statement.size or ()):
+        at = Span(argument.syntax.start_byte, argument.syntax.end_byte).moved(statement.shift)
+        if isinstance(argument, NamedArgument):
+            name, value = ".".join(argument.path), argument.value
+        elif place < len(form.values):
+            name, value = form.values[place], argument
+        else:
+            raise _bad_shape(f"a {statement.shape} has no more values", at, form)
+        if name not in form.values:
+            help_text = did_you_mean(name, form.values)
+            raise _bad_shape(f"a {statement.shape} has no `{name}`", at, form, help_text)
+        if name in found:
+            raise _bad_shape(f"`{name}` is given twice", at, form)
+        found[name] = value, at
+    missing = [each for each in form.values if each not in (*found, *form.optional)]
+    if missing:
+        lacking = " and ".join(f"`{each}`" for each in missing)
+        raise _bad_shape(f"a {statement.shape} needs {lacking}", whole, form)
+    return found
+
+
+def _bad_shape(message: str, where: Span, form: _Form, help_text: str | None = None) -> Mistake:
+    help_text = help_text or f"write it as `{form.example}`"
+    return Mistake(Diagnostic(codes.BAD_SHAPE, message, where, help=help_text))
+
+
+def _length(value: Any, where: Span) -> float:
+    number = _number(value)
+    if number is None:
+        message = "a length is a number of metres"
+        raise Mistake(Diagnostic(codes.BAD_SHAPE, message, where))
+    if not (number > 0 and isfinite(number)):
+        message = "a length is more than 0"
+        raise Mistake(Diagnostic(codes.BAD_SHAPE, message, where))
+    return number
+
+
+def _scale(value: Any, where: Span) -> Vector:
+    if isinstance(value, NestedValue):
+        parts = [None if isinstance(x, NamedArgument) else _number(x) for x in value.arguments]
+    else:
+        parts = [_number(value)] * 3
+    found = tuple(each for each in parts if each is not None and each != 0 and isfinite(each))
+    if len(parts) != 3 or len(found) != 3:  # noqa: PLR2004 - one an axis
+        message = "a scale is a number that is not 0, or three of them, as `(1, 1, 2)`"
+        raise Mistake(Diagnostic(codes.BAD_SHAPE, message, where))
+    x, y, z = found
+    return x, y, z
+
+
+def _number(value: Any) -> float | None:
+    is_number = isinstance(value, Literal) and isinstance(value.value, (int, float))
+    return float(value.value) if is_number and not isinstance(value.value, bool) else None
+
+
+def _uri(value: Any, where: Span) -> str:
+    if isinstance(value, Literal) and isinstance(value.value, str) and value.value.strip():
+        return value.value
+    message = "a mesh is named by its URI, in double quotes"
+    help_text = 'write it as `mesh "package://rover/meshes/base.stl"`'
+    raise Mistake(Diagnostic(codes.BAD_SHAPE, message, where, help=help_text))
+
+
+def weight_of(statement: st.HasLink) -> float | None:
+    """Return what a link weighs, None where nothing is said."""
+    if statement.weight is None:
+        return None
+    if not (statement.weight > 0 and isfinite(statement.weight)):
+        message = "a weight is more than 0 kg"
+        raise Mistake(Diagnostic(codes.BAD_WEIGHT, message, statement.span_of("weight")))
+    return float(statement.weight)
+
+
+def material_of(statement: st.HasLink, robot: Description) -> Material | None:
+    """Return the material that paints a link, None where nothing is said.
+
+    A name is that of a material which the robot has, or else of a colour.
+    """
+    if statement.color is None:
+        return None
+    if statement.color in robot.materials:
+        return Material(statement.color)
+    rgba = rgba_of(statement.color)
+    if rgba is None:
+        where = statement.span_of("color")
+        near, fix = guess(statement.color, (*robot.materials, *NAMES), where)
+        message = f"`{statement.color}` is no colour"
+        help_text = near or 'write a name as `blue`, or a code as `"#3060ff"`'
+        raise Mistake(Diagnostic(codes.UNKNOWN_COLOR, message, where, help=help_text, fix=fix))
+    return Material(material_name(statement.color), rgba)
+
+
+def position_of(statement: st.HasLink | st.HasJoint) -> Vector | None:
+    """Return what stands behind `at`, in metres; None where nothing is said."""
+    return None if statement.position is None else _floats(statement.position)
+
+
+def rotation_of(statement: st.HasLink | st.HasJoint) -> Vector | None:
+    """Return what stands behind `turned`, in radians; None where nothing is said."""
+    if statement.rotation is None or statement.unit is None:
+        return None
+    if statement.unit not in _ANGLES:
+        raise bad_unit(statement, statement.unit, tuple(_ANGLES))
+    x, y, z = map(_ANGLES[statement.unit], _floats(statement.rotation))
+    return x, y, z
+
+
+_ANGLES: Mapping[str, Callable[[float], float]] = {"deg": radians, "rad": float}
+
+
+def axis_of(statement: st.HasJoint, type_: JointType) -> Vector | None:
+    """Return what stands behind `with axis`, None where nothing is said."""
+    if statement.axis is None:
+        return None
+    where = statement.span_of("axis")
+    if not type_.has_axis:
+        message = f"a joint that is {type_.value} has no axis"
+        raise Mistake(Diagnostic(codes.BAD_AXIS, message, where))
+    axis = _floats(statement.axis)
+    if not any(axis):
+        message = "an axis of 0, 0, 0 points nowhere"
+        help_text = "`0, 0, 1` points up, `1, 0, 0` forward, `0, 1, 0` to the left"
+        raise Mistake(Diagnostic(codes.BAD_AXIS, message, where, help=help_text))
+    return axis
+
+
+def joint_type_of(statement: st.HasJoint) -> JointType:
+    """Return how a joint moves."""
+    names = [each.value for each in JointType]
+    if statement.type in names:
+        return JointType(statement.type)
+    where = statement.span_of("type")
+    near, fix = guess(statement.type, names, where)
+    message = f"`{statement.type}` is no joint type"
+    help_text = near or f"it is {', '.join(f'`{each}`' for each in names[:-1])} or `{names[-1]}`"
+    raise Mistake(Diagnostic(codes.UNKNOWN_JOINT_TYPE, message, where, help=help_text, fix=fix))
+
+
+def range_of(statement: st.LimitsJoint, type_: JointType) -> tuple[float, float] | None:
+    """Return what stands behind `between`, in radians or metres; None where nothing is said."""
+    if statement.minimum is None or statement.maximum is None or statement.unit is None:
+        return None
+    right = tuple(_ANGLES) if type_.turns else ("m",)
+    if statement.unit not in right:
+        raise bad_unit(statement, statement.unit, right)
+    if statement.minimum > statement.maximum:
+        message = f"{statement.minimum} is more than {statement.maximum}"
+        where = Span(statement.span_of("minimum").start, statement.span_of("maximum").end)
+        raise Mistake(Diagnostic(codes.BAD_LIMITS, message, where, help="the least comes first"))
+    convert = _ANGLES.get(statement.unit, float)
+    return convert(float(statement.minimum)), convert(float(statement.maximum))
+
+
+def bad_unit(statement: Any, unit: str, right: tuple[str, ...]) -> Mistake:
+    """Return the mistake of a unit that is not one of those that are right."""
+    where = statement.span_of("unit")
+    near, fix = guess(unit, right, where)
+    words = " or ".join(f"`{each}`" for each in right)
+    message = f"`{unit}` is no unit of this; it is in {words}"
+    return Mistake(Diagnostic(codes.BAD_UNIT, message, where, help=near, fix=fix))
+
+
+def _floats(vector: WrittenVector) -> Vector:
+    x, y, z = map(float, vector)
+    return x, y, z
