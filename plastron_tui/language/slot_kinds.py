@@ -148,13 +148,13 @@ class SlotKind(Enum):
     SHAPE = "SHAPE", "`box`, `cylinder`, `sphere` or `mesh`", Form.WORD
     SIZE = "VALUES", "how large it is, such as `0.4, 0.3, 0.1`", Form.VALUES
     WEIGHT = "KG", "a number of kilograms", Form.NUMBER
-    COLOR = "COLOR", "a colour, such as `blue` or \"#3060ff\"", Form.COLOR
+    COLOR = "COLOR", 'a colour, such as `blue` or "#3060ff"', Form.COLOR
     POSITION = "X, Y, Z", "three numbers of metres, such as `0, 0.2, 0`", Form.VECTOR
     ROTATION = "ROLL, PITCH, YAW", "three angles, such as `90, 0, 0`", Form.VECTOR
     ANGLE_UNIT = "deg | rad", "`deg` or `rad`", Form.WORD
     JOINT_TYPE = "JOINT_TYPE", "a joint type, such as `revolute`", Form.WORD
     AXIS = "X, Y, Z", "three numbers, such as `0, 0, 1`", Form.VECTOR
-    FACTOR = "NUMBER", "a number", Form.NUMBER
+    FACTOR = "FACTOR", "a number", Form.NUMBER
     LIMIT_UNIT = "deg | rad | m", "`deg`, `rad` or `m`", Form.WORD
 
     def __init__(self, placeholder: str, words: str, form: Form, makes: str = "") -> None:

@@ -120,7 +120,7 @@ def _scale(value: Any, where: Span) -> Vector:
     else:
         parts = [_number(value)] * 3
     found = tuple(each for each in parts if each is not None and each != 0 and isfinite(each))
-    if len(parts) != 3 or len(found) != 3:  # noqa: PLR2004 - one an axis
+    if len(parts) != 3 or len(found) != 3:
         message = "a scale is a number that is not 0, or three of them, as `(1, 1, 2)`"
         raise Mistake(Diagnostic(codes.BAD_SHAPE, message, where))
     x, y, z = found

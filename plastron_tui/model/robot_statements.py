@@ -146,7 +146,11 @@ def has_joint(run: Run, statement: st.HasJoint) -> None:
         _existing(run, robot, robot.description.links, link, codes.UNKNOWN_LINK, "link", at)
     type_ = joint_type_of(statement)
     mimic = _mimic_of(run, robot, statement)
-    position, rotation, axis = position_of(statement), rotation_of(statement), axis_of(statement, type_)
+    position, rotation, axis = (
+        position_of(statement),
+        rotation_of(statement),
+        axis_of(statement, type_),
+    )
     there = robot.description.joints.get(name)
     if there is None:
         _check_name("joint", name, where)
@@ -247,9 +251,7 @@ def find_robot(run: Run, statement: Any) -> Robot:
         near, fix = f"`{variable}` is a {other[0]}", None
     remedy = f"make it first: `create_robot '{variable}' as {variable}`"
     message = f"no robot `{variable}`"
-    raise Mistake(
-        Diagnostic(codes.UNKNOWN_ROBOT, message, where, help=near or remedy, fix=fix)
-    )
+    raise Mistake(Diagnostic(codes.UNKNOWN_ROBOT, message, where, help=near or remedy, fix=fix))
 
 
 def _existing(

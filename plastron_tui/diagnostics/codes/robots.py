@@ -62,12 +62,13 @@ PART_IN_USE = Code(
     "part-in-use",
     "A link or a joint is to go while something holds to it.",
     bad=f"{_BODY}{_FIXED}rover no_longer_has_link 'body'\n{_END}",
-    good=f"{_BODY}{_FIXED}rover no_longer_has_joint 'hold'\nrover no_longer_has_link 'body'\n{_END}",
+    good=f"{_BODY}{_FIXED}rover no_longer_has_joint 'hold'\n"
+    f"rover no_longer_has_link 'body'\n{_END}",
 )
 
 BAD_SHAPE = Code(
     "bad-shape",
-    "A shape is `box X, Y, Z`, `cylinder RADIUS, LENGTH`, `sphere RADIUS` or `mesh \"URI\"`, and "
+    'A shape is `box X, Y, Z`, `cylinder RADIUS, LENGTH`, `sphere RADIUS` or `mesh "URI"`, and '
     "lengths are positive.",
     bad=f"{_ROVER}rover has_link 'base' shaped box 0.4, 0.3\n{_END}",
     good=f"{_ROVER}rover has_link 'base' shaped box 0.4, 0.3, 0.1\n{_END}",
@@ -76,8 +77,7 @@ BAD_SHAPE = Code(
 BAD_WEIGHT = Code(
     "bad-weight",
     "What a link weighs is a positive number of kilograms.",
-    bad=f"{_BASE}rover has_link 'body' shaped sphere 0.1 weighing 0\n"
-    f"{_FIXED}{_END}",
+    bad=f"{_BASE}rover has_link 'body' shaped sphere 0.1 weighing 0\n{_FIXED}{_END}",
     good=f"{_BASE}rover has_link 'body' shaped sphere 0.1 weighing 0.5\n{_FIXED}{_END}",
 )
 
@@ -99,16 +99,16 @@ UNKNOWN_JOINT_TYPE = Code(
 BAD_UNIT = Code(
     "bad-unit",
     "Angles are in `deg` or `rad`, and how far a prismatic joint slides is in `m`.",
-    bad=f"{_BODY}{_TURNING}rover limits_joint 'turn' between -1 and 1 m with effort 10 and velocity "
-    f"1\n{_END}",
+    bad=f"{_BODY}{_TURNING}rover limits_joint 'turn' between -1 and 1 m with effort 10 and "
+    f"velocity 1\n{_END}",
     good=f"{_BODY}{_TURNING}{_LIMITED}{_END}",
 )
 
 BAD_AXIS = Code(
     "bad-axis",
     "An axis points somewhere, and belongs to a joint that moves about it or along it.",
-    bad=f"{_BODY}rover has_joint 'turn' of joint_type continuous from 'base' to 'body' with axis 0, "
-    f"0, 0\n{_END}",
+    bad=f"{_BODY}rover has_joint 'turn' of joint_type continuous from 'base' to 'body' with axis "
+    f"0, 0, 0\n{_END}",
     good=f"{_BODY}rover has_joint 'turn' of joint_type continuous from 'base' to 'body' with axis "
     f"0, 0, 1\n{_END}",
 )

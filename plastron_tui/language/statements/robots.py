@@ -53,9 +53,10 @@ class LoadRobot(Statement):
     example="rover has_link 'base' shaped box 0.4, 0.3, 0.1 weighing 5 painted blue at 0, 0, 0.05",
     purpose="give it a part",
     ros_term="link",
-    about="A link is a rigid part. Lengths are in metres, weights in kilograms; its inertia follows "
-    "from both. `box X, Y, Z`, `cylinder RADIUS, LENGTH`, `sphere RADIUS`, `mesh \"URI\"`. Without a "
-    "shape it is a place only. Of a link that a loaded robot has, only what is said changes.",
+    about="A link is a rigid part. Lengths are in metres, weights in kilograms; its inertia "
+    "follows from both. Shapes are `box X, Y, Z`, `cylinder RADIUS, LENGTH`, `sphere RADIUS` and "
+    '`mesh "URI"`; without one it is a place only. Of a link that a loaded robot has, only what is '
+    "said changes.",
 )
 class HasLink(Statement):
     """Give a robot a link, or change one that a loaded robot has."""
@@ -138,13 +139,14 @@ class NoLongerHasJoint(Statement):
 @statement(
     "limits_joint_statement",
     "{robot} limits_joint {joint} [between {minimum} and {maximum} {unit}]"
-    " [with effort {effort} and velocity {velocity}] [with damping {damping} and friction {friction}]",
+    " [with effort {effort} and velocity {velocity}]"
+    " [with damping {damping} and friction {friction}]",
     summary="Say how far, how strongly and how fast a joint moves.",
     example="arm limits_joint 'elbow' between -90 and 90 deg with effort 20 and velocity 1.5",
     purpose="say how far a joint moves",
     ros_term="joint limit",
-    about="`revolute` and `prismatic` need limits. Effort is in N m or N, velocity in rad/s or m/s; "
-    "damping and friction are for simulation.",
+    about="`revolute` and `prismatic` need limits. Effort is in N m or N, velocity in rad/s or "
+    "m/s; damping and friction are for simulation.",
 )
 class LimitsJoint(Statement):
     """Say how far, how strongly and how fast a joint moves."""

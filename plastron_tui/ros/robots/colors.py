@@ -48,10 +48,10 @@ def rgba_of(color: str) -> Rgba | None:
     if not _CODE.fullmatch(code):
         return None
     digits = code[1:]
-    if len(digits) < 6:  # noqa: PLR2004 - one digit a part
+    if len(digits) < len("rrggbb"):
         digits = "".join(each * 2 for each in digits)
     parts = [round(int(digits[at : at + 2], 16) / 255, _DIGITS) for at in range(0, len(digits), 2)]
-    red, green, blue, opacity = *parts, *((1.0,) if len(parts) == 3 else ())  # noqa: PLR2004
+    red, green, blue, opacity = (*parts, 1.0)[:4]
     return red, green, blue, opacity
 
 
