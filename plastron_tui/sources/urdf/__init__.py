@@ -1,0 +1,1 @@
+"""Robots that exist: URDF, and xacro by its XML alone; read, and changed in place."""
