@@ -90,6 +90,7 @@ def remove_element(
         document: the file.
         element: what goes.
         closes: whether a parent in which nothing but two line breaks are left closes itself then.
+        style: how it closes itself.
     """
     if element is document.root:
         return _refused(document, "the outermost element cannot be taken away", element.span)
