@@ -145,6 +145,11 @@ class Scope:
             None,
         )
 
+    def _shown(self, command: str) -> str | None:
+        """Return what a command says; none is started, and of `cat` it is known without."""
+        word, _, path = command.partition(" ")
+        return self.read_file(path.strip()) if word == "cat" else None
+
     def _part(self, part: str | Substitution) -> str | None:
         if isinstance(part, str):
             return part
@@ -159,6 +164,8 @@ class Scope:
             found = self.environ.get(name)
         elif part.kind is Kind.CONTENT:
             found = self.read_file(name)
+        elif part.kind is Kind.COMMAND:
+            found = self._shown(name)
         elif part.kind is Kind.FOLDER:
             return self.folder
         else:
