@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from math import ceil, floor, sqrt
+from math import ceil, floor, inf, sqrt
 
 from .runs import Run, RunLines
 from .shades import contrast
@@ -27,14 +27,14 @@ class Canvas:
         self.columns, self.rows = columns, rows
         self.ascii_only = ascii_only
         self._pixels = [[""] * columns for _ in range(rows if ascii_only else 2 * rows)]
-        self._written: dict[tuple[int, int], Run] = {}
+        self._written: list[dict[int, Run]] = [{} for _ in range(rows)]
 
     def is_free(self, column: int, row: int, length: int, *, over_pixels: bool) -> bool:
         """Tell whether there is room for a text."""
         if not (0 <= row < self.rows and column >= 0 and column + length <= self.columns):
             return False
         cells = range(column, column + length)
-        if any((at, row) in self._written for at in cells):
+        if any(at in self._written[row] for at in cells):
             return False
         return over_pixels or not any(any(self._pair(at, row)) for at in cells)
 
@@ -44,20 +44,35 @@ class Canvas:
             if 0 <= at < self.columns and 0 <= row < self.rows:
                 behind = self._pair(at, row)[1]
                 color = contrast(behind) if behind else ""
-                self._written[at, row] = Run(char, role, color, behind)
+                self._written[row][at] = Run(char, role, color, behind)
 
     def fill(self, points: Sequence[Point], color: str) -> None:
         """Fill a convex polygon: pixels whose middles are in it, at least one in each row."""
         if self.ascii_only:
             points = [Point(x, y / 2) for x, y in points]
-        xs, ys = [point.x for point in points], [point.y for point in points]
-        first, last = max(0, floor(min(ys))), min(len(self._pixels) - 1, ceil(max(ys)) - 1)
-        if min(ys) == max(ys):
-            last = first
-        for row in range(first, last + 1):
-            # A body that is thinner than a pixel is seen all the same.
-            middle = min(max(row + 0.5, min(ys)), max(ys))
-            self._fill_row(row, *_span(points, middle, min(xs), max(xs)), color)
+        low, high = min(y for _, y in points), max(y for _, y in points)
+        first = max(0, floor(low))
+        last = min(len(self._pixels), max(ceil(high), floor(low) + 1))
+        if last <= first:
+            return
+        lefts, rights = [inf] * (last - first), [-inf] * (last - first)
+        before = points[-1]
+        for point in points:
+            upper, lower = (before, point) if before.y < point.y else (point, before)
+            before = point
+            tall = lower.y - upper.y
+            slope = (lower.x - upper.x) / tall if tall else 0.0
+            for row in range(max(first, floor(upper.y)), min(last, floor(lower.y) + 1)):
+                # What is thinner than a pixel is seen all the same: its rows have no middle.
+                at = min(max(row + 0.5, low), high)
+                if upper.y <= at <= lower.y:
+                    x = upper.x + (at - upper.y) * slope
+                    lefts[row - first] = min(lefts[row - first], x)
+                    rights[row - first] = max(rights[row - first], x if tall else lower.x)
+        for row in range(first, last):
+            left, right = lefts[row - first], rights[row - first]
+            if left <= right:
+                self._fill_row(row, left, right, color)
 
     def fill_circle(self, middle: Point, radius: float, color: str) -> None:
         """Fill a circle."""
@@ -76,54 +91,46 @@ class Canvas:
 
     def lines(self) -> RunLines:
         """Return what is drawn."""
-        return tuple(tuple(_joined(self._row(row))) for row in range(self.rows))
+        return tuple(tuple(self._line(row)) for row in range(self.rows))
 
-    def _row(self, row: int) -> Iterator[Run]:
-        for column in range(self.columns):
-            written = self._written.get((column, row))
-            yield written or self._block(*self._pair(column, row))
-
-    def _block(self, upper: str, lower: str) -> Run:
+    def _line(self, row: int) -> Iterator[Run]:
         if self.ascii_only:
-            return Run(upper or " ")
-        if not upper and not lower:
-            return Run(" ")
+            uppers = lowers = self._pixels[row]
+        else:
+            uppers, lowers = self._pixels[2 * row : 2 * row + 2]
+        written = self._written[row]
+        start = 0
+        while start < self.columns:
+            run = written.get(start)
+            end = start + 1
+            if run is not None:
+                text = run.text
+                while (more := written.get(end)) is not None and more[1:] == run[1:]:
+                    text += more.text
+                    end += 1
+                yield run._replace(text=text)
+            else:
+                upper, lower = uppers[start], lowers[start]
+                while (
+                    end < self.columns
+                    and uppers[end] == upper
+                    and lowers[end] == lower
+                    and end not in written
+                ):
+                    end += 1
+                yield self._blocks(upper, lower, end - start)
+            start = end
+
+    def _blocks(self, upper: str, lower: str, count: int) -> Run:
+        if self.ascii_only:
+            return Run((upper or " ") * count)
         if upper == lower:
-            return Run(" ", behind=upper)
+            return Run(" " * count, behind=upper)
         if not upper:
-            return Run(_LOWER, color=lower)
-        return Run(_UPPER, color=upper, behind=lower)
+            return Run(_LOWER * count, color=lower)
+        return Run(_UPPER * count, color=upper, behind=lower)
 
     def _pair(self, column: int, row: int) -> tuple[str, str]:
         if self.ascii_only:
             return self._pixels[row][column], ""
         return self._pixels[2 * row][column], self._pixels[2 * row + 1][column]
-
-
-def _span(points: Sequence[Point], at: float, lowest: float, highest: float) -> tuple[float, float]:
-    """Return from where to where a convex polygon goes at a height."""
-    left, right = highest, lowest
-    for number, end in enumerate(points):
-        start = points[number - 1]
-        if not min(start.y, end.y) <= at <= max(start.y, end.y):
-            continue
-        if start.y == end.y:
-            found: tuple[float, ...] = (start.x, end.x)
-        else:
-            found = (start.x + (end.x - start.x) * (at - start.y) / (end.y - start.y),)
-        left, right = min(left, *found), max(right, *found)
-    return left, right
-
-
-def _joined(runs: Iterator[Run]) -> Iterator[Run]:
-    """Yield the characters with those that look alike as one."""
-    last: Run | None = None
-    for run in runs:
-        if last is not None and last[1:] == run[1:]:
-            last = last._replace(text=last.text + run.text)
-            continue
-        if last is not None:
-            yield last
-        last = run
-    if last is not None:
-        yield last

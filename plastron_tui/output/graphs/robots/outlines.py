@@ -14,8 +14,8 @@ from plastron_tui.ros.robots.transforms import Transform
 from .solids import Solid
 from .views import Frame, Point, View, cross, dot, hull
 
-_CORNERS = 32
-"""Of what stands for a circle: its area is 0.7 % too small."""
+CORNERS = 32
+"""How many corners stand for a circle that is seen at an angle: its area is 0.7 % too small."""
 
 _EDGE_ON = 1e-6
 """A face that shows less than this of itself is not seen."""
@@ -60,14 +60,14 @@ class Outline(NamedTuple):
         )
 
 
-def outline(solid: Solid, view: View) -> Outline:
-    """Return what one sees of a body from one side."""
+def outline(solid: Solid, view: View, corners: int = CORNERS) -> Outline:
+    """Return what one sees of a body from one side; an even number of corners is a circle."""
     at = solid.at
     match solid.shape:
         case Box(size=size):
             return _box(solid, size, view)
         case Cylinder(radius=radius, length=length):
-            return _cylinder(solid, radius, length, view)
+            return _cylinder(solid, radius, length, view, corners)
         case Sphere(radius=radius):
             middle = at.translation
             nearest = view.depth(middle) + radius
@@ -98,9 +98,9 @@ def _box(solid: Solid, size: Vector, view: View) -> Outline:
         side = 1 if facing > 0 else 0
         if abs(facing) > _EDGE_ON:
             faces.append(Face(tuple([seen[number] for number in _FACES[axis, side]]), abs(facing)))
-    points = hull(seen)
     if len(faces) == 1:
-        return Outline(solid, points, 0.0, (), faces[0].facing, nearest)
+        return Outline(solid, faces[0].points, 0.0, (), faces[0].facing, nearest)
+    points = hull(seen)
     return Outline(solid, points, 0.0, tuple(faces), 1.0, nearest)
 
 
@@ -121,7 +121,7 @@ def _facing(at: Transform, axis: int, view: View) -> float:
     return dot(view.near, (x, y, z))
 
 
-def _cylinder(solid: Solid, radius: float, length: float, view: View) -> Outline:
+def _cylinder(solid: Solid, radius: float, length: float, view: View, corners: int) -> Outline:
     at = solid.at
     along = at.direction((0.0, 0.0, 1.0))
     facing = dot(view.near, along)
@@ -138,20 +138,29 @@ def _cylinder(solid: Solid, radius: float, length: float, view: View) -> Outline
     one, other = view.point(first), view.point(second)
     rim = [
         Point(radius * (a * one.x + b * other.x), radius * (a * one.y + b * other.y))
-        for a, b in _circle()
+        for a, b in _circle(corners)
     ]
     center, end = view.point(middle), view.point(along)
-    half = length / 2 if facing > 0 else -length / 2
-    near, far = (
+    half = length / 2
+    # The rim's first half is on the side that the axis points to: so it is that of the near end
+    # which borders the outline there if the far end is the other way, and that of the end beyond.
+    upper, lower = (
         [Point(center.x + sign * end.x + p.x, center.y + sign * end.y + p.y) for p in rim]
         for sign in (half, -half)
     )
-    points = hull([*near, *far])
-    cap = (Face(tuple(near), abs(facing)),) if abs(facing) > _EDGE_ON else ()
+    count = corners // 2
+    ahead = other.x * end.x + other.y * end.y >= 0
+    outer, inner = (upper, lower) if ahead else (lower, upper)
+    points = (*outer[: count + 1], *inner[count:], inner[0])
+    cap = (
+        (Face(tuple(upper if facing > 0 else lower), abs(facing)),)
+        if abs(facing) > _EDGE_ON
+        else ()
+    )
     return Outline(solid, points, 0.0, cap, size, nearest)
 
 
-@lru_cache(maxsize=1)
-def _circle() -> tuple[tuple[float, float], ...]:
-    steps = [2 * pi * at / _CORNERS for at in range(_CORNERS)]
+@lru_cache(maxsize=4)
+def _circle(corners: int) -> tuple[tuple[float, float], ...]:
+    steps = [2 * pi * at / corners for at in range(corners)]
     return tuple((cos(step), sin(step)) for step in steps)

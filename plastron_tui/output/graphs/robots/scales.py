@@ -6,7 +6,7 @@ from collections.abc import Iterable
 from math import floor, log10
 from typing import NamedTuple
 
-from .outlines import Outline, frame_of, outline
+from .outlines import CORNERS, Outline, frame_of, outline
 from .solids import Scene
 from .views import VIEWS, Frame, View
 
@@ -28,18 +28,18 @@ class Seen(NamedTuple):
     frame: Frame
 
 
-def seen(scene: Scene, view: View) -> Seen:
+def seen(scene: Scene, view: View, corners: int = CORNERS) -> Seen:
     """Return a robot from one side."""
-    found = [outline(solid, view) for solid in scene.solids]
+    found = [outline(solid, view, corners) for solid in scene.solids]
     # What is nearest is drawn last; of what is as near, what comes later in the robot.
     found.sort(key=lambda each: each.nearest)
     points = [view.point(at) for at in ((0.0, 0.0, 0.0), *scene.points)]
     return Seen(view, tuple(found), _around([frame_of(points), *(each.frame for each in found)]))
 
 
-def seen_from_all(scene: Scene) -> tuple[Seen, ...]:
+def seen_from_all(scene: Scene, corners: int = CORNERS) -> tuple[Seen, ...]:
     """Return a robot from all sides; frames have the same x, y and z."""
-    return tuple(seen(scene, view) for view in VIEWS)
+    return tuple(seen(scene, view, corners) for view in VIEWS)
 
 
 def _around(frames: Iterable[Frame]) -> Frame:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from functools import lru_cache
+
 from plastron_tui.ros.robots.description import Rgba
 
 PLAIN = (0.66, 0.72, 0.78)
@@ -11,6 +13,7 @@ _DARKEST = 0.7
 """How bright a face is that is nearly edge-on."""
 
 
+@lru_cache(maxsize=4096)
 def color_of(rgba: Rgba | None, facing: float = 1.0) -> str:
     """Return the colour of a face as `#rrggbb`, by how far it is turned to who looks."""
     bright = _DARKEST + (1 - _DARKEST) * facing
@@ -18,6 +21,7 @@ def color_of(rgba: Rgba | None, facing: float = 1.0) -> str:
     return _code(red * bright, green * bright, blue * bright)
 
 
+@lru_cache(maxsize=4096)
 def edge_of(rgba: Rgba | None) -> str:
     """Return the colour of the edges of a body: darker, or lighter where it is dark."""
     red, green, blue = PLAIN if rgba is None else rgba[:3]
@@ -29,12 +33,14 @@ def edge_of(rgba: Rgba | None) -> str:
 _DARK = 0.25
 
 
+@lru_cache(maxsize=4096)
 def dimmed(color: str) -> str:
     """Return a colour that stands back."""
     grey = luma(color) * 0.5 + 0.15
     return _code(*(value * 0.25 + grey * 0.75 for value in _parts(color)))
 
 
+@lru_cache(maxsize=4096)
 def contrast(color: str) -> str:
     """Return the colour that is read best on another one: black or white."""
     return "#000000" if luma(color) > 0.5 else "#ffffff"

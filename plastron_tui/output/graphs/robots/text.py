@@ -20,6 +20,9 @@ _TWO_WIDTH, _TWO_HEIGHT = 60, 14
 
 _GAP = 2
 
+_CORNERS = 12
+"""Of a circle that is seen at an angle: more are not told apart."""
+
 
 class TextPicture(NamedTuple):
     """A robot in characters.
@@ -63,7 +66,7 @@ def render_text(
     if view == "tree" or not robot.links:
         lines, links = how.tree(width, height)
         return TextPicture(lines, links, "tree")
-    sides = seen_from_all(scene)
+    sides = seen_from_all(scene, _CORNERS)
     for side in sides:
         if side.view.key == view:
             return TextPicture(how.side(side, width, height), ("",) * height, view)

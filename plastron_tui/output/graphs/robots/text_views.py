@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from math import hypot
 from typing import NamedTuple, TypeAlias
 
 from plastron_tui.diagnostics.terminal import visible, width
@@ -211,12 +210,10 @@ class _Drawing:
 
 
 def _shrunk(points: list[Point]) -> list[Point]:
-    """Return a convex polygon about a pixel smaller on each side."""
-    x = sum(point.x for point in points) / len(points)
-    y = sum(point.y for point in points) / len(points)
-    found = []
-    for point in points:
-        away = hypot(point.x - x, point.y - y)
-        part = max(0.0, 1 - 1.4 / away) if away else 0.0
-        found.append(Point(x + (point.x - x) * part, y + (point.y - y) * part))
-    return found
+    """Return a convex polygon a pixel smaller on each side."""
+    xs, ys = [x for x, _ in points], [y for _, y in points]
+    left, right, high, low = min(xs), max(xs), min(ys), max(ys)
+    across = max(0.0, 1 - 2 / (right - left)) if right > left else 0.0
+    down = max(0.0, 1 - 2 / (low - high)) if low > high else 0.0
+    x, y = (left + right) / 2, (high + low) / 2
+    return [Point(x + (each.x - x) * across, y + (each.y - y) * down) for each in points]
