@@ -22,8 +22,9 @@ from plastron_tui.targets.packages.spec import PackageFile
 
 from .destination import Writing
 from .file_names import is_same_path
-from .launch_layers import Version, in_place
+from .launch_layers import LAUNCH_FORM
 from .text_files import Folder, text_files
+from .text_layers import Version, in_place
 
 if TYPE_CHECKING:
     from plastron_tui.model.workspace import Node
@@ -88,7 +89,7 @@ def launch_output(
         return output, tuple(notes)
     version = Version(source.text, file.text)
     pure = _without_handwork(launch, source, find) or version
-    return in_place(source, version, pure, writing)
+    return in_place(source, version, pure, writing, LAUNCH_FORM)
 
 
 def _without_handwork(launch: Launch, source: LaunchSource, find: FindExecutable) -> Version | None:

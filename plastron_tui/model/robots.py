@@ -11,7 +11,7 @@ from plastron_tui.diagnostics import Diagnostic, Span, codes
 from plastron_tui.ros.robots.description import Description
 
 if TYPE_CHECKING:
-    from .launches import LaunchOrigin
+    from .source import TextOrigin
 
 
 class RobotSource(NamedTuple):
@@ -29,7 +29,7 @@ class RobotSource(NamedTuple):
     path: Path
     text: bytes
     description: Description
-    origin: LaunchOrigin | None = None
+    origin: TextOrigin | None = None
     expanded: Description | None = None
 
     @property

@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     from collections.abc import Callable
 
     from plastron_tui.boundary import Boundary
-    from plastron_tui.generating.launch_layers import Start
+    from plastron_tui.generating.text_layers import Start
     from plastron_tui.output.manifest import Reading
 
 _ENDINGS = (".launch", ".xml")
@@ -90,12 +90,14 @@ class LaunchReader:
         folder = Path(os.path.realpath(path)).parent
         if not self._program or not (folder / MANIFEST).is_file():
             return None
-        from plastron_tui.generating.launch_layers import find_start
+        from plastron_tui.generating.launch_layers import LAUNCH_FORM
+        from plastron_tui.generating.text_layers import find_start
         from plastron_tui.output.manifest import digest
         from plastron_tui.output.patch_stack import Author
 
         author = Author(self._program, digest(self._text), self._folder)
-        return find_start(path, present, author, lambda folder: self._manifest(folder)[0])
+        manifests = lambda folder: self._manifest(folder)[0]  # noqa: E731
+        return find_start(path, present, author, manifests, LAUNCH_FORM)
 
 
 def _failed(code: Code, message: str, remedy: str | None = None) -> LoadedLaunch:

@@ -165,3 +165,10 @@ UNIT_SLIP = Code(
     bad=f"{_ROVER}rover has_link 'base' shaped box 400, 300, 100\n{_END}",
     good=f"{_ROVER}rover has_link 'base' shaped box 0.4, 0.3, 0.1\n{_END}",
 )
+
+BROKEN_URDF = Code(
+    "broken-urdf",
+    "A robot's file says what the parser of URDF does not take: a name or a number that is not "
+    "there or is none, two parts of one name, a material that is not described. Correct it there; "
+    "what is wrong counts as not said.",
+)
