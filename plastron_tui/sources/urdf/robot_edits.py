@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from typing import NamedTuple
 
 from plastron_tui.diagnostics import Span
@@ -185,13 +185,18 @@ def _above_comments(document: XmlDocument, start: int) -> int:
 
 def removals(document: XmlDocument, gone: Iterable[Element], habits: Habits) -> Iterator[Splice]:
     """Yield what takes parts away, each with the empty lines that keep it apart."""
+    taken = set(gone)
     siblings = document.root.children
-    places: Mapping[Element, int] = {each: at for at, each in enumerate(siblings)}
-    for element in gone:
-        yield _removal(document, element, places[element], habits)
+    kept = [at for at, each in enumerate(siblings) if each not in taken]
+    first_kept = kept[0] if kept else len(siblings)
+    for at, element in enumerate(siblings):
+        if element in taken:
+            yield _removal(document, element, at, habits, is_first=at < first_kept)
 
 
-def _removal(document: XmlDocument, element: Element, at: int, habits: Habits) -> Splice:
+def _removal(
+    document: XmlDocument, element: Element, at: int, habits: Habits, *, is_first: bool
+) -> Splice:
     text, (start, end) = document.text, element.span
     rest = skip_blanks(text, behind_comments(document, end))
     broken = line_break(text, rest)
@@ -202,10 +207,9 @@ def _removal(document: XmlDocument, element: Element, at: int, habits: Habits) -
     above = first
     while (higher := _empty_line_above(text, above)) is not None:
         above = higher
-    has_part_above = at > 0 and _is_end(document, above, siblings[at - 1])
-    if has_part_above:
+    if not is_first and _is_end(document, above, siblings[at - 1]):
         return Splice(above, last)
-    if at + 1 < len(siblings):
+    if is_first and at + 1 < len(siblings):
         while not text[last : line_end(text, last)].strip() and last < siblings[at + 1].span.start:
             last = line_end(text, last)
     return Splice(first, last)
