@@ -3,18 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from math import isfinite, radians
+from math import radians
 from typing import Any, NamedTuple
 
 from plastron_tui.diagnostics import Diagnostic, Span, codes, did_you_mean, guess
 from plastron_tui.language import statements as st
-from plastron_tui.language.definitions import Vector as WrittenVector
 from plastron_tui.language.inputs import Literal, NamedArgument, NestedValue
 from plastron_tui.ros.robots.colors import NAMES, material_name, rgba_of
 from plastron_tui.ros.robots.description import (
     Box,
     Cylinder,
-    Description,
     JointType,
     Material,
     Mesh,
@@ -24,6 +22,8 @@ from plastron_tui.ros.robots.description import (
 )
 
 from .mistake import Mistake
+from .robot_numbers import FARTHEST, HEAVIEST, LIGHTEST, SHORTEST, as_float, vector_of
+from .robots import Robot
 
 
 class _Form(NamedTuple):
@@ -66,17 +66,23 @@ def shape_of(statement: st.HasLink) -> Shape | None:
         help_text = near or "it is `box`, `cylinder`, `sphere` or `mesh`"
         raise Mistake(Diagnostic(codes.BAD_SHAPE, message, where, help=help_text, fix=fix))
     given = _values(statement, form)
-    made = {
-        name: _uri(*each) if name == "uri" else _scale(*each) if name == "scale" else _length(*each)
-        for name, each in given.items()
-    }
+    made: dict[str, Any] = {}
+    wrong: list[Diagnostic] = []
+    for name, (value, at) in given.items():
+        try:
+            make: Callable[[Any, Span], Any] = _MADE_OF.get(name, _length)
+            made[name] = make(value, at)
+        except Mistake as mistake:  # noqa: PERF203 - each value has its own
+            wrong += mistake.diagnostics
+    if wrong:
+        raise Mistake(*wrong)
     return form.make(**made)
 
 
 def _values(statement: st.HasLink, form: _Form) -> dict[str, tuple[Any, Span]]:
     """Return the values of a shape by their names, and where each stands."""
     found: dict[str, tuple[Any, Span]] = {}
-    whole = statement.span_of("size")
+    wrong: list[Diagnostic] = []
     for place, argument in enumerate(statement.size or ()):
         at = Span(argument.syntax.start_byte, argument.syntax.end_byte).moved(statement.shift)
         if isinstance(argument, NamedArgument):
@@ -84,23 +90,28 @@ def _values(statement: st.HasLink, form: _Form) -> dict[str, tuple[Any, Span]]:
         elif place < len(form.values):
             name, value = form.values[place], argument
         else:
-            raise _bad_shape(f"a {statement.shape} has no more values", at, form)
+            wrong.append(_bad_shape(f"a {statement.shape} has no more values", at, form))
+            break
         if name not in form.values:
             help_text = did_you_mean(name, form.values)
-            raise _bad_shape(f"a {statement.shape} has no `{name}`", at, form, help_text)
-        if name in found:
-            raise _bad_shape(f"`{name}` is given twice", at, form)
+            message = f"a {statement.shape} has no `{name}`"
+            wrong.append(_bad_shape(message, at, form, help_text))
+        elif name in found:
+            wrong.append(_bad_shape(f"`{name}` is given twice", at, form))
         found[name] = value, at
     missing = [each for each in form.values if each not in (*found, *form.optional)]
-    if missing:
+    if missing and not wrong:
         lacking = " and ".join(f"`{each}`" for each in missing)
-        raise _bad_shape(f"a {statement.shape} needs {lacking}", whole, form)
+        message = f"a {statement.shape} needs {lacking}"
+        wrong.append(_bad_shape(message, statement.span_of("size"), form))
+    if wrong:
+        raise Mistake(*wrong)
     return found
 
 
-def _bad_shape(message: str, where: Span, form: _Form, help_text: str | None = None) -> Mistake:
+def _bad_shape(message: str, where: Span, form: _Form, help_text: str | None = None) -> Diagnostic:
     help_text = help_text or f"write it as `{form.example}`"
-    return Mistake(Diagnostic(codes.BAD_SHAPE, message, where, help=help_text))
+    return Diagnostic(codes.BAD_SHAPE, message, where, help=help_text)
 
 
 def _length(value: Any, where: Span) -> float:
@@ -108,8 +119,10 @@ def _length(value: Any, where: Span) -> float:
     if number is None:
         message = "a length is a number of metres"
         raise Mistake(Diagnostic(codes.BAD_SHAPE, message, where))
-    if not (number > 0 and isfinite(number)):
+    if not SHORTEST <= number <= FARTHEST:
         message = "a length is more than 0"
+        if number > 0:
+            message = f"a length is between {SHORTEST:.6f} and {FARTHEST:,.0f} m"
         raise Mistake(Diagnostic(codes.BAD_SHAPE, message, where))
     return number
 
@@ -119,7 +132,7 @@ def _scale(value: Any, where: Span) -> Vector:
         parts = [None if isinstance(x, NamedArgument) else _number(x) for x in value.arguments]
     else:
         parts = [_number(value)] * 3
-    found = tuple(each for each in parts if each is not None and each != 0 and isfinite(each))
+    found = tuple(x for x in parts if x is not None and 1 / FARTHEST <= abs(x) <= FARTHEST)
     if len(parts) != 3 or len(found) != 3:
         message = "a scale is a number that is not 0, or three of them, as `(1, 1, 2)`"
         raise Mistake(Diagnostic(codes.BAD_SHAPE, message, where))
@@ -129,7 +142,7 @@ def _scale(value: Any, where: Span) -> Vector:
 
 def _number(value: Any) -> float | None:
     is_number = isinstance(value, Literal) and isinstance(value.value, (int, float))
-    return float(value.value) if is_number and not isinstance(value.value, bool) else None
+    return as_float(value.value) if is_number and not isinstance(value.value, bool) else None
 
 
 def _uri(value: Any, where: Span) -> str:
@@ -140,29 +153,40 @@ def _uri(value: Any, where: Span) -> str:
     raise Mistake(Diagnostic(codes.BAD_SHAPE, message, where, help=help_text))
 
 
+_MADE_OF: Mapping[str, Callable[[Any, Span], Any]] = {"uri": _uri, "scale": _scale}
+"""How a value of a shape is read that is no length."""
+
+
 def weight_of(statement: st.HasLink) -> float | None:
     """Return what a link weighs, None where nothing is said."""
     if statement.weight is None:
         return None
-    if not (statement.weight > 0 and isfinite(statement.weight)):
+    weight = as_float(statement.weight)
+    if not LIGHTEST <= weight <= HEAVIEST:
         message = "a weight is more than 0 kg"
+        if weight > 0:
+            message = f"a weight is between {LIGHTEST:.6f} and {HEAVIEST:,.0f} kg"
         raise Mistake(Diagnostic(codes.BAD_WEIGHT, message, statement.span_of("weight")))
-    return float(statement.weight)
+    return weight
 
 
-def material_of(statement: st.HasLink, robot: Description) -> Material | None:
+def material_of(statement: st.HasLink, robot: Robot | None) -> Material | None:
     """Return the material that paints a link, None where nothing is said.
 
     A name is that of a material which the robot has, or else of a colour.
     """
     if statement.color is None:
         return None
-    if statement.color in robot.materials:
+    shared = {} if robot is None else robot.description.materials
+    own = {} if robot is None else robot.own_materials
+    if statement.color in shared:
         return Material(statement.color)
+    if statement.color in own:
+        return own[statement.color]
     rgba = rgba_of(statement.color)
     if rgba is None:
         where = statement.span_of("color")
-        near, fix = guess(statement.color, (*robot.materials, *NAMES), where)
+        near, fix = guess(statement.color, (*shared, *own, *NAMES), where)
         message = f"`{statement.color}` is no colour"
         help_text = near or 'write a name as `blue`, or a code as `"#3060ff"`'
         raise Mistake(Diagnostic(codes.UNKNOWN_COLOR, message, where, help=help_text, fix=fix))
@@ -171,7 +195,7 @@ def material_of(statement: st.HasLink, robot: Description) -> Material | None:
 
 def position_of(statement: st.HasLink | st.HasJoint) -> Vector | None:
     """Return what stands behind `at`, in metres; None where nothing is said."""
-    return None if statement.position is None else _floats(statement.position)
+    return vector_of(statement, "position")
 
 
 def rotation_of(statement: st.HasLink | st.HasJoint) -> Vector | None:
@@ -180,7 +204,10 @@ def rotation_of(statement: st.HasLink | st.HasJoint) -> Vector | None:
         return None
     if statement.unit not in _ANGLES:
         raise bad_unit(statement, statement.unit, tuple(_ANGLES))
-    x, y, z = map(_ANGLES[statement.unit], _floats(statement.rotation))
+    turned = vector_of(statement, "rotation")
+    if turned is None:
+        return None
+    x, y, z = map(_ANGLES[statement.unit], turned)
     return x, y, z
 
 
@@ -195,8 +222,8 @@ def axis_of(statement: st.HasJoint, type_: JointType) -> Vector | None:
     if not type_.has_axis:
         message = f"a joint that is {type_.value} has no axis"
         raise Mistake(Diagnostic(codes.BAD_AXIS, message, where))
-    axis = _floats(statement.axis)
-    if not any(axis):
+    axis = vector_of(statement, "axis")
+    if axis is None or max(map(abs, axis)) < 1 / FARTHEST:
         message = "an axis of 0, 0, 0 points nowhere"
         help_text = "`0, 0, 1` points up, `1, 0, 0` forward, `0, 1, 0` to the left"
         raise Mistake(Diagnostic(codes.BAD_AXIS, message, where, help=help_text))
@@ -222,12 +249,27 @@ def range_of(statement: st.LimitsJoint, type_: JointType) -> tuple[float, float]
     right = tuple(_ANGLES) if type_.turns else ("m",)
     if statement.unit not in right:
         raise bad_unit(statement, statement.unit, right)
-    if statement.minimum > statement.maximum:
-        message = f"{statement.minimum} is more than {statement.maximum}"
-        where = Span(statement.span_of("minimum").start, statement.span_of("maximum").end)
-        raise Mistake(Diagnostic(codes.BAD_LIMITS, message, where, help="the least comes first"))
+    least, most = as_float(statement.minimum), as_float(statement.maximum)
+    wrong = [
+        Diagnostic(codes.BAD_LIMITS, _OUT_OF_RANGE, statement.span_of(slot))
+        for slot, value in (("minimum", least), ("maximum", most))
+        if not abs(value) <= FARTHEST
+    ]
+    if wrong:
+        raise Mistake(*wrong)
+    if least >= most:
+        first, last = statement.span_of("minimum"), statement.span_of("maximum")
+        help_text, message = "the least comes first", f"{least:.12g} is more than {most:.12g}"
+        if least == most:
+            message = f"between {least:.12g} and {most:.12g} it moves nowhere"
+            help_text = "a joint that holds two links as they are is `fixed`"
+        where = Span(first.start, last.end)
+        raise Mistake(Diagnostic(codes.BAD_LIMITS, message, where, help=help_text))
     convert = _ANGLES.get(statement.unit, float)
-    return convert(float(statement.minimum)), convert(float(statement.maximum))
+    return convert(least), convert(most)
+
+
+_OUT_OF_RANGE = f"a limit is between -{FARTHEST:,.0f} and {FARTHEST:,.0f}"
 
 
 def bad_unit(statement: Any, unit: str, right: tuple[str, ...]) -> Mistake:
@@ -237,8 +279,3 @@ def bad_unit(statement: Any, unit: str, right: tuple[str, ...]) -> Mistake:
     words = " or ".join(f"`{each}`" for each in right)
     message = f"`{unit}` is no unit of this; it is in {words}"
     return Mistake(Diagnostic(codes.BAD_UNIT, message, where, help=near, fix=fix))
-
-
-def _floats(vector: WrittenVector) -> Vector:
-    x, y, z = map(float, vector)
-    return x, y, z

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, NamedTuple
 
 from plastron_tui.diagnostics import Diagnostic, Span, codes
-from plastron_tui.ros.robots.description import Description
+from plastron_tui.ros.robots.description import Description, Joint, Link, Material
 
 if TYPE_CHECKING:
     from .launches import LaunchOrigin
@@ -31,6 +31,20 @@ class RobotSource(NamedTuple):
     description: Description
     origin: LaunchOrigin | None = None
     expanded: Description | None = None
+
+    @property
+    def has_macros(self) -> bool:
+        """Whether what its text says is not all of the robot (wiki.ros.org/xacro)."""
+        return b"ros.org/wiki/xacro" in self.text
+
+    @property
+    def whole(self) -> Description | None:
+        """The whole robot, None where nobody knows what macros make of it."""
+        return (
+            None
+            if self.has_macros and self.expanded is None
+            else (self.expanded or self.description)
+        )
 
     @property
     def present(self) -> bytes:
@@ -81,6 +95,7 @@ class Robot:
         links: where the program speaks of its links, by name.
         joints: where it speaks of its joints, by name.
         home: the package that the program puts it into, "" for none.
+        own_materials: the materials that links of a loaded one have of their own, by name.
     """
 
     variable: str
@@ -90,15 +105,82 @@ class Robot:
     links: dict[str, Places] = field(default_factory=dict)
     joints: dict[str, Places] = field(default_factory=dict)
     home: str = ""
+    own_materials: Mapping[str, Material] = field(default_factory=dict)
+    # Its own, so that a statement changes one entry of them, not all.
+    _links: dict[str, Link] = field(init=False, repr=False)
+    _joints: dict[str, Joint] = field(init=False, repr=False)
+    # The joints that need a link or a joint, by both names; found where that is first asked for.
+    _users: dict[tuple[str, str], dict[str, None]] | None = field(init=False, repr=False)
+
+    def __post_init__(self) -> None:
+        """Take the description's parts over."""
+        self._links, self._joints = dict(self.description.links), dict(self.description.joints)
+        self._users = None
+        self.description = replace(self.description, links=self._links, joints=self._joints)
 
     @property
     def name(self) -> str:
         """What it is called."""
         return self.description.name
 
+    def put_link(self, link: Link) -> None:
+        """Give the robot a link, in place of the one of its name."""
+        self._links[link.name] = link
+
+    def take_link(self, name: str) -> None:
+        """Take a link away from the robot."""
+        del self._links[name]
+        self.links.pop(name, None)
+
+    def put_joint(self, joint: Joint) -> None:
+        """Give the robot a joint, in place of the one of its name."""
+        self._forget_uses(joint.name)
+        self._joints[joint.name] = joint
+        if self._users is not None:
+            _note_uses(self._users, joint)
+
+    def take_joint(self, name: str) -> None:
+        """Take a joint away from the robot."""
+        self._forget_uses(name)
+        del self._joints[name]
+        self.joints.pop(name, None)
+
+    def holding(self, link: str) -> Iterator[Joint]:
+        """Yield the joints that hold a link, or hang on it."""
+        yield from self._users_of("link", link)
+
+    def following(self, joint: str) -> Iterator[Joint]:
+        """Yield the joints that follow a joint."""
+        yield from self._users_of("joint", joint)
+
+    def _users_of(self, what: str, name: str) -> Iterator[Joint]:
+        if self._users is None:
+            self._users = {}
+            for joint in self._joints.values():
+                _note_uses(self._users, joint)
+        yield from (self._joints[each] for each in self._users.get((what, name), ()))
+
+    def _forget_uses(self, joint: str) -> None:
+        if self._users is not None and joint in self._joints:
+            for used in _uses(self._joints[joint]):
+                self._users[used].pop(joint, None)
+
     def snapshot(self) -> Robot:
         """Return the robot as it is now, untouched by what later statements do to it."""
         return replace(self, links=dict(self.links), joints=dict(self.joints))
+
+
+def _uses(joint: Joint) -> Iterator[tuple[str, str]]:
+    """Yield what a joint needs: two links, and the joint that it follows."""
+    yield "link", joint.parent
+    yield "link", joint.child
+    if joint.mimic is not None:
+        yield "joint", joint.mimic.joint
+
+
+def _note_uses(users: dict[tuple[str, str], dict[str, None]], joint: Joint) -> None:
+    for used in _uses(joint):
+        users.setdefault(used, {})[joint.name] = None
 
 
 class RobotGeneration(NamedTuple):

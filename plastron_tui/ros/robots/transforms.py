@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from math import cos, sin
 from typing import NamedTuple, TypeAlias
 
@@ -42,6 +43,25 @@ class Transform(NamedTuple):
             (first[2], second[2], third[2]),
         )
         return Transform(rotation, self.point(pose.position))
+
+
+def seen_from(frame: Matrix, other: Matrix) -> Matrix:
+    """Return what turns points seen from `other` into points seen from `frame`."""
+    first, second, third = (
+        (
+            frame[0][row] * other[0][column]
+            + frame[1][row] * other[1][column]
+            + frame[2][row] * other[2][column]
+            for column in range(3)
+        )
+        for row in range(3)
+    )
+    return _row(first), _row(second), _row(third)
+
+
+def _row(values: Iterable[float]) -> Vector:
+    x, y, z = values
+    return x, y, z
 
 
 def rotation_matrix(rotation: Vector) -> Matrix:
