@@ -46,7 +46,9 @@ def _install(folder: Path, python: Path) -> None:
     wheels = jazzy_wheels()
     if not wheels:
         skip_or_fail("Jazzy has no wheels for this Python, or this machine")
-    pip = [python, "-m", "pip", "install", "--quiet", "--disable-pip-version-check", *wheels]
+    # What the tests import is compiled then; all there is takes a minute of processor time.
+    quietly = ("--quiet", "--disable-pip-version-check", "--no-compile")
+    pip = [python, "-m", "pip", "install", *quietly, *wheels]
     for command in ([sys.executable, "-m", "venv", folder], pip):
         made = subprocess.run(command, capture_output=True, text=True, check=False, timeout=1200)
         if made.returncode != 0:

@@ -1,196 +1,26 @@
-"""Launch files that a program changes in place: what it started from, and what it made of that.
-
-As with nodes, a layer for each program keeps both (`output/patch_stack.py`): a program that runs
-again starts from what it started from before, with what was changed by hand since.
-"""
+"""What there is in launch files, for those that a program changes in place."""
 
 from __future__ import annotations
 
-import os
-from collections import Counter
-from collections.abc import Callable
-from dataclasses import dataclass, replace
-from pathlib import Path
-from typing import NamedTuple
+from collections.abc import Hashable, Iterator
 
-from plastron_tui.diagnostics import Diagnostic
-from plastron_tui.model.launches import LaunchOrigin, LaunchSource
-from plastron_tui.model.source import FileSet
-from plastron_tui.output.manifest import Manifest
-from plastron_tui.output.merge3 import merge_lines, replay, split_lines
-from plastron_tui.output.patch_stack import Author, Layer, Layers, digest_of, live_layers
-from plastron_tui.output.plan import OutputFile
 from plastron_tui.ros.launch import Argument, Include, Item, StartedNode, items_of, names_of
 from plastron_tui.sources.launch.xml_reader import read_launch_xml
 
-from .destination import Writing
-from .user_edits import cover, kept_handwork, unmergeable
+from .text_layers import Form
 
-Manifests = Callable[[Path], Manifest]
-"""Gives what is remembered of the files of a folder."""
+_NAMED = (Argument, StartedNode, Include)
 
 
-class Start(NamedTuple):
-    """What a program starts from: the text, and where it comes from."""
-
-    text: bytes
-    origin: LaunchOrigin
-
-
-class Version(NamedTuple):
-    """What a program makes of a launch file, of one text that it starts from.
-
-    Attributes:
-        start: what it starts from.
-        made: what it makes of that.
-    """
-
-    start: bytes
-    made: bytes
-
-
-@dataclass(frozen=True, slots=True)
-class _Place:
-    """Where a launch file is, and what is remembered of the programs that changed it."""
-
-    real: Path
-    manifest: Manifest
-    layers: Layers
-    index: int | None
-
-    def before(self, present: bytes) -> bytes:
-        """Return the file as it is below what later programs made of it."""
-        assert self.index is not None
-        above = self.layers[self.index + 1 : self.index + 2]
-        return above[0].original.main if above else present
-
-    def files(self, text: bytes) -> FileSet:
-        """Return a text as layers keep it."""
-        return FileSet.single(self.real.suffix, text)
-
-
-def find_start(path: Path, present: bytes, author: Author, manifests: Manifests) -> Start | None:
-    """Return what a program started from when it changed a file, None where it did not.
-
-    Args:
-        path: the launch file.
-        present: what it holds.
-        author: the program.
-        manifests: gives what is remembered of the files of a folder.
-    """
-    place = _find_place(path, present, author, manifests)
-    if place.index is None:
-        return None
-    layer, before = place.layers[place.index], place.before(present)
-    original = layer.original.main
-    text = replay(layer.written.main, before, original)
-    is_whole = _is_whole(text, layer, before)
-    return Start(text if is_whole else original, LaunchOrigin(original, present, is_whole))
-
-
-def _is_whole(text: bytes, layer: Layer, before: bytes) -> bool:
-    """Tell whether a text is what a program started from with all that was done by hand since."""
-    written = layer.written.main
-    lines = (Counter(split_lines(each)) for each in (before, written, text))
-    now, then, there = lines
-    if any(there[line] < 1 for line in now - then) or read_launch_xml(text).launch is None:
-        return False
-    first, made, found = (_items(each) for each in (layer.original.main, written, before))
-    return _items(text) == first + (found - made) - (made - found)
-
-
-def in_place(
-    source: LaunchSource,
-    version: Version,
-    pure: Version,
-    writing: Writing,
-) -> tuple[OutputFile, tuple[Diagnostic, ...]]:
-    """Return a launch file that is written over itself, and what is to be said of that.
-
-    Args:
-        source: the launch file.
-        version: what the program makes of it, of what was changed by hand too.
-        pure: the same without what was changed by hand; where the program needs that, with it.
-        writing: the program, what is remembered of the files of a folder, and whether what was
-            changed by hand is written over.
-    """
-    present, author, force = source.present, writing.author, writing.force
-    place = _find_place(source.path, present, author, writing.manifests)
-    start, made = place.files(pure.start), place.files(pure.made)
-    layer = Layer(author.name, start, made, text=author.text, left=digest_of(made))
-    output = OutputFile(
-        source.path.name,
-        version.made,
-        is_executable=False,
-        merged_from=present,
-        path=source.path,
-        # Another program may have made the file, and merges what comes from this one by lines.
-        has_handwork=True,
-        seen=((place.real.parent, place.manifest),),
-    )
-    own: Layers = (layer,) if author.name and start != made else ()
-    if place.index is None:
-        return _with(output, version.made, (*place.layers, *own), place), ()
-    lower, upper = place.layers[: place.index], place.layers[place.index + 1 :]
-    known, before = place.layers[place.index].written.main, place.before(present)
-    notes: tuple[Diagnostic, ...] = ()
-    text: bytes | None = pure.made
-    if before != known and not force:
-        notes = (kept_handwork(source.path, source.path.name),)
-        text = _merged(source, known, before, version, pure)
-    if text is None:
-        problem = unmergeable(source.path, "the program changed the same lines")
-        return _with(output, pure.made, place.layers, place, problem), ()
-    sets = (place.files(each) for each in (before, text, present))
-    covered = cover(source.path, upper, *sets, force=force)
-    own = tuple(replace(each, left=digest_of(covered.files)) for each in own)
-    layers = (*lower, *own, *covered.layers)
-    done = _with(output, covered.files.main, layers, place, covered.problem)
-    return done, (*notes, *covered.notes)
-
-
-def _with(
-    output: OutputFile,
-    text: bytes,
-    layers: Layers,
-    place: _Place,
-    problem: Diagnostic | None = None,
-) -> OutputFile:
-    is_news = layers != place.manifest.layers.get(place.real.name, ())
-    return replace(output, text=text, layers=layers if is_news else None, problem=problem)
-
-
-def _merged(
-    source: LaunchSource, known: bytes, before: bytes, version: Version, pure: Version
-) -> bytes | None:
-    """Bring what was changed by hand into what the program makes, None where both do not fit."""
-    merged = merge_lines(known, pure.made, before)
-    if merged is not None and read_launch_xml(merged, source.path).launch is not None:
-        return merged
-    return version.made if source.origin is None or source.origin.is_whole else None
-
-
-def _find_place(path: Path, present: bytes, author: Author, manifests: Manifests) -> _Place:
-    real = Path(os.path.realpath(path))
-    manifest = manifests(real.parent)
-    known = manifest.layers.get(real.name, ())
-    layers = live_layers(known, FileSet.single(real.suffix, present), _shows)
-    return _Place(real, manifest, layers, author.place(layers))
-
-
-def _shows(layer: Layer, files: FileSet) -> bool:
-    """Tell whether a file has or lacks anything as a program left it, and not as it found it."""
-    before, after, now = (_names(each.main) for each in (layer.original, layer.written, files))
-    return any((each in now) == (each in after) for each in before ^ after)
-
-
-def _names(text: bytes) -> set[tuple[type[Item], str]]:
+def _parts(text: bytes) -> Iterator[Hashable] | None:
     launch = read_launch_xml(text).launch
-    kinds = (Argument, StartedNode, Include)
+    return None if launch is None else items_of(launch.items, Item)
+
+
+def _names(text: bytes) -> set[Hashable]:
+    launch = read_launch_xml(text).launch
     items = () if launch is None else launch.items
-    return {(kind, name) for kind in kinds for name in names_of(items, kind)}
+    return {(kind, name) for kind in _NAMED for name in names_of(items, kind)}
 
 
-def _items(text: bytes) -> Counter[Item]:
-    launch = read_launch_xml(text).launch
-    return Counter(() if launch is None else items_of(launch.items, Item))
+LAUNCH_FORM = Form(_parts, _names)

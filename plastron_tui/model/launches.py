@@ -15,21 +15,8 @@ from plastron_tui.ros.parameters import Setting
 if TYPE_CHECKING:
     from plastron_tui.ros.launch import Format, LaunchFile
 
+    from .source import TextOrigin
     from .workspace import Node
-
-
-class LaunchOrigin(NamedTuple):
-    """What a program started from where it changed a launch file in place before.
-
-    Attributes:
-        original: what it started from then.
-        present: what the file holds now.
-        is_whole: whether all that was changed by hand since is in what it starts from now.
-    """
-
-    original: bytes
-    present: bytes
-    is_whole: bool
 
 
 class LaunchSource(NamedTuple):
@@ -47,7 +34,7 @@ class LaunchSource(NamedTuple):
     text: bytes
     format: Format
     launch: LaunchFile
-    origin: LaunchOrigin | None = None
+    origin: TextOrigin | None = None
 
     @property
     def present(self) -> bytes:

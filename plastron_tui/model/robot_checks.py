@@ -19,6 +19,14 @@ from .workspace import Workspace
 _SAID = frozenset({FaultKind.LONG, FaultKind.HEAVY, FaultKind.NAME})
 """What is told of the statement that says it, whatever else the robot is."""
 
+_OF_THE_WHOLE = frozenset(
+    {
+        *(FaultKind.NO_LINKS, FaultKind.LOOSE, FaultKind.NO_PARENT, FaultKind.NO_CHILD),
+        *(FaultKind.MIMICS_NOTHING, FaultKind.ROOT_INERTIA),
+    }
+)
+"""What nobody can tell of a file whose macros are not expanded."""
+
 _SLOTS: Mapping[FaultKind, str] = {
     FaultKind.LOOSE: "link",
     FaultKind.CIRCLE: "child",
@@ -73,19 +81,23 @@ def check_robots(program: Program, workspace: Workspace) -> Iterator[Diagnostic]
     said = _said(program)
     for variable in workspace.robots:
         robot = written.get(variable, workspace.robots[variable])
-        before: set[tuple[FaultKind, str]] = set()
-        source = robot.source
-        if source is not None:
-            if robot.description == source.description:
-                continue
-            before = {(each.kind, each.part) for each in faults(source.description)}
-        for fault in faults(robot.description):
+        if robot.source is not None and robot.description == robot.source.description:
+            continue
+        before = set(_before(robot))
+        whole = robot.whole
+        for fault in faults(robot.description if whole is None else whole):
+            is_lack = fault.kind.is_lack and variable not in written
+            is_open = whole is None and fault.kind in _OF_THE_WHOLE
             is_old = (fault.kind, fault.part) in before
-            is_lack = fault.kind.is_lack and (
-                variable not in written or (source is not None and source.has_macros)
-            )
-            if not (is_old or is_lack or fault.kind in _SAID):
+            if not (is_lack or is_open or is_old or fault.kind in _SAID):
                 yield _told(fault, robot, said)
+
+
+def _before(robot: Robot) -> Iterator[tuple[FaultKind, str]]:
+    """Yield the faults that a loaded robot had."""
+    if robot.source is not None:
+        before = robot.source.whole or robot.source.description
+        yield from ((each.kind, each.part) for each in faults(before))
 
 
 def _written(workspace: Workspace) -> dict[str, Robot]:

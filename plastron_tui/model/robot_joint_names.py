@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Collection, Iterable, Iterator
 from typing import Any
 
 from plastron_tui.diagnostics import Diagnostic, Label, Span, codes, write
@@ -32,20 +32,19 @@ def check_joint_names(program: Program, workspace: Workspace) -> Iterator[Diagno
     if len(workspace.robots) != 1:
         return
     (robot,) = workspace.robots.values()
-    described = robot.description
-    if robot.source is not None and robot.source.has_macros:
-        whole = robot.source.whole
-        if whole is None:
-            return
-        described = whole
+    whole = robot.whole
+    if whole is None:
+        return
     for statement in program.statements:
         if isinstance(statement, (st.CreateMessage, st.SendsGoal)):
             field = _FIELDS.get(statement.type.rpartition("/")[2])
             if field is not None:
-                yield from _unknown(statement, field, list(described.joints), robot.span)
+                yield from _unknown(statement, field, whole.joints, robot.span)
 
 
-def _unknown(statement: Any, field: str, joints: list[str], robot: Span) -> Iterator[Diagnostic]:
+def _unknown(
+    statement: Any, field: str, joints: Collection[str], robot: Span
+) -> Iterator[Diagnostic]:
     for each in _named(statement.input or (), field):
         name = str(each.value)
         if name in joints:

@@ -8,7 +8,15 @@ from plastron_tui.ros.robots.description import Joint, JointType, Mimic
 from plastron_tui.ros.robots.joint_changes import changed_joint
 
 from .mistake import Mistake
-from .robot_lookups import check_name, check_new, find_joint, find_link, find_robot
+from .robot_lookups import (
+    check_name,
+    check_new,
+    check_not_of_macro,
+    find_joint,
+    find_link,
+    find_own_joint,
+    find_robot,
+)
 from .robot_numbers import FARTHEST, as_float
 from .robot_parts import axis_of, joint_type_of, position_of, rotation_of
 from .robot_slips import joint_slips
@@ -48,6 +56,7 @@ def check_joint_named(run: Run, statement: st.HasJoint) -> None:
     name, where = statement.joint, statement.span_of("joint")
     if robot is not None:
         check_new(robot.joints, name, "joint", where)
+        check_not_of_macro(robot, "joint", name, where)
     if robot is None or name not in robot.description.joints:
         check_name("joint", name, where)
 
@@ -77,15 +86,15 @@ def mimic_of(run: Run, statement: st.HasJoint) -> Mimic | None:
         message = f"`{statement.joint}` cannot follow itself"
         raise Mistake(Diagnostic(codes.BAD_MIMIC, message, where))
     followed = find_joint(run, robot, statement.mimicked, where)
-    if followed.type is JointType.FIXED:
+    if followed is not None and followed.type is JointType.FIXED:
         message = f"`{followed.name}` is fixed: nothing follows it"
         raise Mistake(Diagnostic(codes.BAD_MIMIC, message, where))
     if statement.type == JointType.FIXED.value:
         message = f"`{statement.joint}` is fixed: it follows nothing"
         raise Mistake(Diagnostic(codes.BAD_MIMIC, message, where))
     there = robot.description.joints.get(statement.joint)
-    mimic = Mimic(followed.name)
-    if there is not None and there.mimic is not None and there.mimic.joint == followed.name:
+    mimic = Mimic(statement.mimicked)
+    if there is not None and there.mimic is not None and there.mimic.joint == mimic.joint:
         mimic = there.mimic
     if statement.factor is None:
         return mimic
@@ -100,7 +109,7 @@ def no_longer_has_joint(run: Run, statement: st.NoLongerHasJoint) -> None:
     """Take a joint away from a robot."""
     robot = find_robot(run, statement)
     name, where = statement.joint, statement.span_of("joint")
-    find_joint(run, robot, name, where)
+    find_own_joint(run, robot, name, where)
     following = next(robot.following(name), None)
     if following is not None:
         if run.consequences.has_part(following.name):

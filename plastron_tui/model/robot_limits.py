@@ -7,7 +7,7 @@ from plastron_tui.language import statements as st
 from plastron_tui.ros.robots.description import Dynamics, Joint, JointType, Limit
 
 from .mistake import Mistake
-from .robot_lookups import find_joint, find_robot, twice
+from .robot_lookups import find_own_joint, find_robot, twice
 from .robot_numbers import as_float, numbers
 from .robot_parts import range_of
 from .robot_slips import limit_slips
@@ -46,7 +46,7 @@ def limits_joint(run: Run, statement: st.LimitsJoint) -> None:
 def check_limited_once(run: Run, statement: st.LimitsJoint) -> Joint:
     """Return the joint that is limited, which the program does once."""
     robot, where = find_robot(run, statement), statement.span_of("joint")
-    joint = find_joint(run, robot, statement.joint, where)
+    joint = find_own_joint(run, robot, statement.joint, where)
     limited = robot.joints.get(joint.name, Places()).limited
     if limited is not None:
         message = f"`{joint.name}` is limited already"
@@ -58,7 +58,7 @@ def check_limited_once(run: Run, statement: st.LimitsJoint) -> Joint:
 def check_limits_fit(run: Run, statement: st.LimitsJoint) -> None:
     """Check that a joint has limits at all, and gets all that it needs."""
     robot, where = find_robot(run, statement), statement.span_of("joint")
-    joint = find_joint(run, robot, statement.joint, where)
+    joint = find_own_joint(run, robot, statement.joint, where)
     has_range, has_strength = statement.minimum is not None, statement.effort is not None
     if not (has_range or has_strength):
         if statement.damping is None:
@@ -101,7 +101,7 @@ def check_strength(_: Run, statement: st.LimitsJoint) -> None:
 def check_range(run: Run, statement: st.LimitsJoint) -> None:
     """Check the unit and the order of both ends, as far as the joint is known."""
     robot = find_robot(run, statement)
-    joint = find_joint(run, robot, statement.joint, statement.span_of("joint"))
+    joint = find_own_joint(run, robot, statement.joint, statement.span_of("joint"))
     if joint.type.is_limited:
         range_of(statement, joint.type)
 

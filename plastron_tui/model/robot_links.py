@@ -8,7 +8,13 @@ from plastron_tui.ros.robots.changes import LinkValues, Note, changed_link, new_
 from plastron_tui.ros.robots.description import Link
 
 from .mistake import Mistake
-from .robot_lookups import check_name, check_new, find_link, find_robot
+from .robot_lookups import (
+    check_name,
+    check_new,
+    check_not_of_macro,
+    find_own_link,
+    find_robot,
+)
 from .robot_parts import material_of, position_of, rotation_of, shape_of, weight_of
 from .robot_slips import link_slips
 from .robots import Places, Robot
@@ -70,6 +76,7 @@ def check_link_named(run: Run, statement: st.HasLink) -> None:
         check_name("link", name, where)
         return
     check_new(robot.links, name, "link", where)
+    check_not_of_macro(robot, "link", name, where)
     if name not in robot.description.links:
         check_name("link", name, where)
     elif all(getattr(statement, slot) is None for slot in _SLOTS.values()):
@@ -125,7 +132,7 @@ def no_longer_has_link(run: Run, statement: st.NoLongerHasLink) -> None:
     """Take a link away from a robot."""
     robot = find_robot(run, statement)
     name, where = statement.link, statement.span_of("link")
-    find_link(run, robot, name, where)
+    find_own_link(run, robot, name, where)
     holding = next(robot.holding(name), None)
     if holding is not None:
         raise _held(run, robot, statement, holding.name)

@@ -5,13 +5,16 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field, replace
 from pathlib import Path
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING, NamedTuple, TypeVar
 
 from plastron_tui.diagnostics import Diagnostic, Span, codes
 from plastron_tui.ros.robots.description import Description, Joint, Link, Material
+from plastron_tui.ros.robots.macros import Macros
 
 if TYPE_CHECKING:
-    from .launches import LaunchOrigin
+    from .source import TextOrigin
+
+T = TypeVar("T")
 
 
 class RobotSource(NamedTuple):
@@ -24,27 +27,21 @@ class RobotSource(NamedTuple):
         origin: where the text comes from if it is not simply what the file holds.
         expanded: what the file's macros make of it, None for a file without macros, or where they
             are not expanded; then it is only looked at.
+        macros: what the file leaves to macros, None for a file without them. A file with macros
+            may have links and joints besides those of its description.
     """
 
     path: Path
     text: bytes
     description: Description
-    origin: LaunchOrigin | None = None
+    origin: TextOrigin | None = None
     expanded: Description | None = None
-
-    @property
-    def has_macros(self) -> bool:
-        """Whether what its text says is not all of the robot (wiki.ros.org/xacro)."""
-        return b"ros.org/wiki/xacro" in self.text
+    macros: Macros | None = None
 
     @property
     def whole(self) -> Description | None:
         """The whole robot, None where nobody knows what macros make of it."""
-        return (
-            None
-            if self.has_macros and self.expanded is None
-            else (self.expanded or self.description)
-        )
+        return self.description if self.macros is None else self.expanded
 
     @property
     def present(self) -> bytes:
@@ -165,9 +162,41 @@ class Robot:
             for used in _uses(self._joints[joint]):
                 self._users[used].pop(joint, None)
 
+    @property
+    def whole(self) -> Description | None:
+        """The robot with what macros make of its file, None where nobody knows that."""
+        source = self.source
+        if source is None or source.macros is None or source.expanded is None:
+            is_known = source is None or source.macros is None
+            return self.description if is_known else None
+        before, now, all_ = source.description, self.description, source.expanded
+        return replace(
+            all_,
+            links=_with_changes(before.links, now.links, all_.links),
+            joints=_with_changes(before.joints, now.joints, all_.joints),
+        )
+
+    @property
+    def shown(self) -> Description:
+        """What there is to see of it: with its macros expanded, where they are."""
+        return self.whole or self.description
+
+    @property
+    def stem(self) -> str:
+        """What its file is called, without its ending."""
+        return self.name if self.source is None else file_stem(self.source.path.name)
+
     def snapshot(self) -> Robot:
         """Return the robot as it is now, untouched by what later statements do to it."""
         return replace(self, links=dict(self.links), joints=dict(self.joints))
+
+
+def _with_changes(
+    before: Mapping[str, T], now: Mapping[str, T], parts: Mapping[str, T]
+) -> dict[str, T]:
+    """Return parts with what changed of some of them."""
+    kept = {name: part for name, part in parts.items() if name not in before or name in now}
+    return kept | {name: part for name, part in now.items() if before.get(name) != part}
 
 
 def _uses(joint: Joint) -> Iterator[tuple[str, str]]:
@@ -181,6 +210,13 @@ def _uses(joint: Joint) -> Iterator[tuple[str, str]]:
 def _note_uses(users: dict[tuple[str, str], dict[str, None]], joint: Joint) -> None:
     for used in _uses(joint):
         users.setdefault(used, {})[joint.name] = None
+
+
+def file_stem(name: str) -> str:
+    """Return the name of a robot's file without its endings: `rover` of `rover.urdf.xacro`."""
+    for ending in (".xml", ".xacro", ".urdf"):
+        name = name.removesuffix(ending) or name
+    return name
 
 
 class RobotGeneration(NamedTuple):

@@ -200,6 +200,20 @@ class Origin(NamedTuple):
     turns: int = 0
 
 
+class TextOrigin(NamedTuple):
+    """What a program started from where it changed a file of one text in place before.
+
+    Attributes:
+        original: what it started from then.
+        present: what the file holds now.
+        is_whole: whether all that was changed by hand since is in what it starts from now.
+    """
+
+    original: bytes
+    present: bytes
+    is_whole: bool
+
+
 class SourceUnit(NamedTuple):
     """Files that are read and changed together, with the nodes that they hold.
 

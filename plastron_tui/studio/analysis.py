@@ -22,7 +22,7 @@ from .insertion_point import Ground
 
 _T = TypeVar("_T")
 
-_ABOUT = ("node", "package", "launch", "variable", "type")
+_ABOUT = ("node", "package", "launch", "robot", "variable", "type")
 """The slots that name what a statement is about."""
 
 
@@ -68,10 +68,15 @@ class Analysis:
         """Return the variable of the node that the statement on an offset's line is about."""
         return next((name for name in self._named_at(offset) if name in self.workspace.nodes), None)
 
+    def robot_at(self, offset: int) -> str | None:
+        """Return the variable of the robot that the statement on an offset's line is about."""
+        named = self._named_at(offset)
+        return next((name for name in named if name in self.workspace.robots), None)
+
     def written_at(self, offset: int) -> str | None:
         """Return what the statement on an offset's line is about, of all that becomes files."""
         known = self.workspace
-        kinds = (known.nodes, known.packages, known.launches, known.types)
+        kinds = (known.nodes, known.packages, known.launches, known.robots, known.types)
         named = self._named_at(offset)
         return next((name for name in named if any(name in each for each in kinds)), None)
 

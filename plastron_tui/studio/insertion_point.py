@@ -18,13 +18,16 @@ if TYPE_CHECKING:
 _NAMING = frozenset(
     {
         *(SlotKind.NODE, SlotKind.MESSAGE, SlotKind.PACKAGE, SlotKind.LAUNCH, SlotKind.OWN_TYPE),
+        SlotKind.ROBOT,
         *(SlotKind.ITEM, SlotKind.HELD, SlotKind.STARTED),
         *(SlotKind.MESSAGE_TYPE, SlotKind.SERVICE_TYPE, SlotKind.ACTION_TYPE),
     }
 )
 """The slots that name something which a statement makes."""
 
-_CHANGED = frozenset({SlotKind.NODE, SlotKind.PACKAGE, SlotKind.LAUNCH, SlotKind.OWN_TYPE})
+_CHANGED = frozenset(
+    {SlotKind.NODE, SlotKind.PACKAGE, SlotKind.LAUNCH, SlotKind.ROBOT, SlotKind.OWN_TYPE}
+)
 """The slots that name what a statement is about."""
 
 
@@ -104,6 +107,9 @@ def _written_at(workspace: Workspace, variable: str | None) -> Span | None:
     for launch in workspace.written_launches:
         if launch.launch.variable == variable:
             last["launch"] = launch.span
+    for robot in workspace.written_robots:
+        if robot.robot.variable == variable:
+            last["robot"] = robot.span
     return min(last.values(), default=None, key=lambda span: span.start)
 
 
@@ -153,6 +159,7 @@ def is_generated_last(program: Program, workspace: Workspace, variable: str) -> 
     spans = [made.span for made in workspace.generations if made.node.variable == variable]
     spans += [each.span for each in workspace.written_packages if each.package.variable == variable]
     spans += [each.span for each in workspace.written_launches if each.launch.variable == variable]
+    spans += [each.span for each in workspace.written_robots if each.robot.variable == variable]
     spans += [span for name, span in workspace.written_types.items() if name == variable]
     if not spans:
         return None
@@ -162,7 +169,7 @@ def is_generated_last(program: Program, workspace: Workspace, variable: str) -> 
 
 
 def names_node(statement: Statement, variable: str) -> bool:
-    """Tell whether a statement is about a node, a package, a launch file or a type."""
+    """Tell whether a statement is about a node, a package, a launch file, a robot or a type."""
     type_: Any = type(statement)  # which mypy takes for not hashable
     return any(
         slot.kind in _CHANGED and getattr(statement, slot.name) == variable

@@ -1,25 +1,28 @@
 """Filling in a user's template in a process of its own, which has limits.
 
-Nothing inside of a process stops a template that counts for ever or asks for all of the memory:
-Jinja's sandbox knows what a template may touch, and not how long it works. So the process that
-does the work limits itself, and what comes back from it is plain text, which nothing executes.
+Jinja's sandbox knows what a template may touch, and not how long it works: limits of a process
+(`limited_process`) stop one that counts for ever. What comes back from it is plain text.
 """
 
 from __future__ import annotations
 
-import math
 import os
 import pickle
 import signal
-import subprocess
 import sys
-import tempfile
-import time
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Mapping
 from contextlib import suppress
 from itertools import islice
 from pathlib import Path
 
+from plastron_tui.limited_process import (
+    Limits,
+    Reply,
+    TimedOutError,
+    limit_itself,
+    run_limited,
+    starting,
+)
 from plastron_tui.regular_files import stamp_of
 
 LONGEST_WORK = 2
@@ -31,11 +34,7 @@ MOST_MEMORY = 512 * 1024**2
 LARGEST_NODE = 1024**2
 """The largest text that a template may write, in bytes."""
 
-# Isolated from the environment and the current folder, but for what this process imports from.
-_START = (
-    "import sys; sys.path[:] = sys.argv[1:]; "
-    "from plastron_tui.targets.template_process import main; sys.exit(main())"
-)
+_START = starting("plastron_tui.targets.template_process")
 _REFUSED, _OVER_LIMIT = 3, 4
 _LONGEST_REASON = 400
 _MOST_TEMPLATES = 1_000
@@ -94,40 +93,33 @@ def _state(folder: Path) -> object:
     return {place: stamp_of(place) for place in islice(places, _MOST_TEMPLATES)}
 
 
+def _limits() -> Limits:
+    return Limits(LONGEST_WORK, LONGEST_WAIT, MOST_MEMORY, LARGEST_NODE)
+
+
 def _rendered(request: bytes) -> str:
-    places = [place for place in sys.path if os.path.isabs(place)]  # noqa: PTH117
+    limits = _limits()
     try:
-        with tempfile.TemporaryFile() as reply:
-            status = subprocess.run(
-                [sys.executable, "-I", "-c", _START, *places],
-                input=request,
-                stdout=reply,
-                stderr=subprocess.DEVNULL,
-                timeout=LONGEST_WAIT,
-            ).returncode
-            reply.seek(0)
-            # Never more than may be: it is a stranger's word how much there is.
-            text = reply.read(LARGEST_NODE + 1)
-    except subprocess.TimeoutExpired:
-        raise OverLimitError(f"it did not end within {LONGEST_WAIT} s") from None
+        reply = run_limited(_START, request, limits)
+    except TimedOutError:
+        raise OverLimitError(f"it did not end within {limits.wait} s") from None
     except OSError as error:
         raise TemplateFailedError(f"no process can be started for it: {error}") from error
-    if status == 0 and len(text) <= LARGEST_NODE:
+    if reply.status == 0 and len(reply.text) <= LARGEST_NODE:
         with suppress(UnicodeDecodeError):
-            return text.decode()
-    raise _failure(status, text[: 4 * _LONGEST_REASON].decode(errors="replace"))
+            return reply.text.decode()
+    raise _failure(reply, limits)
 
 
-def _failure(status: int, reply: str) -> TemplateFailedError:
+def _failure(reply: Reply, limits: Limits) -> TemplateFailedError:
     """Return what became of a process that wrote no node."""
-    if status in (_REFUSED, _OVER_LIMIT) and reply.count("\n") >= 2:
-        name, line, reason = reply.split("\n", 2)
-        kind = OverLimitError if status == _OVER_LIMIT else TemplateFailedError
+    said = reply.text[: 4 * _LONGEST_REASON].decode(errors="replace")
+    if reply.status in (_REFUSED, _OVER_LIMIT) and said.count("\n") >= 2:
+        name, line, reason = said.split("\n", 2)
+        kind = OverLimitError if reply.status == _OVER_LIMIT else TemplateFailedError
         return kind(reason, name, int(line) if line.isdecimal() else None)
-    if status == -getattr(signal, "SIGXCPU", 0):
-        return OverLimitError(f"it works for more than {LONGEST_WORK} s")
-    ended = f"signal {-status}" if status < 0 else f"status {status}"
-    return TemplateFailedError(f"its process ended with {ended}")
+    is_over_limit = reply.status == -getattr(signal, "SIGXCPU", 0)
+    return (OverLimitError if is_over_limit else TemplateFailedError)(reply.why(limits))
 
 
 def main() -> int:
@@ -135,7 +127,7 @@ def main() -> int:
     from .templates import render_template
 
     folders, folder, name, values, finish = pickle.load(sys.stdin.buffer)
-    _limit_itself()
+    limit_itself(_limits())
     try:
         text = finish(render_template(folders, folder, name, values)).encode()
         if len(text) > LARGEST_NODE:
@@ -160,23 +152,3 @@ def _refusal(error: Exception) -> bytes:
     line = getattr(error, "lineno", None) or ""
     reason = str(error)[:_LONGEST_REASON] or type(error).__name__
     return f"{name.splitlines()[0] if name else ''}\n{line}\n{reason}".encode(errors="replace")
-
-
-def _limit_itself() -> None:
-    """Limit what this process may use; a limit that is tighter already stays."""
-    try:
-        import resource
-    except ImportError:  # Windows has no such limits: there the parent's patience is one
-        return
-    limits: Sequence[tuple[int, int]] = (
-        (resource.RLIMIT_AS, MOST_MEMORY),
-        (resource.RLIMIT_CPU, math.ceil(time.process_time()) + LONGEST_WORK),
-        (resource.RLIMIT_FSIZE, 2 * LARGEST_NODE),
-        (resource.RLIMIT_CORE, 0),
-    )
-    for kind, most in limits:
-        soft, hard = resource.getrlimit(kind)
-        bounds = [each for each in (soft, hard) if each != resource.RLIM_INFINITY]
-        # Some systems know a limit, and refuse to set it.
-        with suppress(OSError, ValueError):
-            resource.setrlimit(kind, (min([most, *bounds]), hard))

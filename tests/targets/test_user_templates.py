@@ -180,7 +180,7 @@ def test_limits_that_are_tighter_stay() -> None:
         "import resource\n"
         "from plastron_tui.targets import template_process\n"
         "resource.setrlimit(resource.RLIMIT_CPU, (2, 9))\n"
-        "template_process._limit_itself()\n"
+        "template_process.limit_itself(template_process._limits())\n"
         "print(resource.getrlimit(resource.RLIMIT_CPU), resource.getrlimit(resource.RLIMIT_AS)[0])"
     )
     done = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True)

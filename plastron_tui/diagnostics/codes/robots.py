@@ -146,6 +146,12 @@ BAD_ROBOT_NUMBER = Code(
     good=f"{_ROVER}rover has_link 'base' shaped sphere 0.1 at 0, 0, 0.1\n{_END}",
 )
 
+MADE_BY_MACRO = Code(
+    "made-by-macro",
+    "A link or a joint does not stand in a robot's file as it is: macros make it, and what they "
+    "make cannot be changed one by one. Change the macro, or what it is called with, in its file.",
+)
+
 SEVERAL_SHAPES = Code(
     "several-shapes",
     "A link of a loaded robot has several visuals or collisions, and a sentence is about one. "
@@ -217,4 +223,21 @@ UNIT_SLIP = Code(
     severity=Severity.WARNING,
     bad=f"{_ROVER}rover has_link 'base' shaped box 400, 300, 100\n{_END}",
     good=f"{_ROVER}rover has_link 'base' shaped box 0.4, 0.3, 0.1\n{_END}",
+)
+
+BROKEN_URDF = Code(
+    "broken-urdf",
+    "A robot's file says what the parser of URDF does not take: a name or a number that is not "
+    "there or is none, two parts of one name, a material that is not described. Correct it there; "
+    "what is wrong counts as not said.",
+)
+
+NOT_EXPANDED = Code(
+    "not-expanded",
+    "The macros of a robot's file (xacro) are not expanded, so that links and joints are missing "
+    "from what is shown: the folder is not trusted, and macros can do more than describe a robot; "
+    "the package `xacro` is not there; a file that is included is not there, or lies neither in "
+    "the project nor in an installed package; or they have a mistake, or take more time or memory "
+    "than a robot needs. What stands outside of macros can be changed all the same.",
+    severity=Severity.WARNING,
 )

@@ -17,6 +17,7 @@ _DEFINING = frozenset(
         *("create_node_statement", "load_statement", "create_message_statement"),
         *("create_package_statement", "load_package_statement"),
         *("create_launch_statement", "load_launch_statement", "load_type_statement"),
+        *("create_robot_statement", "load_robot_statement"),
     }
 )
 _DEFINING_TYPES = frozenset(

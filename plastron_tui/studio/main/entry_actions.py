@@ -30,7 +30,7 @@ class EntryActions:
         entry, editor = asked.entry, self._program.editor
         match asked.what:
             case "end" if entry.statement is not None:
-                self._write(entry.statement, entry.node, entry.span)
+                self._write(entry.statement, entry.owner, entry.span)
             case "generate" if entry.writing is not None:
                 self._generate(*entry.writing)
             case "fix" if entry.edits:
@@ -49,12 +49,12 @@ class EntryActions:
     def _say(self, text: str, seconds: float = 2) -> None:
         self._screen.notify(text, timeout=seconds, markup=False)
 
-    def _write(self, statement: str, node: str | None, after: Span | None = None) -> None:
+    def _write(self, statement: str, owner: str | None, after: Span | None = None) -> None:
         """Write a statement where it takes effect, and go there."""
         analysis = self._current()
         if analysis is None:
             return
-        edit = placed(analysis.ground, node, [statement], after=after).edit
+        edit = placed(analysis.ground, owner, [statement], after=after).edit
         self._program.editor.apply([edit])
         self._go_to(edit.span.start + edit.text.startswith("\n"))
 

@@ -20,9 +20,9 @@ from ..journal import Kept
 from ..open_program import Open
 from ..panels.dock import Dock
 from ..panels.entry_keys import Asked, Chosen, Lit
-from ..panels.graph_panel import GraphPanel
 from ..panels.key_bar import KeyBar
 from ..panels.output import OutputPanel
+from ..panels.panel import Resized
 from ..panels.registry import PANELS
 from .active_program import ActiveProgram
 from .disk_watch import DiskWatch
@@ -184,9 +184,9 @@ class MainScreen(Screen[None]):
         """Do what was asked about an entry."""
         self._entries.do(message)
 
-    @on(GraphPanel.Resized)
-    def graph_resized(self) -> None:
-        """Have the graph drawn so that it fits."""
+    @on(Resized)
+    def panel_resized(self) -> None:
+        """Have what is drawn for a size drawn so that it fits."""
         self.feed.ask_more()
 
     @on(Printed)

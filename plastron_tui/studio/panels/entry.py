@@ -28,6 +28,9 @@ class Subject(Enum):
     PACKAGE = "package"
     LAUNCH = "launch file"
     TYPE = "type"
+    ROBOT = "robot"
+    LINK = "link"
+    JOINT = "joint"
     PROBLEM = "problem"
     OTHER = "other"
 
@@ -46,6 +49,9 @@ SIGNS: dict[Subject | EndpointKind, tuple[str, str]] = {
     Subject.PACKAGE: ("▣", "primary"),
     Subject.LAUNCH: ("▶", "success"),
     Subject.TYPE: ("◫", "accent"),
+    Subject.ROBOT: ("◈", "primary"),
+    Subject.LINK: ("■", "quiet"),
+    Subject.JOINT: ("─", "success"),
     **{kind: (kind.facts.sign, kind.facts.tone) for kind in EDITABLE},
 }
 """The character before the name, and its tone."""
@@ -63,6 +69,7 @@ _WRITTEN: dict[Subject | EndpointKind, str] = {
     Subject.PACKAGE: "generate_package",
     Subject.LAUNCH: "generate_launch",
     Subject.TYPE: "generate_type",
+    Subject.ROBOT: "generate_robot",
 }
 """What writes a thing to files."""
 
@@ -75,7 +82,7 @@ class Entry(NamedTuple):
         text: its name.
         detail: what is written behind the name, quietly.
         sign: one character before the name.
-        tone: the tone of the sign, a name that `styles.py` knows.
+        tone: the tone of the sign, a name that `styles.py` knows, or a colour: `#3060ff`.
         warning: what is wrong with it, behind all the rest.
         depth: how far it is indented.
         span: the statement that it comes from, None for what was read from a file.
@@ -86,6 +93,8 @@ class Entry(NamedTuple):
         edits: a fix that can be applied.
         is_branch: whether entries below belong to it.
         ending: the statement that ends what it is about, where that is no endpoint.
+        robot: the variable of the robot that it is a part of.
+        place: where it is written, where that is another file.
     """
 
     key: str
@@ -102,6 +111,13 @@ class Entry(NamedTuple):
     edits: tuple[Edit, ...] = ()
     is_branch: bool = False
     ending: str = ""
+    robot: str | None = None
+    place: str = ""
+
+    @property
+    def owner(self) -> str | None:
+        """The variable of what changes along with it."""
+        return self.node or self.robot
 
     @property
     def statement(self) -> str | None:
@@ -117,12 +133,16 @@ class Entry(NamedTuple):
         """The statement that writes what it is about to files, and its variable; None for none."""
         if self.node is not None:
             return f"generate_node {self.node}", self.node
+        if self.robot is not None:
+            return f"generate_robot {self.robot}", self.robot
         word = _WRITTEN.get(self.subject)
         return None if word is None or not self.name else (f"{word} {self.name}", self.name)
 
     @property
     def elsewhere(self) -> str:
         """What is said when there is no statement to go to."""
+        if self.place:
+            return f"{self.text} is in {self.place}"
         if self.subject is not Subject.PROBLEM:
             return f"{self.text} is not written in this program"
         return f"this is about {self.name or 'the whole program'}, not about a statement"

@@ -13,7 +13,8 @@ from plastron_tui.model.kinds import EDITABLE, EndpointKind
 from .entry import HUBS, Entry, Subject
 
 _NODE_PARTS = (Subject.NODE, *EDITABLE)
-_MADE = (Subject.PACKAGE, Subject.LAUNCH, Subject.TYPE)
+_ROBOT_PARTS = (Subject.ROBOT, Subject.LINK, Subject.JOINT)
+_MADE = (Subject.PACKAGE, Subject.LAUNCH, Subject.TYPE, *_ROBOT_PARTS)
 _NAMED = {*_NODE_PARTS, *HUBS.values(), Subject.MESSAGE, *_MADE} - {EndpointKind.TIMER}
 
 

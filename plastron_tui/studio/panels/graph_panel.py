@@ -10,14 +10,13 @@ from textual import events
 from textual.binding import Binding, BindingType
 from textual.geometry import Region
 from textual.geometry import Size as Extent
-from textual.message import Message
 from textual.scroll_view import ScrollView
 from textual.strip import Strip
 
 from .drawing import DETAILS, Place
 from .entry import Entry
 from .entry_keys import Acting
-from .panel import Panel
+from .panel import Panel, Resized
 from .picture import Fitted, Picture, Size, picture_of
 from .styles import COMPONENTS, Lines, Toned
 
@@ -55,9 +54,6 @@ class GraphPanel(Acting, Toned, ScrollView, can_focus=True):
         Binding("s", "size", "Size", id="graph.size",
                 tooltip="Draw it smaller; after the smallest size, again so that it fits"),
     ]  # fmt: skip
-
-    class Resized(Message):
-        """The picture is to be drawn in another size."""
 
     def __init__(self, *, id: str | None = None) -> None:  # noqa: A002 - Textual's word
         super().__init__(id=id)
@@ -134,11 +130,11 @@ class GraphPanel(Acting, Toned, ScrollView, can_focus=True):
 
     def on_resize(self) -> None:
         """Ask for a picture that fits."""
-        self.post_message(self.Resized())
+        self.post_message(Resized())
 
     def on_show(self) -> None:
         """Ask for a picture that fits."""
-        self.post_message(self.Resized())
+        self.post_message(Resized())
 
     def action_size(self) -> None:
         """Draw it in the next smaller size; after the smallest so that it fits."""
@@ -150,7 +146,7 @@ class GraphPanel(Acting, Toned, ScrollView, can_focus=True):
             self._detail = None
         how = "as large as fits" if self._detail is None else DETAILS[self._detail].title
         self.notify(f"size: {how}", timeout=2)
-        self.post_message(self.Resized())
+        self.post_message(Resized())
 
     # The cursor.
 

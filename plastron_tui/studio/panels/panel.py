@@ -6,10 +6,16 @@ from collections.abc import Callable, Hashable
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, Literal, NamedTuple, Protocol, runtime_checkable
 
+from textual.message import Message
+
 if TYPE_CHECKING:
     from textual.widget import Widget
 
     from ..analysis import Analysis
+
+
+class Resized(Message):
+    """What a panel shows is to be made in another size."""
 
 
 class Request(NamedTuple):

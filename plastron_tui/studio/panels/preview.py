@@ -47,7 +47,7 @@ def previews_of(analysis: Analysis, variable: str) -> tuple[Preview, ...]:
     """Return the files of a node: those that it is generated as, or else would be.
 
     Where it has to be built, and no statement makes a package for that, what builds it follows.
-    Of a package, a launch file or a type, those that are written of it.
+    Of a package, a launch file, a robot or a type, those that are written of it.
     """
     node = analysis.workspace.nodes.get(variable)
     if node is None:
@@ -72,7 +72,7 @@ def previews_of(analysis: Analysis, variable: str) -> tuple[Preview, ...]:
 
 
 def _written(analysis: Analysis, variable: str) -> Iterator[Preview]:
-    """Yield what the plan has of a package, a launch file or a type."""
+    """Yield what the plan has of a package, a launch file, a robot or a type."""
     is_meant = _meant(analysis.workspace, variable)
     if is_meant is None:
         return
@@ -118,6 +118,11 @@ def _meant(workspace: Workspace, variable: str) -> Callable[[PurePosixPath], boo
     launch = workspace.launches.get(variable)
     if launch is not None:
         return lambda path: path.name.partition(".")[0] in (launch.name, f"{launch.name}_launch")
+    robot = workspace.robots.get(variable)
+    if robot is not None:
+        source = robot.source
+        name = f"{robot.name}.urdf" if source is None else source.path.name
+        return lambda path: path.name == name
     if variable in workspace.types:
         name = variable.rpartition("/")[2]
         return lambda path: path.stem == name and path.suffix in (".msg", ".srv", ".action")

@@ -99,7 +99,7 @@ class PreviewPanel(Vertical):
         if analysis is None:
             return None
         known = analysis.workspace
-        kinds = (known.nodes, known.packages, known.launches, known.types)
+        kinds = (known.nodes, known.packages, known.launches, known.robots, known.types)
         is_there = any(self._subject in each for each in kinds)
         last = self._subject if is_there else next((name for each in kinds for name in each), None)
         self._subject = analysis.written_at(offset) or last
@@ -213,9 +213,9 @@ PREVIEW = Panel(
     keys="alt+5",
     summary="The files that the node, or the package, at the cursor becomes.",
     about=(
-        "The files that the node, the package, the launch file or the type at the cursor becomes. "
-        "For a file that is there already: what changes in it; D shows the whole file. Many files "
-        "are a tree: Enter goes to the text of one, T back to the tree."
+        "The files that the node, package, launch file, robot or type at the cursor becomes. "
+        "For a file that is there already: what changes in it; D shows the whole file. "
+        "Many files are a tree: Enter goes to the text of one, T back to the tree."
     ),
     widget=PreviewPanel,
     make=_previews,

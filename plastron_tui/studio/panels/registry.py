@@ -11,6 +11,7 @@ from .output import OUTPUT
 from .packages import PACKAGES
 from .preview_panel import PREVIEW
 from .problems import PROBLEMS
+from .robot_panel import ROBOTS
 from .services import SERVICES
 from .topics import TOPICS
 
@@ -18,7 +19,7 @@ if TYPE_CHECKING:
     from ..analysis import Analysis
     from .panel import Request
 
-PANELS = (NODES, TOPICS, SERVICES, MESSAGES, PREVIEW, GRAPH, PACKAGES, PROBLEMS, OUTPUT)
+PANELS = (NODES, TOPICS, SERVICES, MESSAGES, PREVIEW, GRAPH, PACKAGES, ROBOTS, PROBLEMS, OUTPUT)
 
 BY_NAME = {panel.name: panel for panel in PANELS}
 

@@ -27,7 +27,13 @@ _TONES = (
     ("Token.Name.Class", "name"),
     ("Token.Name.Decorator", "name"),
     ("Token.Name.Builtin", "builtin"),
+    ("Token.Name.Tag", "keyword"),
+    ("Token.Name.Attribute", "name"),
 )
+
+
+_OTHERS = dict.fromkeys((".urdf", ".xacro", ".xml", ".launch"), "xml")
+"""What Pygments calls the languages of files that hold no node, by their suffixes."""
 
 
 def coloured(text: str, path: Path) -> Lines:
@@ -35,10 +41,16 @@ def coloured(text: str, path: Path) -> Lines:
     rows = text.split("\n")
     if rows and not rows[-1]:
         rows.pop()
-    language = language_of(path) if len(rows) <= LONGEST else None
-    if language is None:
+    name = _lexer_of(path) if len(rows) <= LONGEST else None
+    if name is None:
         return tuple((Piece(row.expandtabs(4)),) for row in rows)
-    return tuple(_lexed(text, language.name))[: len(rows)]
+    return tuple(_lexed(text, name))[: len(rows)]
+
+
+def _lexer_of(path: Path) -> str | None:
+    """Return what Pygments calls the language of a file, None for one that is not coloured."""
+    language = language_of(path)
+    return _OTHERS.get(path.suffix) if language is None else language.name
 
 
 def _lexed(text: str, language: str) -> Iterator[Line]:

@@ -20,7 +20,10 @@ TONES = (
     "removed",
     "dim",
 )
-"""The tones; `studio.tcss` gives each its colour, as the component `tone--NAME`."""
+"""The tones; `studio.tcss` gives each its colour, as the component `tone--NAME`.
+
+What has a colour of its own says it in the place of a tone, as `#3060ff`.
+"""
 
 _SAME = {
     "keyword": "primary",
@@ -52,6 +55,8 @@ def tone_style(widget: Widget, tone: str, prefix: str = "tone") -> Style:
     """
     if not tone:
         return Style.null()
+    if tone.startswith("#"):
+        return Style(color=tone)
     if prefix == "tone":
         tone = _SAME.get(tone, tone)
     styles = widget.get_component_styles(f"{prefix}--{tone}")

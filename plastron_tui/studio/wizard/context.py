@@ -180,6 +180,7 @@ def variables_of(workspace: Workspace) -> Iterator[str]:
     yield from workspace.types
     yield from workspace.packages
     yield from workspace.launches
+    yield from workspace.robots
 
 
 def free_name(wanted: str, taken: Iterable[str]) -> str:

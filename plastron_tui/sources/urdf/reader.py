@@ -1,0 +1,157 @@
+"""URDF files, read as urdfdom reads them (`model.cpp`)."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import NamedTuple
+
+from plastron_tui.diagnostics import Diagnostic, Label, Span, codes
+from plastron_tui.ros.robots.description import Body, Description, Joint, Link, Material
+from plastron_tui.sources.xml.document import Element, XmlDocument, read_xml
+
+from .joints import joint_of
+from .links import link_of, material_of
+from .values import Values, is_computed, is_xacro
+
+
+@dataclass(frozen=True, slots=True)
+class PartPlaces:
+    """Where the parts of a robot stand in its file, by their names.
+
+    Visuals, collisions and what else is in a part are the children of its element, in the order
+    in which the description has them.
+    """
+
+    links: Mapping[str, Element] = field(default_factory=dict)
+    joints: Mapping[str, Element] = field(default_factory=dict)
+    materials: Mapping[str, Element] = field(default_factory=dict)
+
+
+class UrdfRead(NamedTuple):
+    """A robot's file that was read.
+
+    Attributes:
+        document: its XML, None where it is not well-formed, or too large or too deep.
+        description: the robot, None where the file describes none. Its materials are those that
+            stand beside the links.
+        places: where its parts stand.
+        diagnostics: what is wrong in the file; errors are what urdfdom tells as errors.
+    """
+
+    document: XmlDocument | None
+    description: Description | None
+    places: PartPlaces = PartPlaces()
+    diagnostics: tuple[Diagnostic, ...] = ()
+
+
+def read_urdf(text: bytes, path: Path | None = None) -> UrdfRead:
+    """Read a robot's file, and from a file with macros what it says outright.
+
+    What cannot be read is left out, or as it would be if nothing was said; elements that URDF
+    does not know are left alone, and only what stands directly in `<robot>` is a link or a joint
+    (`<transmission>` and `<gazebo>` have elements of the same names).
+
+    Args:
+        text: what the file holds.
+        path: the file, for diagnostics.
+    """
+    document, diagnostics = read_xml(text, path)
+    if document is None:
+        return UrdfRead(None, None, diagnostics=diagnostics)
+    root = document.root
+    if root.name != "robot":
+        message = (
+            f"the outermost element of a robot's file is `<robot>`, and this is `<{root.name}>`"
+        )
+        found = Diagnostic(codes.BROKEN_URDF, message, root.name_span, path)
+        return UrdfRead(document, None, diagnostics=(found,))
+    return _Reader(Values(document, is_xacro(document))).read()
+
+
+class _Reader:
+    """Reads the parts of a robot one by one."""
+
+    def __init__(self, values: Values) -> None:
+        self.values = values
+        self.materials: dict[str, Material] = {}
+        self.links: dict[str, Link] = {}
+        self.joints: dict[str, Joint] = {}
+        self.places: dict[str, dict[str, Element]] = {"link": {}, "joint": {}, "material": {}}
+
+    def read(self) -> UrdfRead:
+        document = self.values.document
+        root = document.root
+        name = None if self._is_part_without_name(root) else self.values.needed(root, "name")
+        for element in root.named("material"):
+            self._material(element)
+        for element in root.named("link"):
+            if (called := self._name(element)) is not None:
+                self.links[called] = link_of(element, called, self.values)
+        for element in root.named("joint"):
+            called = self._name(element)
+            joint = None if called is None else joint_of(element, called, self.values)
+            if joint is not None:
+                self.joints[joint.name] = joint
+        self._check_materials()
+        robot = Description(name.value if name else "", self.links, self.joints, self.materials)
+        places = PartPlaces(*(self.places[each] for each in ("link", "joint", "material")))
+        diagnostics = sorted(self.values.diagnostics, key=lambda each: each.span or Span(0, 0))
+        return UrdfRead(document, robot, places, tuple(diagnostics))
+
+    def _is_part_without_name(self, root: Element) -> bool:
+        """Tell whether the file is there to be included: its robot has the name of another one."""
+        return self.values.is_xacro and root.attribute("name") is None
+
+    def _material(self, element: Element) -> None:
+        material = material_of(element, self.values, is_shared=True)
+        if material is not None and self._is_first(element, material.name):
+            self.materials[material.name] = material
+
+    def _name(self, element: Element) -> str | None:
+        """Return the name of a part, None where it has none, or that of an earlier one."""
+        found = self.values.needed(element, "name")
+        if found is None or not self._is_first(element, found.value):
+            return None
+        return found.value
+
+    def _is_first(self, element: Element, name: str) -> bool:
+        places = self.places[element.name]
+        if name not in places:
+            places[name] = element
+            return True
+        found = element.attribute("name")
+        span = element.name_span if found is None else found.value_span
+        labels = (Label(places[name].name_span, "first here"),)
+        message = f"a {element.name} `{name}` is there already, and this one does not count"
+        self.values.tell(message, span, labels=labels)
+        return False
+
+    def _check_materials(self) -> None:
+        """Look for materials that are meant by a name which no material has by then.
+
+        The first of a name is the one that all mean, wherever it stands (`assignMaterial`).
+        """
+        defined = set(self.materials)
+        for name, element in self.places["link"].items():
+            for body, place in _painted(self.links[name], element):
+                material = body.material
+                if material is None or not material.name or material.name in defined:
+                    continue
+                if material.rgba is not None or material.texture is not None:
+                    defined.add(material.name)
+                elif not (self.values.is_xacro or is_computed(material.name)):
+                    self._undefined(material, place)
+
+    def _undefined(self, material: Material, place: Element) -> None:
+        found = next(each for each in place.named("material"))
+        name = found.attribute("name")
+        span = found.name_span if name is None else name.value_span
+        known = ", ".join(f"`{each}`" for each in list(self.materials)[:5])
+        help_text = f"there are {known}" if known else 'give it a `<color rgba="…"/>` of its own'
+        self.values.tell(f"no material is called `{material.name}`", span, help_text)
+
+
+def _painted(link: Link, element: Element) -> Iterator[tuple[Body, Element]]:
+    return zip(link.visuals, element.named("visual"), strict=True)
