@@ -99,11 +99,10 @@ def check_strength(_: Run, statement: st.LimitsJoint) -> None:
 
 
 def check_range(run: Run, statement: st.LimitsJoint) -> None:
-    """Check the unit and the order of both ends, as far as the joint is known."""
-    robot = find_robot(run, statement)
-    joint = find_own_joint(run, robot, statement.joint, statement.span_of("joint"))
-    if joint.type.is_limited:
-        range_of(statement, joint.type)
+    """Check the order of both ends, and their unit as far as the joint is known."""
+    robot = run.workspace.robots.get(statement.robot)
+    joint = None if robot is None else robot.description.joints.get(statement.joint)
+    range_of(statement, joint.type if joint is not None and joint.type.is_limited else None)
 
 
 def _is_limiting(statement: st.LimitsJoint) -> bool:

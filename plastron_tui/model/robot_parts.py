@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from math import radians
 from typing import Any, NamedTuple
 
@@ -22,7 +22,7 @@ from plastron_tui.ros.robots.description import (
 )
 
 from .mistake import Mistake
-from .robot_numbers import FARTHEST, HEAVIEST, LIGHTEST, SHORTEST, as_float, vector_of
+from .robot_numbers import FARTHEST, HEAVIEST, LIGHTEST, SHORTEST, as_float, numbers, vector_of
 from .robots import Robot
 
 
@@ -65,9 +65,8 @@ def shape_of(statement: st.HasLink) -> Shape | None:
         message = f"`{statement.shape}` is no shape"
         help_text = near or "it is `box`, `cylinder`, `sphere` or `mesh`"
         raise Mistake(Diagnostic(codes.BAD_SHAPE, message, where, help=help_text, fix=fix))
-    given = _values(statement, form)
+    given, wrong = _values(statement, form)
     made: dict[str, Any] = {}
-    wrong: list[Diagnostic] = []
     for name, (value, at) in given.items():
         try:
             make: Callable[[Any, Span], Any] = _MADE_OF.get(name, _length)
@@ -79,8 +78,10 @@ def shape_of(statement: st.HasLink) -> Shape | None:
     return form.make(**made)
 
 
-def _values(statement: st.HasLink, form: _Form) -> dict[str, tuple[Any, Span]]:
-    """Return the values of a shape by their names, and where each stands."""
+def _values(
+    statement: st.HasLink, form: _Form
+) -> tuple[dict[str, tuple[Any, Span]], list[Diagnostic]]:
+    """Return the values of a shape by their names, where each stands, and what is wrong."""
     found: dict[str, tuple[Any, Span]] = {}
     wrong: list[Diagnostic] = []
     for place, argument in enumerate(statement.size or ()):
@@ -98,15 +99,14 @@ def _values(statement: st.HasLink, form: _Form) -> dict[str, tuple[Any, Span]]:
             wrong.append(_bad_shape(message, at, form, help_text))
         elif name in found:
             wrong.append(_bad_shape(f"`{name}` is given twice", at, form))
-        found[name] = value, at
+        else:
+            found[name] = value, at
     missing = [each for each in form.values if each not in (*found, *form.optional)]
     if missing and not wrong:
         lacking = " and ".join(f"`{each}`" for each in missing)
         message = f"a {statement.shape} needs {lacking}"
         wrong.append(_bad_shape(message, statement.span_of("size"), form))
-    if wrong:
-        raise Mistake(*wrong)
-    return found
+    return found, wrong
 
 
 def _bad_shape(message: str, where: Span, form: _Form, help_text: str | None = None) -> Diagnostic:
@@ -214,19 +214,24 @@ def rotation_of(statement: st.HasLink | st.HasJoint) -> Vector | None:
 _ANGLES: Mapping[str, Callable[[float], float]] = {"deg": radians, "rad": float}
 
 
-def axis_of(statement: st.HasJoint, type_: JointType) -> Vector | None:
-    """Return what stands behind `with axis`, None where nothing is said."""
+def axis_of(statement: st.HasJoint, type_: JointType | None) -> Vector | None:
+    """Return what stands behind `with axis`, None where nothing is said.
+
+    Args:
+        statement: the statement.
+        type_: how the joint moves, None where that is not known.
+    """
     if statement.axis is None:
         return None
     where = statement.span_of("axis")
-    if not type_.has_axis:
-        message = f"a joint that is {type_.value} has no axis"
-        raise Mistake(Diagnostic(codes.BAD_AXIS, message, where))
     axis = vector_of(statement, "axis")
     if axis is None or max(map(abs, axis)) < 1 / FARTHEST:
         message = "an axis of 0, 0, 0 points nowhere"
         help_text = "`0, 0, 1` points up, `1, 0, 0` forward, `0, 1, 0` to the left"
         raise Mistake(Diagnostic(codes.BAD_AXIS, message, where, help=help_text))
+    if type_ is not None and not type_.has_axis:
+        message = f"a joint that is {type_.value} has no axis"
+        raise Mistake(Diagnostic(codes.BAD_AXIS, message, where))
     return axis
 
 
@@ -242,31 +247,42 @@ def joint_type_of(statement: st.HasJoint) -> JointType:
     raise Mistake(Diagnostic(codes.UNKNOWN_JOINT_TYPE, message, where, help=help_text, fix=fix))
 
 
-def range_of(statement: st.LimitsJoint, type_: JointType) -> tuple[float, float] | None:
-    """Return what stands behind `between`, in radians or metres; None where nothing is said."""
+def range_of(statement: st.LimitsJoint, type_: JointType | None) -> tuple[float, float] | None:
+    """Return what stands behind `between`, in radians or metres; None where nothing is said.
+
+    Args:
+        statement: the statement.
+        type_: how the joint moves, None where that is not known.
+    """
     if statement.minimum is None or statement.maximum is None or statement.unit is None:
         return None
-    right = tuple(_ANGLES) if type_.turns else ("m",)
+    right = (*_ANGLES, "m")
+    if type_ is not None:
+        right = tuple(_ANGLES) if type_.turns else ("m",)
+    wrong = [*_bad_ends(statement)]
     if statement.unit not in right:
-        raise bad_unit(statement, statement.unit, right)
-    least, most = as_float(statement.minimum), as_float(statement.maximum)
-    wrong = [
-        Diagnostic(codes.BAD_LIMITS, _OUT_OF_RANGE, statement.span_of(slot))
-        for slot, value in (("minimum", least), ("maximum", most))
-        if not abs(value) <= FARTHEST
-    ]
+        wrong += bad_unit(statement, statement.unit, right).diagnostics
     if wrong:
         raise Mistake(*wrong)
-    if least >= most:
-        first, last = statement.span_of("minimum"), statement.span_of("maximum")
-        help_text, message = "the least comes first", f"{least:.12g} is more than {most:.12g}"
-        if least == most:
-            message = f"between {least:.12g} and {most:.12g} it moves nowhere"
-            help_text = "a joint that holds two links as they are is `fixed`"
-        where = Span(first.start, last.end)
-        raise Mistake(Diagnostic(codes.BAD_LIMITS, message, where, help=help_text))
     convert = _ANGLES.get(statement.unit, float)
-    return convert(least), convert(most)
+    return convert(as_float(statement.minimum)), convert(as_float(statement.maximum))
+
+
+def _bad_ends(statement: st.LimitsJoint) -> Iterator[Diagnostic]:
+    """Yield what is wrong with the least and the greatest place of a joint."""
+    ends = [*numbers(statement, "minimum"), *numbers(statement, "maximum")]
+    far = [each for each in ends if not abs(each.value) <= FARTHEST]
+    yield from (Diagnostic(codes.BAD_LIMITS, _OUT_OF_RANGE, each.span) for each in far)
+    least, most = ends
+    if far or least.value < most.value:
+        return
+    help_text = "the least comes first"
+    message = f"{least.value:.12g} is more than {most.value:.12g}"
+    if least.value == most.value:
+        message = f"between {least.value:.12g} and {most.value:.12g} it moves nowhere"
+        help_text = "a joint that holds two links as they are is `fixed`"
+    where = Span(least.span.start, most.span.end)
+    yield Diagnostic(codes.BAD_LIMITS, message, where, help=help_text)
 
 
 _OUT_OF_RANGE = f"a limit is between -{FARTHEST:,.0f} and {FARTHEST:,.0f}"

@@ -7,6 +7,7 @@ from typing import Any
 
 from plastron_tui.language import statements as st
 from plastron_tui.language.declaration import Statement
+from plastron_tui.ros.robots.description import JointType
 
 from .robot_joints import check_child, check_joint_named, check_parent, mimic_of
 from .robot_limits import check_limited_once, check_limits_fit, check_range, check_strength
@@ -34,7 +35,8 @@ def _material(run: Run, statement: st.HasLink) -> None:
 
 
 def _axis(_: Run, statement: st.HasJoint) -> None:
-    axis_of(statement, joint_type_of(statement))
+    types = {each.value: each for each in JointType}
+    axis_of(statement, types.get(statement.type))
 
 
 def _alone(check: Callable[[Any], object]) -> Callable[[Run, Any], object]:

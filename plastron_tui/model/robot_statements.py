@@ -9,7 +9,8 @@ from plastron_tui.diagnostics import Diagnostic, codes
 from plastron_tui.language import statements as st
 from plastron_tui.language.declaration import Statement
 from plastron_tui.ros.packages import LONGEST_FILE_NAME
-from plastron_tui.ros.robots.description import Description, Material
+from plastron_tui.ros.robots.description import Description
+from plastron_tui.ros.robots.materials import defined_materials
 
 from .mistake import Mistake
 from .robot_faults import faults_of_file
@@ -65,19 +66,8 @@ def load_robot(run: Run, statement: st.LoadRobot) -> None:
         statement.span,
         source.description,
         source,
-        own_materials=_own_materials(source.description),
+        own_materials=defined_materials(source.description),
     )
-
-
-def _own_materials(robot: Description) -> dict[str, Material]:
-    """Return the materials that links describe themselves, the first of each name."""
-    found: dict[str, Material] = {}
-    for link in robot.links.values():
-        for body in link.visuals:
-            material = body.material
-            if material is not None and (material.rgba or material.texture):
-                found.setdefault(material.name, material)
-    return found
 
 
 def generate_robot(run: Run, statement: st.GenerateRobot) -> None:

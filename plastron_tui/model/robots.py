@@ -92,7 +92,7 @@ class Robot:
         links: where the program speaks of its links, by name.
         joints: where it speaks of its joints, by name.
         home: the package that the program puts it into, "" for none.
-        own_materials: the materials that links of a loaded one have of their own, by name.
+        own_materials: the materials that a loaded one has, those too that stand in its links.
     """
 
     variable: str
