@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from math import inf, isfinite
+from math import inf
 from typing import Any, NamedTuple
 
 from plastron_tui.diagnostics import Diagnostic, Span, codes
@@ -37,19 +36,23 @@ def as_float(number: float) -> float:
         return inf if number > 0 else -inf
 
 
-def numbers(statement: Any, slot: str) -> Iterator[Number]:
-    """Yield the numbers of a slot: one, or three; none where nothing is said."""
+def values(statement: Any, slot: str) -> tuple[float, ...]:
+    """Return the numbers of a slot: one, or three; none where nothing is said."""
     written = getattr(statement, slot)
+    if written is None:
+        return ()
+    return tuple(map(as_float, written if isinstance(written, tuple) else (written,)))
+
+
+def numbers(statement: Any, slot: str) -> list[Number]:
+    """Return the numbers of a slot, and where each stands."""
+    found = values(statement, slot)
     syntax = statement.syntax.child_by_field_name(slot)
-    if written is None or syntax is None:
-        return
-    if not isinstance(written, tuple):
-        yield Number(as_float(written), statement.span_of(slot))
-        return
+    if len(found) < 2 or syntax is None:
+        return [Number(each, statement.span_of(slot)) for each in found]
     parts = (each for each in syntax.named_children if each.kind_id not in COMMENTS)
-    for number, part in zip(written, parts, strict=False):
-        span = Span(part.start_byte, part.end_byte).moved(statement.shift)
-        yield Number(as_float(number), span)
+    spans = (Span(each.start_byte, each.end_byte).moved(statement.shift) for each in parts)
+    return [Number(*each) for each in zip(found, spans, strict=True)]
 
 
 def vector_of(statement: Any, slot: str) -> Vector | None:
@@ -58,16 +61,17 @@ def vector_of(statement: Any, slot: str) -> Vector | None:
     Raises:
         Mistake: some are larger than anything is.
     """
-    found = list(numbers(statement, slot))
+    found = values(statement, slot)
     if not found:
         return None
-    wrong = [each.span for each in found if not (isfinite(each.value) and _is_near(each.value))]
-    if wrong:
+    if not all(map(is_near, found)):
         message = f"a number here is between -{FARTHEST:,.0f} and {FARTHEST:,.0f}"
+        wrong = (each.span for each in numbers(statement, slot) if not is_near(each.value))
         raise Mistake(*(Diagnostic(codes.BAD_ROBOT_NUMBER, message, each) for each in wrong))
-    x, y, z = (each.value for each in found)
+    x, y, z = found
     return x, y, z
 
 
-def _is_near(value: float) -> bool:
+def is_near(value: float) -> bool:
+    """Tell whether a number of metres is one of a robot, and finite."""
     return abs(value) <= FARTHEST

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from typing import Any
 
 from plastron_tui.diagnostics import Diagnostic, Edit, Fix, Span, codes, write
@@ -16,38 +16,38 @@ from plastron_tui.ros.robots.plausible import (
     looks_like_radians,
 )
 
-from .robot_numbers import Number, as_float, numbers
+from .robot_numbers import Number, as_float, numbers, values
 
 
 def link_slips(statement: st.HasLink) -> Iterator[Diagnostic]:
     """Yield a warning for each number of a link that looks like one of another unit."""
     if statement.shape != "mesh":
-        yield from _long(_lengths(statement))
-    yield from _long(numbers(statement, "position"))
-    for each in numbers(statement, "weight"):
-        if each.value > HEAVIEST:
-            yield _slip(f"{each.value:,.12g} kg is more than an excavator weighs", [each], "g")
+        yield from _long([*_lengths(statement)])
+    yield from _far(statement)
+    weight = statement.weight
+    if weight is not None and weight > HEAVIEST:
+        message = f"{weight:,.12g} kg is more than an excavator weighs"
+        yield _slip(message, numbers(statement, "weight"), "g")
     yield from _turned(statement)
 
 
 def joint_slips(statement: st.HasJoint) -> Iterator[Diagnostic]:
     """Yield a warning for each number of a joint likewise."""
-    yield from _long(numbers(statement, "position"))
+    yield from _far(statement)
     yield from _turned(statement)
 
 
 def limit_slips(statement: st.LimitsJoint) -> Iterator[Diagnostic]:
     """Yield a warning for each number of a joint's limits likewise."""
-    ends = [*numbers(statement, "minimum"), *numbers(statement, "maximum")]
+    slots = ("minimum", "maximum")
+    ends = [value for slot in slots for value in values(statement, slot)]
     if statement.unit == "m":
-        yield from _long(ends)
-        return
-    values = [each.value for each in ends]
-    if statement.unit == "rad" and any(map(is_too_far_a_limit, values)):
-        most = max(values, key=abs)
+        yield from _long([each for slot in slots for each in numbers(statement, slot)])
+    elif statement.unit == "rad" and any(map(is_too_far_a_limit, ends)):
+        most = max(ends, key=abs)
         yield _other_unit(statement, f"{most:.12g} rad are several turns", "deg")
     elif statement.unit == "deg":
-        yield from _in_radians(statement, values)
+        yield from _in_radians(statement, ends)
 
 
 def _lengths(statement: st.HasLink) -> Iterator[Number]:
@@ -59,9 +59,13 @@ def _lengths(statement: st.HasLink) -> Iterator[Number]:
             yield Number(as_float(value.value), where)
 
 
-def _long(lengths: Iterable[Number]) -> Iterator[Diagnostic]:
+def _far(statement: st.HasLink | st.HasJoint) -> Iterator[Diagnostic]:
+    if any(abs(each) > LONGEST for each in values(statement, "position")):
+        yield from _long(numbers(statement, "position"))
+
+
+def _long(found: Sequence[Number]) -> Iterator[Diagnostic]:
     """Yield a warning for lengths that belong together if they look like millimetres."""
-    found = list(lengths)
     if any(abs(each.value) > LONGEST for each in found):
         longest = max((each.value for each in found), key=abs)
         yield _slip(f"{longest:,.12g} m is longer than robots are", found, "mm")
@@ -82,16 +86,16 @@ def _slip(message: str, numbers_: Sequence[Number], unit: str) -> Diagnostic:
 
 
 def _turned(statement: st.HasLink | st.HasJoint) -> Iterator[Diagnostic]:
-    values = [each.value for each in numbers(statement, "rotation")]
-    if statement.unit == "rad" and any(map(is_too_much_turned, values)):
-        most = max(values, key=abs)
+    angles = values(statement, "rotation")
+    if statement.unit == "rad" and any(map(is_too_much_turned, angles)):
+        most = max(angles, key=abs)
         yield _other_unit(statement, f"{most:.12g} rad is more than a whole turn", "deg")
     elif statement.unit == "deg":
-        yield from _in_radians(statement, values)
+        yield from _in_radians(statement, angles)
 
 
-def _in_radians(statement: Any, values: list[float]) -> Iterator[Diagnostic]:
-    there = [each for each in values if each]
+def _in_radians(statement: Any, angles: Sequence[float]) -> Iterator[Diagnostic]:
+    there = [each for each in angles if each]
     if there and all(map(looks_like_radians, there)):
         message = f"{there[0]:.12g} deg is next to nothing, and a part of a turn in rad"
         yield _other_unit(statement, message, "rad")

@@ -40,9 +40,12 @@ create_package 'rover' as rover
 create_launch 'bringup' as bringup
 create_robot 'bot' as b
 b has_link 'base'
+create_robot 'whole' as whole
+whole has_link 'base'
 b has_link 'arm'
 b has_link 'old'
 b has_link 'limb'
+b has_link 'free'
 b has_joint 'turn' of joint_type revolute from 'base' to 'arm' with axis 0, 0, 1
 b has_joint 'hold' of joint_type fixed from 'arm' to 'old'
 b limits_joint 'turn' between -1 and 1 rad with effort 1 and velocity 1
@@ -258,22 +261,22 @@ SLOTS: dict[str, dict[str, list[str]]] = {
         "'j'": ["'turn'", "'a b'"],
         "continuous": ["turning"],
         "'arm'": ["'amr'"],
-        "'old'": ["'odl'"],
+        "'free'": ["'odl'"],
         "0, 0, 1": ["0, 0, 0"],
     },
     "b has_joint 'j' of joint_type continuous from 'arm' to {} turned 0, 0, 1 {} mimicking {}": {
-        "'old'": ["'arm'"],
+        "'free'": ["'arm'"],
         "rad": ["m"],
         "'turn'": ["'trun'", "'hold'", "'j'"],
     },
     "{} limits_joint {} between {} deg with effort {} and velocity {}": {
         "b": ["x"],
         "'lift'": ["'turn'", "'litf'", "'hold'"],
-        "-1 and 10": ["10 and -1", "1 and 1"],
+        "-1 and 10": ["10 and -1", "9 and 9"],
         "5": ["-5"],
         "6": ["-6"],
     },
-    "generate_robot {}": {"b": ["x"]},
+    "generate_robot {}": {"whole": ["x"]},
 }
 
 FOLLOWING = {
