@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Sequence
 from math import cos, sin
+from operator import mul
 from typing import NamedTuple, TypeAlias
 
 from .description import ORIGIN, Description, Pose, Vector
@@ -47,19 +48,15 @@ class Transform(NamedTuple):
 
 def seen_from(frame: Matrix, other: Matrix) -> Matrix:
     """Return what turns points seen from `other` into points seen from `frame`."""
+    columns = list(zip(*other, strict=True))
     first, second, third = (
-        (
-            frame[0][row] * other[0][column]
-            + frame[1][row] * other[1][column]
-            + frame[2][row] * other[2][column]
-            for column in range(3)
-        )
-        for row in range(3)
+        tuple(sum(map(mul, across, column)) for column in columns)
+        for across in zip(*frame, strict=True)
     )
-    return _row(first), _row(second), _row(third)
+    return _vector(first), _vector(second), _vector(third)
 
 
-def _row(values: Iterable[float]) -> Vector:
+def _vector(values: Sequence[float]) -> Vector:
     x, y, z = values
     return x, y, z
 
