@@ -25,7 +25,7 @@ def change_joint(part: PartEdits, before: Joint, after: Joint) -> None:
             new = None if after.axis is None else axis_element(after.axis)
             put(part, axis, new, was_there=before.axis is not None)
     else:
-        part.set_numbers(axis, "xyz", after.axis)
+        part.set_numbers(axis, "xyz", before.axis, after.axis)
     _change_limit(part, before.limit, after)
     _change_dynamics(part, before.dynamics, after.dynamics)
     _change_mimic(part, before.mimic, after.mimic)
@@ -40,14 +40,16 @@ def _change_limit(part: PartEdits, before: Limit | None, joint: Joint) -> None:
         new = None if after is None else limit_element(after, has_range=joint.type.is_limited)
         put(part, path, new, was_there=before is not None)
         return
-    for name in ("lower", "upper"):
-        value = (getattr(after, name),)
+    for name, was, value in (
+        ("lower", before.lower, after.lower),
+        ("upper", before.upper, after.upper),
+    ):
         if joint.type.is_limited:
-            part.set_numbers(path, name, value, (0.0,))
+            part.set_numbers(path, name, (was,), (value,), (0.0,))
         else:
-            set_or_drop(part, path, name, value, (0.0,))
-    part.set_numbers(path, "effort", (after.effort,))
-    part.set_numbers(path, "velocity", (after.velocity,))
+            set_or_drop(part, path, name, (was,), (value,), (0.0,))
+    part.set_numbers(path, "effort", (before.effort,), (after.effort,))
+    part.set_numbers(path, "velocity", (before.velocity,), (after.velocity,))
 
 
 def _change_dynamics(part: PartEdits, before: Dynamics | None, after: Dynamics | None) -> None:
@@ -58,8 +60,8 @@ def _change_dynamics(part: PartEdits, before: Dynamics | None, after: Dynamics |
         new = None if after is None else dynamics_element(after)
         put(part, path, new, was_there=before is not None)
         return
-    for name, value in zip(Dynamics._fields, after, strict=True):
-        part.set_numbers(path, name, (value,), (0.0,))
+    for name, was, value in zip(Dynamics._fields, before, after, strict=True):
+        part.set_numbers(path, name, (was,), (value,), (0.0,))
 
 
 def _change_mimic(part: PartEdits, before: Mimic | None, after: Mimic | None) -> None:
@@ -71,5 +73,5 @@ def _change_mimic(part: PartEdits, before: Mimic | None, after: Mimic | None) ->
         put(part, path, new, was_there=before is not None)
         return
     part.set_text(path, "joint", after.joint)
-    set_or_drop(part, path, "multiplier", (after.multiplier,), (1.0,))
-    set_or_drop(part, path, "offset", (after.offset,), (0.0,))
+    set_or_drop(part, path, "multiplier", (before.multiplier,), (after.multiplier,), (1.0,))
+    set_or_drop(part, path, "offset", (before.offset,), (after.offset,), (0.0,))
