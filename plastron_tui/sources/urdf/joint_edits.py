@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from plastron_tui.ros.robots.description import Dynamics, Joint, Limit, Mimic
+from plastron_tui.ros.robots.description import Dynamics, Joint, Mimic
 
 from .equality import same
 from .link_edits import change_pose, put, set_or_drop
-from .new_elements import axis_element, dynamics_element, limit_element, mimic_element
+from .new_elements import axis_element, dynamics_element, limit_element, mimic_element, number
 from .part_edits import PartEdits, Path
 
 
@@ -26,28 +26,38 @@ def change_joint(part: PartEdits, before: Joint, after: Joint) -> None:
             put(part, axis, new, was_there=before.axis is not None)
     else:
         part.set_numbers(axis, "xyz", before.axis, after.axis)
-    _change_limit(part, before.limit, after)
+    _change_limit(part, before, after)
     _change_dynamics(part, before.dynamics, after.dynamics)
     _change_mimic(part, before.mimic, after.mimic)
 
 
-def _change_limit(part: PartEdits, before: Limit | None, joint: Joint) -> None:
+def _change_limit(part: PartEdits, old: Joint, new: Joint) -> None:
     path: Path = (("limit", 0),)
-    after = joint.limit
-    if same(before, after):
-        return
+    before, after = old.limit, new.limit
     if before is None or after is None:
-        new = None if after is None else limit_element(after, has_range=joint.type.is_limited)
-        put(part, path, new, was_there=before is not None)
+        if not same(before, after):
+            element = None
+            if after is not None:
+                element = limit_element(after, has_range=new.type.is_limited)
+            put(part, path, element, was_there=before is not None)
         return
+    starts, ends = (
+        each.type.is_limited and not other.type.is_limited
+        for each, other in ((new, old), (old, new))
+    )
     for name, was, value in (
         ("lower", before.lower, after.lower),
         ("upper", before.upper, after.upper),
     ):
-        if joint.type.is_limited:
-            part.set_numbers(path, name, (was,), (value,), (0.0,))
+        limit = part.find(path)
+        is_there = limit is not None and limit.attribute(name) is not None
+        if starts and not is_there:
+            part.set_text(path, name, number(value))
+        elif not new.type.is_limited and value == 0 and (ends or was != 0):
+            # What has no range does not say one.
+            part.drop(path, name)
         else:
-            set_or_drop(part, path, name, (was,), (value,), (0.0,))
+            part.set_numbers(path, name, (was,), (value,), (0.0,))
     part.set_numbers(path, "effort", (before.effort,), (after.effort,))
     part.set_numbers(path, "velocity", (before.velocity,), (after.velocity,))
 
