@@ -100,9 +100,27 @@ class Robot:
         """What it is called."""
         return self.description.name
 
+    @property
+    def shown(self) -> Description:
+        """What there is to see of it: with its macros expanded, where they are."""
+        expanded = None if self.source is None else self.source.expanded
+        return self.description if expanded is None else expanded
+
+    @property
+    def stem(self) -> str:
+        """What its file is called, without its ending."""
+        return self.name if self.source is None else file_stem(self.source.path.name)
+
     def snapshot(self) -> Robot:
         """Return the robot as it is now, untouched by what later statements do to it."""
         return replace(self, links=dict(self.links), joints=dict(self.joints))
+
+
+def file_stem(name: str) -> str:
+    """Return the name of a robot's file without its endings: `rover` of `rover.urdf.xacro`."""
+    for ending in (".xml", ".xacro", ".urdf"):
+        name = name.removesuffix(ending) or name
+    return name
 
 
 class RobotGeneration(NamedTuple):
