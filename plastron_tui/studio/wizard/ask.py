@@ -49,6 +49,7 @@ class Choice:
         about: a line about it.
         closed: why it cannot be taken; "" for one that can.
         label: what is shown in the place of the text.
+        swatch: the colour that it stands for, as `#3060ff`.
     """
 
     text: str
@@ -56,6 +57,7 @@ class Choice:
     about: str = ""
     closed: str = ""
     label: str = ""
+    swatch: str = ""
 
 
 @dataclass(slots=True)
@@ -91,6 +93,11 @@ class Ask:
     def text(self, *kinds: SlotKind) -> str:
         """Return the text in the first slot of some kinds, "" where there is none."""
         cell = self.cell(*kinds)
+        return "" if cell is None else cell.text
+
+    def text_of(self, slot: str) -> str:
+        """Return the text in a slot by its name, "" where it is not filled yet."""
+        cell = self.cells.get(slot)
         return "" if cell is None else cell.text
 
     def parent_text(self, *kinds: SlotKind) -> str:

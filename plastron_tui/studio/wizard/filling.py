@@ -17,6 +17,7 @@ from .definition_rows import fields_text, filled_rows, row_path, row_problems, r
 from .form import NEW, Cell, Cells, Form, excluded_by, laid_out
 from .goals import maker_of
 from .kinds import KINDS
+from .part_rows import FilledPart, filled_parts, part_problems, parts_text, used_paths
 from .program_trial import Finding, Placed, check
 from .values import Entry, Heading, Path, entries_of, input_text
 
@@ -41,6 +42,7 @@ class Filled:
         given: the values of the entries; those that were not entered are suggestions.
         used: the entries that stand in the text, in order.
         rows: by slot, the rows of the fields of a definition.
+        parts: by slot, the rows of one that has several: of a place, of a shape.
         makers: the forms that make what the statement names, to be written before it.
         problems: what is wrong as far as the slots know.
         around: the cells of the form that this one makes something for.
@@ -55,6 +57,7 @@ class Filled:
     given: dict[Path, str] = field(default_factory=dict)
     used: list[Entry] = field(default_factory=list)
     rows: dict[str, list[str]] = field(default_factory=dict)
+    parts: dict[str, list[FilledPart]] = field(default_factory=dict)
     makers: list[Filled] = field(default_factory=list)
     problems: list[Finding] = field(default_factory=list)
 
@@ -68,10 +71,18 @@ class Filled:
     def written(self) -> list[Placed]:
         """The statements in the order of the program."""
         before = [each for maker in self.makers for each in maker.written]
-        slot = self.form.slot_of(SlotKind.NODE, SlotKind.NEW_NODE)
-        node = "" if slot is None else self.cells[slot.name].text
-        rows = {name: filled_rows(each) for name, each in self.rows.items()}
-        return [*before, Placed(self.form, self.text, tuple(self.used), node, rows)]
+        node, robot = self._text(SlotKind.NODE, SlotKind.NEW_NODE), self._text(SlotKind.ROBOT)
+        paths = {
+            slot.name: tuple(row_path(slot, number) for number in filled_rows(rows))
+            for slot in self.form.declaration.slots
+            if (rows := self.rows.get(slot.name)) is not None
+        }
+        paths.update((name, used_paths(each)) for name, each in self.parts.items())
+        return [*before, Placed(self.form, self.text, tuple(self.used), node, paths, robot)]
+
+    def _text(self, *kinds: SlotKind) -> str:
+        slot = self.form.slot_of(*kinds)
+        return "" if slot is None else self.cells[slot.name].text
 
     @property
     def all_problems(self) -> list[Finding]:
@@ -125,6 +136,10 @@ class Filler:
         fixed = kind.fixed(ask)
         if fixed is not None:
             return fixed
+        parts = kind.parts(ask)
+        if parts is not None:
+            filled.parts[slot.name] = filled_parts(slot.name, parts, form.values)
+            return Cell(parts_text(filled.parts[slot.name]))
         if slot.kind.form is Written.VALUES:
             return self._values(filled, ask)
         if slot.kind.form is Written.FIELDS:
@@ -184,6 +199,8 @@ class Filler:
         filled.problems += _clause_problems(filled)
         for slot in form.declaration.slots:
             cell = filled.cells[slot.name]
+            for path, words in part_problems(filled.parts.get(slot.name, ())):
+                filled.problems.append(Finding(form, slot.name, words, path=path))
             if cell.is_new or cell.reason or (slot.name in optional and not cell.text):
                 continue
             ask = self.ask(filled, slot, depth)
@@ -193,7 +210,7 @@ class Filler:
             for number, problem in row_problems(filled.rows.get(slot.name, [])):
                 path = row_path(slot, number)
                 filled.problems.append(Finding(form, slot.name, problem, path=path))
-            if slot.kind.form is Written.VALUES:
+            if slot.kind.form is Written.VALUES and slot.name not in filled.parts:
                 sources = sources_of(ask)
                 for entry in filled.used:
                     problem = sources.problem(entry, filled.given[entry.path])
@@ -221,6 +238,8 @@ class Filler:
 
     def value_choices(self, filled: Filled, slot: Slot, path: Path, query: str) -> list[Choice]:
         """Return what can be taken for a field of the values, or of a definition."""
+        if slot.name in filled.parts:
+            return []
         if slot.kind.form is Written.FIELDS:
             return field_choices(self.ask(filled, slot), query)
         sources = sources_of(self.ask(filled, slot))
@@ -287,7 +306,7 @@ def _clause_problems(filled: Filled) -> Iterator[Finding]:
         slots = [slot.name for slot in clause.slots]
         given = [name for name in slots if cells[name].text]
         for name in slots if given else ():
-            if not cells[name].text:
+            if not cells[name].text and not filled.parts.get(name):
                 words = f"it is needed along with `{given[0]}`: give both, or leave both out"
                 yield Finding(form, name, words)
     passed: list[str] = []

@@ -13,8 +13,9 @@ from plastron_tui.session import Session
 
 from .ask import Choice
 from .context import Scene, Surroundings
+from .extra import Extra
 from .filling import Filled, Filler, filled_of
-from .followers import Extra, chosen, extras_of
+from .followers import chosen, extras_of
 from .form import Form
 from .goals import Aim, aim_of, answering
 from .helps import helps_of

@@ -1,9 +1,8 @@
-"""What else is written along with a new package or a new launch file, where that is wanted."""
+"""What else is written along with what was asked for, where that is wanted."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from typing import NamedTuple
 
 from plastron_tui.diagnostics import listed
 from plastron_tui.language import statements as st
@@ -11,26 +10,14 @@ from plastron_tui.language.declaration import DECLARATIONS, Statement
 from plastron_tui.session import Session
 
 from .context import Scene, free_name, variables_of
+from .extra import Extra
 from .filling import Filled
 from .form import laid_out
 from .program_trial import Placed, check
+from .robot_followers import ABOUT_ROBOTS, robot_extras
 
 _MANY = 4
 """So many names are not listed."""
-
-
-class Extra(NamedTuple):
-    """Statements that follow the one that was asked for.
-
-    Attributes:
-        key: what it is called within the wizard.
-        words: what is offered.
-        lines: the statements.
-    """
-
-    key: str
-    words: str
-    lines: tuple[str, ...]
 
 
 def extras_of(filled: Filled) -> list[Extra]:
@@ -40,7 +27,7 @@ def extras_of(filled: Filled) -> list[Extra]:
         return list(_of_package(filled.scene, filled.cells["variable"].text))
     if declaration is st.CreateLaunch:
         return list(_of_launch(filled.scene, filled.cells["variable"].text))
-    return []
+    return list(robot_extras(filled)) if declaration in ABOUT_ROBOTS else []
 
 
 def _of_package(scene: Scene, package: str) -> Iterator[Extra]:

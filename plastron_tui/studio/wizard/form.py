@@ -9,6 +9,7 @@ from plastron_tui.language import Declaration, Document, Slot, SlotKind, format_
 from plastron_tui.language.declaration import Clause
 from plastron_tui.language.declaration import Form as Written
 from plastron_tui.language.sentence import sentence
+from plastron_tui.language.statements import HasLink
 
 from .values import Path
 
@@ -46,7 +47,9 @@ class Form:
     @property
     def made(self) -> Slot | None:
         """The slot that gives a name to what the statement makes."""
-        return next((slot for slot in self.declaration.slots if slot.kind.makes), None)
+        # The name of a link is not told from that of one which is there.
+        found = self.slot_of(SlotKind.LINK) if self.declaration.type is HasLink else None
+        return found or next((slot for slot in self.declaration.slots if slot.kind.makes), None)
 
     @property
     def optional(self) -> frozenset[str]:

@@ -312,7 +312,8 @@ def _entered(slot: Slot, choice: Choice) -> str:
 def _shown(choice: Choice) -> Content:
     label = choice.label or choice.text
     quiet = "$foreground 60%"
-    parts: list[str | tuple[str, str]] = [(label, "$foreground 50%" if choice.closed else "bold")]
+    parts: list[str | tuple[str, str]] = [("■ ", choice.swatch)] if choice.swatch else []
+    parts.append((label, "$foreground 50%" if choice.closed else "bold"))
     if choice.note:
         parts.append((f"  {choice.note}", quiet))
     if choice.closed:
@@ -328,6 +329,9 @@ def _specs(filled: Filled) -> list[_Spec]:
     optional = filled.form.optional
     for slot in filled.form.declaration.slots:
         cell = filled.cells[slot.name]
+        if slot.name in filled.parts:
+            specs += _part_specs(slot, filled)
+            continue
         if slot.kind.form is Written.VALUES:
             specs += _value_specs(slot, filled)
             continue
@@ -363,6 +367,15 @@ def _value_specs(slot: Slot, filled: Filled) -> list[_Spec]:
         note = str(each.type).rpartition("/")[2]
         specs.append(_Spec(key, slot, each, label, text, note, False, each.default))
     return specs
+
+
+def _part_specs(slot: Slot, filled: Filled) -> list[_Spec]:
+    """Return the rows of a place, or of a shape."""
+    return [
+        _Spec((slot.name, path), slot, None, f"{slot.name} {part.name}", text, part.note, False,
+              part.without)
+        for part, path, text in filled.parts[slot.name]
+    ]  # fmt: skip
 
 
 def _field_specs(slot: Slot, filled: Filled) -> list[_Spec]:

@@ -6,7 +6,7 @@ from enum import Enum
 from typing import NamedTuple
 
 from plastron_tui.language import DECLARATIONS, Declaration, SlotKind
-from plastron_tui.language import statements as _statements  # noqa: F401 - declares the statements
+from plastron_tui.language import statements as st
 
 
 class Aim(Enum):
@@ -19,6 +19,7 @@ class Aim(Enum):
     TYPE = "a type of one's own"
     PACKAGE = "a package"
     LAUNCH = "a launch file"
+    ROBOT = "a robot"
     WRITE = "files"
 
 
@@ -63,11 +64,18 @@ GROUPS = {
         "A launch file starts nodes, each with its names and parameters.",
         "What about launch files?",
     ),
+    Aim.ROBOT: Group(
+        "describe a robot",
+        "robot description (URDF)",
+        "What it is made of and how its parts move: for pictures, simulation and planning.",
+        "What about robots?",
+    ),
 }
 """The aims that have a menu of their own."""
 
 _ABOUT_TYPES = frozenset({SlotKind.TYPE_NAME, SlotKind.NEW_TYPE, SlotKind.OWN_TYPE})
 _ABOUT_PACKAGES = frozenset({SlotKind.NEW_PACKAGE, SlotKind.PACKAGE})
+_ABOUT_ROBOTS = frozenset({SlotKind.NEW_ROBOT, SlotKind.ROBOT})
 _ABOUT_LAUNCHES = frozenset({SlotKind.NEW_LAUNCH, SlotKind.LAUNCH})
 
 
@@ -78,6 +86,8 @@ def aim_of(declaration: Declaration) -> Aim:
         return Aim.TYPE
     if kinds & _ABOUT_PACKAGES:
         return Aim.PACKAGE
+    if kinds & _ABOUT_ROBOTS:
+        return Aim.ROBOT
     if kinds & _ABOUT_LAUNCHES:
         return Aim.LAUNCH
     if declaration.writes_file:
@@ -108,6 +118,8 @@ def _rank(declaration: Declaration) -> tuple[bool, bool]:
 
 def maker_of(kind: SlotKind) -> Declaration | None:
     """Return the statement that makes, from nothing, what fills a kind of slot."""
+    if kind is SlotKind.LINK:
+        return DECLARATIONS[st.HasLink]
     for declaration in DECLARATIONS.values():
         kinds = [slot.kind for slot in declaration.slots]
         if SlotKind.FILE not in kinds and any(each.makes is kind for each in kinds):

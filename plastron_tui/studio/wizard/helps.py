@@ -29,7 +29,9 @@ def helps_of(filled: Filled, ask: Callable[[Slot], Ask]) -> dict[tuple[str, Path
             said[slot.name, None] = explained(ask(slot))
         for number in range(len(filled.rows.get(slot.name, ()))):
             said[slot.name, row_path(slot, number)] = FIELD_HELP
-        if slot.kind.form is Written.VALUES:
+        for part in filled.parts.get(slot.name, ()):
+            said[slot.name, part.path] = slot.help
+        if slot.kind.form is Written.VALUES and slot.name not in filled.parts:
             sources = sources_of(ask(slot))
             for each in filled.entries:
                 if isinstance(each, Entry):

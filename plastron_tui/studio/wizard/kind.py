@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 from plastron_tui.ros.names import NameProblem
 
 from .ask import Ask, Choice
 from .form import Cell
+from .part_rows import Part
 
 OF_THE_LIST = "choose one with ↓"
 """What to do where only what is offered will do."""
@@ -25,6 +28,10 @@ class Kind:
     def choices(self, ask: Ask, query: str) -> list[Choice]:
         """Return what can be taken; `query` is what was written."""
         return []
+
+    def parts(self, ask: Ask) -> Sequence[Part] | None:
+        """Return what each row of the slot is for; None for a slot of one row."""
+        return None
 
     def written(self, ask: Ask, text: str) -> str:
         """Return a text as the program has it, without the quotes of a name."""

@@ -49,8 +49,29 @@ from .package_kinds import (
     PackageKind,
     PackageNameKind,
 )
-from .parameter_kinds import BoundKind, DefaultKind, ParameterKind, ParameterTypeKind, TextKind
+from .parameter_kinds import DefaultKind, ParameterKind, ParameterTypeKind, TextKind
 from .rename_kinds import NamedKind, NewNameKind, OldNameKind
+from .robot_kinds import (
+    JointKind,
+    JointTypeKind,
+    LinkKind,
+    RobotFileKind,
+    RobotKind,
+    RobotNameKind,
+)
+from .robot_value_kinds import (
+    AngleUnitKind,
+    AxisKind,
+    ColorKind,
+    FactorKind,
+    LimitKind,
+    LimitUnitKind,
+    PositionKind,
+    RotationKind,
+    ShapeKind,
+    SizeKind,
+    WeightKind,
+)
 from .sending_kinds import ConditionKind, FlagKind, QosKind, RateKind, TriggerKind
 from .taken_back import nothing_to_take, taken_back
 from .trials import closed_by, first_that_works, trials
@@ -301,7 +322,7 @@ KINDS: Mapping[SlotKind, Kind] = {
     SlotKind.INPUT: InputKind(),
     SlotKind.ANSWER: InputKind(),
     SlotKind.DEFAULT: DefaultKind(),
-    SlotKind.BOUND: BoundKind(),
+    SlotKind.BOUND: LimitKind(),
     SlotKind.RATE: RateKind(),
     SlotKind.ONCE: FlagKind(),
     SlotKind.MANAGED: FlagKind(),
@@ -347,5 +368,22 @@ KINDS: Mapping[SlotKind, Kind] = {
     SlotKind.SETTINGS: SettingsKind(),
     SlotKind.PARAMS_FILE: Kind(),
     SlotKind.INCLUDED: IncludedKind(),
+    SlotKind.ROBOT_NAME: RobotNameKind(),
+    SlotKind.NEW_ROBOT: NewVariableKind(),
+    SlotKind.ROBOT: RobotKind(),
+    SlotKind.ROBOT_FILE: RobotFileKind(),
+    SlotKind.LINK: LinkKind(),
+    SlotKind.JOINT: JointKind(),
+    SlotKind.SHAPE: ShapeKind(),
+    SlotKind.SIZE: SizeKind(),
+    SlotKind.WEIGHT: WeightKind(),
+    SlotKind.COLOR: ColorKind(),
+    SlotKind.POSITION: PositionKind(),
+    SlotKind.ROTATION: RotationKind(),
+    SlotKind.ANGLE_UNIT: AngleUnitKind(),
+    SlotKind.JOINT_TYPE: JointTypeKind(),
+    SlotKind.AXIS: AxisKind(),
+    SlotKind.FACTOR: FactorKind(),
+    SlotKind.LIMIT_UNIT: LimitUnitKind(),
 }
 """What each kind of slot offers."""

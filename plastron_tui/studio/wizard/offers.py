@@ -8,6 +8,7 @@ from plastron_tui.language import Declaration, SlotKind
 
 from .context import Scene
 from .filling import Filled, Filler
+from .followers import chosen, extras_of
 from .form import Form
 from .goals import GROUPS, Aim, declarations_of
 from .menu import RECIPES, Offer
@@ -90,6 +91,10 @@ class Offering:
             first = anew.all_problems[0]
             return "" if _is_for_user(first, declaration) else first.message
         findings = check(scene.session, anew.written).findings
+        if findings:
+            # What follows it may be what it lacks.
+            placed, _ = chosen(scene.session, anew.written, extras_of(anew), {})
+            findings = check(scene.session, placed).findings
         return findings[0].words if findings else ""
 
     def _completes(self, declaration: Declaration, scene: Scene, filled: list[Filled]) -> bool:
@@ -103,7 +108,10 @@ class Offering:
 
 
 _FOR_USERS = frozenset(
-    {SlotKind.TYPE_FILE, SlotKind.PACKAGE_FOLDER, SlotKind.LAUNCH_FILE, SlotKind.INCLUDED}
+    {
+        *(SlotKind.TYPE_FILE, SlotKind.PACKAGE_FOLDER, SlotKind.LAUNCH_FILE, SlotKind.INCLUDED),
+        SlotKind.ROBOT_FILE,
+    }
 )
 """The slots that a user can fill where nothing was found for them: with a path."""
 

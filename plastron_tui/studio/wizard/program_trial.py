@@ -25,15 +25,16 @@ from .values import Entry, Path
 class Placed:
     """A statement for the program: its form (None for one that follows), text, and values.
 
-    `node` is what stands where it names its node, "" where it names none. `rows` has, by slot,
-    the rows of a form that the fields of a definition come from.
+    `node` is what stands where it names its node, "" where it names none, `robot` likewise.
+    `rows` has, by slot, the rows of a form that the parts of what is in it come from.
     """
 
     form: Form | None
     text: str
     entries: tuple[Entry, ...] = ()
     node: str = ""
-    rows: Mapping[str, tuple[int, ...]] = field(default_factory=dict)
+    rows: Mapping[str, tuple[Path, ...]] = field(default_factory=dict)
+    robot: str = ""
 
 
 @dataclass(frozen=True, slots=True)
@@ -94,9 +95,10 @@ def check(session: Session, placed: Sequence[Placed], *, generates: bool = False
     if is_late and declaration is not None and not _generates(placed):
         slot = next(s for s in declaration.slots if s.kind is SlotKind.NODE)
         late = (Placed(None, laid_out(declaration, {slot.name: node or ""})),)
+    robot = next((each.robot for each in reversed(placed) if each.robot), None)
     place = where(
         Ground(session.document, session.program, session.workspace),
-        None if _generates(placed) else node,
+        None if _generates(placed) else node or robot,
         [each.text for each in placed],
         late=[each.text for each in late],
         is_apart=_opens_block(placed),
@@ -129,7 +131,7 @@ def _checked(session: Session, placed: Sequence[Placed], place: Placing) -> Outc
     return Outcome(candidate, (place.edit,), block, findings, place.lines)
 
 
-_BLOCKS = (SlotKind.NEW_NODE, SlotKind.NEW_PACKAGE, SlotKind.NEW_LAUNCH)
+_BLOCKS = (SlotKind.NEW_NODE, SlotKind.NEW_PACKAGE, SlotKind.NEW_LAUNCH, SlotKind.NEW_ROBOT)
 """The slots that name what has a block of statements of its own."""
 
 
@@ -213,9 +215,9 @@ def _finding(diagnostic: Diagnostic, placed: Placed, statement: Statement | None
             continue
         path = None
         paths = [entry.path for entry in placed.entries]
-        if slot.kind.form is Written.FIELDS:
-            paths = [(slot.name, str(number)) for number in placed.rows.get(slot.name, ())]
-        if slot.kind.form in (Written.VALUES, Written.FIELDS):
+        if slot.name in placed.rows:
+            paths = list(placed.rows[slot.name])
+        if slot.kind.form in (Written.VALUES, Written.FIELDS, Written.VECTOR):
             values = [each for each in child.named_children if each.kind_id not in COMMENTS]
             for each, value in zip(paths, values, strict=False):
                 if value.start_byte <= at < value.end_byte:

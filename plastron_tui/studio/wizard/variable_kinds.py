@@ -17,10 +17,14 @@ _NAMES = (
     SlotKind.NODE_OF_FILE,
     SlotKind.PACKAGE_NAME,
     SlotKind.LAUNCH_NAME,
+    SlotKind.ROBOT_NAME,
 )
 """The slots whose text is a name that the variable has as well."""
 
-_PATHS = (SlotKind.FILE, SlotKind.TYPE_FILE, SlotKind.PACKAGE_FOLDER, SlotKind.LAUNCH_FILE)
+_PATHS = (
+    *(SlotKind.FILE, SlotKind.TYPE_FILE, SlotKind.PACKAGE_FOLDER, SlotKind.LAUNCH_FILE),
+    SlotKind.ROBOT_FILE,
+)
 
 _WORDS = {
     SlotKind.NEW_NODE: "node",
@@ -28,10 +32,15 @@ _WORDS = {
     SlotKind.NEW_TYPE: "MyType",
     SlotKind.NEW_PACKAGE: "package",
     SlotKind.NEW_LAUNCH: "bringup",
+    SlotKind.NEW_ROBOT: "robot",
 }
 """What it is called where nothing says it."""
 
-_SUFFIXES = {SlotKind.NEW_PACKAGE: "package", SlotKind.NEW_LAUNCH: "launch"}
+_SUFFIXES = {
+    SlotKind.NEW_PACKAGE: "package",
+    SlotKind.NEW_LAUNCH: "launch",
+    SlotKind.NEW_ROBOT: "robot",
+}
 """What is put behind a name that is taken; behind others comes a number."""
 
 

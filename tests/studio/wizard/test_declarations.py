@@ -12,6 +12,7 @@ from wizard_courses import (
     CHANGE,
     MORE,
     PACKAGED,
+    ROBOTS,
     SEND,
     TWO_NODES,
     applied,
@@ -74,6 +75,8 @@ def test_every_statement_is_built_of_suggestions_alone(
     text = EVERYTHING
     if aim_of(declaration) in (Aim.TYPE, Aim.PACKAGE, Aim.LAUNCH):
         text += PACKAGED
+    if aim_of(declaration) is Aim.ROBOT:
+        text += ROBOTS
     if declaration.undoes is not None:
         # Something is left for each node to do.
         text = text.replace("generate_node", "// generate_node")

@@ -27,6 +27,7 @@ DO = "do a task that takes its time"
 OWN = "make a type of message, service or action"
 PACKAGE = "make it a package"
 TOGETHER = "start several nodes together"
+DESCRIBE = "describe a robot"
 CHANGE = "change a node file that exists"
 
 TWO_NODES = """\
@@ -52,6 +53,20 @@ everything starts listener
 everything includes 'other/sensors.launch.xml'
 """
 """What a program has besides in which there is something of every kind that is no node."""
+
+ROBOTS = """
+create_robot 'rover' as rover
+rover has_link 'base_link'
+rover has_link 'mast' shaped cylinder 0.02, 0.4 weighing 1
+rover has_joint 'mast_joint' of joint_type revolute from 'base_link' to 'mast' with axis 0, 0, 1
+rover limits_joint 'mast_joint' between -90 and 90 deg with effort 10 and velocity 1
+rover has_link 'wheel' shaped cylinder 0.1, 0.04 weighing 1 turned 90, 0, 0 deg
+rover has_joint 'wheel_joint' of joint_type continuous from 'base_link' to 'wheel' with axis 0, 1, 0
+
+create_robot 'plate' as plate
+plate has_link 'base_link'
+"""
+"""Two robots: one with joints, one of a link that can be taken away."""
 
 NODE_FILE = """\
 #!/usr/bin/env python3
@@ -96,8 +111,16 @@ LAUNCH_XML = """\
 """
 
 
+URDF = """\
+<?xml version="1.0"?>
+<robot name="old">
+  <link name="base_link"/>
+</robot>
+"""
+
+
 def put_beside(folder: Path) -> None:
-    """Write what statements can read: a node, a definition, a package and a launch file."""
+    """Write what statements can read: a node, a definition, a package, a launch file, a robot."""
     files = {
         "sonar.py": NODE_FILE,
         "msg/Old.msg": "# how far it is\nfloat64 distance\n",
@@ -105,6 +128,7 @@ def put_beside(folder: Path) -> None:
         "old_robot/setup.py": SETUP_PY,
         "old_robot/old_robot/__init__.py": "",
         "launch/old.launch.xml": LAUNCH_XML,
+        "urdf/old.urdf": URDF,
     }
     for name, text in files.items():
         path = folder / name

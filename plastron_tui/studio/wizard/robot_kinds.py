@@ -1,0 +1,292 @@
+"""Robots: their names and files, their links and joints."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterator, Mapping
+from typing import TYPE_CHECKING
+
+from plastron_tui.language import SlotKind
+from plastron_tui.language import statements as st
+from plastron_tui.ros.robots.description import Description, Joint, JointType
+from plastron_tui.ros.robots.tree import holders, roots
+
+from .ask import Ask, Choice
+from .context import free_name
+from .form import NEW, Cell
+from .goals import maker_of
+from .kind import OF_THE_LIST, Kind
+from .node_files import found_files, path_text
+from .trials import closed_by, first_that_works
+
+if TYPE_CHECKING:
+    from plastron_tui.model.robots import Robot
+
+_NAMES = ("rover", "arm", "robot")
+_SUFFIXES = frozenset({".urdf", ".xacro"})
+_LINK_NAMES = ("base_link", "body")
+JOINT_TYPES: Mapping[str, str] = {
+    "fixed": "does not move: what is screwed on, as a sensor",
+    "revolute": "turns between two angles, as an elbow; it gets limits",
+    "continuous": "turns without end, as a wheel",
+    "prismatic": "slides between two ends, as a drawer; it gets limits",
+    "planar": "slides on a plane, as a puck; few tools take it",
+    "floating": "moves freely, as a boat; few tools take it",
+}
+"""Each joint type for somebody who knows no ROS, those that most robots have first."""
+
+
+class RobotNameKind(Kind):
+    """The name of a new robot."""
+
+    def suggest(self, ask: Ask) -> str:
+        """Return one that no robot has."""
+        robots = ask.scene.workspace.robots.values()
+        taken = {*(each.name for each in robots), *ask.scene.taken}
+        return next((name for name in _NAMES if name not in taken), free_name("robot", taken))
+
+    def problem(self, ask: Ask, text: str) -> str | None:
+        """Tell why a text cannot stand there."""
+        if not text:
+            return "a robot needs a name, such as `rover`"
+        if any(each.name == text for each in ask.scene.workspace.robots.values()):
+            return f"a robot is called `{text}` already: choose another name"
+        return None
+
+
+class RobotFileKind(Kind):
+    """The file of a robot."""
+
+    def suggest(self, ask: Ask) -> str:
+        """Return the first that is not loaded yet."""
+        return next((each.text for each in self.choices(ask, "") if not each.closed), "")
+
+    def choices(self, ask: Ask, query: str) -> list[Choice]:
+        """Return those below the program's folder."""
+        folder = ask.scene.session.folder
+        found = ask.scene.surroundings.once("robots", lambda: found_files(_SUFFIXES, folder))
+        robots = ask.scene.workspace.robots.values()
+        loaded = {each.source.path for each in robots if each.source is not None}
+        return [
+            Choice(path_text(path, folder), closed="it is loaded already" * (path in loaded))
+            for path in found
+        ]
+
+    def problem(self, ask: Ask, text: str) -> str | None:
+        """Tell why a text cannot stand there."""
+        return None if text else "no robot's file is beside the program: write the path of one"
+
+
+class RobotKind(Kind):
+    """A robot of the program."""
+
+    def fixed(self, ask: Ask) -> Cell | None:
+        """Return the robot of the joint that a link is made for."""
+        robot = ask.parent_text(SlotKind.ROBOT)
+        return Cell(robot, "as the joint") if robot else None
+
+    def suggest(self, ask: Ask) -> str:
+        """Return the last one for which the statement makes sense, those not written yet first."""
+        robots = list(reversed(ask.scene.workspace.robots))
+        if ask.form.declaration.writes_file:
+            written = {each.robot.variable for each in ask.scene.workspace.written_robots}
+            robots.sort(key=lambda name: name in written)
+        working = first_that_works(ask, robots)
+        return working or next(iter(robots), NEW if _can_make(ask) else "")
+
+    def choices(self, ask: Ask, query: str) -> list[Choice]:
+        """Return all, the last one first."""
+        robots = ask.scene.workspace.robots
+        found = [Choice(name, _said(robots[name])) for name in reversed(robots)]
+        if _can_make(ask):
+            found.append(Choice(NEW, "", "the next screen asks for its name", label="a new robot"))
+        return found
+
+    def problem(self, ask: Ask, text: str) -> str | None:
+        """Tell why a text cannot stand there."""
+        if not ask.scene.workspace.robots:
+            return "there is no robot yet: describe one first"
+        return None if text in ask.scene.workspace.robots else f"no such robot: {OF_THE_LIST}"
+
+
+def _said(robot: Robot) -> str:
+    return f"'{robot.name}'" if robot.source is None else robot.source.path.name
+
+
+def _can_make(ask: Ask) -> bool:
+    return ask.form.declaration.type in (st.HasLink, st.HasJoint) and bool(maker_of(ask.slot.kind))
+
+
+class LinkKind(Kind):
+    """A link: a new one, one to be changed or taken away, or one that a joint holds or is on."""
+
+    def suggest(self, ask: Ask) -> str:
+        """Return what fits: a free name, a link that nothing holds yet, or the last one."""
+        robot = description_of(ask)
+        if ask.form.declaration.type is st.HasLink:
+            return _new_link_name(robot.links)
+        if ask.form.declaration.type is st.NoLongerHasLink:
+            open_ = [each.text for each in self.choices(ask, "") if not each.closed]
+            return next(reversed(open_), "")
+        joint = _joint_there(ask)
+        if joint is not None:
+            return str(getattr(joint, ask.slot.name))
+        names = _free_children(ask) if ask.slot.name == "child" else parents(robot)
+        return next(iter(names), NEW)
+
+    def choices(self, ask: Ask, query: str) -> list[Choice]:
+        """Return the links of the robot that are meant, and a new one for a joint."""
+        robot = description_of(ask)
+        if ask.form.declaration.type is st.HasLink:
+            return [Choice(name, "change it") for name in _untouched(ask, robot.links)]
+        if ask.form.declaration.type is st.NoLongerHasLink:
+            reasons = closed_by(ask, list(robot.links))
+            return [Choice(name, closed=reasons.get(name, "")) for name in robot.links]
+        new = Choice(NEW, "", "a later screen asks what it is like", label="a new link")
+        held = holders(robot)
+        if ask.slot.name != "child":
+            return [*map(Choice, parents(robot)), new]
+        own = ask.text(SlotKind.JOINT)
+        taken = [each for each in held.values() if each.child != ask.text_of("parent")]
+        return [
+            *(Choice(name, "nothing holds it yet") for name in _free_children(ask)),
+            new,
+            *(
+                Choice(each.child, closed=f"`{each.name}` holds it" * (each.name != own))
+                for each in taken
+            ),
+        ]
+
+    def problem(self, ask: Ask, text: str) -> str | None:
+        """Tell why a text cannot stand there."""
+        robot = description_of(ask)
+        if ask.form.declaration.type is st.HasLink:
+            return None if text else "a link needs a name, such as `base_link`"
+        if text in robot.links:
+            return None
+        if not robot.links:
+            return "the robot has no link yet: give it one first"
+        return f"the robot has no link `{text}`: {OF_THE_LIST}"
+
+
+def _new_link_name(taken: Collection[str]) -> str:
+    free = (name for name in _LINK_NAMES if name not in taken)
+    return next(free, free_name("link", taken))
+
+
+def _child_to_be(ask: Ask) -> str:
+    """Return the link that a joint will hold, as far as that is known before it is asked for."""
+    child = ask.form.entered.get("child") or next(iter(_free_children(ask)), NEW)
+    maker = ask.form.makers.get("child")
+    if child != NEW:
+        return child
+    if maker is not None and "link" in maker.entered:
+        return maker.entered["link"]
+    links = description_of(ask).links
+    # What holds it is made before it, where there is nothing yet.
+    return _new_link_name(links or {_new_link_name(())})
+
+
+def parents(robot: Description) -> list[str]:
+    """Return the links that can hold another one, those that most would take first."""
+    held = holders(robot)
+    # What carries something already, or is carried, belongs to the tree; the newest often does not.
+    carrying = {joint.parent for joint in robot.joints.values()}
+    first = roots(robot)[:1]
+    return sorted(robot.links, key=lambda name: (
+        not robot.links[name].visuals, name not in carrying, name not in held, name not in first,
+    ))  # fmt: skip
+
+
+def _free_children(ask: Ask) -> list[str]:
+    """Return the links that no joint holds: but for the first one, and for the parent."""
+    others = roots(description_of(ask))[1:]
+    return [name for name in others if name != ask.text_of("parent")]
+
+
+class JointKind(Kind):
+    """A joint: a new one, one to be changed, limited or taken away, or one to be followed."""
+
+    def suggest(self, ask: Ask) -> str:
+        """Return a name after the child; of those that there are, the last one that is open."""
+        robot = description_of(ask)
+        if ask.slot.name == "mimicked":
+            return ""
+        if ask.form.declaration.type is st.HasJoint:
+            return free_name(f"{_child_to_be(ask)}_joint", robot.joints)
+        open_ = [each.text for each in self.choices(ask, "") if not each.closed]
+        return next(reversed(open_), "")
+
+    def choices(self, ask: Ask, query: str) -> list[Choice]:
+        """Return the joints of the robot that are meant."""
+        joints = description_of(ask).joints
+        moving = [each for each in joints.values() if each.type.has_axis]
+        if ask.slot.name == "mimicked":
+            own = ask.text(SlotKind.JOINT)
+            return [Choice(each.name, each.type.value) for each in moving if each.name != own]
+        if ask.form.declaration.type is st.HasJoint:
+            return [Choice(name, "change it") for name in _untouched(ask, joints)]
+        names = list(joints)
+        if ask.form.declaration.type is st.LimitsJoint:
+            names = [each.name for each in moving]
+        reasons = closed_by(ask, names)
+        return [Choice(name, joints[name].type.value, closed=reasons.get(name, ""))
+                for name in names]  # fmt: skip
+
+    def problem(self, ask: Ask, text: str) -> str | None:
+        """Tell why a text cannot stand there."""
+        joints = description_of(ask).joints
+        if ask.form.declaration.type is st.HasJoint and ask.slot.name == "joint":
+            return None if text else "a joint needs a name, such as `wheel_joint`"
+        if text in joints:
+            return None
+        if ask.form.declaration.type is st.LimitsJoint and not text:
+            return "the robot has no joint that moves and has no limits yet"
+        if not joints:
+            return "the robot has no joint yet: hold two parts together first"
+        return f"the robot has no joint `{text}`: {OF_THE_LIST}"
+
+
+class JointTypeKind(Kind):
+    """How a joint moves."""
+
+    def suggest(self, ask: Ask) -> str:
+        """Return that of the joint that is changed, or else the one that most joints have."""
+        joint = _joint_there(ask)
+        return JointType.FIXED.value if joint is None else joint.type.value
+
+    def choices(self, ask: Ask, query: str) -> list[Choice]:
+        """Return all."""
+        return [Choice(name, about) for name, about in JOINT_TYPES.items()]
+
+    def problem(self, ask: Ask, text: str) -> str | None:
+        """Tell why a text cannot stand there."""
+        return None if text in JOINT_TYPES else f"no such joint type: {OF_THE_LIST}"
+
+
+def robot_of(ask: Ask) -> Robot | None:
+    """Return the robot that the form is about."""
+    return ask.scene.workspace.robots.get(ask.text(SlotKind.ROBOT))
+
+
+def description_of(ask: Ask) -> Description:
+    """Return what the robot of the form consists of."""
+    robot = robot_of(ask)
+    return Description("") if robot is None else robot.description
+
+
+def joint_of(ask: Ask) -> Joint | None:
+    """Return the joint that the form is about, None for a new one."""
+    return description_of(ask).joints.get(ask.text(SlotKind.JOINT))
+
+
+def _joint_there(ask: Ask) -> Joint | None:
+    """Return the joint that the form changes."""
+    return joint_of(ask) if ask.form.declaration.type is st.HasJoint else None
+
+
+def _untouched(ask: Ask, names: Collection[str]) -> Iterator[str]:
+    """Yield the parts of a loaded robot that the program does not speak of."""
+    robot = robot_of(ask)
+    if robot is not None:
+        spoken = {*robot.links, *robot.joints}
+        yield from (name for name in names if name not in spoken)
