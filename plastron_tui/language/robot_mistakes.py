@@ -63,7 +63,7 @@ def axis(place: Place, found: Diagnostic) -> Diagnostic | None:
     at, text = place.at, place.token.text
     if place.declaration is None or place.declaration.type is not HasJoint:
         return None
-    is_clause = any(token.text == "to" for token in place.tokens[:at])
+    is_clause = any(token.text == "to" for token in place.tokens[: at - 1])
     if text == "axis" and is_clause and place.text(at - 1) != "with":
         return mended(found, "`axis` has the word `with` before it", place.token.span, "with axis")
     if place.wanted is not SlotKind.AXIS:

@@ -97,7 +97,8 @@ class SentenceErrors:
             if token.text in match.passed:
                 return self._no_more(token)
             clause = nearest(token.text, match.following)
-            if token.kind in WORD_KINDS and clause is not None:
+            # The word itself stands in a bracket that is not closed.
+            if token.kind in WORD_KINDS and clause not in (None, token.text):
                 return self._not_the_word(clause, token)
         return None
 
@@ -199,7 +200,8 @@ class SentenceErrors:
             if token is None or not (token.text == "," if at % 2 else token.kind == "number"):
                 return self._expected(wanted, token)
         beyond = token_at(tokens, len(_VECTOR_PARTS) + 1)
-        if beyond is None or beyond.kind in BEHIND_NUMBERS:
+        is_last = len(tokens) == len(_VECTOR_PARTS) + 2
+        if beyond is None or (is_last and beyond.kind in BEHIND_NUMBERS):
             return None
         return self._error(f"three numbers are enough, without `{shown(beyond.text)}`", beyond.span)
 
