@@ -31,6 +31,7 @@ from plastron_tui.ros.robots.description import (
 from plastron_tui.ros.robots.inertia import tensor_of
 from plastron_tui.ros.robots.joint_changes import changed_joint
 
+HERE = Pose()
 UP: Vector = (0.0, 0.0, 1.0)
 QUARTER: Vector = (pi / 2, 0.0, 0.0)
 BOX = Box((0.4, 0.3, 0.1))
@@ -63,7 +64,7 @@ def close(one: Inertial | None, other: Inertial) -> bool:
     )
 
 
-def link(shape: Shape | None = BOX, pose: Pose = Pose(), inertial: Inertial | None = None) -> Link:
+def link(shape: Shape | None = BOX, pose: Pose = HERE, inertial: Inertial | None = None) -> Link:
     body = Body(shape, pose)
     return Link("a", (body._replace(material=BLUE),), (body,), inertial)
 
@@ -107,7 +108,11 @@ def test_what_is_told_of_a_new_link(values: LinkValues, notes: object) -> None:
             {"shape": OTHER},
             link(OTHER, Pose(UP), Inertial(5.0, tensor(OTHER, 5.0), Pose(UP))),
         ),
-        (WHOLE, {"position": (1.0, 2.0, 3.0)}, new_link("a", LinkValues(BOX, 5.0, BLUE, (1.0, 2.0, 3.0)), size_of).link),
+        (
+            WHOLE,
+            {"position": (1.0, 2.0, 3.0)},
+            new_link("a", LinkValues(BOX, 5.0, BLUE, (1.0, 2.0, 3.0)), size_of).link,
+        ),
         (
             WHOLE,
             {"rotation": QUARTER},
@@ -141,7 +146,11 @@ def test_what_is_told_of_a_new_link(values: LinkValues, notes: object) -> None:
             Link("a", (Body(OTHER, material=RED),)),
         ),
         (Link("a", (), (Body(BOX),)), {"shape": OTHER}, Link("a", (), (Body(OTHER),))),
-        (Link("a", inertial=Inertial(1.0, ODD)), {"mass": 1.0}, Link("a", inertial=Inertial(1.0, ODD))),
+        (
+            Link("a", inertial=Inertial(1.0, ODD)),
+            {"mass": 1.0},
+            Link("a", inertial=Inertial(1.0, ODD)),
+        ),
         # A name, a material and a turn that are not spoken of stay.
         (
             Link("a", (Body(BOX, Pose(UP, QUARTER), BLUE, "shell"),)),
@@ -155,7 +164,7 @@ def test_what_is_told_of_a_new_link(values: LinkValues, notes: object) -> None:
             Link("a", (Body(BOX, material=RED), Body(OTHER, material=RED))),
         ),
     ],
-)  # fmt: skip
+)
 def test_what_is_said_changes(before: Link, said: dict[str, object], after: Link) -> None:
     found, notes = change(before, **said)
     assert notes == ()
