@@ -215,6 +215,7 @@ class Session:
         from plastron_tui.model.context import Setting
         from plastron_tui.project.definition_reader import DefinitionReader
         from plastron_tui.project.launch_reader import LaunchReader
+        from plastron_tui.project.mesh_sizes import MeshSizes
         from plastron_tui.project.named_texts import NamedTexts
         from plastron_tui.project.package_reader import PackageReader
         from plastron_tui.project.parameter_reader import ParameterReader
@@ -224,6 +225,7 @@ class Session:
         program = self._name, self.document.text
         texts = NamedTexts(self.folder, self.boundary, *program, self._files.manifest)
         expander = RobotExpander(self.boundary, self._environ, self._files.expansions)
+        meshes = MeshSizes(self.folder, self.boundary, self._environ, self._files.meshes)
         return Setting(
             self.library,
             LIBRARIES,
@@ -235,7 +237,8 @@ class Session:
             PackageReader(self.folder, self.boundary, self._files.packages),
             LaunchReader(texts),
             ParameterReader(self.folder, self.boundary),
-            RobotReader(texts, expander),
+            RobotReader(texts, expander, meshes.add_folder),
+            meshes,
         )
 
     @property

@@ -19,6 +19,7 @@ from plastron_tui.model.workspace import Generation
 from plastron_tui.output.own_files import MANIFEST, is_own_name, settled
 from plastron_tui.regular_files import Stamp, read_regular, reason, stamp_of
 
+from .mesh_sizes import KnownMeshes
 from .missing_files import missing
 
 if TYPE_CHECKING:
@@ -55,6 +56,7 @@ class FilesRead:
         problems: what was found of writes to a folder that were interrupted.
         packages: what was read of packages.
         expansions: what the macros of robots made of their files.
+        meshes: how large meshes are.
     """
 
     nodes: dict[Path, tuple[Stamps, Loaded]] = field(default_factory=dict)
@@ -63,6 +65,7 @@ class FilesRead:
     problems: dict[Path, tuple[Diagnostic, ...]] = field(default_factory=dict)
     packages: KnownPackages = field(default_factory=dict)
     expansions: KnownExpansions = field(default_factory=dict)
+    meshes: KnownMeshes = field(default_factory=KnownMeshes)
 
     def settle(self, folder: Path) -> None:
         """Finish what a process that was killed had begun to write to a folder."""
