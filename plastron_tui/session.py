@@ -239,6 +239,7 @@ class Session:
             ParameterReader(self.folder, self.boundary),
             RobotReader(texts, expander, meshes.add_folder),
             meshes,
+            meshes.problem,
         )
 
     @property
