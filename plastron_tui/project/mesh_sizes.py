@@ -4,18 +4,20 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
+from itertools import islice
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from plastron_tui.regular_files import Stamp, stamp_of
+from plastron_tui.ros.robots.description import Description, Mesh, Vector
 
 if TYPE_CHECKING:
     from plastron_tui.boundary import Boundary
-    from plastron_tui.ros.robots.description import Vector
     from plastron_tui.runtime.meshes import Bounds
     from plastron_tui.sources.urdf.reach import Place, Reach
 
 _MOST = 2_000
+_MOST_DRAWN = 200
 _MOST_FOLDERS = 16
 
 
@@ -74,6 +76,16 @@ class MeshSizes:
         """Return the corners of meshes, as far as they are known; at once, as that is quicker."""
         measured = self._measured(list(dict.fromkeys(uris)))
         return {uri: (x.least, x.most) for uri, x in measured.items() if not x.reason}
+
+    def corners(self, robot: Description) -> dict[str, tuple[Vector, Vector]]:
+        """Return the lowest and the highest corners of a robot's meshes, as far as known."""
+        shapes = (
+            body.shape
+            for link in robot.links.values()
+            for body in (*link.visuals, *link.collisions)
+        )
+        uris = dict.fromkeys(each.uri for each in shapes if isinstance(each, Mesh))
+        return self.bounds_of(islice(uris, _MOST_DRAWN))
 
     def problem(self, uri: str) -> tuple[str, str | None]:
         """Say why nobody knows how large a mesh is, "" where that is known, and what to do."""

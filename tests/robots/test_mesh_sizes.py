@@ -151,7 +151,16 @@ def test_a_mesh_that_ends_the_process_takes_no_other_with_it(
 
 @pytest.mark.parametrize(
     "answer",
-    [b"", b"\xff", b"{}", b"[1]", b"[]", b'[{"bounds": [[0, 0], [1]]}]', b"[" * 100_000, b"[{}, {}]"],
+    [
+        b"",
+        b"\xff",
+        b"{}",
+        b"[1]",
+        b"[]",
+        b'[{"bounds": [[0, 0], [1]]}]',
+        b"[" * 100_000,
+        b"[{}, {}]",
+    ],
 )
 def test_what_a_process_answers_is_not_believed(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, answer: bytes
