@@ -48,6 +48,7 @@ def test_json_has_what_the_file_says(run: Run, here: Path) -> None:
     assert joint["parent"] == "base"
     assert joint["limit"]["upper"] == 0.5
     assert "mimic" not in joint
+    assert found["faults"] == []
 
 
 def test_a_program_describes_the_same(run: Run, here: Path) -> None:
@@ -58,21 +59,32 @@ def test_a_program_describes_the_same(run: Run, here: Path) -> None:
 
 
 @pytest.mark.parametrize(
-    ("text", "told"),
+    ("text", "status", "told"),
     [
-        ("<robot name='a'>", b"error"),
-        ("<sdf/>", b"error"),
-        ("", b"error"),
-        ('<robot name="a"><link name="b"/><link name="b"/></robot>', b"`b`"),
-        ('<robot name="a"><link name="b"/><link name="c"/></robot>', b"`c`"),
-        (ARM.replace('<child link="upper"/>', '<child link="uper"/>'), b"`uper`"),
+        ("<robot name='a'>", 1, b"broken-xml"),
+        ("<sdf/>", 1, b"broken-urdf"),
+        ("", 1, b"error"),
+        ('<robot name="a"><link name="b"/><link name="b"/></robot>', 1, b"`b`"),
+        # What is wrong with the whole can be changed by a program that loads it.
+        ('<robot name="a"><link name="b"/><link name="c"/></robot>', 0, b"no-tree"),
+        (ARM.replace('<child link="upper"/>', '<child link="uper"/>'), 0, b"`uper`"),
     ],
 )
-def test_what_is_wrong_is_told(run: Run, here: Path, text: str, told: bytes) -> None:
+def test_what_is_wrong_is_told(run: Run, here: Path, text: str, status: int, told: bytes) -> None:
     (here / "arm.urdf").write_text(text)
     done = run("inspect", "arm.urdf")
-    assert done.returncode == 1
+    assert done.returncode == status, done.stderr
     assert told in done.stderr
+
+
+def test_json_has_what_is_wrong(run: Run, here: Path) -> None:
+    text = '<robot name="a">\n  <link name="b"/>\n  <link name="c"/>\n</robot>\n'
+    (here / "arm.urdf").write_text(text)
+    found = json.loads(run("inspect", "-f", "json", "arm.urdf").stdout)
+    [fault] = found["faults"]
+    assert (fault["code"], fault["file"]) == ("no-tree", "arm.urdf")
+    assert fault["range"]["start"]["line"] == 3
+    assert found["root"] is None
 
 
 def test_names_reach_no_terminal_raw(run: Run, here: Path) -> None:
