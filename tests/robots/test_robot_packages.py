@@ -271,3 +271,25 @@ def test_humble_has_no_words_for_the_content_of_a_file(tmp_path: Path) -> None:
     package = made(ROBOT.format(type="fixed") + PACKAGE + END, tmp_path, "rclpy")
     text = (package / "launch/rover.launch.xml").read_text()
     assert "$(command 'cat $(find-pkg-share rover_demo)/urdf/rover.urdf')" in text
+
+
+@pytest.mark.parametrize(
+    ("inside", "library", "file"),
+    [
+        ("demo contains rover\n", "rospy", "rover_demo/rover.launch"),
+        ("demo contains rover\n", "rclpy", "rover_demo/rover.launch.xml"),
+        ("", "rclpy", "PACKAGE/rover.launch.xml"),
+    ],
+)
+def test_a_robot_is_started_by_what_its_package_has(
+    inside: str, library: str, file: str, tmp_path: Path
+) -> None:
+    program = ROBOT.format(type="fixed") + PACKAGE + inside
+    program += "create_launch 'bringup' as bringup\n"
+    [told] = run(f"{program}bringup starts rover\n", tmp_path, library)
+    assert told.code == "unknown-node"
+    assert told.help is not None
+    assert f"`includes '{file}'`" in told.help
+    if inside:
+        write = "demo contains bringup\ngenerate_package demo\n"
+        assert run(f"{program}bringup includes '{file}'\n{write}", tmp_path, library) == ()
