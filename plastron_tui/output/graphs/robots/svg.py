@@ -45,7 +45,8 @@ def robot_svg(shown: GraphRobot) -> SvgRobot:
     """Return the picture of a robot."""
     robot = shown.description
     scene = scene_of(robot, shown.meshes.get)
-    tree, views = tree_svg(robot, scene), views_svg(scene)
+    tree = tree_svg(robot, scene)
+    views = views_svg(scene, tree.height + _HEAD)
     title = robot_title(shown)
     head = drawable(title)
     lines = (

@@ -23,8 +23,11 @@ from .views import FRONT, SIDE, TOP, Frame, Point
 _PAD_X, _PAD_Y = 78.0, 40.0
 """Room around each view, for names."""
 
-_SMALL, _MIDDLE, _LARGE = (440.0, 380.0), (720.0, 620.0), (1000.0, 860.0)
-"""How wide and high the bodies in all views are together, with few, more and many joints."""
+_SMALL, _MIDDLE, _LARGE = 380.0, 620.0, 860.0
+"""How high the bodies in all views are together, with few, more and many joints."""
+
+_WIDE = 1.16
+"""How much wider than high they may be."""
 
 _FEW, _MANY = 10, 40
 _AXIS, _HEAD = 30.0, 7.0
@@ -56,14 +59,20 @@ class SvgViews(NamedTuple):
     height: float
 
 
-def views_svg(scene: Scene) -> SvgViews:
-    """Return the views of a robot from above, from its right side, and from its front."""
+def views_svg(scene: Scene, beside: float) -> SvgViews:
+    """Return the views of a robot from above, from its right side, and from its front.
+
+    Args:
+        scene: what is drawn.
+        beside: how high what stands beside it is: up to that there is room.
+    """
     top, side, front = sides = seen_from_all(scene)
     assert (top.view, side.view, front.view) == (TOP, SIDE, FRONT)
     moving = [axis for axis in scene.axes if axis.type is not JointType.FIXED]
-    width, height = _SMALL if len(moving) <= _FEW else _MIDDLE if len(moving) <= _MANY else _LARGE
+    height = _SMALL if len(moving) <= _FEW else _MIDDLE if len(moving) <= _MANY else _LARGE
+    height = max(height, min(beside - 4 * _PAD_Y, _LARGE))
     scale = min(
-        width / (side.frame.width + front.frame.width),
+        height * _WIDE / (side.frame.width + front.frame.width),
         height / (top.frame.height + side.frame.height),
     )
     left = max(side.frame.width * scale + 2 * _PAD_X, _NARROWEST)
@@ -101,8 +110,8 @@ def _notes(scene: Scene, unnamed: int, left: float, scale: float) -> Iterator[st
     notes = ["third-angle projection, all joints at 0"]
     if any(solid.shape is None for solid in scene.solids):
         notes.append("a diamond is a mesh whose size is not known")
-    if any(solid.is_bounds for solid in scene.solids):
-        notes.append("a dashed box is the box around a mesh")
+    if any(solid.is_rough for solid in scene.solids):
+        notes.append("dashed is the box around a mesh, or what collides")
     if unnamed:
         one = "name stands" if unnamed == 1 else "names stand"
         notes.append(f"{unnamed} more {one} in the tree")
@@ -147,6 +156,9 @@ class _View:
         head = f"{view.name}, {across} to the right, {up} up"
         self._sheet.keep(Frame(0.0, 0.0, 8 + text_width(head, SIZE), 18.0))
         yield text("said", 4, 13, head)
+        for bone in self._scene.bones:
+            ends = [self._pixel(view.point(end)) for end in bone]
+            yield f'<path class="bone" d="M{"L".join(map(_xy, ends))}"/>'
         for outline in self._seen.outlines:
             yield from self._body(outline)
         yield from self._triad()
@@ -170,7 +182,7 @@ class _View:
                 f"<title>{escaped(solid.link)}</title></path>"
             )
             return
-        kind, opacity = "body box" if solid.is_bounds else "body", ""
+        kind, opacity = "body box" if solid.is_rough else "body", ""
         if solid.rgba is not None and solid.rgba[3] < 1:
             opacity = f' style="opacity:{max(solid.rgba[3], _CLEAREST) * OPACITY:.2f}"'
         yield f'<g class="{kind}"{opacity}><title>{escaped(solid.link)}</title>'
