@@ -176,7 +176,7 @@ def _expected(
         keywords = VERBS
     elif slot is not None and slot.kind.form in (Form.VALUE, Form.VALUES):
         values, is_over = _place_in_values(before[match.end :], word)
-        is_first = len(before) == match.end and slot.kind.form is Form.VALUES
+        is_first = len(before) == match.end and slot.kind.may_be_none
         keywords = keywords if is_over else ("none",) if is_first and not values.is_text else ()
     elif slot is not None and slot.kind.form is Form.FIELDS and not written:
         keywords = ("none",)
