@@ -80,7 +80,9 @@ def _rows_a_column(count: int, width: float) -> int:
     if count <= _FEW:
         return _FEW
     # count / rows columns of `width` are `_SHAPE` times as wide as rows are high
-    return max(_FEW, ceil(sqrt(count * (width + _COLUMN_GAP) / (_SHAPE * _ROW))))
+    most = max(_FEW, ceil(sqrt(count * (width + _COLUMN_GAP) / (_SHAPE * _ROW))))
+    # The columns are about as long as each other.
+    return ceil(count / ceil(count / most))
 
 
 def _texts(robot: Description, row: TreeRow) -> tuple[list[_Line], list[_Line]]:
