@@ -50,6 +50,7 @@ class RobotPanel(Container):
     def __init__(self, *, id: str | None = None) -> None:  # noqa: A002 - Textual's word
         super().__init__(id=id)
         self._robot: str | None = None
+        self._is_awaited = False
         self.parts = ProgramPanel(id="robot-tree")
         self.picture = TextView(id="robot-picture")
 
@@ -60,8 +61,15 @@ class RobotPanel(Container):
 
     def focus(self, scroll_visible: bool = True) -> Self:
         """Give the tree the focus."""
-        self.parts.focus(scroll_visible)
+        self._is_awaited = not self.parts.is_attached
+        if not self._is_awaited:
+            self.parts.focus(scroll_visible)
         return self
+
+    def on_mount(self) -> None:
+        """Give the tree the focus that somebody wanted for it before it was there."""
+        if self._is_awaited:
+            self.focus()
 
     @property
     def _room(self) -> tuple[int, int]:
