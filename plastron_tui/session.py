@@ -215,9 +215,15 @@ class Session:
         from plastron_tui.model.context import Setting
         from plastron_tui.project.definition_reader import DefinitionReader
         from plastron_tui.project.launch_reader import LaunchReader
+        from plastron_tui.project.named_texts import NamedTexts
         from plastron_tui.project.package_reader import PackageReader
         from plastron_tui.project.parameter_reader import ParameterReader
+        from plastron_tui.project.robot_expansion import RobotExpander
+        from plastron_tui.project.robot_reader import RobotReader
 
+        program = self._name, self.document.text
+        texts = NamedTexts(self.folder, self.boundary, *program, self._files.manifest)
+        expander = RobotExpander(self.boundary, self._environ, self._files.expansions)
         return Setting(
             self.library,
             LIBRARIES,
@@ -227,14 +233,9 @@ class Session:
             "" if self.path is None else self.path.stem,
             DefinitionReader(self.folder, self.boundary),
             PackageReader(self.folder, self.boundary, self._files.packages),
-            LaunchReader(
-                self.folder,
-                self.boundary,
-                self._name,
-                self.document.text,
-                self._files.manifest,
-            ),
+            LaunchReader(texts),
             ParameterReader(self.folder, self.boundary),
+            RobotReader(texts, expander),
         )
 
     @property

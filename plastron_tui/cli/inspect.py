@@ -17,23 +17,30 @@ from plastron_tui.regular_files import read_named, reason
 from plastron_tui.targets import ros_version
 
 from .common import Report, finish, format_option, print_text
+from .inspect_robot import ROBOT_SUFFIXES, show_robot
 from .other_files import other_file
 
 
 @click.command(epilog="Example: plastron inspect --format plastron scripts/driver.py")
 @click.argument(
-    "files", nargs=-1, required=True, metavar="NODE_FILE...", type=click.Path(path_type=Path)
+    "files", nargs=-1, required=True, metavar="FILE...", type=click.Path(path_type=Path)
 )
 @format_option("text", "json", "plastron")
 def command(files: tuple[Path, ...], format_: str) -> None:
-    """Show what node files hold: their nodes, topics, services and types.
+    """Show what files hold: of nodes their topics, services and types, of robots links and joints.
 
     As JSON, one file gives one object, and several give an object a line. As a program, what a
     statement can say becomes a statement, and the rest a comment.
     """
     report = Report()
     for file in files:
-        source = _read(file, report)
+        text = _text(file, report)
+        if text is None:
+            continue
+        if file.suffix in ROBOT_SUFFIXES:
+            show_robot(file, text, format_, report, is_one=len(files) == 1)
+            continue
+        source = _read(file, text, report)
         if source is None:
             continue
         if format_ == "json":
@@ -45,14 +52,17 @@ def command(files: tuple[Path, ...], format_: str) -> None:
     finish(report)
 
 
-def _read(file: Path, report: Report) -> SourceUnit | None:
+def _text(file: Path, report: Report) -> bytes | None:
     report.add(settled(file.parent), lambda _: None)
     try:
-        text = read_named(file, LARGEST_FILE)
+        return read_named(file, LARGEST_FILE)
     except (OSError, ValueError) as error:
         message = f"`{file.name or file}` cannot be read: {reason(error)}"
         report.unreadable([_unreadable(file, message)])
         return None
+
+
+def _read(file: Path, text: bytes, report: Report) -> SourceUnit | None:
     if file.suffix == ".plastron":
         report.add([_program(file)], lambda _: None)
         return None

@@ -132,7 +132,9 @@ def _prepare(
         return []
     made = session.generated()
     chosen = [generated for generated in made if _is_chosen(generated, names)]
-    launches = [each.name for each in session.workspace.launches.values()]
+    workspace = session.workspace
+    launches = [each.name for each in workspace.launches.values()]
+    launches += [each.stem for each in workspace.robots.values() if each.home]
     unknown = _unknown_names(made, (*names, *setup.nodes), launches)
     if not unknown:
         setup = _checked(session, setup, chosen, report)
@@ -167,10 +169,11 @@ def _prepare(
 
 def _hint(session: Session) -> None:
     """Say how a launch file of the program is started: nodes alone do not need it."""
-    for launch in session.workspace.launches.values():
-        if session.path is not None:
-            _tell(f"`plastron run {session.path.name} {launch.name}` starts the launch file")
-        return
+    workspace = session.workspace
+    names = [each.name for each in workspace.launches.values()]
+    names += [each.stem for each in workspace.robots.values() if each.home]
+    if names and session.path is not None:
+        _tell(f"`plastron run {session.path.name} {names[0]}` starts the launch file")
 
 
 def _is_chosen(generated: Generated, names: Sequence[str]) -> bool:
@@ -188,7 +191,8 @@ def _unknown_names(
     }
     if not made:
         message = "the program generates no node, so there is nothing to run"
-        return [Diagnostic(codes.NOTHING_TO_GENERATE, message)]
+        help_ = f"`{launches[0]}` starts its launch file: name it" if launches else None
+        return [Diagnostic(codes.NOTHING_TO_GENERATE, message, help=help_)]
     return unknown_nodes(dict.fromkeys(names), known, "generates", launches)
 
 

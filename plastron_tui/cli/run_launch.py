@@ -11,35 +11,44 @@ import click
 
 from plastron_tui.diagnostics import Diagnostic, codes
 from plastron_tui.diagnostics.terminal import drawn_on, visible
+from plastron_tui.model.launches import Launch
 
 from .common import Report, finish
 from .run_options import refuse
 
 if TYPE_CHECKING:
     from plastron_tui.diagnostics import LineIndex
-    from plastron_tui.model.launches import Launch
+    from plastron_tui.model.robots import Robot
     from plastron_tui.output.plan import FilePlan
     from plastron_tui.runtime.launch import Options
     from plastron_tui.session import Session
     from plastron_tui.sources.launch.xml_reader import LaunchRead
 
 
-def find_launch(session: Session, names: Sequence[str]) -> Launch | None:
-    """Return the launch file of a program that is named, None where the names are of nodes.
+def find_launch(session: Session, names: Sequence[str]) -> Launch | Robot | None:
+    """Return what is started by a launch file and is named, None where the names are of nodes.
 
-    A node goes before a launch file of its name.
+    That is a launch file of the program, or a robot in a package, which has one. A node goes
+    before a launch file of its name.
     """
     workspace = session.workspace
     nodes = {word for each in workspace.nodes.values() for word in (each.name, each.variable)}
-    for launch in workspace.launches.values():
-        if any(name in (launch.name, launch.variable) and name not in nodes for name in names):
-            return launch
+    robots = [each for each in workspace.robots.values() if each.home]
+    items: list[Launch | Robot] = [*workspace.launches.values(), *robots]
+    for item in items:
+        if any(name in (_stem(item), item.variable) and name not in nodes for name in names):
+            return item
     return None
+
+
+def _stem(item: Launch | Robot) -> str:
+    """Return what a launch file is called, without its ending."""
+    return item.name if isinstance(item, Launch) else item.stem
 
 
 def run_launch_of(
     session: Session,
-    launch: Launch,
+    launch: Launch | Robot,
     names: Sequence[str],
     options: Options,
     others: Sequence[str],
@@ -57,11 +66,12 @@ def run_launch_of(
     """
     from .generate import show_plan, write_plan
 
-    rest = [each for each in names if each not in (launch.name, launch.variable)]
+    stem = _stem(launch)
+    rest = [each for each in names if each not in (stem, launch.variable)]
     words = [each for each in rest if ":=" in each[1:]]
     if len(words) < len(rest):
         other = next(each for each in rest if each not in words)
-        refuse(f"`{launch.name}` is a launch file, and is started without `{other}`")
+        refuse(f"`{stem}` is a launch file, and is started without `{other}`")
     refuse(_wrong_usage(words, others))
     report.add(session.diagnostics, session.lines, session.path)
     if not report.status:
@@ -69,8 +79,10 @@ def run_launch_of(
         report.add(diagnostics, session.lines, session.path)
         file = _written(session, launch, plan)
         if not report.status and file is None:
-            message = f"the program does not write `{launch.name}`"
-            remedy = f"add `generate_launch {launch.variable}`, or generate the package that has it"
+            message = f"the program does not write `{stem}`"
+            remedy = "generate the package that has it"
+            if isinstance(launch, Launch):
+                remedy = f"add `generate_launch {launch.variable}`, or {remedy}"
             found = Diagnostic(codes.NOTHING_TO_GENERATE, message, launch.span, help=remedy)
             report.add([found], session.lines, session.path)
         if not report.status and file is not None:
@@ -81,12 +93,12 @@ def run_launch_of(
     finish(report)
 
 
-def _written(session: Session, launch: Launch, plan: FilePlan) -> Path | None:
+def _written(session: Session, launch: Launch | Robot, plan: FilePlan) -> Path | None:
     """Return where a program writes a launch file, None where it does not."""
-    if launch.source is not None:
+    if isinstance(launch, Launch) and launch.source is not None:
         files = {launch.source.path.name}
     else:
-        files = {f"{launch.name}{ending}" for ending in (".launch.xml", ".launch.py", ".launch")}
+        files = {f"{_stem(launch)}{ending}" for ending in (".launch.xml", ".launch.py", ".launch")}
     packages = session.workspace.packages.values()
     homes = {each.name for each in packages if launch.variable in each.contents}
     found = [each for each in plan.files if PurePath(each.name).name in files]

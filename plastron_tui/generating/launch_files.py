@@ -2,16 +2,12 @@
 
 from __future__ import annotations
 
-import os
 from collections.abc import Iterator
 from dataclasses import replace
-from pathlib import Path
 from typing import TYPE_CHECKING, NamedTuple
 
 from plastron_tui.diagnostics import Diagnostic
 from plastron_tui.model.launches import Launch, LaunchSource
-from plastron_tui.model.package_source import PackageSource
-from plastron_tui.model.packages import Package
 from plastron_tui.output.plan import OutputFile
 from plastron_tui.ros.launch import Argument, Include, StartedNode, items_of
 from plastron_tui.ros.launch_text import Kind, Substitution
@@ -21,10 +17,9 @@ from plastron_tui.targets.launch.program import ExecutableName, FindExecutable, 
 from plastron_tui.targets.packages.spec import PackageFile
 
 from .destination import Writing
-from .file_names import is_same_path
 from .launch_layers import LAUNCH_FORM
-from .text_files import Folder, text_files
-from .text_layers import Version, in_place
+from .text_files import Folder
+from .text_layers import changed_file
 
 if TYPE_CHECKING:
     from plastron_tui.model.workspace import Node
@@ -83,41 +78,11 @@ def launch_output(
     """
     source = launch.source
     assert source is not None, "the launch file was loaded"
-    name, file = named
-    if not writing.in_place and not is_same_path(folder.output / name, source.path):
-        (output,), notes = text_files({name: file}, folder)
-        return output, tuple(notes)
-    version = Version(source.text, file.text)
-    pure = _without_handwork(launch, source, find) or version
-    return in_place(source, version, pure, writing, LAUNCH_FORM)
 
+    def remade(original: bytes) -> bytes | None:
+        return edited_launch(replace(launch, source=source._replace(text=original)), find).text
 
-def _without_handwork(launch: Launch, source: LaunchSource, find: FindExecutable) -> Version | None:
-    """Return what a program makes of the text that it first started from, None where it cannot."""
-    if source.origin is None:
-        return None
-    original = source.origin.original
-    edited = edited_launch(replace(launch, source=source._replace(text=original)), find)
-    return None if edited.text is None else Version(original, edited.text)
-
-
-def is_within(package: Package, launch: Launch) -> bool:
-    """Tell whether a loaded launch file is one of a loaded package's own files."""
-    return package.source is not None and _inner(package.source, launch) is not None
-
-
-def name_within(package: Package, launch: Launch) -> str:
-    """Return what such a file is called in the output folder."""
-    assert package.source is not None
-    return f"{package.name}/{_inner(package.source, launch)}"
-
-
-def _inner(package: PackageSource, launch: Launch) -> str | None:
-    if launch.source is None:
-        return None
-    path = Path(os.path.realpath(launch.source.path))
-    folder = Path(os.path.realpath(package.folder))
-    return path.relative_to(folder).as_posix() if path.is_relative_to(folder) else None
+    return changed_file(source, named, remade, folder, writing, LAUNCH_FORM)
 
 
 def packages_of(source: LaunchSource) -> Iterator[str]:

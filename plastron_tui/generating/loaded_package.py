@@ -6,7 +6,6 @@ already is not added again, and what is not there is not taken out. So no layers
 
 from __future__ import annotations
 
-import os
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from pathlib import Path, PurePath
@@ -33,17 +32,18 @@ from plastron_tui.sources.packages import (
     staying,
 )
 from plastron_tui.targets.packages.dependencies import needs_of_definitions
+from plastron_tui.targets.packages.rendering import URDF_FOLDER
 from plastron_tui.targets.packages.spec import PackagedLaunch, PackageSpec
 
 from .built_in_place import Memory, loaded_from, remember, remembered, with_needs
-from .launch_files import is_within, name_within
+from .loaded_memory import DEPENDS, FOUND, INSTALLED, TAGS, FileMemory
 from .loaded_needs import known_packages, needs_in
 from .loaded_nodes import with_node
 from .loaded_notes import file_stays, script_elsewhere
 from .own_definitions import own_definitions
+from .package_parts import PackagedRobot, Parts, is_within, name_within
 from .package_spec import packaged_node
 from .renamed_nodes import renamed_nodes
-from .text_files import entry_of
 
 if TYPE_CHECKING:
     from plastron_tui.model.own_types import OwnType
@@ -55,22 +55,9 @@ if TYPE_CHECKING:
     from .generation import Generated
 
 
-_DEPENDS = "depends"
-"""The dependencies that came with a node's file, as the manifest remembers them."""
-
-
-_TAGS = "tags"
-"""The elements of package.xml that came with a node's file, by dependency."""
-
-_FOUND = "found"
-"""The packages that the build finds since a node's file came."""
-
-_INSTALLED = "installed"
-"""Whether it was with a node's or a launch file that the package began to install it."""
-
 _LAUNCH = "launch"
 _DEFINITIONS = tuple(f".{each.value}" for each in InterfaceKind)
-_NO_LAUNCHES: Mapping[str, PackagedLaunch] = {}
+_NO_PARTS = Parts()
 
 
 class LoadedFiles(NamedTuple):
@@ -93,7 +80,7 @@ def loaded_package_files(
     libraries: Mapping[str, Library],
     output: Path,
     manifest: Manifest,
-    launches: Mapping[str, PackagedLaunch] = _NO_LAUNCHES,
+    parts: Parts = _NO_PARTS,
     types: Iterable[OwnType] = (),
     *,
     in_place: bool,
@@ -106,13 +93,14 @@ def loaded_package_files(
         libraries: the client libraries, by name.
         output: the output folder, which gets the changed and the new files.
         manifest: what is remembered of its files.
-        launches: the launch files that it contains, by variable.
+        parts: the launch files and the robots that it contains.
         types: the types that the program makes for it.
         in_place: whether they are written where the package is instead.
     """
     source = package.source
     assert source is not None, "the package was loaded"
-    work = _Change(package, source, libraries, output, manifest, in_place, dict(source.texts))
+    memory = FileMemory(source, output, manifest, in_place)
+    work = _Change(package, source, libraries, output, memory, dict(source.texts))
     work.take_out(renamed_nodes(package, made, output, manifest) if in_place else {})
     work.take_out_launches()
     for own in types:
@@ -122,8 +110,10 @@ def loaded_package_files(
         generated = by_variable.get(variable)
         if isinstance(contained.item, Node) and generated is not None:
             work.put(contained, generated)
-        elif isinstance(contained.item, Launch) and variable in launches:
-            work.put_launch(contained, contained.item, launches[variable])
+        elif isinstance(contained.item, Launch) and variable in parts.launches:
+            work.put_launch(contained, contained.item, parts.launches[variable])
+        elif variable in parts.robots:
+            work.put_robot(parts.robots[variable])
     work.put_needs([each for each in made if each.generation.node.variable not in package.contents])
     if any(each.severity is Severity.ERROR for each in work.found):
         return LoadedFiles((), frozenset(), tuple(work.found))
@@ -136,8 +126,7 @@ class _Change:
     source: PackageSource
     libraries: Mapping[str, Library]
     output: Path
-    manifest: Manifest
-    in_place: bool
+    memory: FileMemory
     texts: dict[str, bytes]
     found: list[Diagnostic] = field(default_factory=list)
     written: list[OutputFile] = field(default_factory=list)
@@ -152,11 +141,11 @@ class _Change:
         for name, span in {**renamed, **self.package.removed}.items():
             known = self.source.installed(name)
             file = known.file or next(iter(known.sources), None)
-            added = None if file is None else self._added(file)
-            ours = {each for each in self.source.texts if self._added(each) is not None}
-            was_there = file is not None and self._remembered(file, _INSTALLED) is False
-            of, came = needs_in(self.source, self.libraries, file), self._found(file)
-            needs = Needs(of, added, ours, came, self._tags(file))
+            added = None if file is None else self.memory.added(file)
+            ours = {each for each in self.source.texts if self.memory.added(each) is not None}
+            was_there = file is not None and self.memory.remembered(file, INSTALLED) is False
+            of, came = needs_in(self.source, self.libraries, file), self.memory.found(file)
+            needs = Needs(of, added, ours, came, self.memory.tags(file))
             if known.built:
                 changed = remove_built_node(
                     self.source, self.texts, name, needs, is_built_elsewhere=was_there
@@ -176,24 +165,25 @@ class _Change:
                 self.found += (file_stays(self.source, x, span, installed) for x in stay)
 
     def take_out_launches(self) -> None:
-        """Take out the launch files that the program takes out of the package."""
-        back = [each.item.name for each in self.package.contents.values()]
+        """Take out the launch files that the program takes out of the package.
+
+        The description of a robot goes with the launch file that starts it.
+        """
+        back = [each.name for each in self.package.contents.values()]
+        removed = dict(self.package.removed_launches)
         for file, span in self.package.removed_launches.items():
-            stays = self._remembered(file, _INSTALLED) is False
-            keys = self._added(file) or {}
+            robot = f"{URDF_FOLDER}/{launch_stem(file.rpartition('/')[2])}.urdf"
+            if self.memory.added(robot) is not None:
+                removed[robot] = span
+        for file, span in removed.items():
+            stays = self.memory.remembered(file, INSTALLED) is False
+            keys = self.memory.added(file) or {}
             changed = remove_launch(
                 self.source, self.texts, file, keys, is_installed_elsewhere=stays
             )
             name = file.rpartition("/")[2]
-            if self._take(changed, span) and launch_stem(name) not in back:
+            if self._take(changed, span) and launch_stem(name.removesuffix(".urdf")) not in back:
                 self.found.append(file_stays(self.source, file, span))
-
-    def _remembered(self, file: str, what: str) -> object:
-        """Return what the manifest has of a file, None where nothing tells."""
-        for name in (self._entry(file), f"{self.source.name}/{file}"):
-            if what in self.manifest.bases.get(name, {}):
-                return self.manifest.bases[name][what]
-        return None
 
     def put(self, contained: Contained, generated: Generated) -> None:
         """Put a node into the package."""
@@ -202,7 +192,7 @@ class _Change:
         file = self._inner(generated.files.name)
         text = generated.files.files.main
         known = self.source.texts.get(file)
-        if known not in (None, text) and not self._is_own(file):
+        if known not in (None, text) and not self.memory.is_own(file):
             help_ = "name it otherwise: `contains … as 'other_name'`"
             self.found.append(self._taken(file, contained.span, help_))
             return
@@ -219,13 +209,17 @@ class _Change:
             self.found.append(script_elsewhere(self.source, contained))
         is_new = self._begins_to_install(before, file)
         for each in generated.files.output_files():
-            base = None if each.base is None else {**each.base, _INSTALLED: is_new}
+            base = None if each.base is None else {**each.base, INSTALLED: is_new}
             self._write_node(replace(each, base=base), changed.added, changed.found)
 
     def put_needs(self, made: Sequence[Generated]) -> None:
         """Let the package build what nodes of its files, each loaded by itself, come to need."""
         nodes = list(loaded_from(self.source, made, self.libraries))
-        known = remembered(self.source, self.output, self.manifest) if self.in_place else {}
+        known = (
+            remembered(self.source, self.output, self.memory.manifest)
+            if self.memory.in_place
+            else {}
+        )
         needed = with_needs(self.source, self.texts, nodes, self.libraries, known)
         self.found += needed.diagnostics
         self.texts, self._needs = dict(needed.texts), (known, needed.memory)
@@ -233,14 +227,16 @@ class _Change:
     def _begins_to_install(self, before: Mapping[str, bytes], file: str) -> bool:
         """Tell whether it is with a file that the package begins to install it, or did before."""
         is_new = any(before[name] != self.texts[name] for name in before if name != PACKAGE_XML)
-        return is_new or (self._remembered(file, _INSTALLED) is True and self._is_own(file))
+        return is_new or (
+            self.memory.remembered(file, INSTALLED) is True and self.memory.is_own(file)
+        )
 
     def put_type(self, own: OwnType) -> None:
         """Put a type into the package, which builds it."""
         [definition] = own_definitions([own], self.source.ros_version)[self.source.name]
         file = definition.path
         known = self.source.texts.get(file)
-        if known not in (None, definition.text) and not self._is_own(file):
+        if known not in (None, definition.text) and not self.memory.is_own(file):
             help_ = f"change it where it is: `load_type '…/{file}' as {own.name}`"
             taken = self._taken(file, own.span, help_)
             self.found.append(taken._replace(code=codes.TYPE_EXISTS))
@@ -250,49 +246,61 @@ class _Change:
         if self._take(add_definition(self.source, self.texts, file, sorted(needs)), own.span):
             self.texts.pop(file, None)
             made = OutputFile(f"{self.source.name}/{file}", definition.text, is_executable=False)
-            if self._is_in_place(file):
-                path, entry = self.source.folder / file, self._entry(file)
+            if self.memory.is_in_place(file):
+                path, entry = self.source.folder / file, self.memory.entry(file)
                 made = replace(made, path=path, entry=entry)
             self.written.append(made)
 
     def put_launch(self, contained: Contained, item: Launch, launch: PackagedLaunch) -> None:
         """Put a launch file into the package's folder `launch`, or leave it where it is in it."""
-        is_within = self._within(item)
-        file = is_within or f"{_LAUNCH}/{launch.name}"
+        is_there = is_within(self.package, item)
+        inner = name_within(self.package, item).partition("/")[2] if is_there else None
+        help_ = f"change it with `load_launch`, or call this one another name than `{item.name}`"
+        self._put_launch(launch, inner, contained.span, help_)
+
+    def _put_launch(
+        self, launch: PackagedLaunch, inner: str | None, span: Span, help_: str
+    ) -> None:
+        tool = "roslaunch" if self.source.ros_version == 1 else "ros2launch"
+        file = inner or f"{_LAUNCH}/{launch.name}"
+        text = None if inner is not None else launch.text
+        self._share(file, text, {*launch.needs, tool}, span, help_)
+
+    def put_robot(self, robot: PackagedRobot) -> None:
+        """Put a robot's description into the package's folder `urdf`, with what starts it."""
+        text = None if robot.file is None else robot.file.text
+        help_ = "change it with `load_robot`, or call this one another name"
+        self._share(robot.path, text, (), robot.span, help_)
+        self._put_launch(robot.launch, None, robot.span, help_)
+
+    def _share(
+        self, file: str, text: bytes | None, keys: Iterable[str], span: Span, help_: str
+    ) -> None:
+        """Let the package install a file for others to read, and depend on what that needs.
+
+        Args:
+            file: its path in the package.
+            text: what it holds; None for one that is in the package, and changed as what is
+                loaded by itself.
+            keys: what it needs.
+            span: the statement that asks for it.
+            help_: what to do where the package has another such file.
+        """
         known = self.source.texts.get(file)
-        if not is_within and known not in (None, launch.text) and not self._is_own(file):
-            help_ = (
-                f"change it with `load_launch`, or call this one another name than `{item.name}`"
-            )
-            self.found.append(self._taken(file, contained.span, help_))
+        if text is not None and known not in (None, text) and not self.memory.is_own(file):
+            self.found.append(self._taken(file, span, help_))
             return
-        keys = sorted(
-            {*launch.needs, "roslaunch" if self.source.ros_version == 1 else "ros2launch"}
-        )
         before = self.texts
-        changed = add_launch(self.source, before, file, keys)
-        self._take(changed, contained.span)
-        if is_within:
-            # It is changed as a launch file that is loaded.
+        changed = add_launch(self.source, before, file, sorted(keys))
+        self._take(changed, span)
+        if text is None:
             self.texts.pop(file, None)
             return
+        is_new = self._begins_to_install(before, file)
         made = OutputFile(
-            f"{self.source.name}/{file}",
-            launch.text,
-            is_executable=False,
-            base={_INSTALLED: self._begins_to_install(before, file)},
+            f"{self.source.name}/{file}", text, is_executable=False, base={INSTALLED: is_new}
         )
         self._write_node(made, changed.added)
-
-    def _within(self, launch: Launch) -> str | None:
-        """Return the path in the package of a launch file that was loaded from it."""
-        if not is_within(self.package, launch):
-            return None
-        return name_within(self.package, launch).partition("/")[2]
-
-    def _is_own(self, file: str) -> bool:
-        """Tell whether an earlier run wrote a file, where this one would write over it."""
-        return self._is_in_place(file) and self._entry(file) in self.manifest
 
     def _taken(self, file: str, span: Span, help_: str) -> Diagnostic:
         message = f"the package `{self.source.name}` has a file `{file}` already"
@@ -300,7 +308,7 @@ class _Change:
             if there.file == file:
                 message += f": line {there.line} of `{there.where}` installs it"
                 break
-        if not self._is_in_place(file) and self._entry(file) in self.manifest:
+        if not self.memory.is_in_place(file) and self.memory.entry(file) in self.memory.manifest:
             help_ = "write over it with `--in-place`, as the run did that made it"
         return Diagnostic(codes.ALREADY_CONTAINED, message, span, help=help_)
 
@@ -313,39 +321,9 @@ class _Change:
             self.texts = changed.texts
         return changed.texts is not None
 
-    def _is_in_place(self, file: str) -> bool:
-        """Tell whether a file is written where the package is."""
-        there = os.path.realpath(self.output / self.source.name / file)
-        return self.in_place or there == os.path.realpath(self.source.folder / file)
-
     def _inner(self, name: str) -> str:
         """Return the path in the package of a file of the output folder."""
         return name.removeprefix(f"{self.source.name}/")
-
-    def _entry(self, file: str) -> str:
-        """Return what the manifest calls a file that is written where the package is."""
-        return entry_of(self.source.folder / file, self.output)
-
-    def _added(self, file: str) -> Mapping[str, bool] | None:
-        """Return the dependencies that came with a file, None where nothing tells.
-
-        Each with whether other files of the package named it then.
-        """
-        known = self._remembered(file, _DEPENDS)
-        if not isinstance(known, dict):
-            return None
-        return {key: value is True for key, value in known.items()}
-
-    def _tags(self, file: str | None) -> dict[str, tuple[str, ...]]:
-        """Return the elements that came with a file, by dependency, as far as that is told."""
-        known = None if file is None else self._remembered(file, _TAGS)
-        found = known.items() if isinstance(known, dict) else ()
-        return {key: tuple(map(str, tags)) for key, tags in found if isinstance(tags, list)}
-
-    def _found(self, file: str | None) -> frozenset[str] | None:
-        """Return the packages that the build finds since a file came, None where nothing tells."""
-        known = None if file is None else self._remembered(file, _FOUND)
-        return frozenset(map(str, known)) if isinstance(known, list) else None
 
     def _write_node(
         self, file: OutputFile, added: Mapping[str, Sequence[str]], found: Sequence[str] = ()
@@ -361,15 +339,15 @@ class _Change:
         came = {key: any(named_elsewhere(others, (key, *modules.get(key, ())))) for key in added}
         tags = {key: list(each) for key, each in added.items()}
         self.moved.append(file.name)
-        if self._is_in_place(inner):
-            came.update(self._added(inner) or {})
-            for key, each in self._tags(inner).items():
+        if self.memory.is_in_place(inner):
+            came.update(self.memory.added(inner) or {})
+            for key, each in self.memory.tags(inner).items():
                 tags[key] = list(dict.fromkeys((*each, *tags.get(key, ()))))
-            found = sorted({*found, *(self._found(inner) or ())})
-            path, entry = self.source.folder / inner, self._entry(inner)
+            found = sorted({*found, *(self.memory.found(inner) or ())})
+            path, entry = self.source.folder / inner, self.memory.entry(inner)
             file = replace(file, path=path, entry=entry, merged_from=None, layers=None)
         if file.base is not None:
-            remembered = {_DEPENDS: came, _TAGS: tags, _FOUND: list(found)}
+            remembered = {DEPENDS: came, TAGS: tags, FOUND: list(found)}
             file = replace(file, base={**file.base, **remembered})
         self.written.append(file)
 
@@ -378,10 +356,10 @@ class _Change:
         found = []
         for name, text in self.texts.items():
             original = self.source.texts.get(name)
-            is_over = self._is_in_place(name)
+            is_over = self.memory.is_in_place(name)
             # What an earlier run changed is as it was before when nothing of it is left. What it
             # copied has a base.
-            there, manifest = f"{self.source.name}/{name}", self.manifest
+            there, manifest = f"{self.source.name}/{name}", self.memory.manifest
             is_left = not is_over and there in manifest and there not in manifest.bases
             # What becomes of a definition that is there is said by who loads it.
             is_left = is_left and not name.endswith(_DEFINITIONS)
@@ -397,4 +375,8 @@ class _Change:
                 )
             )
         before, needs = self._needs
-        return remember(found, self.source, needs, before, self.output) if self.in_place else found
+        return (
+            remember(found, self.source, needs, before, self.output)
+            if self.memory.in_place
+            else found
+        )

@@ -7,14 +7,9 @@ from dataclasses import replace
 from typing import TYPE_CHECKING, NamedTuple
 
 from plastron_tui.diagnostics import Diagnostic, Label, codes
-from plastron_tui.model.launch_checks import unwritable, with_parameter_files
-from plastron_tui.model.launches import Launch, LaunchGeneration
 from plastron_tui.model.packages import SCRIPTS_FOLDER, nodes_folder
-from plastron_tui.model.workspace import Node, Workspace
-from plastron_tui.sources.launch.new_elements import CannotWriteError
-from plastron_tui.targets.launch.program import ExecutableName, request_of
-from plastron_tui.targets.launch.python import write_python
-from plastron_tui.targets.launch.xml import write_xml
+from plastron_tui.model.workspace import Workspace
+from plastron_tui.ros.catalog.distributions import usual_distribution
 from plastron_tui.targets.packages.rendering import (
     interfaces_of,
     node_paths,
@@ -23,39 +18,28 @@ from plastron_tui.targets.packages.rendering import (
 )
 from plastron_tui.targets.packages.spec import (
     BuildType,
-    PackagedFile,
     PackagedLaunch,
     PackageFile,
     PackageSpec,
     interfaces_name,
 )
 
-from .launch_files import (
-    edited_launch,
-    executable_of,
-    is_open,
-    is_within,
-    launch_output,
-    name_within,
-    needs_of_launch,
-)
 from .loaded_types import refused_types
 from .own_definitions import Packaged, own_definitions, rendered_definitions, used_packages
-from .own_package import homes_of, own_places, own_specs, with_homes
+from .own_package import own_places, own_specs
+from .package_parts import Parts
 from .package_spec import package_spec
+from .program_launches import ProgramLaunches, configs
+from .program_robots import ProgramRobots
 
 if TYPE_CHECKING:
     from pathlib import Path
 
-    from plastron_tui.diagnostics import Span
     from plastron_tui.model.packages import Package
     from plastron_tui.model.workspace import Generation
-    from plastron_tui.output.plan import OutputFile
 
     from .apply_changes import Library
-    from .destination import Writing
     from .generation import Generated
-    from .text_files import Folder
 
 
 def _are_apart(spec: PackageSpec) -> bool:
@@ -101,17 +85,24 @@ class ProgramPackages:
         self._made = made
         self._is_own = is_own
         self._generations = generations
-        self._homes = homes_of(made, generations)
-        self._python_launch = python_launch
         names = dict.fromkeys((*(each.generation.library for each in made), default))
         found = {name: library_of(name) for name in names}
         self._libraries = {name: each for name, each in found.items() if each is not None}
         self._default = self._libraries.get(default) or next(iter(self._libraries.values()), None)
         self._definitions: dict[int, Packaged] = {}
+        self.launches = ProgramLaunches(
+            workspace,
+            made,
+            generations,
+            self._libraries,
+            self._default,
+            in_python=python_launch,
+        )
+        self.robots = ProgramRobots(workspace, self.launches)
 
     def made(self) -> Made:
         """Make the files."""
-        files: dict[str, PackageFile] = {}
+        files: dict[str, PackageFile] = dict(self.robots.alone())
         diagnostics: list[Diagnostic] = []
         if self._default is None:
             return Made(files)
@@ -125,6 +116,16 @@ class ProgramPackages:
             diagnostics += part.diagnostics
         return Made(files, tuple(dict.fromkeys(diagnostics)))
 
+    def of_loaded(self, package: Package) -> tuple[Parts, tuple[Diagnostic, ...]]:
+        """Return what a loaded package gets besides nodes, and why something is missing."""
+        assert package.source is not None, "it was loaded"
+        version = package.source.ros_version
+        of_ros = (x for x in self._libraries.values() if x.target.ros_version == version)
+        known = next((x.catalog.distribution for x in of_ros), "") or usual_distribution(version)
+        launches, problems = self.launches.of_loaded(package)
+        robots = self.robots.of_package(package, version, known)
+        return Parts(launches, robots.robots), (*problems, *robots.diagnostics)
+
     def _package(self, package: Package) -> Made:
         assert self._default is not None
         spec = package_spec(package, self._made, self._libraries, self._default)
@@ -132,11 +133,17 @@ class ProgramPackages:
             return Made({})
         definitions = self._own(spec.ros_version)
         home = package.name if spec.ros_version == 1 else interfaces_name(package.name)
-        launches, problems = self._launches(package, spec.ros_version)
+        launches, problems = self.launches.of_package(package, spec.ros_version)
+        robots = self.robots.of_package(package, spec.ros_version, spec.for_distribution)
         types = definitions.get(package.name, ())
-        if types and spec.ros_version == 2 and not (spec.nodes or launches):
+        if types and spec.ros_version == 2 and not (spec.nodes or launches or robots.files):
             return self._types_alone(replace(spec, definitions=types))
-        spec = replace(spec, launches=launches, configs=_configs(package))
+        spec = replace(
+            spec,
+            launches=(*launches, *robots.launches),
+            configs=configs(package),
+            robots=robots.files,
+        )
         if types and spec.ros_version == 2 and _are_apart(spec):
             spec = replace(spec, definitions=types, builds_types=True)
         else:
@@ -148,7 +155,12 @@ class ProgramPackages:
             for path, file in (rendered.files or {}).items()
             if path not in nodes
         }
-        found = [*problems, *rendered.diagnostics, *self._without_builder(spec)]
+        found = [
+            *problems,
+            *robots.diagnostics,
+            *rendered.diagnostics,
+            *self._without_builder(spec),
+        ]
         interfaces = interfaces_of(spec)
         made = {each.package.name for each in self._workspace.written_packages}
         if interfaces is not None and interfaces.name not in made:
@@ -163,7 +175,7 @@ class ProgramPackages:
 
         They install the launch files of their generation that are in no other package.
         """
-        alone = list(self._launches_alone())
+        alone = list(self.launches.alone())
         places = own_places(self._generations, self._libraries)
         for version, written in alone:
             if isinstance(written, Diagnostic):
@@ -245,149 +257,3 @@ class ProgramPackages:
                 rendered = rendered_definitions(package, own, version, library.catalog.distribution)
                 files = rendered.files or {}
                 yield Made({f"{package}/{path}": file for path, file in files.items()})
-
-    def _launches(
-        self, package: Package, version: int
-    ) -> tuple[tuple[PackagedLaunch, ...], list[Diagnostic]]:
-        launches: list[PackagedLaunch] = []
-        problems: list[Diagnostic] = []
-        for contained in package.contents.values():
-            if isinstance(contained.item, Launch):
-                written = self._written(contained.item, version, package)
-                if isinstance(written, Diagnostic):
-                    problems.append(written)
-                else:
-                    launches.append(written._replace(span=contained.span))
-        return tuple(launches), problems
-
-    def _launches_alone(self) -> Iterator[tuple[int, PackagedLaunch | Diagnostic]]:
-        """Yield the launch files that are written for their own sake, with their ROS."""
-        last = {each.launch.variable: each.launch for each in self._workspace.written_launches}
-        for variable, launch in last.items():
-            if variable not in self._held and launch.source is None:
-                version = self._version_of(launch)
-                yield version, self._written(launch, version)
-
-    def loaded_launches(
-        self, folder: Folder, writing: Writing
-    ) -> tuple[list[OutputFile], list[Diagnostic]]:
-        """Return the launch files that the program loads and writes, as it changes them.
-
-        One that a package contains is written with the package.
-        """
-        files: list[OutputFile] = []
-        found: list[Diagnostic] = []
-        last = {each.launch.variable: each for each in self._workspace.written_launches}
-        homes: dict[str, Package] = {}
-        for package, variable, launch, where in self._contained_launches():
-            if is_within(package, launch):
-                last[variable] = LaunchGeneration(launch, where)
-                homes[variable] = package
-        for variable, (launch, span) in last.items():
-            if launch.source is None or (variable in self._held and variable not in homes):
-                continue
-            home = homes.get(variable)
-            written = self._written(launch, launch.source.format.ros_version, home)
-            if isinstance(written, Diagnostic):
-                has_place = written.span is not None or written.file is not None
-                found.append(written if has_place else written._replace(span=span))
-                continue
-            name = launch.source.path.name if home is None else name_within(home, launch)
-            named = name, PackageFile(written.text)
-            launch = with_parameter_files(with_homes(launch, self._homes), home)
-            file, notes = launch_output(launch, named, self._executable, folder, writing)
-            files.append(file)
-            found += notes
-        return files, found
-
-    def of_loaded(
-        self, package: Package
-    ) -> tuple[dict[str, PackagedLaunch], tuple[Diagnostic, ...]]:
-        """Return the launch files that a loaded package contains, by variable."""
-        assert package.source is not None
-        found: dict[str, PackagedLaunch] = {}
-        problems: list[Diagnostic] = []
-        for each, variable, launch, _ in self._contained_launches():
-            if each is package:
-                written = self._written(launch, package.source.ros_version, package)
-                if isinstance(written, Diagnostic):
-                    problems.append(written)
-                else:
-                    found[variable] = written
-        return found, tuple(problems)
-
-    def _contained_launches(self) -> Iterator[tuple[Package, str, Launch, Span]]:
-        last = {each.package.variable: each.package for each in self._workspace.written_packages}
-        for package in last.values():
-            for variable, contained in package.contents.items():
-                if isinstance(contained.item, Launch):
-                    yield package, variable, contained.item, contained.span
-
-    @property
-    def _held(self) -> set[str]:
-        """The variables of what is in a package that is written."""
-        packages = (each.package for each in self._workspace.written_packages)
-        return {variable for package in packages for variable in package.contents}
-
-    def _version_of(self, launch: Launch) -> int:
-        """Return the generation of ROS that a launch file is for: that of what it starts."""
-        assert self._default is not None
-        for start in launch.starts.values():
-            library = None if start.node is None else self._libraries.get(start.node.library or "")
-            if library is not None:
-                return library.target.ros_version
-        return self._default.target.ros_version
-
-    def _written(
-        self, launch: Launch, version: int, home: Package | None = None
-    ) -> PackagedLaunch | Diagnostic:
-        """Write a launch file into a package, None for none, or say what it cannot say."""
-        launch = with_homes(launch, self._homes)
-        for problem in unwritable(launch, version, home, self._workspace.packages):
-            return problem
-        launch = with_parameter_files(launch, home)
-        name_and_text = self._name_and_text(launch, version)
-        if isinstance(name_and_text, Diagnostic):
-            return name_and_text
-        name, text = name_and_text
-        needs = needs_of_launch(launch, version)
-        return PackagedLaunch(name, text, needs, is_open=is_open(launch))
-
-    def _name_and_text(self, launch: Launch, version: int) -> tuple[str, bytes] | Diagnostic:
-        if launch.source is not None:
-            edited = edited_launch(launch, self._executable)
-            return edited.diagnostics[0] if edited.text is None else (
-                launch.source.path.name, edited.text
-            )  # fmt: skip
-        request = request_of(launch, version, self._executable)
-        is_python = self._python_launch and version == 2
-        try:
-            text = write_python(request.added) if is_python else write_xml(request.added, version)
-        except CannotWriteError as problem:
-            message = f"ROS {version} has no words for {problem} in a launch file"
-            where = self._unspeakable(launch, version)
-            return Diagnostic(codes.BAD_LAUNCH_NAME, message, where or launch.span)
-        suffix = ".launch.py" if is_python else ".launch.xml" if version == 2 else ".launch"
-        return f"{launch.name}{suffix}", text.encode()
-
-    def _unspeakable(self, launch: Launch, version: int) -> Span | None:
-        """Return the first statement whose node cannot be written, None for none."""
-        for start in launch.starts.values():
-            alone = replace(launch, arguments={}, includes={}, starts={start.full_name: start})
-            try:
-                write_xml(request_of(alone, version, self._executable).added, version)
-            except CannotWriteError:
-                return start.span
-        return None
-
-    def _executable(self, node: Node) -> ExecutableName:
-        library = self._libraries.get(node.library or "") or self._default
-        return executable_of(node, None if library is None else library.target)
-
-
-def _configs(package: Package) -> tuple[PackagedFile, ...]:
-    """Return the parameter files of a package's launch files."""
-    launches = (each.item for each in package.contents.values() if isinstance(each.item, Launch))
-    files = (file for launch in launches for file in launch.parameter_files)
-    found = {each.path.name: PackagedFile(each.path.name, each.text, each.where) for each in files}
-    return tuple(found.values())

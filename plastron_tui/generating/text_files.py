@@ -26,6 +26,9 @@ _TEXT = "text"
 _LISTS = (PACKAGE_XML, CMAKE_LISTS)
 """The files that nodes of several programs, and of hands, are entered in."""
 
+_ROBOT = ".urdf"
+_SAME_LINES = "the program changed the same lines"
+
 _NOWHERE_ELSE: Mapping[str, Path] = {}
 
 
@@ -140,13 +143,11 @@ def _text_file(name: str, file: PackageFile, folder: Folder) -> tuple[OutputFile
     if folder.force or manifest.has(name, present):
         return new, []
     before = known.get(_TEXT)
-    merged = None
+    merged, reason = None, _SAME_LINES
     if isinstance(before, str):
-        is_list = path.name in _LISTS
-        merged = merge_lines(before.encode(), file.text, present, is_list=is_list)
+        merged, reason = _merged(path, before.encode(), file.text, present)
     if merged is None:
-        problem = unmergeable(path, "the program changed the same lines")
-        return replace(new, problem=problem), []
+        return replace(new, problem=unmergeable(path, reason)), []
     kept = OutputFile(
         name,
         merged,
@@ -158,6 +159,17 @@ def _text_file(name: str, file: PackageFile, folder: Folder) -> tuple[OutputFile
     )
     is_news = before != text
     return kept, [kept_handwork(path, path.name)] if is_news else []
+
+
+def _merged(path: Path, before: bytes, new: bytes, present: bytes) -> tuple[bytes | None, str]:
+    """Bring a file's handwork and its program together; None with the reason."""
+    is_list = path.name in _LISTS
+    merged = merge_lines(before, new, present, is_list=is_list)
+    if path.suffix == _ROBOT:
+        from .robot_merges import merged_robot
+
+        return merged_robot(path, before, new, present, merged)
+    return merged, _SAME_LINES
 
 
 def changed_files(source: PackageSource, texts: Mapping[str, bytes]) -> list[OutputFile]:

@@ -20,8 +20,11 @@ from plastron_tui.output.manifest import Manifest
 from plastron_tui.output.merge3 import merge_lines, replay, split_lines
 from plastron_tui.output.patch_stack import Author, Layer, Layers, digest_of, live_layers
 from plastron_tui.output.plan import OutputFile
+from plastron_tui.targets.packages.spec import PackageFile
 
 from .destination import Writing
+from .file_names import is_same_path
+from .text_files import Folder, text_files
 from .user_edits import cover, kept_handwork, unmergeable
 
 Manifests = Callable[[Path], Manifest]
@@ -47,6 +50,10 @@ class LoadedText(Protocol):
     @property
     def path(self) -> Path:
         """Where it is."""
+
+    @property
+    def text(self) -> bytes:
+        """What the program starts from."""
 
     @property
     def present(self) -> bytes:
@@ -129,6 +136,35 @@ def _is_whole(text: bytes, layer: Layer, before: bytes, form: Form) -> bool:
     texts = (layer.original.main, written, before)
     first, made, found = (Counter(form.parts(each) or ()) for each in texts)
     return Counter(parts) == first + (found - made) - (made - found)
+
+
+def changed_file(
+    source: LoadedText,
+    named: tuple[str, PackageFile],
+    remade: Callable[[bytes], bytes | None],
+    folder: Folder,
+    writing: Writing,
+    form: Form,
+) -> tuple[OutputFile, tuple[Diagnostic, ...]]:
+    """Return a file that is loaded as it is to be written, and what is to be said of it.
+
+    Args:
+        source: the file.
+        named: what it is called in the output folder, and what it shall hold.
+        remade: returns what the program makes of another text, None where it cannot.
+        folder: the output folder.
+        writing: whether it is written over the file that it came from, and what is known of that.
+        form: what there is in such files.
+    """
+    name, file = named
+    if not writing.in_place and not is_same_path(folder.output / name, source.path):
+        (output,), notes = text_files({name: file}, folder)
+        return output, tuple(notes)
+    version = Version(source.text, file.text)
+    original = None if source.origin is None else source.origin.original
+    made = None if original is None else remade(original)
+    pure = version if original is None or made is None else Version(original, made)
+    return in_place(source, version, pure, writing, form)
 
 
 def in_place(

@@ -220,6 +220,8 @@ def _is_over(form: Form, tokens: Sequence[Token]) -> bool:
     written = [token.text for token in tokens]
     if form is Form.CONDITION:
         return written[-1] not in _COMPARING and not _COMPARING.isdisjoint(written)
+    if form is Form.VECTOR:
+        return False
     if form in (Form.FIELDS, Form.REMAPS, Form.SETTINGS):
         unfit = first_unfit(form, tokens)
         return unfit is None or unfit.values is not None

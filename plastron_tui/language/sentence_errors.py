@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from itertools import pairwise
 
-from plastron_tui.diagnostics import Diagnostic, Edit, Fix, Span, codes, escapes, write
+from plastron_tui.diagnostics import Diagnostic, Edit, Fix, Span, codes, write
 from plastron_tui.diagnostics.suggest import nearest
 
 from .declaration import Declaration, Form, Slot, SlotKind
@@ -14,7 +14,8 @@ from .keywords import KEYWORDS
 from .list_errors import first_unfit
 from .mistake_place import shown, unquoted
 from .open_values import NAME_MARKS, OpenValues, end_of_received, is_received
-from .sentence_match import SentenceMatch, SlotMatch
+from .sentence_match import BEHIND_NUMBERS, SentenceMatch, SlotMatch
+from .token_errors import broken_text, unexpected
 from .tokens import QUOTED_KINDS, UNCLOSED_STRING, UNKNOWN, WORD_KINDS, Token, text_at, token_at
 
 _CLOSED_BY = {"(": ")", "[": "]"}
@@ -25,9 +26,16 @@ _KINDS = {
     Form.NUMBER: frozenset({"number"}),
     Form.RATE: frozenset({"number", "parameter"}),
     Form.TEXT: frozenset({"string"}),
+    Form.COLOR: WORD_KINDS | {"string"},
 }
 """The tokens that begin what is written in a form that is no word."""
 
+_VECTOR_PARTS = (
+    "a comma, and two more numbers",
+    "a second number",
+    "a comma, and a third number",
+    "a third number",
+)
 _MOST_TYPE_PARTS = 3
 _OPERATORS = frozenset({"+", "-", "*", "/"})
 _GOING_ON = frozenset({",", "=", ".", "(", "["})
@@ -36,27 +44,6 @@ _BOOLEANS = {
     **dict.fromkeys(("true", "on", "yes"), "True"),
     **dict.fromkeys(("false", "off", "no"), "False"),
 }
-
-
-def unexpected(token: Token) -> Diagnostic:
-    """Explain a token that stands where no token of its kind can stand."""
-    first = token.text[0]
-    start = token.start
-    if token.kind == UNCLOSED_STRING or (token.kind == UNKNOWN and first in "'\""):
-        return Diagnostic(
-            codes.UNCLOSED_QUOTE,
-            f"the quote is not closed on this line: {first}",
-            Span(start, start + 1),
-            help=f"close it with {first}",
-        )
-    if token.kind == UNKNOWN and token.text.startswith("/*"):
-        return Diagnostic(
-            codes.UNCLOSED_COMMENT,
-            "the comment is not closed",
-            Span(start, start + 2),
-            help="close it with `*/`",
-        )
-    return Diagnostic(codes.SYNTAX_ERROR, f"unexpected `{shown(token.text)}`", token.span)
 
 
 class SentenceErrors:
@@ -76,6 +63,8 @@ class SentenceErrors:
         match match.wanted:
             case Slot(kind=kind) if token is None:
                 return self._expected(kind.words)
+            case Slot(kind=kind) if not kind.form.is_open:
+                return self._expected(kind.words, token)
             case Slot(kind=kind):
                 mistake = self._in_open(kind, self._tokens[match.end :])
                 if mistake is not None:
@@ -84,7 +73,7 @@ class SentenceErrors:
                     return self._not_the_word(match.ending, None)
                 token = None
             case str() as word:
-                return self._not_the_word(word, token)
+                return self._not_the_word(word, token, *match.instead)
         if token is None:
             return Diagnostic(
                 codes.SYNTAX_ERROR,
@@ -115,12 +104,13 @@ class SentenceErrors:
     def _no_more(self, token: Token) -> Diagnostic:
         return self._error(f"`{token.text}` cannot stand here any more", token.span)
 
-    def _not_the_word(self, word: str, token: Token | None) -> Diagnostic:
-        if token is not None and token.kind in WORD_KINDS and nearest(token.text, [word]):
-            return self._expected(f"`{word}`", token)._replace(
-                help=f"did you mean `{word}`?", fix=write(word, token.span)
-            )
-        found = self._expected(f"`{word}`", token)
+    def _not_the_word(self, word: str, token: Token | None, *others: str) -> Diagnostic:
+        found = self._expected(" or ".join(f"`{each}`" for each in (word, *others)), token)
+        if token is not None and token.kind in WORD_KINDS:
+            meant = nearest(token.text, [word, *others])
+            if meant is not None:
+                help_ = f"did you mean `{meant}`?"
+                return found._replace(help=help_, fix=write(meant, token.span))
         if token is None:
             return without_fields(self._declaration, word, found) or found
         return found
@@ -132,6 +122,9 @@ class SentenceErrors:
             return self._error(f"expected {kind.words} before `{token.text}`", token.span)
         if not _fits(token, kind.form):
             return self._wrong_form(token, kind)
+        if kind.form is Form.VECTOR:
+            # The word behind it stands in the place of a number that is missing.
+            return self._in_open(kind, self._tokens[filled.first : filled.end + 1])
         if kind.form.is_open and token.text != "none":
             return self._in_open(kind, self._tokens[filled.first : filled.end])
         match kind.form:
@@ -177,6 +170,8 @@ class SentenceErrors:
         match kind.form:
             case Form.CONDITION:
                 return self._in_condition(tokens)
+            case Form.VECTOR:
+                return self._in_vector(kind, tokens)
             case Form.QOS | Form.FIELDS | Form.REMAPS | Form.SETTINGS as form:
                 return self._in_list(form, tokens)
         mistake = self._in_values(tokens)
@@ -196,6 +191,17 @@ class SentenceErrors:
         if unfit.values is not None:
             return self._in_values(unfit.values)
         return self._expected(unfit.wanted, unfit.token)
+
+    def _in_vector(self, kind: SlotKind, tokens: Sequence[Token]) -> Diagnostic | None:
+        """Look at three numbers, and at the token behind them."""
+        for at, wanted in enumerate((kind.words, *_VECTOR_PARTS)):
+            token = token_at(tokens, at)
+            if token is None or not (token.text == "," if at % 2 else token.kind == "number"):
+                return self._expected(wanted, token)
+        beyond = token_at(tokens, len(_VECTOR_PARTS) + 1)
+        if beyond is None or beyond.kind in BEHIND_NUMBERS:
+            return None
+        return self._error(f"three numbers are enough, without `{shown(beyond.text)}`", beyond.span)
 
     def _in_condition(self, tokens: Sequence[Token]) -> Diagnostic | None:
         """Look at a condition: `[any | all] received.FIELD < VALUE`."""
@@ -304,7 +310,7 @@ class SentenceErrors:
             what = "a calculation begins with `parameter` or `received`"
             return self._error(what, token.span)
         if kind in (UNKNOWN, UNCLOSED_STRING):
-            return _broken_text(token, following)
+            return broken_text(token, following)
         if kind in _CLOSED_BY.values() and last is not None and last.kind not in (",", "="):
             if level.opening is None:
                 return self._error(f"`{kind}` closes nothing", token.span)
@@ -371,18 +377,3 @@ def _fits(token: Token, form: Form) -> bool:
     if form.is_open:
         return True
     return token.kind in _KINDS.get(form, WORD_KINDS) and token.text not in KEYWORDS
-
-
-def _broken_text(token: Token, following: Token | None) -> Diagnostic:
-    """Explain a string that does not end, or that an escape broke off."""
-    if token.kind != UNCLOSED_STRING or following is None or following.text[0] != "\\":
-        return unexpected(token)
-    escape = following.text[:2]
-    span = Span(following.start, following.start + len(escape.encode()))
-    return Diagnostic(
-        codes.UNKNOWN_ESCAPE,
-        f"`{shown(escape)}` is no escape",
-        span,
-        help=f"the escapes are {escapes.listed()}; a backslash is written \\\\",
-        fix=write(f"\\{escape}", span),
-    )

@@ -5,20 +5,25 @@ What is wrong with a line, and what may stand at a place of it, both follow from
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from itertools import takewhile
 from typing import NamedTuple
 
-from .declaration import Clause, Declaration, Element, Form, Slot
+from .declaration import Clause, Declaration, Element, Form, Slot, SlotKind
 from .keywords import BY_KEYWORD, FIRST_WORDS, VERBS
 from .open_values import NAME_MARKS
 from .tokens import QUOTED_KINDS, WORD_KINDS, Token, is_glued, text_at
 
 # Looking a member up in its class costs as much as to match a word.
 _VARIABLE, _TYPE, _FILE = Form.VARIABLE, Form.TYPE, Form.FILE
-_RATE = Form.RATE
+_RATE, _VECTOR = Form.RATE, Form.VECTOR
+_UNITS = frozenset({SlotKind.ANGLE_UNIT, SlotKind.LIMIT_UNIT})
 _MAY_BE_NONE = frozenset({Form.VALUES, Form.FIELDS})
 _OPENING, _CLOSING = ("(", "["), (")", "]")
+_WITHIN_VECTOR = frozenset({",", "="})
+_VECTOR_LENGTH = 5
+BEHIND_NUMBERS = WORD_KINDS | QUOTED_KINDS | {"string"}
+"""The kinds of tokens that three numbers end before."""
 
 
 class SlotMatch(NamedTuple):
@@ -43,6 +48,7 @@ class SentenceMatch(NamedTuple):
         optional: the clauses that may come before it, or after what is open.
         passed: the words of clauses that cannot come any more.
         ending: the word that has to come after what is open, "" where nothing has to.
+        instead: words of other clauses that may stand in the place of the wanted one.
     """
 
     slots: tuple[SlotMatch, ...]
@@ -51,11 +57,12 @@ class SentenceMatch(NamedTuple):
     optional: tuple[Clause, ...]
     passed: frozenset[str] = frozenset()
     ending: str = ""
+    instead: tuple[str, ...] = ()
 
     @property
     def following(self) -> tuple[str, ...]:
         """The words that may come next, or after what is open."""
-        keywords = tuple(clause.keyword for clause in self.optional)
+        keywords = tuple(dict.fromkeys(clause.keyword for clause in self.optional))
         return (*keywords, self.ending) if self.ending else keywords
 
 
@@ -83,15 +90,23 @@ class _Matcher:
         self._at = 0
         self._slots: list[SlotMatch] = []
         self._wanted: str | Slot | None = None
-        self._optional: dict[str, Clause] = {}
+        self._optional: dict[Sequence[Element], Clause] = {}
         self._passed: set[str] = set()
         self._ending = ""
+        self._instead: tuple[str, ...] = ()
 
     def result(self) -> SentenceMatch:
         optional = tuple(self._optional.values())
-        passed = frozenset(self._passed.difference(self._optional))
-        slots = tuple(self._slots)
-        return SentenceMatch(slots, self._at, self._wanted, optional, passed, self._ending)
+        passed = frozenset(self._passed.difference(each.keyword for each in optional))
+        return SentenceMatch(
+            tuple(self._slots),
+            self._at,
+            self._wanted,
+            optional,
+            passed,
+            self._ending,
+            self._instead,
+        )
 
     def sequence(self, elements: Sequence[Element], outer: Sequence[Clause]) -> bool:
         """Match elements, which clauses may follow; tell whether to go on behind them."""
@@ -115,16 +130,33 @@ class _Matcher:
         """Match the first ones of some clauses, in any order; the others are for who called."""
         mine = left[:own]
         outer = left[own:]
+        passed: set[Sequence[Element]] = set()
         while True:
-            self._optional.update((each.keyword, each) for each in (*mine, *outer))
-            text = text_at(self._tokens, self._at)
-            clause = next((each for each in mine if each.keyword == text), None)
-            if clause is None:
+            self._may_follow((*mine, *outer))
+            first, second = (text_at(self._tokens, self._at + offset) for offset in (0, 1))
+            fitting = [each for each in mine if each.keyword == first]
+            exact = [each for each in fitting if each.elements[1:2] == (second,)]
+            if not fitting:
                 return True
+            if not exact and (first, second) in passed:
+                self._optional = {
+                    start: each for start, each in self._optional.items() if each.keyword != first
+                }
+                return True
+            clause, *others = exact or fitting
             self._passed.update(each.keyword for each in mine if each.bracket == clause.bracket)
+            passed.add(clause.elements[:2])
             mine = [each for each in mine if each.bracket != clause.bracket]
+            after = self._at + 1
             if not self.sequence(clause.elements, (*mine, *outer)):
+                if self._at == after:
+                    seconds = [each.elements[1] for each in others]
+                    self._instead = tuple(word for word in seconds if isinstance(word, str))
                 return False
+
+    def _may_follow(self, clauses: Iterable[Clause]) -> None:
+        # Two clauses may begin with the same word.
+        self._optional.update((each.elements[:2], each) for each in clauses)
 
     def _part(self, part: str | Slot, left: Sequence[Clause], after: Element | None) -> bool:
         """Match a word, or what is in a slot; tell whether it was there, and is over."""
@@ -132,6 +164,10 @@ class _Matcher:
         end: int | None = None
         if isinstance(part, str):
             end = self._at + 1 if text == part else None
+        elif text and part.kind.form is _VECTOR:
+            end = self._end_of_vector({each.keyword for each in left})
+        elif part.kind in _UNITS and any(each.keyword == text for each in left):
+            end = None
         elif text and part.kind.form.is_open:
             words = {each.keyword for each in left}
             end = self._end_of_open(part, {*words, after} if isinstance(after, str) else words)
@@ -140,7 +176,7 @@ class _Matcher:
         if end is None:
             self._wanted = part
             if isinstance(part, Slot) and part.kind.form.is_open and text:
-                self._optional.update((each.keyword, each) for each in left)
+                self._may_follow(left)
                 self._ending = after if isinstance(after, str) else ""
             return False
         if isinstance(part, Slot):
@@ -163,6 +199,21 @@ class _Matcher:
                 return at
             depth += (text in _OPENING) - (text in _CLOSING)
         return None
+
+    def _end_of_vector(self, words: set[str]) -> int | None:
+        """Return where numbers end, None where the line ends before there are three."""
+        tokens, first = self._tokens, self._at
+        end = next((at for at in range(first, len(tokens)) if self._ends(at, words)), len(tokens))
+        is_over = end < len(tokens) or is_vector(tokens[first : first + _VECTOR_LENGTH])
+        return end if is_over else None
+
+    def _ends(self, at: int, words: set[str]) -> bool:
+        """Tell whether a token is behind a vector: a word in the place of none of its numbers."""
+        tokens = self._tokens
+        if tokens[at].kind not in BEHIND_NUMBERS or at == self._at:
+            return tokens[at].text in words
+        around = {text_at(tokens, at - 1), text_at(tokens, at + 1)}
+        return tokens[at].text in words or around.isdisjoint(_WITHIN_VECTOR)
 
     def _end_of_slot(self, slot: Slot, after: Element | None) -> int:
         """Return where what is in the place of a slot ends."""
@@ -188,3 +239,10 @@ class _Matcher:
 
 def _is_none(tokens: Sequence[Token], at: int) -> bool:
     return tokens[at].text == "none" and text_at(tokens, at + 1) not in NAME_MARKS
+
+
+def is_vector(tokens: Sequence[Token]) -> bool:
+    """Tell whether tokens are three numbers with commas between them."""
+    numbers, commas = tokens[::2], tokens[1::2]
+    is_right = all(token.kind == "number" for token in numbers)
+    return len(tokens) == _VECTOR_LENGTH and is_right and all(each.text == "," for each in commas)

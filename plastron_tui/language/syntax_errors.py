@@ -15,8 +15,9 @@ from .common_mistakes import recognised
 from .declaration import Declaration, Slot, SlotKind
 from .keywords import BY_KEYWORD, FIRST_WORDS, KEYWORDS, VERBS
 from .mistake_place import Place
-from .sentence_errors import SentenceErrors, unexpected
+from .sentence_errors import SentenceErrors
 from .sentence_match import intended, match_sentence
+from .token_errors import unexpected
 from .tokens import MOST_WORDS, QUOTED_KINDS, UNKNOWN, WORD_KINDS, Token, tokens_of
 
 __all__ = ["MOST_BROKEN_LINES", "explain"]

@@ -25,6 +25,7 @@ MOST_WORDS = 10_000
 WORD_KINDS = frozenset(
     {"identifier", "variable", "module", "function", "client_library", "name_kind", "field_name"}
     | {"boolean", "none", "parameter_type", "flag", "section"}
+    | {"shape", "color", "unit", "joint_type"}
     | WORDS
 )
 QUOTED_KINDS = frozenset({"ros_name", "path"})

@@ -23,6 +23,7 @@ from .launches import Launch
 from .load_package import home_in, is_built
 from .mistake import Mistake
 from .packages import SCRIPTS_FOLDER, Contained, Package, PackageGeneration, nodes_folder
+from .robots import Robot
 from .run import Run
 from .workspace import Generation, Home, Node
 
@@ -128,7 +129,7 @@ def check_license(_: Run, statement: st.CreatePackage) -> None:
 
 
 def contains(run: Run, statement: st.Contains) -> None:
-    """Put a node or a launch file into a package."""
+    """Put a node, a launch file or a robot into a package."""
     package = check_package_there(run, statement)
     item = check_item(run, statement)
     check_executable(run, statement)
@@ -154,12 +155,18 @@ def contains(run: Run, statement: st.Contains) -> None:
     package.contents[statement.item] = contained
     if isinstance(item, Node):
         item.home = home
+    elif isinstance(item, Robot):
+        item.home = package.name
 
 
-def check_item(run: Run, statement: st.Contains) -> Node | Launch:
-    """Return the node or the launch file that a statement puts into a package."""
-    workspace = run.workspace
-    item = workspace.nodes.get(statement.item) or workspace.launches.get(statement.item)
+def check_item(run: Run, statement: st.Contains) -> Node | Launch | Robot:
+    """Return the node, the launch file or the robot that a statement puts into a package."""
+    workspace, variable = run.workspace, statement.item
+    item = (
+        workspace.nodes.get(variable)
+        or workspace.launches.get(variable)
+        or workspace.robots.get(variable)
+    )
     if item is None:
         raise _unknown_item(run, statement)
     return item
@@ -199,7 +206,9 @@ def _check_place(run: Run, statement: st.Contains, package: Package) -> None:
             )
 
 
-def _check_ros(run: Run, statement: st.Contains, package: Package, item: Node | Launch) -> None:
+def _check_ros(
+    run: Run, statement: st.Contains, package: Package, item: Node | Launch | Robot
+) -> None:
     """Check that a package has nodes of one generation of ROS alone: it is built by one of them."""
     if not isinstance(item, Node):
         return
@@ -229,9 +238,10 @@ def _unknown_item(run: Run, statement: st.Contains) -> Mistake:
         if known[0] == "type":
             remedy = "a type is written with the nodes that use it"
     else:
-        message = f"no node or launch file `{variable}`"
+        message = f"no node, launch file or robot `{variable}`"
         workspace = run.workspace
-        remedy, fix = guess(variable, [*workspace.nodes, *workspace.launches], where)
+        known_items = [*workspace.nodes, *workspace.launches, *workspace.robots]
+        remedy, fix = guess(variable, known_items, where)
         remedy = remedy or f"make it first: `create_node '{variable}' as {variable}`"
     return Mistake(Diagnostic(codes.UNKNOWN_ITEM, message, where, help=remedy, fix=fix))
 
@@ -281,6 +291,8 @@ def _take_out(package: Package, variable: str) -> None:
     item = package.contents.pop(variable).item
     if isinstance(item, Node):
         item.home = None
+    elif isinstance(item, Robot):
+        item.home = ""
 
 
 def _not_contained(

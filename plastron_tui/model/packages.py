@@ -7,6 +7,8 @@ from typing import TYPE_CHECKING, NamedTuple
 
 from plastron_tui.diagnostics import Span
 
+from .robots import Robot
+
 if TYPE_CHECKING:
     from .launches import Launch
     from .package_source import PackageSource
@@ -17,19 +19,20 @@ class Contained(NamedTuple):
     """Something that a package contains.
 
     Attributes:
-        item: the node or the launch file.
+        item: the node, the launch file or the robot.
         executable: what one starts a node by, None for its own name.
         span: the statement that put it there.
     """
 
-    item: Node | Launch
+    item: Node | Launch | Robot
     executable: str | None
     span: Span
 
     @property
     def name(self) -> str:
         """What one starts it by."""
-        return self.executable or self.item.name
+        own = self.item.stem if isinstance(self.item, Robot) else self.item.name
+        return self.executable or own
 
 
 SCRIPTS_FOLDER = "scripts"

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, NamedTuple
 
 from plastron_tui.diagnostics import Diagnostic, Span, codes
 from plastron_tui.ros.robots.description import Description
+from plastron_tui.ros.robots.macros import Macros
 
 if TYPE_CHECKING:
     from .source import TextOrigin
@@ -24,6 +25,8 @@ class RobotSource(NamedTuple):
         origin: where the text comes from if it is not simply what the file holds.
         expanded: what the file's macros make of it, None for a file without macros, or where they
             are not expanded; then it is only looked at.
+        macros: what the file leaves to macros, None for a file without them. A file with macros
+            may have links and joints besides those of its description.
     """
 
     path: Path
@@ -31,6 +34,7 @@ class RobotSource(NamedTuple):
     description: Description
     origin: TextOrigin | None = None
     expanded: Description | None = None
+    macros: Macros | None = None
 
     @property
     def present(self) -> bytes:
@@ -96,9 +100,27 @@ class Robot:
         """What it is called."""
         return self.description.name
 
+    @property
+    def shown(self) -> Description:
+        """What there is to see of it: with its macros expanded, where they are."""
+        expanded = None if self.source is None else self.source.expanded
+        return self.description if expanded is None else expanded
+
+    @property
+    def stem(self) -> str:
+        """What its file is called, without its ending."""
+        return self.name if self.source is None else file_stem(self.source.path.name)
+
     def snapshot(self) -> Robot:
         """Return the robot as it is now, untouched by what later statements do to it."""
         return replace(self, links=dict(self.links), joints=dict(self.joints))
+
+
+def file_stem(name: str) -> str:
+    """Return the name of a robot's file without its endings: `rover` of `rover.urdf.xacro`."""
+    for ending in (".xml", ".xacro", ".urdf"):
+        name = name.removesuffix(ending) or name
+    return name
 
 
 class RobotGeneration(NamedTuple):

@@ -63,10 +63,10 @@ def late_changes(program: Program, workspace: Workspace) -> Iterator[Diagnostic]
 
 
 def late_changes_of_parts(program: Program, workspace: Workspace) -> Iterator[Diagnostic]:
-    """Yield a warning for each statement that changes a package or a launch file too late.
+    """Yield a warning for each statement that changes a package, a launch file or a robot too late.
 
-    A launch file in a package that is written is written as it is at the program's end, and so
-    are types.
+    What is in a package that is written is written as it is at the program's end, and so are
+    types.
     """
     packages = {each.package.variable: each.span for each in workspace.written_packages}
     held = {variable for each in workspace.written_packages for variable in each.package.contents}
@@ -75,11 +75,17 @@ def late_changes_of_parts(program: Program, workspace: Workspace) -> Iterator[Di
         for each in workspace.written_launches
         if each.launch.variable not in held
     }
+    robots = {
+        each.robot.variable: each.span
+        for each in workspace.written_robots
+        if each.robot.variable not in held
+    }
     written: dict[SlotKind, tuple[str, Mapping[str, Span]]] = {
         SlotKind.PACKAGE: ("generate_package", packages),
         SlotKind.LAUNCH: ("generate_launch", launches),
+        SlotKind.ROBOT: ("generate_robot", robots),
     }
-    for statement in program.statements if packages or launches else ():
+    for statement in program.statements if packages or launches or robots else ():
         type_: Any = type(statement)  # which mypy takes for not hashable
         declaration = DECLARATIONS[type_]
         for slot in () if declaration.writes_file else declaration.slots:

@@ -107,7 +107,7 @@ def _starts(
         return Opened(None, ros_version, "", "only its name is compared")
 
     # A package is in the same folder for both, wherever that is.
-    scope = Scope(arguments, os.environ, str(file.absolute().parent), lambda name: f"/{name}")
+    scope = Scope(arguments, os.environ, str(file.absolute().parent), lambda name: f"/{name}", str)
     found = resolve(launch, ros_version, scope, str(file), opened)
     return _Starts(found.started, tuple(included))
 

@@ -19,7 +19,7 @@ from plastron_tui.ros.launch_started import Opened, Started
 from plastron_tui.ros.launch_text import Scope
 from plastron_tui.ros.run_names import Remap, RunNames
 from plastron_tui.sources.launch.around import own_package, packages_around, packages_root
-from plastron_tui.sources.launch.reader import open_included, read_launch
+from plastron_tui.sources.launch.reader import file_content, open_included, read_launch
 from plastron_tui.sources.launch.unresolved import warnings_of, wrong_arguments
 from plastron_tui.sources.packages.folder import read_executables
 
@@ -55,10 +55,14 @@ def launch_graph(path: Path, arguments: Mapping[str, str], boundary: Boundary) -
     packages = packages_around(path.absolute(), root, boundary.allows)
     # The folder that is installed as the share is, in the source, the package's own.
     folders = {name: str(folder) for name, folder in packages.items()}
-    scope = Scope(arguments, {}, str(path.absolute().parent), folders.get)
 
     def beyond(file: Path) -> str:
         return "" if boundary.allows(file) else f"it is {boundary.place_of(file)}"
+
+    def content(path: str) -> str | None:
+        return file_content(path, beyond)
+
+    scope = Scope(arguments, {}, str(path.absolute().parent), folders.get, content)
 
     def opened(name: str) -> Opened:
         return open_included(Path(name), beyond)

@@ -28,6 +28,7 @@ if TYPE_CHECKING:
     from plastron_tui.output.patch_stack import Author
 
     from .package_reader import KnownPackages
+    from .robot_expansion import KnownExpansions
 
 _MOST_FOLDERS = 64
 """How many manifests are remembered; a program writes to one folder, and loads from a few."""
@@ -53,6 +54,7 @@ class FilesRead:
         manifests: what is remembered of the files of a folder, with the stamp of its file.
         problems: what was found of writes to a folder that were interrupted.
         packages: what was read of packages.
+        expansions: what the macros of robots made of their files.
     """
 
     nodes: dict[Path, tuple[Stamps, Loaded]] = field(default_factory=dict)
@@ -60,6 +62,7 @@ class FilesRead:
     manifests: dict[Path, tuple[Stamp, Reading]] = field(default_factory=dict)
     problems: dict[Path, tuple[Diagnostic, ...]] = field(default_factory=dict)
     packages: KnownPackages = field(default_factory=dict)
+    expansions: KnownExpansions = field(default_factory=dict)
 
     def settle(self, folder: Path) -> None:
         """Finish what a process that was killed had begun to write to a folder."""

@@ -255,15 +255,16 @@ class Planner:
         force = configuration.options.force
         folder = Folder(configuration.output, manifest, self._author.name, force)
         writing = self._writing(lambda folder: self._manifest(folder)[0])
-        launches, refused = packages.loaded_launches(folder, writing)
+        launches, refused = packages.launches.loaded(folder, writing)
+        robots, unchanged = packages.robots.loaded(folder, writing)
         places = places_beside(workspace, configuration.boundary) if in_place else {}
         files, notes = text_files(made_of.files, folder, places)
         notes += self._leading_out(files)
         types = workspace.types.values() if workspace.is_written else ()
         files += loaded_definitions(types, in_place=in_place)
-        found = [*made_of.diagnostics, *notes, *refused, *around.diagnostics]
+        found = [*made_of.diagnostics, *notes, *refused, *unchanged, *around.diagnostics]
         found += self._leading_out(around.files)
-        return [*files, *launches, *around.files], found
+        return [*files, *launches, *robots, *around.files], found
 
     def _packages(
         self, workspace: Workspace, made: Sequence[Generated], manifest: Manifest
@@ -307,14 +308,14 @@ class Planner:
         told: tuple[Diagnostic, ...] = ()
         for package in loaded.values():
             output, in_place = self._configuration.output, self._configuration.options.in_place
-            launches, problems = self._packages(workspace, made, manifest).of_loaded(package)
+            parts, problems = self._packages(workspace, made, manifest).of_loaded(package)
             told += problems
-            if problems:
+            if has_errors(problems):
                 continue
             assert package.source is not None
             types = types_of(workspace, package.name, package.source.ros_version)
             changed = loaded_package_files(
-                package, made, libraries, output, manifest, launches, types, in_place=in_place
+                package, made, libraries, output, manifest, parts, types, in_place=in_place
             )
             files = [each for each in files if each.name not in changed.nodes]
             files += changed.files

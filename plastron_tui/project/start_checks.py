@@ -162,11 +162,12 @@ def _launch_files(package: Package) -> Iterator[str]:
             each for each in package.source.launches if each not in package.removed_launches
         )
     for each in package.contents.values():
-        if isinstance(each.item, Launch):
+        if not isinstance(each.item, Node):
             source = each.item.source
-            if source is not None:
+            if isinstance(each.item, Launch) and source is not None:
                 yield f"launch/{source.path.name}"
                 continue
+            # A robot in a package has a launch file of its name.
             for ending in (ending for endings in _ENDINGS.values() for ending in endings):
                 yield f"launch/{each.name}{ending}"
 

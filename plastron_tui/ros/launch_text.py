@@ -1,7 +1,9 @@
 """Texts of launch files: literals, and the substitutions in them.
 
 Sources: the ROS wiki page "roslaunch/XML", section "substitution args"; for ROS 2 the design
-article "ROS 2 Launch Static Descriptions" and `launch/frontend/grammar.lark`.
+article "ROS 2 Launch Static Descriptions", `launch/frontend/grammar.lark`, and of the package
+launch what `expose_substitution` names. What a file holds and what a command says are attributes
+in ROS 1 (the wiki page "roslaunch/XML/param").
 """
 
 from __future__ import annotations
@@ -19,6 +21,8 @@ class Kind(Enum):
     PACKAGE = "find-pkg-share"
     ENVIRONMENT = "env"
     FOLDER = "dirname"
+    CONTENT = "file-content"
+    COMMAND = "command"
     OTHER = ""
 
 
@@ -27,7 +31,8 @@ class Substitution(NamedTuple):
 
     Attributes:
         kind: what it asks for.
-        argument: of what: the name of an argument or of a package; for `OTHER` what it says.
+        argument: of what: the name of an argument or of a package, the path of a file that is
+            read, the command of which the output counts; for `OTHER` what it says.
         default: what it is where there is none, for variables of the environment.
     """
 
@@ -101,7 +106,7 @@ def package_file(package: str, path: str) -> Text:
     return text(Substitution(Kind.PACKAGE, text(package)), f"/{path}")
 
 
-def _nowhere(package: str) -> str | None:
+def _nowhere(_: str) -> str | None:
     return None
 
 
@@ -114,12 +119,14 @@ class Scope:
         environ: the environment variables.
         folder: the folder of the launch file, None where it has none.
         find_package: returns the folder of a package that others find its files in.
+        read_file: returns what a file holds.
     """
 
     arguments: Mapping[str, str] = field(default_factory=dict)
     environ: Mapping[str, str] = field(default_factory=dict)
     folder: str | None = None
     find_package: Callable[[str], str | None] = _nowhere
+    read_file: Callable[[str], str | None] = _nowhere
 
     def value(self, of: Text) -> str | None:
         """Return what a text comes to, None where that is not known."""
@@ -138,6 +145,11 @@ class Scope:
             None,
         )
 
+    def _shown(self, command: str) -> str | None:
+        """Return what a command says; none is started, and of `cat` it is known without."""
+        word, _, path = command.partition(" ")
+        return self.read_file(path.strip()) if word == "cat" else None
+
     def _part(self, part: str | Substitution) -> str | None:
         if isinstance(part, str):
             return part
@@ -150,6 +162,10 @@ class Scope:
             found = self.find_package(name)
         elif part.kind is Kind.ENVIRONMENT:
             found = self.environ.get(name)
+        elif part.kind is Kind.CONTENT:
+            found = self.read_file(name)
+        elif part.kind is Kind.COMMAND:
+            found = self._shown(name)
         elif part.kind is Kind.FOLDER:
             return self.folder
         else:

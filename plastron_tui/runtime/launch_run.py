@@ -16,7 +16,7 @@ from plastron_tui.ros.launch_resolution import resolve
 from plastron_tui.ros.launch_started import SHOWN, Opened, Resolved, Started
 from plastron_tui.ros.launch_text import Scope
 from plastron_tui.ros.parameter_values import yaml_text
-from plastron_tui.sources.launch.reader import open_included
+from plastron_tui.sources.launch.reader import file_content, open_included
 from plastron_tui.sources.launch.unresolved import wrong_arguments
 
 from .build_output import Progress
@@ -158,10 +158,13 @@ def _resolved(
     packages: Packages,
     environ: Mapping[str, str],
 ) -> Resolved:
-    scope = Scope(arguments, environ, str(file.parent), packages.share)
-
     def beyond(file: Path) -> str:
         return "" if packages.has(file) else "it is neither in the project nor installed"
+
+    def content(path: str) -> str | None:
+        return file_content(path, beyond)
+
+    scope = Scope(arguments, environ, str(file.parent), packages.share, content)
 
     def opened(path: str) -> Opened:
         return open_included(Path(path), beyond)

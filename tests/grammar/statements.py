@@ -200,6 +200,41 @@ _MARKED: dict[str, list[str]] = {
     "generate_launch_statement": [
         "generate_launch l1",
     ],
+    "create_robot_statement": [
+        "create_robot 'rover' as r1",
+    ],
+    "load_robot_statement": [
+        "load_robot 'urdf/rover.urdf' as r1",
+    ],
+    "has_link_statement": [
+        "r1 has_link 'base'",
+        "r1 has_link 'base' · shaped box x = 0.4 · , 0.3 · , 0.1 · weighing 5 · painted blue"
+        " · at 0 , -1e-3 , .5 · turned 0 , 0 , 90 deg",
+        'r1 has_link \'base\' · painted "#3060ff" · shaped mesh "package://a/b.stl" · turned 0 , 1'
+        " , 0 rad",
+        "shaped has_link 'base' · painted painted · weighing 1 · shaped shaped 1",
+    ],
+    "no_longer_has_link_statement": [
+        "r1 no_longer_has_link 'base'",
+    ],
+    "has_joint_statement": [
+        "r1 has_joint 'j' of joint_type fixed from 'a' to 'b'",
+        "r1 has_joint 'j' of joint_type revolute from 'a' to 'b' · with axis 0 , 1 , 0"
+        " · mimicking 'k' · times -2 · turned 0 , 0 , 1 rad · at 1 , 2 , 3",
+        "axis has_joint 'j' of joint_type mimicking from 'a' to 'b' · at 0 , 0 , 1 · mimicking 'k'",
+    ],
+    "no_longer_has_joint_statement": [
+        "r1 no_longer_has_joint 'j'",
+    ],
+    "limits_joint_statement": [
+        "r1 limits_joint 'j' · between -90 and 90 deg · with effort 20 and velocity 1.5"
+        " · with damping 0.1 and friction 0",
+        "r1 limits_joint 'j' · with damping 1 and friction 0 · with effort 1 and velocity 2"
+        " · between 0 and 1 m",
+    ],
+    "generate_robot_statement": [
+        "generate_robot r1",
+    ],
 }
 
 STATEMENTS = {kind: [text.replace(" ·", "") for text in texts] for kind, texts in _MARKED.items()}

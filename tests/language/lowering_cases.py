@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+
 CASES: dict[str, tuple[object, ...]] = {
     "create_node 'talker' as n": ("CreateNode", "talker", "n", False, None),
     "create_node 'talker' as n using rclpy": ("CreateNode", "talker", "n", False, "rclpy"),
@@ -204,4 +206,51 @@ CASES: dict[str, tuple[object, ...]] = {
     "l includes 'p/a.launch'": ("Includes", "l", "p/a.launch"),
     "l no_longer_includes 'p/a.launch'": ("NoLongerIncludes", "l", "p/a.launch"),
     "generate_launch l": ("GenerateLaunch", "l"),
+    "create_robot 'a' as r": ("CreateRobot", "a", "r"),
+    "load_robot 'urdf/a.urdf' as r": ("LoadRobot", "urdf/a.urdf", "r"),
+    "r has_link 'a'": ("HasLink", "r", "a", *(None,) * 7),
+    "r has_link 'a' shaped box 1, y=.5, -2": (
+        *("HasLink", "r", "a", "box", ("1", ("y", "=", "0.5"), "-2"), *(None,) * 5),
+    ),
+    "r has_link 'a' weighing 1e-3": ("HasLink", "r", "a", None, None, 0.001, *(None,) * 4),
+    "r has_link 'a' painted blue": ("HasLink", "r", "a", *(None,) * 3, "blue", *(None,) * 3),
+    "r has_link 'a' painted \"#3060ff\"": (
+        *("HasLink", "r", "a", *(None,) * 3, "#3060ff", *(None,) * 3),
+    ),
+    "r has_link 'a' at 0, -0.5, 1e999": (
+        *("HasLink", "r", "a", *(None,) * 4, (0, -0.5, math.inf), None, None),
+    ),
+    "shaped has_link 'a' turned 0, 0, 90 deg at 1, 2, 3 painted painted weighing 5": (
+        *("HasLink", "shaped", "a", None, None, 5, "painted", (1, 2, 3), (0, 0, 90), "deg"),
+    ),
+    "r no_longer_has_link 'a'": ("NoLongerHasLink", "r", "a"),
+    "r has_joint 'j' of joint_type fixed from 'a' to 'b'": (
+        *("HasJoint", "r", "j", "fixed", "a", "b", *(None,) * 6),
+    ),
+    "r has_joint 'j' of joint_type fixed from 'a' to 'b' at 1, 2, 3": (
+        *("HasJoint", "r", "j", "fixed", "a", "b", (1, 2, 3), *(None,) * 5),
+    ),
+    "r has_joint 'j' of joint_type fixed from 'a' to 'b' turned 1, 2, 3 rad": (
+        *("HasJoint", "r", "j", "fixed", "a", "b", None, (1, 2, 3), "rad", *(None,) * 3),
+    ),
+    "r has_joint 'j' of joint_type axis from 'a' to 'b' mimicking 'k' with axis 0, 0, 1": (
+        *("HasJoint", "r", "j", "axis", "a", "b", None, None, None, (0, 0, 1), "k", None),
+    ),
+    "r has_joint 'j' of joint_type fixed from 'a' to 'b' mimicking 'k' times -2.5": (
+        *("HasJoint", "r", "j", "fixed", "a", "b", *(None,) * 4, "k", -2.5),
+    ),
+    "r no_longer_has_joint 'j'": ("NoLongerHasJoint", "r", "j"),
+    "r limits_joint 'j'": ("LimitsJoint", "r", "j", *(None,) * 7),
+    "r limits_joint 'j' between -90 and 9.5 deg": (
+        *("LimitsJoint", "r", "j", -90, 9.5, "deg", *(None,) * 4),
+    ),
+    "r limits_joint 'j' with effort 1 and velocity 2": (
+        *("LimitsJoint", "r", "j", None, None, None, 1, 2, None, None),
+    ),
+    "r limits_joint 'j' with damping 1 and friction 2": (
+        *("LimitsJoint", "r", "j", *(None,) * 5, 1, 2),
+    ),
+    "r limits_joint 'j' with damping 1 and friction 2 between 0 and 1 m with effort 3 and"
+    " velocity 4": ("LimitsJoint", "r", "j", 0, 1, "m", 3, 4, 1, 2),
+    "generate_robot r": ("GenerateRobot", "r"),
 }

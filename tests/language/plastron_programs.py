@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from hypothesis import strategies as st
+from robot_programs import robot_statements
 
 from plastron_tui.language import DECLARATIONS, Document, Program, lower
 from plastron_tui.language.definitions import FieldText, RemapText, SettingText
@@ -88,14 +89,18 @@ remaps = st.lists(st.builds("{} to {}".format, names, names), min_size=1, max_si
 parameter_settings = st.lists(
     st.builds("{} = {}".format, names, values), min_size=1, max_size=3
 ).map(lambda parts: f" setting {', '.join(parts)}")
-inputs = st.just("none") | st.lists(
+given_values = st.lists(
     values | st.tuples(fields, values).map("=".join), min_size=1, max_size=4
 ).map(", ".join)
+inputs = st.just("none") | given_values
+about_robots = robot_statements(variables, names, numbers, given_values)
 
 
 @st.composite
 def statements(draw: st.DrawFn) -> str:
     """Draw a statement, words between single spaces."""
+    if draw(st.integers(0, 5)) == 0:
+        return draw(about_robots)
     node, other, name = draw(variables), draw(variables), draw(names)
     type_ = draw(types)
     using = draw(st.sampled_from(["", " using rospy", " using rclpy"]))
@@ -227,6 +232,8 @@ def _shape_of(value: object) -> object:
             return quantifier, argument(received), operator, argument(compared)
         case (QosWord(), *_):
             return " ".join(f"{each.word} {each.number}" for each in value)
+        case int() | float(), int() | float(), int() | float():
+            return value  # a vector
         case tuple() if not hasattr(value, "syntax"):
             return tuple(map(argument, value))
         case tuple():

@@ -57,6 +57,8 @@ def test_the_words_are_those_that_came_later() -> None:
         *("qos", "received", "renames", "repeats", "when"),
         *("contains", "in", "includes", "inside", "parameters", "remapping", "reporting"),
         *("returning", "setting", "starts"),
+        *("axis", "damping", "effort", "friction", "mimicking", "painted", "shaped", "times"),
+        *("turned", "velocity", "weighing"),
     }
 
 

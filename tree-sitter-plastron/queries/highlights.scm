@@ -11,6 +11,8 @@
   "create_package" "load_package" "contains" "no_longer_contains" "generate_package"
   "create_launch" "load_launch" "has_argument" "no_longer_has_argument" "starts"
   "no_longer_starts" "includes" "no_longer_includes" "generate_launch"
+  "create_robot" "load_robot" "has_link" "no_longer_has_link" "has_joint" "no_longer_has_joint"
+  "limits_joint" "generate_robot"
 ] @keyword.function
 
 [
@@ -18,7 +20,8 @@
   "and" "with" "input" "to" "from" "calling" "at" "hz" "node" "qos" "for_each"
   "when" "any" "all" "answering" "default" "between" "described_as" "parameter"
   "returning" "reporting" "maintained_by" "licensed_under" "in" "inside" "remapping" "setting"
-  "parameters"
+  "parameters" "shaped" "weighing" "painted" "turned" "joint_type" "axis" "mimicking" "times"
+  "effort" "velocity" "damping" "friction"
 ] @keyword
 (flag) @keyword
 ; `received`, and after it the fields on the way.
@@ -46,6 +49,10 @@
 (client_library) @module
 (name_kind) @type.builtin
 (section) @type.builtin
+(shape) @type.builtin
+(joint_type) @type.builtin
+(color) @property
+(unit) @type.builtin
 (definition name: (field_name) @property)
 (type package: (identifier) @module)
 (type kind: (identifier) @module)

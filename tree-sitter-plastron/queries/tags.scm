@@ -11,6 +11,11 @@
 (load_package_statement variable: (variable) @name) @definition.module
 (create_launch_statement variable: (variable) @name) @definition.module
 (load_launch_statement variable: (variable) @name) @definition.module
+(create_robot_statement variable: (variable) @name) @definition.class
+(load_robot_statement variable: (variable) @name) @definition.class
+; The links and joints of a robot have names of their own, in quotes.
+(has_link_statement link: (ros_name) @name) @definition.constant
+(has_joint_statement joint: (ros_name) @name) @definition.constant
 
 (subscribe_statement function: (function) @name) @reference.call
 (provides_service_statement function: (function) @name) @reference.call
@@ -55,3 +60,15 @@
 (includes_statement launch: (variable) @name) @reference.module
 (no_longer_includes_statement launch: (variable) @name) @reference.module
 (generate_launch_statement launch: (variable) @name) @reference.module
+(has_link_statement robot: (variable) @name) @reference.class
+(no_longer_has_link_statement robot: (variable) @name) @reference.class
+(has_joint_statement robot: (variable) @name) @reference.class
+(no_longer_has_joint_statement robot: (variable) @name) @reference.class
+(limits_joint_statement robot: (variable) @name) @reference.class
+(generate_robot_statement robot: (variable) @name) @reference.class
+(no_longer_has_link_statement link: (ros_name) @name) @reference.constant
+(has_joint_statement parent: (ros_name) @name) @reference.constant
+(has_joint_statement child: (ros_name) @name) @reference.constant
+(has_joint_statement mimicked: (ros_name) @name) @reference.constant
+(no_longer_has_joint_statement joint: (ros_name) @name) @reference.constant
+(limits_joint_statement joint: (ros_name) @name) @reference.constant

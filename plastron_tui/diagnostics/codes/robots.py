@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from plastron_tui.diagnostics.code import Code
+from plastron_tui.diagnostics.severity import Severity
 
 _ROVER = "create_robot 'rover' as rover\n"
 _BASE = f"{_ROVER}rover has_link 'base'\n"
@@ -171,4 +172,14 @@ BROKEN_URDF = Code(
     "A robot's file says what the parser of URDF does not take: a name or a number that is not "
     "there or is none, two parts of one name, a material that is not described. Correct it there; "
     "what is wrong counts as not said.",
+)
+
+NOT_EXPANDED = Code(
+    "not-expanded",
+    "The macros of a robot's file (xacro) are not expanded, so that links and joints are missing "
+    "from what is shown: the folder is not trusted, and macros can do more than describe a robot; "
+    "the package `xacro` is not there; a file that is included is not there, or lies neither in "
+    "the project nor in an installed package; or they have a mistake, or take more time or memory "
+    "than a robot needs. What stands outside of macros can be changed all the same.",
+    severity=Severity.WARNING,
 )

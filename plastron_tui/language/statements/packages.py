@@ -46,14 +46,14 @@ class LoadPackage(Statement):
 @statement(
     "contains_statement",
     "{package} contains {item} [as {executable}]",
-    summary="Put a node or a launch file into a package.",
+    summary="Put a node, a launch file or a robot into a package.",
     example="rover contains talker",
     purpose="put something into a package",
     ros_term="executable",
     about="What a package contains is installed with it, and others can start it by its name.",
 )
 class Contains(Statement):
-    """Put a node or a launch file into a package."""
+    """Put a node, a launch file or a robot into a package."""
 
     package: str = slot(SlotKind.PACKAGE, PACKAGE_HELP)
     item: str = slot(SlotKind.ITEM, "what is put into it")
@@ -63,7 +63,7 @@ class Contains(Statement):
 @statement(
     "no_longer_contains_statement",
     "{package} no_longer_contains {item}",
-    summary="Take a node or a launch file out of a package.",
+    summary="Take a node, a launch file or a robot out of a package.",
     example="rover no_longer_contains talker",
     purpose="take something out of a package",
     ros_term="executable",
@@ -71,7 +71,7 @@ class Contains(Statement):
     undoes=Contains,
 )
 class NoLongerContains(Statement):
-    """Take a node or a launch file out of a package."""
+    """Take a node, a launch file or a robot out of a package."""
 
     package: str = slot(SlotKind.PACKAGE, PACKAGE_HELP)
     item: str = slot(SlotKind.HELD, "what is taken out of it")

@@ -60,7 +60,7 @@ def packages_around(
     """
     own = own_package(file)
     found: dict[str, Path] = {}
-    for folder in (*(() if own is None else (own, *_beside(own))), *_below(root)):
+    for folder in (*(() if own is None else (own, *_beside(own))), *folders_below(root)):
         name = package_name(folder) if allows(folder / "package.xml") else None
         if name is not None:
             found.setdefault(name, folder)
@@ -79,8 +79,8 @@ def _beside(package: Path) -> list[Path]:
             and not any((each / marker).exists() for marker in IGNORE_MARKERS)]  # fmt: skip
 
 
-def _below(root: Path) -> Iterator[Path]:
-    """Yield the folders with a package.xml, in the order of their names; no link is followed."""
+def folders_below(root: Path) -> Iterator[Path]:
+    """Yield the folders with a package.xml below one, in the order of their names; no link is followed."""
     for seen, (place, folders, files) in enumerate(os.walk(root)):
         path = Path(place)
         if seen >= _MOST_FOLDERS:

@@ -19,11 +19,12 @@ from plastron_tui.ros.launch import (
     StartedNode,
     Variable,
 )
-from plastron_tui.ros.launch_text import Text, text
+from plastron_tui.ros.launch_text import Substitution, Text, text
 from plastron_tui.ros.launch_values import typed, written
 from plastron_tui.ros.parameters import Setting
 from plastron_tui.sources.xml.new_element import NewElement
 
+from .ros1_elements import READ_VALUES
 from .substitutions import escaped, write_text
 
 _Attributes = tuple[tuple[str, str], ...]
@@ -149,11 +150,22 @@ class _Writer:
             return NewElement(tag, (("from", file),))
         name = ("name", self._text(parameter.name))
         if isinstance(parameter.value, Text):
+            if self._version == 1 and (read := self._read(parameter.value)) is not None:
+                return NewElement(tag, (name, read))
             word = "double" if self._version == 1 else "float"
             word = "str" if parameter.is_text else word if parameter.is_float else ""
             type_ = (("type", word),) if word else ()
             return NewElement(tag, (name, ("value", self._text(parameter.value)), *type_))
         return NewElement(tag, (name, *self._value(parameter.value)))
+
+    def _read(self, value: Text) -> tuple[str, str] | None:
+        """Return the attribute that says where a value is read from, None for another value."""
+        match value.parts:
+            case (Substitution(kind=kind, argument=source),):
+                for attribute, each in READ_VALUES.items():
+                    if each is kind:
+                        return attribute, self._text(source)
+        return None
 
     def _value(self, value: Setting) -> _Attributes:
         if self._version == 2 and isinstance(value, tuple):

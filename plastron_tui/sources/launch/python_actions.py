@@ -73,10 +73,13 @@ def as_text(value: Any) -> Text | None:
     return None
 
 
+_WORDS = ("package", "name", "variable_name", "command", "path")
+"""What the first argument of a substitution is called, where it has a name."""
+
+
 def _of(kind: Kind) -> _Action:
     def make(positional: list[Any], named: _Named, place: Place) -> Text | None:
-        values = [*positional, *(named[key] for key in ("package", "name", "variable_name")
-                                 if key in named)]  # fmt: skip
+        values = [*positional, *(named[key] for key in _WORDS if key in named)]
         name = as_text(values[0]) if values else None
         if kind is Kind.FOLDER:
             return Text((Substitution(kind, text()),))
@@ -329,6 +332,8 @@ ACTIONS: dict[str, _Action] = {
     "get_package_share_path": _of(Kind.PACKAGE),
     "EnvironmentVariable": _of(Kind.ENVIRONMENT),
     "ThisLaunchFileDir": _of(Kind.FOLDER),
+    "FileContent": _of(Kind.CONTENT),
+    "Command": _of(Kind.COMMAND),
     "PathJoinSubstitution": _joined,
     "join": _joined,
     "TextSubstitution": _first,

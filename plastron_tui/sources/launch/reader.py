@@ -55,3 +55,19 @@ def open_included(path: Path, beyond: Callable[[Path], str]) -> Opened:
         why = read.diagnostics[0].message if read.diagnostics else "it is no launch file"
         return Opened(None, 2, "", why)
     return Opened(read.launch, read.format.ros_version, str(path.parent))
+
+
+def file_content(path: str, beyond: Callable[[Path], str]) -> str | None:
+    """Return the text of a file that a launch file wants to have, None where it may not be read.
+
+    Args:
+        path: the file.
+        beyond: says why a file may not be read, "" where it may.
+    """
+    file = Path(path)
+    if not file.is_absolute() or beyond(file):
+        return None
+    try:
+        return read_regular(file, LARGEST).decode()
+    except (OSError, ValueError):
+        return None

@@ -23,12 +23,15 @@ from plastron_tui.ros.launch import (
     StartedNode,
     Variable,
 )
-from plastron_tui.ros.launch_text import text
+from plastron_tui.ros.launch_text import Kind, Substitution, Text, text
 from plastron_tui.ros.launch_values import as_value
 from plastron_tui.sources.xml.document import Element
 
 from .elements import Words, remaps_of, value_of
 from .substitutions import parse_text
+
+READ_VALUES = {"textfile": Kind.CONTENT, "command": Kind.COMMAND}
+"""The attributes of a `param` that say where its value is read from."""
 
 _DEEPEST = 20
 _MOST = 5_000
@@ -96,9 +99,15 @@ def _parameters(element: Element) -> list[Parameter] | None:
     name = words.get("name") if element.name == "param" else words.get("param")
     if element.name == "param":
         value = element.get("value")
-        if name is None or value is None:
+        if name is None:
             return None
-        return [value_of(name, value, element.get("type"), 1)]
+        if value is not None:
+            return [value_of(name, value, element.get("type"), 1)]
+        for attribute, kind in READ_VALUES.items():
+            source = words.get(attribute)
+            if source is not None:
+                return [ParameterValue(name, Text((Substitution(kind, source),)), is_text=True)]
+        return None
     file = words.get("file")
     if file is not None:
         is_load = element.get("command") in (None, "load")

@@ -21,6 +21,8 @@ _KINDS = {
         "find-pkg-share": Kind.PACKAGE,
         "env": Kind.ENVIRONMENT,
         "dirname": Kind.FOLDER,
+        "file-content": Kind.CONTENT,
+        "command": Kind.COMMAND,
     },
 }
 
@@ -54,7 +56,10 @@ def _written(part: str | Substitution, ros_version: int) -> str | None:
     if part.kind is Kind.FOLDER:
         return "$(dirname)"
     words = [_argument(part.argument, ros_version)]
-    word = next(word for word, kind in _KINDS[ros_version].items() if kind is part.kind)
+    kinds = _KINDS[ros_version].items()
+    word = next((word for word, kind in kinds if kind is part.kind), None)
+    if word is None:
+        return None
     if part.default is not None:
         words.append(_argument(part.default, ros_version))
         word = "optenv" if ros_version == 1 else word
@@ -67,8 +72,10 @@ def _argument(of: Text, ros_version: int) -> str | None:
         literal = of.literal
         return None if literal is None or ")" in literal else literal
     found = write_text(of, 2)
-    if found is not None and of.literal is not None and any(mark in found for mark in " ()'\""):
-        return '"' + found.replace('"', '\\"') + '"'
+    plain = "".join(part for part in of.parts if isinstance(part, str))
+    if found is not None and any(mark in plain for mark in " ()'\""):
+        quote = '"' if of.literal is not None else "'"
+        return quote + found.replace(quote, "\\" + quote) + quote
     return found or "''"
 
 

@@ -21,6 +21,7 @@ from plastron_tui.ros.robots.description import (
     Shape,
     Sphere,
     Tensor,
+    Vector,
 )
 from plastron_tui.sources.xml.new_element import NewElement
 
@@ -113,7 +114,7 @@ def joint_element(joint: Joint) -> NewElement:
         NewElement("child", (("link", joint.child),)),
     ]
     if joint.axis is not None:
-        children.append(NewElement("axis", (("xyz", numbers(joint.axis)),)))
+        children.append(axis_element(joint.axis))
     if joint.limit is not None:
         children.append(limit_element(joint.limit, has_range=joint.type.is_limited))
     if joint.dynamics is not None:
@@ -124,9 +125,18 @@ def joint_element(joint: Joint) -> NewElement:
     return NewElement("joint", attributes, children=tuple(children))
 
 
+def axis_element(axis: Vector) -> NewElement:
+    """Return what a joint moves about or along."""
+    return NewElement("axis", (("xyz", numbers(axis)),))
+
+
 def limit_element(limit: Limit, *, has_range: bool) -> NewElement:
-    """Return a limit; what turns without end has no range."""
-    ends = (("lower", number(limit.lower)), ("upper", number(limit.upper))) if has_range else ()
+    """Return a limit; what turns without end has no range, unless it says one."""
+    ends = tuple(
+        (name, number(value))
+        for name, value in (("lower", limit.lower), ("upper", limit.upper))
+        if has_range or value
+    )
     strength = (("effort", number(limit.effort)), ("velocity", number(limit.velocity)))
     return NewElement("limit", (*ends, *strength))
 

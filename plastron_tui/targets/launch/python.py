@@ -33,7 +33,13 @@ _MODULES = {
         "SetLaunchConfiguration",
     ),
     "launch.conditions": ("IfCondition", "UnlessCondition"),
-    "launch.substitutions": ("EnvironmentVariable", "LaunchConfiguration", "ThisLaunchFileDir"),
+    "launch.substitutions": (
+        "Command",
+        "EnvironmentVariable",
+        "FileContent",
+        "LaunchConfiguration",
+        "ThisLaunchFileDir",
+    ),
     "launch_ros.actions": (
         "ComposableNodeContainer",
         "LoadComposableNodes",
@@ -248,6 +254,8 @@ class _Writer:
             Kind.ARGUMENT: "LaunchConfiguration",
             Kind.PACKAGE: "FindPackageShare",
             Kind.ENVIRONMENT: "EnvironmentVariable",
+            Kind.CONTENT: "FileContent",
+            Kind.COMMAND: "Command",
         }[part.kind]
         found = [("", self._text(part.argument))]
         if part.default is not None:

@@ -82,6 +82,7 @@ def _contents(spec: PackageSpec) -> Iterator[Diagnostic]:
         [_Named(each.file, "a node's file", each.span) for each in spec.nodes],
         [_Named(each.name, "a launch file", each.span) for each in spec.launches],
         [_Named(each.name, "a parameter file", each.span) for each in spec.configs],
+        [_Named(each.name, "a robot's file", each.span) for each in spec.robots],
     )
     for group in groups:
         there: set[str] = set()

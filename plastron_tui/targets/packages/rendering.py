@@ -33,6 +33,9 @@ from .spec import (
     interfaces_name,
 )
 
+URDF_FOLDER = "urdf"
+"""Where packages have the descriptions of robots (ROS wiki, "urdf/Tutorials")."""
+
 _WITH_TYPES = "rosidl_interface_packages"
 """The group of the packages of ROS 2 that build types (REP 149; rosidl_default_generators)."""
 
@@ -64,6 +67,7 @@ def render_package(spec: PackageSpec) -> RenderedPackage:
         **({} if spec.is_bare else _about(spec)),
         **{f"launch/{each.name}": each.text for each in spec.launches},
         **{f"config/{each.name}": each.text for each in spec.configs},
+        **{f"{URDF_FOLDER}/{each.name}": each.text for each in spec.robots},
     }
     if build is BuildType.AMENT_PYTHON:
         files |= {
@@ -116,6 +120,7 @@ def interfaces_of(spec: PackageSpec) -> PackageSpec | None:
         nodes=(),
         launches=(),
         configs=(),
+        robots=(),
         build_type=BuildType.AMENT_CMAKE,
     )
 
@@ -166,6 +171,7 @@ def _about(spec: PackageSpec) -> dict[str, bytes]:
         ],
         "launches": [each.name for each in spec.launches],
         "definitions": [each.path for each in spec.definitions],
+        "robots": [f"{URDF_FOLDER}/{each.name}" for each in spec.robots],
         "launch": "roslaunch" if spec.ros_version == 1 else "ros2 launch",
         "build": "catkin_make"
         if spec.ros_version == 1
@@ -222,6 +228,7 @@ def _filled(spec: PackageSpec, template: str) -> bytes:
         "folders": [
             *(["launch"] if spec.launches else []),
             *(["config"] if spec.configs else []),
+            *([URDF_FOLDER] if spec.robots else []),
         ],
         "main": _CONSOLE_MAIN,
         "maintainer": python_argument("maintainer", spec.person.name, 4),
@@ -230,6 +237,7 @@ def _filled(spec: PackageSpec, template: str) -> bytes:
         "license": python_string(spec.licensed),
         "launches": sorted(spec.launches),
         "configs": bool(spec.configs),
+        "robots": bool(spec.robots),
         "messages": of(InterfaceKind.MESSAGE),
         "services": of(InterfaceKind.SERVICE),
         "actions": of(InterfaceKind.ACTION),

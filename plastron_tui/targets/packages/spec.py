@@ -129,6 +129,7 @@ class PackageSpec:
         nodes: the nodes that it installs.
         launches: the launch files that it installs.
         configs: the files in its folder `config`.
+        robots: the descriptions of robots, in its folder `urdf`.
         definitions: its types. In ROS 2 they are in a package of their own, see `interfaces_of`,
             unless it `builds_types`.
         packages: the packages with interface types that are known, to tell imports by.
@@ -148,6 +149,7 @@ class PackageSpec:
     nodes: tuple[PackagedNode, ...] = ()
     launches: tuple[PackagedLaunch, ...] = ()
     configs: tuple[PackagedFile, ...] = ()
+    robots: tuple[PackagedFile, ...] = ()
     definitions: tuple[PackagedDefinition, ...] = ()
     packages: frozenset[str] = frozenset()
     build_type: BuildType | None = None
@@ -197,6 +199,8 @@ class PackageSpec:
             return f"Generated nodes of {self.name}"
         if self.definitions and not self.launches:
             return f"Interface types of {self.name}"
+        if self.robots:
+            return f"Description of {self.name}"
         return f"Launch files of {self.name}"
 
     @property

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import replace
 
-from plastron_tui.ros.robots.description import Body, Description, Link, Material
+from plastron_tui.ros.robots.description import Description, Link
+from plastron_tui.ros.robots.materials import shared
 from plastron_tui.ros.robots.tree import branches
 from plastron_tui.sources.urdf.new_elements import joint_element, link_element, material_element
 from plastron_tui.sources.xml.layout import Style
@@ -21,43 +21,16 @@ def write_urdf(robot: Description) -> bytes:
     Materials come first, and are meant by their names from there on; a link stands behind the
     joint that holds it, from the root on.
     """
-    shared = with_shared_materials(robot)
     name = escaped_value(robot.name, '"')
     lines = [b'<?xml version="1.0"?>', encoded(f'<robot name="{name}">')]
-    for at, element in enumerate(_elements(shared)):
-        is_material = element.name == "material"
-        if at and not (is_material and lines[-1]):
+    previous = ""
+    for element in _elements(shared(robot)):
+        if previous and not previous == element.name == "material":
             lines.append(b"")
         lines.append(_INDENT + render(element, _STYLE, _INDENT))
+        previous = element.name
     lines.append(b"</robot>")
     return b"\n".join(lines) + b"\n"
-
-
-def with_shared_materials(robot: Description) -> Description:
-    """Return a robot whose links mean their materials by name, wherever that means the same."""
-    materials = dict(robot.materials)
-    for material in _painted(robot):
-        if material.rgba is not None or material.texture is not None:
-            materials.setdefault(material.name, material)
-
-    def named(body: Body) -> Body:
-        material = body.material
-        if material is None or materials.get(material.name) != material:
-            return body
-        return body._replace(material=Material(material.name))
-
-    links = {
-        name: link._replace(visuals=tuple(map(named, link.visuals)))
-        for name, link in robot.links.items()
-    }
-    return replace(robot, links=links, materials=materials)
-
-
-def _painted(robot: Description) -> Iterator[Material]:
-    for link in robot.links.values():
-        for body in link.visuals:
-            if body.material is not None:
-                yield body.material
 
 
 def _elements(robot: Description) -> Iterator[NewElement]:

@@ -1,0 +1,168 @@
+"""The descriptions of robots that a program writes, and what starts them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING, NamedTuple
+
+from plastron_tui.diagnostics import Diagnostic, codes
+from plastron_tui.model.robots import Robot, RobotGeneration
+from plastron_tui.model.workspace import Workspace
+from plastron_tui.ros.robots.description import Description, Mesh
+from plastron_tui.sources.launch.new_elements import CannotWriteError
+from plastron_tui.targets.launch.program import request_of
+from plastron_tui.targets.packages.rendering import URDF_FOLDER
+from plastron_tui.targets.packages.spec import PackagedFile, PackagedLaunch, PackageFile
+from plastron_tui.targets.robots.launch import DescribedRobot, with_description
+
+from .launch_files import needs_of_launch
+from .package_parts import PackagedRobot, held_variables, is_within, name_within
+from .robot_files import robot_output, robot_text
+from .robot_launches import robot_starts
+
+if TYPE_CHECKING:
+    from plastron_tui.diagnostics import Span
+    from plastron_tui.model.packages import Package
+    from plastron_tui.output.plan import OutputFile
+
+    from .destination import Writing
+    from .program_launches import ProgramLaunches
+    from .text_files import Folder
+
+_MACROS = ".xacro"
+_IN_PACKAGE = "package://"
+
+
+class PackagedRobots(NamedTuple):
+    """The robots of a package by variable, and what is to be said of them."""
+
+    robots: dict[str, PackagedRobot]
+    diagnostics: tuple[Diagnostic, ...] = ()
+
+    @property
+    def files(self) -> tuple[PackagedFile, ...]:
+        """Their descriptions."""
+        return tuple(each.file for each in self.robots.values() if each.file is not None)
+
+    @property
+    def launches(self) -> tuple[PackagedLaunch, ...]:
+        """What starts them."""
+        return tuple(each.launch for each in self.robots.values())
+
+
+class ProgramRobots:
+    """Makes the robots of a program."""
+
+    def __init__(self, workspace: Workspace, launches: ProgramLaunches) -> None:
+        """Set what they follow from.
+
+        Args:
+            workspace: what the program built.
+            launches: writes launch files.
+        """
+        self._workspace = workspace
+        self._launches = launches
+
+    def alone(self) -> Iterator[tuple[str, PackageFile]]:
+        """Yield the robots that the program creates and writes for their own sake, by file."""
+        held = held_variables(self._workspace)
+        last = {each.robot.variable: each.robot for each in self._workspace.written_robots}
+        for variable, robot in last.items():
+            if variable not in held and robot.source is None:
+                written = robot_text(robot)
+                assert written.text is not None, "what is created is written as it is"
+                yield written.name, PackageFile(written.text)
+
+    def loaded(self, folder: Folder, writing: Writing) -> tuple[list[OutputFile], list[Diagnostic]]:
+        """Return the robots that the program loads and writes, as it changes them.
+
+        One that a package contains is written with the package.
+        """
+        files: list[OutputFile] = []
+        found: list[Diagnostic] = []
+        held = held_variables(self._workspace)
+        homes: dict[str, Package] = {}
+        last = {each.robot.variable: each for each in self._workspace.written_robots}
+        for package, variable, robot, span in self._contained():
+            if is_within(package, robot):
+                last[variable] = RobotGeneration(robot, span)
+                homes[variable] = package
+        for variable, (robot, span) in last.items():
+            if robot.source is None or (variable in held and variable not in homes):
+                continue
+            written = robot_text(robot)
+            found += (each if each.file else each._replace(span=each.span or span)
+                      for each in written.diagnostics)  # fmt: skip
+            if written.text is None:
+                continue
+            home = homes.get(variable)
+            name = written.name if home is None else name_within(home, robot)
+            file, notes = robot_output(robot, (name, PackageFile(written.text)), folder, writing)
+            files.append(file)
+            found += notes
+        return files, found
+
+    def of_package(self, package: Package, version: int, distribution: str) -> PackagedRobots:
+        """Return the robots that a package contains, each with what starts it."""
+        robots: dict[str, PackagedRobot] = {}
+        found: list[Diagnostic] = []
+        for each, variable, robot, span in self._contained():
+            if each is not package:
+                continue
+            made = self._packaged(robot, package, version, distribution, span)
+            found += made.diagnostics
+            if made.robot is not None:
+                robots[variable] = made.robot
+        return PackagedRobots(robots, tuple(found))
+
+    def _packaged(
+        self, robot: Robot, package: Package, version: int, distribution: str, span: Span
+    ) -> _Packaged:
+        written = robot_text(robot)
+        if written.text is None:
+            found = tuple(each if each.file else each._replace(span=each.span or span)
+                          for each in written.diagnostics)  # fmt: skip
+            return _Packaged(None, found)
+        is_there = is_within(package, robot)
+        path = f"{URDF_FOLDER}/{written.name}"
+        if is_there:
+            path = name_within(package, robot).partition("/")[2]
+        is_macros = written.name.endswith(_MACROS)
+        starts = robot_starts(robot, package, self._workspace, version, span)
+        launch = self._launches.placed(starts.launch)
+        started = request_of(launch, version, self._launches.executable).added
+        described = DescribedRobot(package.name, path, is_macros)
+        try:
+            started = with_description(started, described, version, distribution)
+            name, text = self._launches.written(robot.stem, started, version)
+        except CannotWriteError as problem:
+            message = f"ROS {version} has no words for {problem} in a launch file"
+            return _Packaged(None, (Diagnostic(codes.BAD_LAUNCH_NAME, message, span),))
+        needs = {*needs_of_launch(launch, version), *_meshes_of(robot.description)}
+        needs |= {"xacro"} if is_macros else set()
+        file = None if is_there else PackagedFile(written.name, written.text, span)
+        packaged = PackagedLaunch(name, text, frozenset(needs - {package.name}), span)
+        made = PackagedRobot(file, path, packaged, span)
+        return _Packaged(made, (*written.diagnostics, *starts.diagnostics))
+
+    def _contained(self) -> Iterator[tuple[Package, str, Robot, Span]]:
+        last = {each.package.variable: each.package for each in self._workspace.written_packages}
+        for package in last.values():
+            for variable, contained in package.contents.items():
+                if isinstance(contained.item, Robot):
+                    yield package, variable, contained.item, contained.span
+
+
+class _Packaged(NamedTuple):
+    robot: PackagedRobot | None
+    diagnostics: tuple[Diagnostic, ...]
+
+
+def _meshes_of(robot: Description) -> Iterator[str]:
+    """Yield the packages that the meshes of a robot are in."""
+    for link in robot.links.values():
+        for body in (*link.visuals, *link.collisions):
+            if isinstance(body.shape, Mesh) and body.shape.uri.startswith(_IN_PACKAGE):
+                name = body.shape.uri.removeprefix(_IN_PACKAGE).partition("/")[0]
+                if name.isascii() and name.replace("-", "_").isidentifier():
+                    yield name

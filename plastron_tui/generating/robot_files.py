@@ -1,0 +1,66 @@
+"""The files of robots: written new, or changed where they are loaded from."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+from plastron_tui.diagnostics import Diagnostic
+from plastron_tui.model.robots import Robot
+from plastron_tui.output.plan import OutputFile
+from plastron_tui.ros.robots.merging import merged
+from plastron_tui.sources.urdf.reader import read_urdf
+from plastron_tui.targets.packages.spec import PackageFile
+from plastron_tui.targets.robots.urdf import write_urdf
+
+from .destination import Writing
+from .robot_layers import ROBOT_FORM
+from .text_files import Folder
+from .text_layers import changed_file
+
+URDF = ".urdf"
+
+
+class RobotText(NamedTuple):
+    """What a robot's file is called and holds; None with the reason."""
+
+    name: str
+    text: bytes | None
+    diagnostics: tuple[Diagnostic, ...] = ()
+
+
+def robot_text(robot: Robot) -> RobotText:
+    """Return the text of a robot's file; of a loaded one with what the program changes in it."""
+    source = robot.source
+    if source is None:
+        return RobotText(f"{robot.stem}{URDF}", write_urdf(robot.description))
+    from plastron_tui.sources.urdf.edits import edited
+
+    changed = edited(source.text, source.description, robot.description, source.path)
+    return RobotText(source.path.name, changed.text, changed.diagnostics)
+
+
+def robot_output(
+    robot: Robot, named: tuple[str, PackageFile], folder: Folder, writing: Writing
+) -> tuple[OutputFile, tuple[Diagnostic, ...]]:
+    """Return a changed robot's file as it is to be written, and what is to be said of it.
+
+    Args:
+        robot: the robot, which was loaded.
+        named: what it is called in the output folder, and what it shall hold.
+        folder: the output folder.
+        writing: whether it is written over the file that it came from, and what is known of that.
+    """
+    source = robot.source
+    assert source is not None, "the robot was loaded"
+
+    def remade(original: bytes) -> bytes | None:
+        """Return what the program makes of another text: its changes, and no more."""
+        from plastron_tui.sources.urdf.edits import edited
+
+        known = read_urdf(original, source.path).description
+        if known is None:
+            return None
+        wanted = merged(source.description, robot.description, known).robot
+        return None if wanted is None else edited(original, known, wanted, source.path).text
+
+    return changed_file(source, named, remade, folder, writing, ROBOT_FORM)

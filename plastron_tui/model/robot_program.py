@@ -1,0 +1,179 @@
+"""The description of a robot, written as a program that describes the same."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from math import isclose
+from typing import Any
+
+from plastron_tui.language.declaration import DECLARATIONS
+from plastron_tui.language.sentence import sentence
+from plastron_tui.language.statements import (
+    CreateRobot,
+    GenerateRobot,
+    HasJoint,
+    HasLink,
+    LimitsJoint,
+)
+from plastron_tui.ros.robots.description import (
+    ORIGIN,
+    Body,
+    Description,
+    Inertial,
+    Joint,
+    Limit,
+    Link,
+    Mesh,
+    Pose,
+)
+from plastron_tui.ros.robots.inertia import tensor_of
+
+from .program_text import Variables
+from .robot_words import angle_words, color_words, limit_words, number, numbers, shape_words
+
+_NAME = re.compile(r"[A-Za-z_][\w.-]*", re.ASCII)
+_CLOSE = 1e-3
+"""How far an inertia may be from that of its shape and still follow from it."""
+
+
+def program_of_robot(robot: Description, stem: str) -> str:
+    """Return a program that describes a robot.
+
+    What a statement can say becomes one, and the rest a comment.
+
+    Args:
+        robot: the robot.
+        stem: what a robot is called that has no name that a program may give it.
+    """
+    lines: list[str] = []
+    name = robot.name
+    if not _NAME.fullmatch(name):
+        lines.append(f"// the robot's name is {_shown(name)}")
+        name = re.sub(r"[^\w.-]+", "_", stem, flags=re.ASCII).strip("_.-") or "robot"
+        name = name if _NAME.fullmatch(name) else f"robot_{name}"
+    variable = Variables().new(name)
+    lines.append(_sentence(CreateRobot, {"name": name, "variable": variable}))
+    for link in robot.links.values():
+        lines += _link(variable, link, robot)
+    # A joint follows one that is there.
+    joints = sorted(robot.joints.values(), key=lambda each: each.mimic is not None)
+    for joint in joints:
+        lines += _joint(variable, joint)
+    lines.append(_sentence(GenerateRobot, {"robot": variable}))
+    return "\n".join(lines) + "\n"
+
+
+def _sentence(statement: Any, slots: dict[str, str]) -> str:
+    return sentence(DECLARATIONS[statement], slots)
+
+
+def _link(variable: str, link: Link, robot: Description) -> Iterator[str]:
+    if not _NAME.fullmatch(link.name):
+        yield f"// a link is called {_shown(link.name)}, which no program can say"
+        return
+    bodies = (*link.visuals, *link.collisions)
+    body = next((each for each in bodies if each.shape is not None), None)
+    slots = {"robot": variable, "link": link.name}
+    if body is not None and body.shape is not None:
+        shape, _, size = shape_words(body.shape).partition(" ")
+        slots |= {"shape": shape, "size": size, **_placed(body.pose)}
+        if link.inertial is not None and link.inertial.mass > 0:
+            slots["weight"] = number(link.inertial.mass)
+        material = next((each.material for each in link.visuals if each.material), None)
+        if material is not None:
+            known = robot.materials.get(material.name, material)
+            own = material if material.rgba is not None or material.texture else known
+            slots["color"] = color_words(own) or ""
+    yield from (f"// {link.name}: {each}" for each in _unsaid(link, body, slots))
+    yield _sentence(HasLink, slots)
+
+
+def _placed(pose: Pose) -> dict[str, str]:
+    slots = {}
+    if pose.position != ORIGIN:
+        slots["position"] = numbers(pose.position)
+    if pose.rotation != ORIGIN:
+        slots["rotation"], _, slots["unit"] = angle_words(pose.rotation).rpartition(" ")
+    return slots
+
+
+def _unsaid(link: Link, body: Body | None, slots: dict[str, str]) -> Iterator[str]:
+    """Yield what the statement of a link leaves out, or says otherwise."""
+    if body is None:
+        if link.inertial is not None:
+            yield f"it weighs {number(link.inertial.mass)} kg, and has no shape"
+        if link.visuals or link.collisions:
+            yield "its shape is not known"
+        return
+    same = (body.shape, body.pose)
+    if len(link.visuals) > 1 or not link.visuals:
+        yield (
+            f"what is seen of it are {len(link.visuals)} shapes"
+            if link.visuals
+            else ("nothing is seen of it")
+        )
+    if len(link.collisions) != 1 or (link.collisions[0].shape, link.collisions[0].pose) != same:
+        yield "what collides is something else" if link.collisions else "it does not collide"
+    if any(each.material is not None for each in link.visuals) and not slots.get("color"):
+        yield "its material is one that a program has no words for"
+    if link.inertial is not None and not _follows(link.inertial, body):
+        yield "its inertia is another one than that of its shape"
+
+
+def _follows(inertial: Inertial, body: Body) -> bool:
+    if body.shape is None or isinstance(body.shape, Mesh) or inertial.pose != body.pose:
+        return False
+    tensor = tensor_of(body.shape, inertial.mass)
+    if tensor is None:
+        return False
+    near = _CLOSE * max(map(abs, tensor))
+    pairs = zip(inertial.tensor, tensor, strict=True)
+    return all(isclose(one, other, rel_tol=_CLOSE, abs_tol=near) for one, other in pairs)
+
+
+def _joint(variable: str, joint: Joint) -> Iterator[str]:
+    names = (joint.name, joint.parent, joint.child)
+    strange = next((each for each in names if not _NAME.fullmatch(each)), None)
+    if strange is not None:
+        yield f"// a joint says {_shown(strange)}, which no program can say"
+        return
+    slots = {
+        "robot": variable,
+        "joint": joint.name,
+        "type": joint.type.value,
+        "parent": joint.parent,
+        "child": joint.child,
+        **_placed(joint.pose),
+    }
+    if joint.axis is not None and joint.type.has_axis and any(joint.axis):
+        slots["axis"] = numbers(joint.axis)
+    if joint.mimic is not None:
+        slots["mimicked"] = joint.mimic.joint
+        if joint.mimic.multiplier != 1:
+            slots["factor"] = number(joint.mimic.multiplier)
+        if joint.mimic.offset:
+            offset = number(joint.mimic.offset)
+            yield f"// {joint.name}: it is {offset} further than what it follows"
+    yield _sentence(HasJoint, slots)
+    limits = dict(_limits(joint))
+    if limits:
+        yield _sentence(LimitsJoint, {"robot": variable, "joint": joint.name, **limits})
+
+
+def _limits(joint: Joint) -> Iterator[tuple[str, str]]:
+    limit, dynamics = joint.limit or Limit(), joint.dynamics
+    if joint.type.is_limited and joint.limit is not None:
+        words = re.fullmatch(r"between (\S+) and (\S+) (\S+)", limit_words(joint))
+        assert words is not None, "a range is two numbers and a unit"
+        yield from zip(("minimum", "maximum", "unit"), words.groups(), strict=True)
+    if joint.limit is not None and (joint.type.is_limited or joint.type.turns):
+        yield "effort", number(limit.effort)
+        yield "velocity", number(limit.velocity)
+    if dynamics is not None:
+        yield "damping", number(dynamics.damping)
+        yield "friction", number(dynamics.friction)
+
+
+def _shown(name: str) -> str:
+    return f"`{' '.join(name.split())}`"

@@ -1,0 +1,136 @@
+"""What a picture in characters is drawn on: two pixels a character, and characters over them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from math import ceil, floor, inf, sqrt
+
+from .runs import Run, RunLines
+from .shades import contrast
+from .views import Point
+
+_UPPER, _LOWER = "▀", "▄"
+
+
+class Canvas:
+    """Pixels in colours, which are about as wide as high, and characters over them."""
+
+    def __init__(self, columns: int, rows: int, *, ascii_only: bool = False) -> None:
+        """Begin with nothing drawn.
+
+        Args:
+            columns: how wide it is, in characters.
+            rows: how high, in characters.
+            ascii_only: whether a pixel is a character, for terminals that have no blocks; what is
+                drawn then are characters in the place of colours.
+        """
+        self.columns, self.rows = columns, rows
+        self.ascii_only = ascii_only
+        self._pixels = [[""] * columns for _ in range(rows if ascii_only else 2 * rows)]
+        self._written: list[dict[int, Run]] = [{} for _ in range(rows)]
+
+    def is_free(self, column: int, row: int, length: int, *, over_pixels: bool) -> bool:
+        """Tell whether there is room for a text."""
+        if not (0 <= row < self.rows and column >= 0 and column + length <= self.columns):
+            return False
+        cells = range(column, column + length)
+        if any(at in self._written[row] for at in cells):
+            return False
+        return over_pixels or not any(any(self._pair(at, row)) for at in cells)
+
+    def write(self, column: int, row: int, text: str, role: str) -> None:
+        """Write a text of narrow characters over what is drawn; what is outside is left out."""
+        for at, char in enumerate(text, column):
+            if 0 <= at < self.columns and 0 <= row < self.rows:
+                behind = self._pair(at, row)[1]
+                color = contrast(behind) if behind else ""
+                self._written[row][at] = Run(char, role, color, behind)
+
+    def fill(self, points: Sequence[Point], color: str) -> None:
+        """Fill a convex polygon: pixels whose middles are in it, at least one in each row."""
+        if self.ascii_only:
+            points = [Point(x, y / 2) for x, y in points]
+        low, high = min(y for _, y in points), max(y for _, y in points)
+        first = max(0, floor(low))
+        last = min(len(self._pixels), max(ceil(high), floor(low) + 1))
+        if last <= first:
+            return
+        lefts, rights = [inf] * (last - first), [-inf] * (last - first)
+        before = points[-1]
+        for point in points:
+            upper, lower = (before, point) if before.y < point.y else (point, before)
+            before = point
+            tall = lower.y - upper.y
+            slope = (lower.x - upper.x) / tall if tall else 0.0
+            for row in range(max(first, floor(upper.y)), min(last, floor(lower.y) + 1)):
+                # What is thinner than a pixel is seen all the same: its rows have no middle.
+                at = min(max(row + 0.5, low), high)
+                if upper.y <= at <= lower.y:
+                    x = upper.x + (at - upper.y) * slope
+                    lefts[row - first] = min(lefts[row - first], x)
+                    rights[row - first] = max(rights[row - first], x if tall else lower.x)
+        for row in range(first, last):
+            left, right = lefts[row - first], rights[row - first]
+            if left <= right:
+                self._fill_row(row, left, right, color)
+
+    def fill_circle(self, middle: Point, radius: float, color: str) -> None:
+        """Fill a circle."""
+        flat = 2 if self.ascii_only else 1
+        low, high = (middle.y - radius) / flat, (middle.y + radius) / flat
+        for row in range(max(0, floor(low)), min(len(self._pixels), ceil(high) or 1)):
+            at = min(max(row + 0.5, low), high) * flat
+            half = sqrt(max(0.0, radius**2 - (at - middle.y) ** 2))
+            self._fill_row(row, middle.x - half, middle.x + half, color)
+
+    def _fill_row(self, row: int, left: float, right: float, color: str) -> None:
+        start = max(0, round(left))
+        end = min(self.columns, max(round(right), start + 1))
+        if 0 <= row < len(self._pixels) and end > start:
+            self._pixels[row][start:end] = [color] * (end - start)
+
+    def lines(self) -> RunLines:
+        """Return what is drawn."""
+        return tuple(tuple(self._line(row)) for row in range(self.rows))
+
+    def _line(self, row: int) -> Iterator[Run]:
+        if self.ascii_only:
+            uppers = lowers = self._pixels[row]
+        else:
+            uppers, lowers = self._pixels[2 * row : 2 * row + 2]
+        written = self._written[row]
+        start = 0
+        while start < self.columns:
+            run = written.get(start)
+            end = start + 1
+            if run is not None:
+                text = run.text
+                while (more := written.get(end)) is not None and more[1:] == run[1:]:
+                    text += more.text
+                    end += 1
+                yield run._replace(text=text)
+            else:
+                upper, lower = uppers[start], lowers[start]
+                while (
+                    end < self.columns
+                    and uppers[end] == upper
+                    and lowers[end] == lower
+                    and end not in written
+                ):
+                    end += 1
+                yield self._blocks(upper, lower, end - start)
+            start = end
+
+    def _blocks(self, upper: str, lower: str, count: int) -> Run:
+        if self.ascii_only:
+            return Run((upper or " ") * count)
+        if upper == lower:
+            return Run(" " * count, behind=upper)
+        if not upper:
+            return Run(_LOWER * count, color=lower)
+        return Run(_UPPER * count, color=upper, behind=lower)
+
+    def _pair(self, column: int, row: int) -> tuple[str, str]:
+        if self.ascii_only:
+            return self._pixels[row][column], ""
+        return self._pixels[2 * row][column], self._pixels[2 * row + 1][column]

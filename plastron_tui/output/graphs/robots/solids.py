@@ -1,0 +1,190 @@
+"""What is drawn of a robot: bodies and axes, in the frame of its root, with all joints at 0."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from math import hypot, isfinite
+from typing import NamedTuple, TypeAlias
+
+from plastron_tui.ros.robots.description import (
+    Body,
+    Box,
+    Cylinder,
+    Description,
+    JointType,
+    Mesh,
+    Pose,
+    Rgba,
+    Sphere,
+    Vector,
+)
+from plastron_tui.ros.robots.transforms import Transform, placed
+
+from .captions import bodies_of
+
+MeshBounds: TypeAlias = Callable[[str], "tuple[Vector, Vector] | None"]
+"""Returns the lowest and the highest corner of a mesh, by its URI, in its file's lengths.
+
+None where nobody knows.
+"""
+
+_FARTHEST = 1e9
+"""What is farther away than this, in metres, cannot be meant, and is not drawn."""
+
+
+class Solid(NamedTuple):
+    """A body to draw.
+
+    Attributes:
+        link: the link that it is of.
+        shape: its shape; None for a mesh of which nobody knows how large it is.
+        at: what places it.
+        rgba: its colour, None where nothing is said.
+        is_bounds: whether it is the box around a mesh.
+    """
+
+    link: str
+    shape: Box | Cylinder | Sphere | None
+    at: Transform
+    rgba: Rgba | None = None
+    is_bounds: bool = False
+
+
+class Axis(NamedTuple):
+    """A joint to draw.
+
+    Attributes:
+        joint: its name.
+        type: how it moves.
+        at: where it is.
+        along: its axis, of length 1; None where it has none.
+    """
+
+    joint: str
+    type: JointType
+    at: Vector
+    along: Vector | None
+
+
+class Scene(NamedTuple):
+    """All that is drawn of a robot.
+
+    Attributes:
+        solids: its bodies, in the order of the links.
+        axes: its joints, in theirs.
+        points: where its links are.
+        links: the names of its links.
+        missing: what cannot be drawn: links that hang on no root, or are too far away.
+    """
+
+    solids: tuple[Solid, ...]
+    axes: tuple[Axis, ...]
+    points: tuple[Vector, ...]
+    links: tuple[str, ...]
+    missing: tuple[str, ...]
+
+
+def no_bounds(uri: str) -> None:
+    """Know no mesh."""
+
+
+def scene_of(robot: Description, mesh_bounds: MeshBounds = no_bounds) -> Scene:
+    """Return what is drawn of a robot."""
+    where = {name: at for name, at in placed(robot).items() if _is_near(at)}
+    colors = _materials(robot)
+    solids: list[Solid] = []
+    missing: list[str] = []
+    for name, link in robot.links.items():
+        if name not in where:
+            missing.append(name)
+            continue
+        drawn = list(_solids(name, bodies_of(link), where[name], colors, mesh_bounds))
+        near = [solid for solid in drawn if _is_near(solid.at) and _is_small(solid.shape)]
+        if len(near) < len(drawn):
+            missing.append(name)
+        solids += near
+    axes = []
+    for joint in robot.joints.values():
+        at = where.get(joint.child)
+        # A link that two joints hold is where the first one has it.
+        if at is None or joint.parent not in where:
+            continue
+        along = _unit(at.direction(joint.axis or (1.0, 0.0, 0.0))) if joint.type.has_axis else None
+        axes.append(Axis(joint.name, joint.type, at.translation, along))
+    points = tuple(at.translation for at in where.values())
+    return Scene(tuple(solids), tuple(axes), points, tuple(robot.links), tuple(missing))
+
+
+def _solids(
+    link: str,
+    bodies: tuple[Body, ...],
+    at: Transform,
+    colors: dict[str, Rgba],
+    mesh_bounds: MeshBounds,
+) -> Iterator[Solid]:
+    for body in bodies:
+        material, rgba = body.material, None
+        if material is not None:
+            rgba = material.rgba or colors.get(material.name)
+        here = at.then(body.pose)
+        match body.shape:
+            case None:
+                continue
+            case Mesh() as mesh:
+                bounds = mesh_bounds(mesh.uri)
+                if bounds is None:
+                    yield Solid(link, None, here, rgba)
+                    continue
+                box, middle = _box_around(mesh, bounds)
+                yield Solid(link, box, here.then(Pose(middle)), rgba, is_bounds=True)
+            case shape:
+                yield Solid(link, shape, here, rgba)
+
+
+def _box_around(mesh: Mesh, bounds: tuple[Vector, Vector]) -> tuple[Box, Vector]:
+    """Return the box around a mesh as it is scaled, and where its middle is."""
+    low, high = bounds
+    scaled = [
+        (low[at] * mesh.scale[at], high[at] * mesh.scale[at]) for at in range(len(mesh.scale))
+    ]
+    (x, xx), (y, yy), (z, zz) = scaled
+    middle = (x + xx) / 2, (y + yy) / 2, (z + zz) / 2
+    return Box((abs(xx - x), abs(yy - y), abs(zz - z))), middle
+
+
+def _materials(robot: Description) -> dict[str, Rgba]:
+    """Return the colours of materials by name: the robot's, else what a link says first."""
+    found: dict[str, Rgba] = {}
+    for material in robot.materials.values():
+        if material.rgba is not None:
+            found[material.name] = material.rgba
+    for link in robot.links.values():
+        for body in link.visuals:
+            if body.material is not None and body.material.rgba is not None:
+                found.setdefault(body.material.name, body.material.rgba)
+    return found
+
+
+def _is_near(at: Transform) -> bool:
+    values = (*at.translation, *(value for row in at.rotation for value in row))
+    return all(abs(value) < _FARTHEST for value in values)
+
+
+def _is_small(shape: Box | Cylinder | Sphere | None) -> bool:
+    match shape:
+        case None:
+            return True
+        case Box(size=size):
+            lengths: tuple[float, ...] = size
+        case Cylinder(radius=radius, length=length):
+            lengths = radius, length
+        case Sphere(radius=radius):
+            lengths = (radius,)
+    return all(0 <= length < _FARTHEST for length in lengths)
+
+
+def _unit(along: Vector) -> Vector | None:
+    length = hypot(*along)
+    if not length or not isfinite(length):
+        return None
+    return along[0] / length, along[1] / length, along[2] / length

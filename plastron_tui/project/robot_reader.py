@@ -1,0 +1,103 @@
+"""Reading the robots that a program loads to change them."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+from typing import TYPE_CHECKING, NamedTuple
+
+from plastron_tui.diagnostics import Diagnostic, codes
+from plastron_tui.model.robots import LoadedRobot, RobotSource
+from plastron_tui.ros.robots.description import Description
+
+from .named_texts import NamedTexts
+
+if TYPE_CHECKING:
+    from plastron_tui.generating.text_layers import Form
+    from plastron_tui.sources.urdf.reader import UrdfRead
+    from plastron_tui.sources.xml.document import XmlDocument
+
+_ENDINGS = (".urdf", ".xacro")
+
+_EXPORT = "export it as URDF from what it was made with"
+_OTHER_ROOTS = {
+    "sdf": ("a model of Gazebo (SDF), not URDF", "export it as URDF from what it was made with"),
+    "mujoco": (
+        "a model of MuJoCo (MJCF), not URDF",
+        "export it as URDF from what it was made with",
+    ),
+    "launch": ("a launch file", "`load_launch` changes it"),
+    "package": ("the manifest of a package", "`load_package` and its folder change the package"),
+    "COLLADA": ("a mesh", 'a link has it as `shaped mesh "URI"`'),
+}
+"""What else is in XML, by its outermost element."""
+
+
+class Expansion(NamedTuple):
+    """What the macros of a robot's file make of it; None with the reason."""
+
+    description: Description | None
+    diagnostics: tuple[Diagnostic, ...] = ()
+
+
+Expander = Callable[[Path, bytes, "XmlDocument"], Expansion]
+"""Expands the macros of a file: its path, its text, and what that is in XML."""
+
+
+class RobotReader:
+    """Reads robots by the paths of their files from the program's folder, within the project."""
+
+    def __init__(self, texts: NamedTexts, expand: Expander) -> None:
+        """Set what finds and reads files, and what expands their macros."""
+        self._texts = texts
+        self._expand = expand
+
+    def __call__(self, source: str) -> LoadedRobot:
+        """Read the file that a `load_robot` asks for."""
+        path = self._texts.find(source, lambda each: each.suffix in _ENDINGS)
+        if isinstance(path, Diagnostic):
+            return LoadedRobot(None, (path,))
+        text = self._texts.read(source, path)
+        if isinstance(text, Diagnostic):
+            return LoadedRobot(None, (text,))
+        if b"\0" in text:
+            message = f"`{source}` is no text, and so no robot"
+            return LoadedRobot(None, (Diagnostic(codes.UNREADABLE_FILE, message),))
+        start = self._texts.started(path, text, _form)
+        origin = None if start is None else start.origin
+        return self._read(
+            source,
+            path,
+            RobotSource(path, text if start is None else start.text, Description(""), origin),
+        )
+
+    def _read(self, source: str, path: Path, found: RobotSource) -> LoadedRobot:
+        from plastron_tui.sources.urdf.macros import read_macros
+        from plastron_tui.sources.urdf.reader import read_urdf
+        from plastron_tui.sources.urdf.values import is_xacro
+
+        read = read_urdf(found.text, path)
+        if read.description is None or read.document is None:
+            return LoadedRobot(None, _why_none(source, read))
+        found = found._replace(description=read.description)
+        if not is_xacro(read.document):
+            return LoadedRobot(found, read.diagnostics)
+        expansion = self._expand(path, found.text, read.document)
+        macros = read_macros(read.document)
+        found = found._replace(macros=macros, expanded=expansion.description)
+        return LoadedRobot(found, (*read.diagnostics, *expansion.diagnostics))
+
+
+def _why_none(source: str, read: UrdfRead) -> tuple[Diagnostic, ...]:
+    """Say why a file has no robot; of a file of another kind, what it is."""
+    known = None if read.document is None else _OTHER_ROOTS.get(read.document.root.name)
+    if known is None:
+        return read.diagnostics
+    kind, remedy = known
+    return (Diagnostic(codes.BROKEN_URDF, f"`{source}` is {kind}", help=remedy),)
+
+
+def _form() -> Form:
+    from plastron_tui.generating.robot_layers import ROBOT_FORM
+
+    return ROBOT_FORM

@@ -1,0 +1,169 @@
+"""Expands the macros of a file, in a process of its own (`xacro`).
+
+The package `xacro` computes its expressions with Python's `eval`, which no list of forbidden words
+makes harmless: the process has limits, reads what it may (`file_guard`), and answers with bytes.
+"""
+
+from __future__ import annotations
+
+import importlib
+import json
+import os
+import pickle
+import sys
+from contextlib import suppress
+from pathlib import Path
+from typing import Any, NamedTuple
+from xml.parsers import expat
+
+from plastron_tui.limited_process import Limits, limit_itself
+from plastron_tui.regular_files import read_regular
+from plastron_tui.sources.urdf.reach import Reach
+
+from .file_guard import FileGuard, guard_files, leave_network
+
+_LONGEST_REASON = 400
+_LARGEST_FILE = 4 * 1024**2
+
+# What is imported as it is needed: nothing is, once files are guarded.
+_MODULES = ("xml.dom.expatbuilder", "xml.dom.minidom", "yaml", "encodings.latin_1")
+_SUBSTITUTIONS = ("xacro.substitution_args", "roslaunch.substitution_args")
+
+
+class Request(NamedTuple):
+    """What is to be expanded.
+
+    Attributes:
+        path: where the file is.
+        text: what it holds.
+        reach: how far it may lead.
+        limits: what the process may use.
+    """
+
+    path: Path
+    text: bytes
+    reach: Reach
+    limits: Limits
+
+
+class _RefusedError(Exception):
+    """Why a file is not expanded."""
+
+
+def main() -> int:
+    """Expand what the standard input asks for; return the exit status."""
+    request: Request = pickle.load(sys.stdin.buffer)
+    reply = os.dup(1)
+    with Path(os.devnull).open("w") as nowhere:
+        sys.stdout = sys.stderr = nowhere
+        answer = _answer(request)
+    while answer:
+        answer = answer[os.write(reply, answer) :]
+    return 0
+
+
+def _answer(request: Request) -> bytes:
+    xacro = _load()
+    leave_network()
+    limit_itself(request.limits)
+    guard = guard_files(request.reach.allows)
+    text, reason = b"", ""
+    try:
+        text = _expanded(xacro, request, guard)
+    except MemoryError:
+        reason = f"they need more than {request.limits.memory // 1024**2} MB of memory"
+    except RecursionError:
+        reason = "macros, files or expressions are within each other without end"
+    # An expression of a file may fail in any way.
+    except (Exception, SystemExit) as error:
+        reason = _reason(xacro, error)
+    if not reason and len(text) > request.limits.reply // 2:
+        text, reason = b"", f"they make more than {request.limits.reply // 2 // 1024**2} MB"
+    head = {"reason": reason, "refused": guard.refused, "opened": guard.opened}
+    return b"\n".join((json.dumps(head).encode(), text))
+
+
+def _load() -> Any:
+    """Import xacro, and all that it imports later."""
+    for name in _MODULES:
+        importlib.import_module(name)
+    xacro = importlib.import_module("xacro")
+    for name in _SUBSTITUTIONS:
+        with suppress(ImportError):
+            importlib.import_module(name)
+    return xacro
+
+
+def _expanded(xacro: Any, request: Request, guard: FileGuard) -> bytes:
+    """Return the file with its macros expanded.
+
+    Raises:
+        Exception: whatever xacro, or an expression, raises.
+    """
+    main = os.fspath(request.path)
+
+    def parse(given: Any, filename: str | None = None) -> Any:
+        """Read a file in the place of `xacro.parse`: without entities, and with a limit."""
+        if given is not None:
+            raise _RefusedError("a text stands for a file")
+        try:
+            is_main = filename == main
+            text = request.text if is_main else read_regular(str(filename), _LARGEST_FILE)
+        except OSError as error:
+            # As xacro does: an include may be optional.
+            xacro.filestack.pop()
+            raise xacro.XacroException(f"{error.strerror}: {filename}", exc=error) from error
+        _refuse_entities(text)
+        return importlib.import_module("xml.dom.minidom").parseString(text)
+
+    def find(name: str) -> str:
+        """Return the folder of a package in the place of `$(find …)`."""
+        folder = request.reach.package(name)
+        if folder is None:
+            raise _RefusedError(f"the package `{name}` is neither in the project nor installed")
+        return os.fspath(folder)
+
+    extend = xacro.eval_extension
+
+    def eval_extension(text: str) -> Any:
+        words = text[2:-1].split()
+        return find(words[1]) if words[:1] == ["find"] and len(words) == 2 else extend(text)
+
+    xacro.parse = parse
+    xacro.eval_extension = eval_extension
+    for name in _SUBSTITUTIONS:
+        module: Any = sys.modules.get(name)
+        if module is not None:
+            module._eval_find = find
+            module._eval_dict["find"] = find
+    document = xacro.process_file(main, verbosity=0, mappings={})
+    if guard.refused:
+        raise _RefusedError("")
+    text: bytes = document.documentElement.toxml().encode()
+    return text
+
+
+def _refuse_entities(text: bytes) -> None:
+    """Refuse a document type with declarations: entities of entities grow without end."""
+
+    def refuse(*_: object) -> None:
+        raise _RefusedError("a file declares entities, which are not expanded")
+
+    parser = expat.ParserCreate()
+    parser.EntityDeclHandler = refuse
+    parser.Parse(text, True)
+
+
+def _reason(xacro: Any, error: BaseException) -> str:
+    """Return why a file is not expanded, on one line, with the file that the mistake is in."""
+    inner: BaseException | None = error
+    while inner is not None:
+        if isinstance(inner, MemoryError | RecursionError):
+            return "macros, files or expressions are within each other without end"
+        if isinstance(inner, _RefusedError):
+            return str(inner)
+        inner = getattr(inner, "exc", None) or inner.__cause__
+    said = " ".join(str(error).split()) or type(error).__name__
+    files = [each for each in getattr(xacro, "filestack", None) or () if isinstance(each, str)]
+    place = f" (in `{Path(files[-1]).name}`)" if len(files) > 1 else ""
+    return said[:_LONGEST_REASON] + place

@@ -1,0 +1,159 @@
+"""How the author of a robot's file writes: in which order, how far apart, and what is left out."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Mapping, Sequence
+from enum import Enum
+from functools import cached_property
+from itertools import pairwise
+
+from plastron_tui.sources.xml.document import Element, XmlDocument
+from plastron_tui.sources.xml.layout import Style, style_of
+
+from .values import number_of
+
+_CHILDREN: Mapping[str, tuple[str, ...]] = {
+    "link": ("visual", "collision", "inertial"),
+    "visual": ("origin", "geometry", "material"),
+    "collision": ("origin", "geometry"),
+    "material": ("color", "texture"),
+    "inertial": ("origin", "mass", "inertia"),
+    "joint": ("origin", "parent", "child", "axis", "limit", "dynamics", "mimic"),
+}
+_ATTRIBUTES: Mapping[str, tuple[str, ...]] = {
+    "link": ("name",),
+    "joint": ("name", "type"),
+    "visual": ("name",),
+    "collision": ("name",),
+    "origin": ("xyz", "rpy"),
+    "mesh": ("filename", "scale"),
+    "cylinder": ("radius", "length"),
+    "inertia": ("ixx", "ixy", "ixz", "iyy", "iyz", "izz"),
+    "limit": ("lower", "upper", "effort", "velocity"),
+    "dynamics": ("damping", "friction"),
+    "mimic": ("joint", "multiplier", "offset"),
+}
+_DEFAULTS: Mapping[tuple[str, str], tuple[float, ...]] = {
+    ("origin", "rpy"): (0, 0, 0),
+    ("mesh", "scale"): (1, 1, 1),
+    ("limit", "lower"): (0,),
+    ("limit", "upper"): (0,),
+    ("mimic", "multiplier"): (1,),
+    ("mimic", "offset"): (0,),
+}
+_PARTS = ("material", "link", "joint")
+_MOST_BETWEEN = 3
+"""The most empty lines that are kept up between parts."""
+
+
+class Order(Enum):
+    """How links and joints stand to each other."""
+
+    JOINT_FIRST = "a joint, and the link that it holds right behind it"
+    LINK_FIRST = "a link, and the joint that holds it right behind it"
+    APART = "links here and joints there"
+
+
+class Habits:
+    """What most of a file does; where it does not tell, what the specification does.
+
+    Args:
+        document: the file.
+    """
+
+    def __init__(self, document: XmlDocument) -> None:
+        self._document = document
+        self.style: Style = style_of(document)
+        self._before: Counter[tuple[str, str, str]] = Counter()
+        self._said_defaults: set[tuple[str, str]] = set()
+        for element in document.root.walk():
+            self._note_order(element.name, [child.name for child in element.children])
+            self._note_order(f"@{element.name}", [one.name for one in element.attributes])
+            self._note_defaults(element)
+
+    def _note_order(self, parent: str, names: Sequence[str]) -> None:
+        known = _CHILDREN.get(parent) or _ATTRIBUTES.get(parent.removeprefix("@"), ())
+        seen = [name for name in dict.fromkeys(names) if name in known]
+        for at, name in enumerate(seen):
+            for other in seen[at + 1 :]:
+                self._before[parent, name, other] += 1
+
+    def _note_defaults(self, element: Element) -> None:
+        for one in element.attributes:
+            default = _DEFAULTS.get((element.name, one.name))
+            if default is None:
+                continue
+            words = one.value.split()
+            if len(words) == len(default) and tuple(map(number_of, words)) == default:
+                self._said_defaults.add((element.name, one.name))
+        if element.name == "origin" and all(
+            number_of(word) == 0 for one in element.attributes for word in one.value.split()
+        ):
+            self._said_defaults.add(("origin", "xyz"))
+
+    def says_default(self, element: str, attribute: str) -> bool:
+        """Tell whether the file says somewhere what would be so without being said."""
+        return (element, attribute) in self._said_defaults
+
+    def child_place(self, parent: Element, name: str) -> int:
+        """Return how many children are before a new one of a name."""
+        names = [child.name for child in parent.children]
+        return self._place(parent.name, names, name, _CHILDREN.get(parent.name, ()))
+
+    def attribute_place(self, element: Element, name: str) -> int:
+        """Return how many attributes are before a new one of a name."""
+        names = [one.name for one in element.attributes]
+        return self._place(f"@{element.name}", names, name, _ATTRIBUTES.get(element.name, ()))
+
+    def _place(self, parent: str, names: Sequence[str], new: str, usual: Sequence[str]) -> int:
+        last = [at for at, name in enumerate(names) if self._comes_before(parent, name, new, usual)]
+        if last:
+            return last[-1] + 1
+        known = [at for at, name in enumerate(names) if name in usual]
+        return known[0] if known else len(names)
+
+    def _comes_before(self, parent: str, name: str, new: str, usual: Sequence[str]) -> bool:
+        if name == new:
+            return True
+        if name not in usual or new not in usual:
+            return False
+        before, behind = self._before[parent, name, new], self._before[parent, new, name]
+        return before > behind if before != behind else usual.index(name) < usual.index(new)
+
+    @cached_property
+    def order(self) -> Order:
+        """How links and joints stand to each other."""
+        parts = [each for each in self._document.root.children if each.name in ("link", "joint")]
+        counts: Counter[Order] = Counter()
+        places = {each.get("name"): at for at, each in enumerate(parts) if each.name == "link"}
+        for at, joint in enumerate(parts):
+            child = next((each for each in joint.children if each.name == "child"), None)
+            if joint.name == "link" or child is None or child.get("link") not in places:
+                continue
+            apart = places[child.get("link")] - at
+            found = {1: Order.JOINT_FIRST, -1: Order.LINK_FIRST}.get(apart, Order.APART)
+            counts[found] += 1
+        if not counts:
+            return Order.JOINT_FIRST
+        return max(Order, key=lambda each: counts[each])
+
+    def lines_between(self, name: str, other: str) -> int:
+        """Return how many empty lines are between two neighbours, parts of these names."""
+        both = name == other == "material"
+        counts = self._gaps[both]
+        if counts:
+            return counts.most_common(1)[0][0]
+        return 0 if both else 1
+
+    @cached_property
+    def _gaps(self) -> Mapping[bool, Counter[int]]:
+        found: dict[bool, Counter[int]] = {True: Counter(), False: Counter()}
+        text = self._document.text
+        for one, other in pairwise(self._document.root.children):
+            between = text[one.span.end : other.span.start]
+            breaks = between.count(b"\n")
+            if one.name in _PARTS and other.name in _PARTS and breaks and not between.strip():
+                both = one.name == other.name == "material"
+                found[both][min(breaks - 1, _MOST_BETWEEN)] += 1
+        return found

@@ -1,0 +1,75 @@
+"""Changes of a joint."""
+
+from __future__ import annotations
+
+from plastron_tui.ros.robots.description import Dynamics, Joint, Limit, Mimic
+
+from .equality import same
+from .link_edits import change_pose, put, set_or_drop
+from .new_elements import axis_element, dynamics_element, limit_element, mimic_element
+from .part_edits import PartEdits, Path
+
+
+def change_joint(part: PartEdits, before: Joint, after: Joint) -> None:
+    """Let a joint say what it is to say, by the least changes of its text."""
+    if before.type is not after.type:
+        part.set_text((), "type", after.type.value)
+    if before.parent != after.parent:
+        part.set_text((("parent", 0),), "link", after.parent)
+    if before.child != after.child:
+        part.set_text((("child", 0),), "link", after.child)
+    change_pose(part, (), before.pose, after.pose)
+    axis: Path = (("axis", 0),)
+    if before.axis is None or after.axis is None:
+        if not same(before.axis, after.axis):
+            new = None if after.axis is None else axis_element(after.axis)
+            put(part, axis, new, was_there=before.axis is not None)
+    else:
+        part.set_numbers(axis, "xyz", after.axis)
+    _change_limit(part, before.limit, after)
+    _change_dynamics(part, before.dynamics, after.dynamics)
+    _change_mimic(part, before.mimic, after.mimic)
+
+
+def _change_limit(part: PartEdits, before: Limit | None, joint: Joint) -> None:
+    path: Path = (("limit", 0),)
+    after = joint.limit
+    if same(before, after):
+        return
+    if before is None or after is None:
+        new = None if after is None else limit_element(after, has_range=joint.type.is_limited)
+        put(part, path, new, was_there=before is not None)
+        return
+    for name in ("lower", "upper"):
+        value = (getattr(after, name),)
+        if joint.type.is_limited:
+            part.set_numbers(path, name, value, (0.0,))
+        else:
+            set_or_drop(part, path, name, value, (0.0,))
+    part.set_numbers(path, "effort", (after.effort,))
+    part.set_numbers(path, "velocity", (after.velocity,))
+
+
+def _change_dynamics(part: PartEdits, before: Dynamics | None, after: Dynamics | None) -> None:
+    path: Path = (("dynamics", 0),)
+    if same(before, after):
+        return
+    if before is None or after is None:
+        new = None if after is None else dynamics_element(after)
+        put(part, path, new, was_there=before is not None)
+        return
+    for name, value in zip(Dynamics._fields, after, strict=True):
+        part.set_numbers(path, name, (value,), (0.0,))
+
+
+def _change_mimic(part: PartEdits, before: Mimic | None, after: Mimic | None) -> None:
+    path: Path = (("mimic", 0),)
+    if same(before, after):
+        return
+    if before is None or after is None:
+        new = None if after is None else mimic_element(after)
+        put(part, path, new, was_there=before is not None)
+        return
+    part.set_text(path, "joint", after.joint)
+    set_or_drop(part, path, "multiplier", (after.multiplier,), (1.0,))
+    set_or_drop(part, path, "offset", (after.offset,), (0.0,))

@@ -1,0 +1,211 @@
+"""Changes of a link, of what is in it, and of materials."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from difflib import SequenceMatcher
+from typing import NamedTuple
+
+from plastron_tui.ros.robots.description import (
+    ORIGIN,
+    Body,
+    Box,
+    Cylinder,
+    Inertial,
+    Link,
+    Material,
+    Mesh,
+    Pose,
+    Shape,
+    Sphere,
+    Tensor,
+)
+from plastron_tui.sources.xml.new_element import NewElement
+
+from .equality import same
+from .new_elements import (
+    body_element,
+    inertial_element,
+    material_element,
+    origin_elements,
+    shape_element,
+)
+from .part_edits import PartEdits, Path
+
+
+def change_link(part: PartEdits, before: Link, after: Link) -> None:
+    """Let a link say what it is to say, by the least changes of its text."""
+    _change_bodies(part, "visual", before.visuals, after.visuals)
+    _change_bodies(part, "collision", before.collisions, after.collisions)
+    _change_inertial(part, before.inertial, after.inertial)
+
+
+def change_material(part: PartEdits, path: Path, before: Material, after: Material) -> None:
+    """Let a material have another name, colour or texture."""
+    if before.name != after.name:
+        part.set_text(path, "name", after.name)
+    color, texture = (*path, ("color", 0)), (*path, ("texture", 0))
+    written = {each.name: each for each in material_element(after).children}
+    if after.rgba is None or before.rgba is None:
+        put(part, color, written.get("color"), was_there=before.rgba is not None)
+    else:
+        part.set_numbers(color, "rgba", after.rgba)
+    if after.texture is None or before.texture is None:
+        put(part, texture, written.get("texture"), was_there=before.texture is not None)
+    else:
+        part.set_text(texture, "filename", after.texture)
+
+
+def change_pose(part: PartEdits, path: Path, before: Pose, after: Pose) -> None:
+    """Let something be elsewhere, or be turned otherwise."""
+    if same(before, after):
+        return
+    origin = (*path, ("origin", 0))
+    written = next(origin_elements(after), None)
+    says_none = any(part.habits.says_default("origin", each) for each in ("xyz", "rpy"))
+    if part.find(origin) is None or (written is None and not says_none):
+        put(part, origin, written, was_there=True)
+        return
+    part.set_numbers(origin, "xyz", after.position, ORIGIN)
+    set_or_drop(part, origin, "rpy", after.rotation, ORIGIN)
+
+
+def set_or_drop(
+    part: PartEdits, path: Path, name: str, values: Sequence[float], default: Sequence[float]
+) -> None:
+    """Let an attribute have numbers; where they are as if unsaid, it goes if the author does so."""
+    element = part.find(path)
+    is_default = same(tuple(values), tuple(map(float, default)))
+    if (
+        element is not None
+        and element.attribute(name) is not None
+        and is_default
+        and not part.habits.says_default(element.name, name)
+    ):
+        part.drop(path, name)
+    else:
+        part.set_numbers(path, name, values, default)
+
+
+class _Change(NamedTuple):
+    """A body that is changed, added (before is None) or taken away (after is None).
+
+    Attributes:
+        at: its place among those that are there by then.
+    """
+
+    at: int
+    before: Body | None
+    after: Body | None
+
+
+def _change_bodies(
+    part: PartEdits, tag: str, before: Sequence[Body], after: Sequence[Body]
+) -> None:
+    for change in _changes(before, after):
+        path: Path = ((tag, change.at),)
+        if change.after is None:
+            part.remove(path)
+        elif change.before is None:
+            part.insert((), body_element(tag, change.after), change.at)
+        else:
+            _change_body(part, path, change.before, change.after)
+
+
+def _changes(before: Sequence[Body], after: Sequence[Body]) -> Iterator[_Change]:
+    """Yield the changes that make some bodies of others, one after the other."""
+    if len(before) == len(after):
+        pairs = zip(before, after, strict=True)
+        yield from (_Change(at, *pair) for at, pair in enumerate(pairs) if not same(*pair))
+        return
+    at = 0
+    matcher = SequenceMatcher(None, before, after, autojunk=False)
+    for _, start, end, new_start, new_end in matcher.get_opcodes():
+        old, new = before[start:end], after[new_start:new_end]
+        both = min(len(old), len(new))
+        for one, other in zip(old[:both], new[:both], strict=True):
+            if not same(one, other):
+                yield _Change(at, one, other)
+            at += 1
+        for one in new[both:]:
+            yield _Change(at, None, one)
+            at += 1
+        for one in old[both:]:
+            yield _Change(at, one, None)
+
+
+def _change_body(part: PartEdits, path: Path, before: Body, after: Body) -> None:
+    if before.name != after.name:
+        if after.name:
+            part.set_text(path, "name", after.name)
+        else:
+            part.drop(path, "name")
+    change_pose(part, path, before.pose, after.pose)
+    if not same(before.shape, after.shape):
+        _change_shape(part, path, before.shape, after.shape)
+    material = (*path, ("material", 0))
+    if before.material is None or after.material is None:
+        new = None if after.material is None else material_element(after.material)
+        put(part, material, new, was_there=before.material is not None)
+    else:
+        change_material(part, material, before.material, after.material)
+
+
+def _change_shape(part: PartEdits, path: Path, before: Shape | None, after: Shape | None) -> None:
+    geometry = (*path, ("geometry", 0))
+    if after is None:
+        put(part, geometry, None, was_there=True)
+        return
+    new = shape_element(after)
+    there = part.find(geometry)
+    if there is None or not there.children:
+        put(part, geometry, NewElement("geometry", children=(new,)), was_there=True)
+        return
+    inner = (*geometry, (there.children[0].name, 0))
+    if before is None or type(before) is not type(after):
+        part.replace(inner, new)
+        return
+    match after:
+        case Box(size=size):
+            part.set_numbers(inner, "size", size)
+        case Cylinder(radius=radius, length=length):
+            part.set_numbers(inner, "radius", (radius,))
+            part.set_numbers(inner, "length", (length,))
+        case Sphere(radius=radius):
+            part.set_numbers(inner, "radius", (radius,))
+        case Mesh(uri=uri, scale=scale):
+            part.set_text(inner, "filename", uri)
+            set_or_drop(part, inner, "scale", scale, (1, 1, 1))
+
+
+def _change_inertial(part: PartEdits, before: Inertial | None, after: Inertial | None) -> None:
+    path: Path = (("inertial", 0),)
+    if same(before, after):
+        return
+    if before is None or after is None:
+        new = None if after is None else inertial_element(after)
+        put(part, path, new, was_there=before is not None)
+        return
+    change_pose(part, path, before.pose, after.pose)
+    part.set_numbers((*path, ("mass", 0)), "value", (after.mass,))
+    for name, value in zip(Tensor._fields, after.tensor, strict=True):
+        part.set_numbers((*path, ("inertia", 0)), name, (value,))
+
+
+def put(part: PartEdits, path: Path, new: NewElement | None, *, was_there: bool) -> None:
+    """Let an element be there, or not.
+
+    Args:
+        part: what is changed.
+        path: the element.
+        new: what it is to be, None for nothing.
+        was_there: whether it said something; what stands there and says nothing that counts is
+            left alone unless it is replaced.
+    """
+    there = part.find(path)
+    if new is not None and there is None:
+        part.insert(path[:-1], new)
+    elif new is not None:
+        part.replace(path, new)
+    elif there is not None and was_there:
+        part.remove(path)

@@ -1,0 +1,168 @@
+"""Where the files are that a robot's description names, and how far it may lead.
+
+Meshes are named by URIs (`package://`, `file://`), files that xacro includes by paths with
+`$(find PACKAGE)` in front. Both lead into the project and into packages that are installed, and
+nowhere else: links, `..` and whole paths are judged by where they end.
+"""
+
+from __future__ import annotations
+
+import os
+import re
+import sys
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import NamedTuple
+
+from plastron_tui.boundary import Boundary
+
+_DEBIAN_SHARE = Path("/usr/share")
+_PACKAGE = re.compile(
+    r"(?:package://|\$\(find(?:-pkg-share)?\s+)([^/)\s]+)\)?(?:/(.*))?", re.DOTALL
+)
+_FOLDER = "$(dirname)/"
+_FILE = "file://"
+_SCHEME = re.compile(r"[A-Za-z][A-Za-z0-9+.-]*://")
+_MANIFEST = "package.xml"
+
+
+class Place(NamedTuple):
+    """Where a file is; without a path, why nobody knows, or may know.
+
+    Attributes:
+        path: the file, None for none.
+        problem: what stands behind the name of the file: `is not there`.
+        is_computed: whether only expanding tells where it is.
+        is_absent: whether it may be there, and is not.
+    """
+
+    path: Path | None
+    problem: str = ""
+    is_computed: bool = False
+    is_absent: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class Reach:
+    """The project of a program, and the packages that are installed.
+
+    Attributes:
+        boundary: the project.
+        packages: the folders of packages by their names: those of the project, and `developed`.
+        shares: the folders that have the files of installed packages, each in a folder of its name.
+        developed: the folders of packages that a sourced ROS 1 takes from where they are developed.
+    """
+
+    boundary: Boundary
+    packages: Mapping[str, Path]
+    shares: tuple[Path, ...]
+    developed: tuple[Path, ...] = ()
+
+    def package(self, name: str) -> Path | None:
+        """Return the folder of a package, None where it is not here."""
+        if name in self.packages:
+            return self.packages[name]
+        if not name or name in (".", "..") or any(each in name for each in "/\\\0"):
+            return None
+        found = (share / name for share in self.shares)
+        return next((each for each in found if _is_package(each)), None)
+
+    def allows(self, path: Path | str) -> bool:
+        """Tell whether a file, where its path ends, is in the project or an installed package."""
+        try:
+            real = os.path.realpath(path)
+        except (OSError, ValueError):
+            return False
+        if self.boundary.contains(Path(real)):
+            return True
+        if any(_is_in(real, each) for each in self.developed):
+            return True
+        for share in self.shares:
+            root = os.path.realpath(share)
+            if _is_in(real, share) and real != root:
+                return _is_package(share / Path(real).relative_to(root).parts[0])
+        return False
+
+    def find(self, name: str, folder: Path) -> Place:
+        """Return where a file is.
+
+        Args:
+            name: its URI or path, as a robot's description has it.
+            folder: what a path without a package starts from.
+        """
+        if "\0" in name:
+            return Place(None, "has a NUL character in it")
+        rest = name
+        package = _PACKAGE.fullmatch(name)
+        if package is not None:
+            place = self.package(package.group(1))
+            if place is None:
+                return Place(None, _no_package(package.group(1)))
+            folder, rest = place, package.group(2) or ""
+        elif name.startswith(_FOLDER):
+            rest = name.removeprefix(_FOLDER)
+        elif name.startswith(_FILE):
+            rest = name.removeprefix(_FILE)
+            if rest.startswith("$(find"):
+                return self.find(rest, folder)
+        elif _SCHEME.match(name):
+            return Place(None, "is of a kind of URI that is not looked for")
+        if "${" in rest or "$(" in rest:
+            return Place(None, "is computed", is_computed=True)
+        path = folder / rest
+        if not self.allows(path):
+            return Place(None, "is neither in the project nor in an installed package")
+        # A path that is too long is not there.
+        if not os.path.isfile(path):  # noqa: PTH113
+            return Place(None, "is not there", is_absent=True)
+        return Place(path)
+
+
+def find_reach(boundary: Boundary, file: Path, environ: Mapping[str, str]) -> Reach:
+    """Find how far a robot's file may lead; packages of the project are looked for.
+
+    Args:
+        boundary: the project.
+        file: the robot's file, as a whole path, or one that would be beside it.
+        environ: the environment variables that say which ROS is sourced.
+    """
+    from plastron_tui.ros.catalog.folders import installed_folders
+    from plastron_tui.sources.launch.around import (
+        folders_below,
+        own_package,
+        package_name,
+        packages_around,
+    )
+
+    root = boundary.root
+    if boundary.is_home_or_above:
+        root = own_package(file) or file.parent
+    packages = dict(packages_around(file, root, boundary.contains))
+    installed = installed_folders(environ)
+    # In `share` packages are side by side; people develop theirs in folders of folders.
+    sources = (each for each in installed if each.name != "share")
+    developed = tuple(folder for each in sources for folder in folders_below(each))
+    for folder in developed:
+        if (name := package_name(folder)) is not None:
+            packages.setdefault(name, folder)
+    shares = dict.fromkeys((*installed, Path(sys.prefix, "share"), _DEBIAN_SHARE))
+    return Reach(replace(boundary, trusts=_trusts_nothing), packages, tuple(shares), developed)
+
+
+def _trusts_nothing(_: Path) -> bool:
+    """Trust no folder: a project that is trusted may lead no farther than another one."""
+    return False
+
+
+def _is_package(folder: Path) -> bool:
+    return os.path.isfile(folder / _MANIFEST)  # noqa: PTH113 - a path that is too long is none
+
+
+def _is_in(real: str, folder: Path) -> bool:
+    root = os.path.realpath(folder)
+    return real == root or real.startswith(root.rstrip(os.sep) + os.sep)
+
+
+def _no_package(name: str) -> str:
+    return f"is of the package `{name}`, which is neither in the project nor installed"

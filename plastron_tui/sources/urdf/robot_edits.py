@@ -1,0 +1,234 @@
+"""Links, joints and materials that come into a robot's file, or go."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Sequence
+from typing import NamedTuple
+
+from plastron_tui.diagnostics import Span
+from plastron_tui.ros.robots.description import Description
+from plastron_tui.ros.robots.tree import branches
+from plastron_tui.sources.splices import Splice, indent_of, line_end, line_start
+from plastron_tui.sources.xml.document import Element, XmlDocument
+from plastron_tui.sources.xml.layout import (
+    behind_comments,
+    blanks_before,
+    line_break,
+    skip_blanks,
+    starts_line,
+)
+from plastron_tui.sources.xml.new_element import NewElement, render
+from plastron_tui.sources.xml.places import after, before, removal
+
+from .habits import Habits, Order
+from .new_elements import joint_element, link_element, material_element
+from .reader import PartPlaces
+
+
+class Part(NamedTuple):
+    """A link, a joint or a material, by what it is and its name."""
+
+    kind: str
+    name: str
+
+
+def place_of(places: PartPlaces, part: Part) -> Element | None:
+    """Return where a part stands."""
+    kinds = {"link": places.links, "joint": places.joints, "material": places.materials}
+    return kinds[part.kind].get(part.name)
+
+
+def element_of(robot: Description, part: Part) -> NewElement:
+    """Return a part as it is written."""
+    match part.kind:
+        case "link":
+            return link_element(robot.links[part.name])
+        case "joint":
+            return joint_element(robot.joints[part.name])
+        case _:
+            return material_element(robot.materials[part.name])
+
+
+def additions(
+    document: XmlDocument,
+    places: PartPlaces,
+    robot: Description,
+    new: Iterable[Part],
+    habits: Habits,
+) -> list[Splice]:
+    """Return what writes new parts, each near those that it belongs to.
+
+    Args:
+        document: the file; something is in its `<robot>`.
+        places: where its parts stand.
+        robot: the robot as it is to be.
+        new: what of it is not there.
+        habits: of the file.
+    """
+    missing = set(new)
+    found: list[Splice] = []
+    for order in _sequences(robot, habits.order):
+        run: list[Part] = []
+        anchor: Part | None = None
+        for part in order:
+            if part in missing:
+                run.append(part)
+            elif place_of(places, part) is not None:
+                if run:
+                    found += _run(document, places, robot, run, (anchor, part), habits)
+                    run = []
+                anchor = part
+        if run:
+            found += _run(document, places, robot, run, (anchor, None), habits)
+    return found
+
+
+def _sequences(robot: Description, order: Order) -> list[list[Part]]:
+    """Return the parts in the orders in which new ones get their places."""
+    materials = [Part("material", name) for name in robot.materials]
+    links = [Part("link", name) for name in robot.links]
+    joints = [Part("joint", name) for name in robot.joints]
+    if order is Order.APART:
+        return [materials, links, joints]
+    both = list(_pairs(robot, order))
+    seen = set(both)
+    both += (part for part in (*links, *joints) if part not in seen)
+    return [[*materials, *both]] if materials else [both]
+
+
+def _pairs(robot: Description, order: Order) -> Iterator[Part]:
+    for branch in branches(robot):
+        pair = [Part("link", branch.link)]
+        if branch.joint is not None:
+            pair.insert(len(pair) * (order is Order.LINK_FIRST), Part("joint", branch.joint.name))
+        yield from pair
+
+
+def _run(
+    document: XmlDocument,
+    places: PartPlaces,
+    robot: Description,
+    run: Sequence[Part],
+    around: tuple[Part | None, Part | None],
+    habits: Habits,
+) -> Iterator[Splice]:
+    """Yield what writes some parts behind one, before another one, or at the end."""
+    behind, ahead = around
+    anchor = None if behind is None else place_of(places, behind)
+    follower = None if ahead is None else place_of(places, ahead)
+    elements = [element_of(robot, part) for part in run]
+    if anchor is not None:
+        yield from _behind(document, anchor, elements, habits)
+    elif follower is not None:
+        yield from _ahead(document, follower, elements, habits)
+    else:
+        like = [each for each in document.root.children if each.name in ("link", "joint")]
+        last = (like or document.root.children)[-1]
+        if run[0].kind == "material":
+            yield from _ahead(document, document.root.children[0], elements, habits)
+        else:
+            yield from _behind(document, last, elements, habits)
+
+
+def _behind(
+    document: XmlDocument, anchor: Element, new: Sequence[NewElement], habits: Habits
+) -> Iterator[Splice]:
+    text, style = document.text, habits.style
+    end = behind_comments(document, anchor.span.end)
+    rest = skip_blanks(text, end)
+    if not starts_line(text, anchor.span.start) or line_break(text, rest) is None:
+        for each in new:
+            yield after(document, anchor.span, each, style)
+        return
+    indent = indent_of(text, anchor.span.start)
+    written, previous = b"", anchor.name
+    for each in new:
+        lines = 1 + habits.lines_between(previous, each.name)
+        written += style.newline * lines + indent + render(each, style, indent)
+        previous = each.name
+    yield Splice(rest, rest, written)
+
+
+def _ahead(
+    document: XmlDocument, follower: Element, new: Sequence[NewElement], habits: Habits
+) -> Iterator[Splice]:
+    text, style = document.text, habits.style
+    start = follower.span.start
+    if not starts_line(text, start):
+        for each in new:
+            yield before(document, follower.span, each, style)
+        return
+    indent = indent_of(text, start)
+    written = b""
+    following = [each.name for each in new[1:]] + [follower.name]
+    for each, name in zip(new, following, strict=True):
+        lines = 1 + habits.lines_between(each.name, name)
+        written += indent + render(each, style, indent) + style.newline * lines
+    at = _above_comments(document, start)
+    yield Splice(at, at, written)
+
+
+def _above_comments(document: XmlDocument, start: int) -> int:
+    """Return the start of the line of an element, or of the comments right above it."""
+    text = document.text
+    at = line_start(text, start)
+    comments = {each.end: each.start for each in document.comments}
+    while at:
+        end = at - (2 if text[:at].endswith(b"\r\n") else 1)
+        end -= len(blanks_before(text, end))
+        comment = comments.get(end)
+        if comment is None or not starts_line(text, comment):
+            return at
+        at = line_start(text, comment)
+    return at
+
+
+def removals(document: XmlDocument, gone: Iterable[Element], habits: Habits) -> Iterator[Splice]:
+    """Yield what takes parts away, each with the empty lines that keep it apart."""
+    taken = set(gone)
+    siblings = document.root.children
+    kept = [at for at, each in enumerate(siblings) if each not in taken]
+    first_kept = kept[0] if kept else len(siblings)
+    for at, element in enumerate(siblings):
+        if element in taken:
+            yield _removal(document, element, at, habits, is_first=at < first_kept)
+
+
+def _removal(
+    document: XmlDocument, element: Element, at: int, habits: Habits, *, is_first: bool
+) -> Splice:
+    text, (start, end) = document.text, element.span
+    rest = skip_blanks(text, behind_comments(document, end))
+    broken = line_break(text, rest)
+    if not starts_line(text, start) or broken is None:
+        return removal(document, element, habits.style, closes=False)
+    first, last = line_start(text, start), broken.end
+    siblings = document.root.children
+    above = first
+    while (higher := _empty_line_above(text, above)) is not None:
+        above = higher
+    if not is_first and _is_end(document, above, siblings[at - 1]):
+        return Splice(above, last)
+    if is_first and at + 1 < len(siblings):
+        while not text[last : line_end(text, last)].strip() and last < siblings[at + 1].span.start:
+            last = line_end(text, last)
+    return Splice(first, last)
+
+
+def _empty_line_above(text: bytes, start: int) -> int | None:
+    if not start:
+        return None
+    above = line_start(text, start - 1)
+    return above if above < start and not text[above:start].strip() else None
+
+
+def _is_end(document: XmlDocument, offset: int, element: Element) -> bool:
+    """Tell whether the line before an offset is one that an element ends, or its comment."""
+    end = behind_comments(document, element.span.end)
+    broken = line_break(document.text, skip_blanks(document.text, end))
+    return broken is not None and broken.end == offset
+
+
+def line_of(document: XmlDocument, span: Span) -> int:
+    """Return the line of something, from 1."""
+    return document.text.count(b"\n", 0, span.start) + 1
