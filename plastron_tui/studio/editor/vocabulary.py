@@ -13,6 +13,7 @@ from plastron_tui.model.own_types import interfaces_of
 from plastron_tui.model.rename import RENAMED
 from plastron_tui.ros.interfaces import InterfaceKind, InterfaceName
 from plastron_tui.ros.names import spelled
+from plastron_tui.ros.robots.description import Description
 
 if TYPE_CHECKING:
     from plastron_tui.model.workspace import Workspace
@@ -54,9 +55,10 @@ class Vocabulary:
 
     @cached_property
     def _made(self) -> Mapping[str, dict[str, str]]:
-        """The packages, the launch files and the types, and what each is."""
+        """The packages, the launch files, the robots and the types, and what each is."""
         packages: dict[str, str] = {}
         launches: dict[str, str] = {}
+        robots: dict[str, str] = {}
         types: dict[str, str] = {}
         for statement in self._program.statements:
             match statement:
@@ -68,6 +70,10 @@ class Vocabulary:
                     launches[variable] = f"launch file '{name}'"
                 case st.LoadLaunch(source=source, variable=variable):
                     launches[variable] = f"launch file {source}"
+                case st.CreateRobot(name=name, variable=variable):
+                    robots[variable] = f"robot '{name}'"
+                case st.LoadRobot(source=source, variable=variable):
+                    robots[variable] = f"robot from {source}"
                 case st.CreateMessageType(type=type_):
                     types[type_] = "message of your own"
                 case st.CreateServiceType(type=type_):
@@ -76,7 +82,7 @@ class Vocabulary:
                     types[type_] = "action of your own"
                 case st.LoadType(source=source, variable=variable):
                     types[variable] = f"type from {source}"
-        return {"packages": packages, "launches": launches, "types": types}
+        return {"packages": packages, "launches": launches, "robots": robots, "types": types}
 
     def with_own_types(self, catalog: Catalog) -> Catalog:
         """Return a catalog with the types of the program's own, as it was last understood."""
@@ -94,7 +100,7 @@ class Vocabulary:
     @property
     def variables(self) -> Iterable[dict[str, str]]:
         """All variables, by what they stand for."""
-        return self.nodes, self.messages, self.packages, self.launches, self.types
+        return self.nodes, self.messages, self.packages, self.launches, self.robots, self.types
 
     @property
     def packages(self) -> dict[str, str]:
@@ -110,6 +116,21 @@ class Vocabulary:
     def types(self) -> dict[str, str]:
         """The names of the types of the program's own, and what each is."""
         return self._made["types"]
+
+    @property
+    def robots(self) -> dict[str, str]:
+        """The variables of robots, and what each is."""
+        return self._made["robots"]
+
+    def robot(self, variable: str) -> Description:
+        """Return what a robot consists of, as it was last understood."""
+        found = self._workspace.robots.get(variable)
+        return Description("") if found is None else found.description
+
+    def made_parts(self, variable: str) -> frozenset[str]:
+        """Return the links and joints of a robot that the program speaks of."""
+        found = self._workspace.robots.get(variable)
+        return frozenset() if found is None else frozenset({*found.links, *found.joints})
 
     def contents(self, package: str) -> Mapping[str, str]:
         """Return what a package contains, as statements name it, and what one starts it by."""

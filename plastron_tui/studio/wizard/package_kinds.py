@@ -8,10 +8,10 @@ from plastron_tui.language import SlotKind
 from plastron_tui.model.packages import Package
 from plastron_tui.ros.names import mended_node_name
 
+from ..folder_files import found_files, path_text
 from .ask import Ask, Choice
 from .context import free_name
 from .kind import OF_THE_LIST, Kind
-from .node_files import found_files, path_text
 from .parameter_kinds import TextKind
 from .trials import closed_by, first_that_works
 

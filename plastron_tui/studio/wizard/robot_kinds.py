@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator, Mapping
+from collections.abc import Collection, Iterator
 from typing import TYPE_CHECKING
 
 from plastron_tui.language import SlotKind
@@ -10,29 +10,20 @@ from plastron_tui.language import statements as st
 from plastron_tui.ros.robots.description import Description, Joint, JointType
 from plastron_tui.ros.robots.tree import holders, roots
 
+from ..folder_files import found_files, path_text
+from ..robot_words import JOINT_TYPES, ROBOT_SUFFIXES
 from .ask import Ask, Choice
 from .context import free_name
 from .form import NEW, Cell
 from .goals import maker_of
 from .kind import OF_THE_LIST, Kind
-from .node_files import found_files, path_text
 from .trials import closed_by, first_that_works
 
 if TYPE_CHECKING:
     from plastron_tui.model.robots import Robot
 
 _NAMES = ("rover", "arm", "robot")
-_SUFFIXES = frozenset({".urdf", ".xacro"})
 _LINK_NAMES = ("base_link", "body")
-JOINT_TYPES: Mapping[str, str] = {
-    "fixed": "does not move: what is screwed on, as a sensor",
-    "revolute": "turns between two angles, as an elbow; it gets limits",
-    "continuous": "turns without end, as a wheel",
-    "prismatic": "slides between two ends, as a drawer; it gets limits",
-    "planar": "slides on a plane, as a puck; few tools take it",
-    "floating": "moves freely, as a boat; few tools take it",
-}
-"""Each joint type for somebody who knows no ROS, those that most robots have first."""
 
 
 class RobotNameKind(Kind):
@@ -63,7 +54,7 @@ class RobotFileKind(Kind):
     def choices(self, ask: Ask, query: str) -> list[Choice]:
         """Return those below the program's folder."""
         folder = ask.scene.session.folder
-        found = ask.scene.surroundings.once("robots", lambda: found_files(_SUFFIXES, folder))
+        found = ask.scene.surroundings.once("robots", lambda: found_files(ROBOT_SUFFIXES, folder))
         robots = ask.scene.workspace.robots.values()
         loaded = {each.source.path for each in robots if each.source is not None}
         return [
