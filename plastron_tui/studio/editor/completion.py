@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from itertools import islice
 from pathlib import PurePath
 from typing import TYPE_CHECKING
@@ -96,9 +96,26 @@ def _offered(
     slot = expected.slot
     if slot is not None:
         yield from _of_slot(slot.kind, expected, vocabulary, session)
-    for word in expected.keywords:
+    for word in _fitting_first(expected, vocabulary, session):
         declaration = BY_KEYWORD.get(word)
         yield Candidate(word, declaration.summary if declaration is not None else "")
+
+
+def _fitting_first(
+    expected: Expectation, vocabulary: Vocabulary, session: Session
+) -> Sequence[str]:
+    """Return the words of the language, behind a variable those first that go with it."""
+    text, start = session.document.text, expected.span.start
+    before = text[text.rfind(b"\n", 0, start) + 1 : start].strip()
+    kind = vocabulary.kind_of(before.decode("utf-8", "replace")) if before else None
+    if kind is None or expected.declaration is not None:
+        return expected.keywords
+    return sorted(expected.keywords, key=lambda word: not _is_about(word, kind))
+
+
+def _is_about(word: str, kind: SlotKind) -> bool:
+    declaration = BY_KEYWORD.get(word)
+    return declaration is not None and declaration.slots[0].kind is kind
 
 
 def _of_slot(

@@ -6,7 +6,7 @@ from collections.abc import Iterable, Mapping
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
-from plastron_tui.language import Program
+from plastron_tui.language import Program, SlotKind
 from plastron_tui.language import statements as st
 from plastron_tui.model.kinds import EDITABLE, EndpointKind, Parameter, Subscription
 from plastron_tui.model.own_types import interfaces_of
@@ -23,6 +23,12 @@ _MADE: dict[Any, EndpointKind] = {
     kind.editing.made_by: kind for kind in EDITABLE if kind.facts.interface is not None
 }
 """The statements that name what nodes meet at, and its type."""
+
+_KINDS = (
+    *(SlotKind.NODE, SlotKind.MESSAGE, SlotKind.PACKAGE, SlotKind.LAUNCH, SlotKind.ROBOT),
+    SlotKind.OWN_TYPE,
+)
+"""The kinds of slots that variables fill, as `Vocabulary.variables` has them."""
 
 _PACKAGE = "own_interfaces"
 """The package of own types where the program has none: they are offered without it."""
@@ -101,6 +107,13 @@ class Vocabulary:
     def variables(self) -> Iterable[dict[str, str]]:
         """All variables, by what they stand for."""
         return self.nodes, self.messages, self.packages, self.launches, self.robots, self.types
+
+    def kind_of(self, variable: str) -> SlotKind | None:
+        """Return the kind of slot that a variable fills, None for one that is not known."""
+        found = (
+            kind for kind, each in zip(_KINDS, self.variables, strict=True) if variable in each
+        )
+        return next(found, None)
 
     @property
     def packages(self) -> dict[str, str]:
