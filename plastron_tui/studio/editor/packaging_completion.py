@@ -31,7 +31,7 @@ def _known(found: Mapping[str, str]) -> Iterator[Candidate]:
 
 
 def _items(expected: Expectation, vocabulary: Vocabulary) -> Iterator[Candidate]:
-    yield from _known({**vocabulary.nodes, **vocabulary.launches})
+    yield from _known({**vocabulary.nodes, **vocabulary.launches, **vocabulary.robots})
 
 
 def _fields(expected: Expectation, vocabulary: Vocabulary) -> Iterator[Candidate]:

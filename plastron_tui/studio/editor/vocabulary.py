@@ -138,7 +138,7 @@ class Vocabulary:
     def robot(self, variable: str) -> Description:
         """Return what a robot consists of, as it was last understood."""
         found = self._workspace.robots.get(variable)
-        return Description("") if found is None else found.description
+        return Description("") if found is None else found.shown
 
     def made_parts(self, variable: str) -> frozenset[str]:
         """Return the links and joints of a robot that the program speaks of."""

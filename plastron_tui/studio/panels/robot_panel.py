@@ -181,7 +181,7 @@ def _made(analysis: Analysis, looks: Looks) -> Shown:
     if robot is None or not looks.rows:
         return Shown(entries, ())
     picture = picture_of(
-        robot.description,
+        robot.shown,
         looks.columns,
         looks.rows,
         view=looks.view,

@@ -67,7 +67,7 @@ GROUPS = {
     Aim.ROBOT: Group(
         "describe a robot",
         "robot description (URDF)",
-        "What it is made of and how its parts move: for pictures, simulation and planning.",
+        "What it is made of, and how its parts move.",
         "What about robots?",
     ),
 }
