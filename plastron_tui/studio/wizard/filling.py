@@ -88,6 +88,11 @@ class Filled:
         """The variable of the robot that the statement is about, None where it is about none."""
         return self._text(SlotKind.ROBOT, SlotKind.NEW_ROBOT) or None
 
+    @property
+    def part(self) -> str:
+        """The link or the joint that the statement is about, "" where it is about none."""
+        return self._text(SlotKind.JOINT) or self._text(SlotKind.LINK)
+
     def _text(self, *kinds: SlotKind) -> str:
         slot = self.form.slot_of(*kinds)
         return "" if slot is None else self.cells[slot.name].text

@@ -101,6 +101,11 @@ def aim_of(declaration: Declaration) -> Aim:
     return Aim.MORE
 
 
+def told(declaration: Declaration) -> str:
+    """Return what a statement is in one sentence; its help has the rest."""
+    return declaration.about.partition(". ")[0].removesuffix(".") + "."
+
+
 def declarations_of(aim: Aim) -> list[Declaration]:
     """Return the statements of an aim.
 

@@ -24,14 +24,14 @@ def code_of_robot(session: Session, robot: str) -> tuple[str, Lines]:
     return preview.name, preview.lines
 
 
-def look_of_robot(session: Session, robot: str, width: int, height: int) -> Lines:
-    """Return how a robot looks, as large as fits."""
+def look_of_robot(session: Session, robot: str, part: str, width: int, height: int) -> Lines:
+    """Return how a robot looks, as large as fits; one part of it stands out."""
     from plastron_tui.output.graphs.robots.solids import no_bounds
 
     from ..panels.robot_picture import picture_of
 
     shown = session.workspace.robots[robot].shown
-    return picture_of(shown, width, height, mesh_bounds=no_bounds)
+    return picture_of(shown, width, height, marked=part, mesh_bounds=no_bounds)
 
 
 def code_of(session: Session, node: str | None) -> tuple[str, Lines]:

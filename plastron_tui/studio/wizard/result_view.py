@@ -69,7 +69,8 @@ class ResultView(Vertical):
 
         def find() -> tuple[str, Lines, Lines]:
             if robot is not None:
-                seen = look_of_robot(outcome.session, robot, room[0], max(room[1], _LEAST_ROWS))
+                rows = max(room[1], _LEAST_ROWS)
+                seen = look_of_robot(outcome.session, robot, look.part, room[0], rows)
                 return *code_of_robot(outcome.session, robot), seen
             name, lines = code_of(outcome.session, look.node)
             if is_wide:

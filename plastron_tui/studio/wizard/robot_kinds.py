@@ -23,7 +23,7 @@ if TYPE_CHECKING:
     from plastron_tui.model.robots import Robot
 
 _NAMES = ("rover", "arm", "robot")
-_LINK_NAMES = ("base_link", "body")
+_LINK_NAMES = ("body", "part")
 
 
 class RobotNameKind(Kind):
@@ -114,7 +114,7 @@ class LinkKind(Kind):
         """Return what fits: a free name, a link that nothing holds yet, or the last one."""
         robot = description_of(ask)
         if ask.form.declaration.type is st.HasLink:
-            return _new_link_name(robot.links)
+            return new_link_name(robot.links)
         if ask.form.declaration.type is st.NoLongerHasLink:
             open_ = [each.text for each in self.choices(ask, "") if not each.closed]
             return next(reversed(open_), "")
@@ -156,12 +156,17 @@ class LinkKind(Kind):
             return None
         if not robot.links:
             return "the robot has no link yet: give it one first"
+        if not text:
+            return "a joint holds each link: take that away first, and the link goes along"
         return f"the robot has no link `{text}`: {OF_THE_LIST}"
 
 
-def _new_link_name(taken: Collection[str]) -> str:
+def new_link_name(taken: Collection[str]) -> str:
+    """Return a name for a new link: the first one is what all others hang on."""
+    if not taken:
+        return "base_link"
     free = (name for name in _LINK_NAMES if name not in taken)
-    return next(free, free_name("link", taken))
+    return next(free, free_name(_LINK_NAMES[-1], taken))
 
 
 def _child_to_be(ask: Ask) -> str:
@@ -174,7 +179,7 @@ def _child_to_be(ask: Ask) -> str:
         return maker.entered["link"]
     links = description_of(ask).links
     # What holds it is made before it, where there is nothing yet.
-    return _new_link_name(links or {_new_link_name(())})
+    return new_link_name(links or {new_link_name(())})
 
 
 def parents(robot: Description) -> list[str]:
@@ -234,6 +239,8 @@ class JointKind(Kind):
             return "the robot has no joint that moves and has no limits yet"
         if not joints:
             return "the robot has no joint yet: hold two parts together first"
+        if not text:
+            return "all joints are needed: others follow them"
         return f"the robot has no joint `{text}`: {OF_THE_LIST}"
 
 

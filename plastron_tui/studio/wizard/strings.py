@@ -112,5 +112,6 @@ def explanation(page: Page, is_done: bool) -> tuple[str, str]:
     if page.form is not None and not is_done:
         declaration = page.form.declaration
         slots = "\n".join(f"{slot.name}: {slot.help}" for slot in declaration.slots)
-        text = f"{declaration.usage}\n{slots}\nFor example: {declaration.example}\n\n"
+        about = f"{declaration.about}\n\n{declaration.usage}\n{slots}"
+        text = f"{about}\nFor example: {declaration.example}\n\n"
     return title(page, is_done), text + _KEYS
