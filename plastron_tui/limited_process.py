@@ -9,14 +9,15 @@ from __future__ import annotations
 import math
 import os
 import signal
-import subprocess
 import sys
-import tempfile
 import time
 from collections.abc import Mapping
 from contextlib import suppress
 from pathlib import Path
-from typing import NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
+
+if TYPE_CHECKING:
+    import subprocess
 
 _LONGEST_PAUSE = 0.05
 
@@ -93,6 +94,10 @@ def run_limited(
         TimedOutError: it did not end in time.
         OSError: no process can be started.
     """
+    # The process that is limited has no need of them, and others look for them there.
+    import subprocess
+    import tempfile
+
     places = [place for place in (*sys.path, *modules) if os.path.isabs(place)]  # noqa: PTH117
     with tempfile.TemporaryFile() as asked, tempfile.TemporaryFile() as reply:
         asked.write(request)
@@ -126,6 +131,8 @@ def run_limited(
 def _has_ended(process: subprocess.Popen[bytes], seconds: float) -> bool:
     """Wait for a process to end, and leave it unreaped where the system can; False if in vain."""
     if not hasattr(os, "waitid"):
+        import subprocess
+
         try:
             process.wait(seconds)
         except subprocess.TimeoutExpired:

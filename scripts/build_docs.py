@@ -11,12 +11,14 @@ from collections.abc import Callable, Iterator
 from pathlib import Path
 
 from language_prose import LANGUAGE_HEAD, LANGUAGE_TAIL, STATEMENTS_HEAD
+from robot_prose import ROBOTS
 
 from plastron_tui.diagnostics import Code
 from plastron_tui.diagnostics.codes import GROUPS
 from plastron_tui.language import DECLARATIONS, Declaration, SlotKind
 from plastron_tui.language.keywords import KEYWORDS
 from plastron_tui.ros.qos_words import WORDS
+from plastron_tui.ros.robots.colors import NAMES
 
 DOCS = Path(__file__).resolve().parent.parent / "docs"
 
@@ -37,6 +39,7 @@ _SECTIONS = {
     "types": ("Types of one's own", "Messages, services and actions that the program makes."),
     "packages": ("Packages", "What a robot's workspace takes."),
     "launches": ("Launch files", "What starts nodes together."),
+    "robots": ("Robots", "Links, joints, and what they are made of."),
     "files": ("Files", "What is read and written."),
     "xml": ("XML files", "Packages, launch files and plugin descriptions that exist."),
     "builds": ("Build files", "What packages that exist are built with."),
@@ -50,6 +53,8 @@ def language_page() -> str:
     words = ", ".join(f"`{word}`" for word in sorted(KEYWORDS, key=str.lower))
     keywords = f"The keywords, which are no variables: {words}.\n\n"
     tail = LANGUAGE_TAIL.replace("@QOS@\n", "\n".join(_qos_rows()))
+    colors = ", ".join(f"`{name}`" for name in NAMES)
+    tail = tail.replace("@ROBOTS@\n", ROBOTS.replace("@COLORS@", colors))
     return LANGUAGE_HEAD + keywords + STATEMENTS_HEAD + statements + "\n" + tail
 
 

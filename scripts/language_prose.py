@@ -39,6 +39,9 @@ variables share one namespace |
 takes; a node's name has no `/` |
 | text | `"hello"` | in double quotes; {escapes.listed("`")} within |
 | number | `5`, `-5`, `0.25`, `1e-3` | |
+| place, axis | `0, 0.2, 0` | three numbers: forward, to the left, up; metres |
+| angles | `0, 0, 90 deg`, `0, 0, 1.57 rad` | roll, pitch and yaw, and what they are in |
+| colour | `blue`, `"#3060ff"` | a name, or a code in double quotes |
 | boolean | `True`, `False` | |
 | type | `Point`, `geometry_msgs/Point`, `geometry_msgs/msg/Point` | the package is needed only \
 where several have a type of the name |
@@ -296,6 +299,7 @@ The file behind `with parameters` is looked for from the program's folder. The p
 launch file gets a copy of it in `config`, and installs it; into a package that is loaded you copy it
 yourself, and name it there.
 
+@ROBOTS@
 ## Client libraries
 
 A node is written for a client library:

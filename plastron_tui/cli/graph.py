@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Iterable
 from dataclasses import replace
 from pathlib import Path
@@ -11,6 +12,7 @@ import click
 from plastron_tui.boundary import find_boundary
 from plastron_tui.diagnostics import Diagnostic
 from plastron_tui.model.graph import graph_of
+from plastron_tui.model.robots import Robot
 from plastron_tui.model.workspace import Workspace
 from plastron_tui.output.graphs import FORMATS, render
 from plastron_tui.project.run_setup import RunSetup, run_node
@@ -28,6 +30,7 @@ from .common import (
     programs_argument,
     target_option,
 )
+from .inspect_robot import ROBOT_SUFFIXES
 from .run_options import namespace_option, refuse, remap_option, unknown_nodes
 
 
@@ -44,12 +47,14 @@ def command(
     target: str | None,
     format_: str,
 ) -> None:
-    """Show the nodes of programs, and the topics, services and actions that join them.
+    """Show the nodes of programs, what joins them, and robots.
 
     Several programs give one graph. Of a program with mistakes, what is right is shown. With names
     as `plastron run` takes them, it is the graph of such a run.
 
     Of a launch file it is what that starts; behind it stand its arguments, as NAME:=VALUE.
+
+    Robots are shown below the nodes, those of programs and those of files: FILE.urdf, FILE.xacro.
     """
     report = Report()
     launches, arguments, files = _launch_files(files)
@@ -58,11 +63,17 @@ def command(
         _show_launch_files(launches, arguments, format_, report)
         finish(report)
         return
-    sessions = open_sessions(files, report, Options(target=target))
+    robots = [each for each in files if each.suffix in ROBOT_SUFFIXES]
+    programs = tuple(each for each in files if each not in robots)
+    sessions = open_sessions(programs, report, Options(target=target)) if programs else []
     names = RunNames(namespace, remaps)
-    if sessions:
+    shown = robots_of(robots, report)
+    if sessions or shown:
         diagnostics = _check(sessions, names)
-        print_text(render(graph_of(joined(sessions), names), format_))
+        whole = joined(sessions)
+        for robot in shown:
+            add_robot(whole, robot)
+        print_text(render(graph_of(whole, names), format_))
         report.add(diagnostics, lambda _: None)
     for session in sessions:
         report.add(session.diagnostics, session.lines, session.path)
@@ -105,6 +116,38 @@ def _show_launch_files(
         report.add(found.diagnostics, lambda path: None if path is None else lines_of(path))
 
 
+def robots_of(files: Iterable[Path], report: Report) -> list[Robot]:
+    """Read the robots of files."""
+    from plastron_tui.project.program_file import lines_of
+    from plastron_tui.project.robot_graph import robot_graph
+
+    robots = []
+    for file in files:
+        found = robot_graph(file, find_boundary(file.absolute().parent), os.environ)
+        report.add(found.diagnostics, lambda path: None if path is None else lines_of(path))
+        if found.robot is not None:
+            robots.append(found.robot)
+    return robots
+
+
+def add_robot(whole: Workspace, robot: Robot, origin: Workspace | None = None) -> None:
+    """Put a robot among those of a workspace, under a variable of its own.
+
+    Args:
+        whole: the workspace.
+        robot: the robot.
+        origin: what knows whether it is written, None where it is not.
+    """
+    name, count = robot.variable, 1
+    while name in whole.robots:
+        count += 1
+        name = f"{robot.variable}_{count}"
+    whole.robots[name] = replace(robot, variable=name)
+    for made in () if origin is None else origin.written_robots:
+        if made.robot.variable == robot.variable:
+            whole.written_robots.append(made._replace(robot=whole.robots[name]))
+
+
 def _check(sessions: Iterable[Session], names: RunNames) -> list[Diagnostic]:
     """Return what is wrong with names, or doubtful; wrong ones end the command."""
     nodes = [
@@ -119,7 +162,7 @@ def _check(sessions: Iterable[Session], names: RunNames) -> list[Diagnostic]:
 
 
 def joined(sessions: Iterable[Session]) -> Workspace:
-    """Return the nodes of several programs as one workspace.
+    """Return the nodes and robots of several programs as one workspace.
 
     A variable that an earlier program has too gets its program's name in front.
     """
@@ -134,6 +177,8 @@ def joined(sessions: Iterable[Session]) -> Workspace:
         for made in session.workspace.generations:
             node = replace(made.node, variable=names[made.node.variable])
             whole.generations.append(made._replace(node=node))
+        for robot in session.workspace.robots.values():
+            add_robot(whole, robot, session.workspace)
     return whole
 
 

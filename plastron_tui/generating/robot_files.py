@@ -7,8 +7,7 @@ from typing import NamedTuple
 from plastron_tui.diagnostics import Diagnostic
 from plastron_tui.model.robots import Robot
 from plastron_tui.output.plan import OutputFile
-from plastron_tui.ros.robots.merging import merged
-from plastron_tui.sources.urdf.reader import read_urdf
+from plastron_tui.sources.urdf.edits import edited
 from plastron_tui.targets.packages.spec import PackageFile
 from plastron_tui.targets.robots.urdf import write_urdf
 
@@ -33,8 +32,6 @@ def robot_text(robot: Robot) -> RobotText:
     source = robot.source
     if source is None:
         return RobotText(f"{robot.stem}{URDF}", write_urdf(robot.description))
-    from plastron_tui.sources.urdf.edits import edited
-
     changed = edited(source.text, source.description, robot.description, source.path)
     return RobotText(source.path.name, changed.text, changed.diagnostics)
 
@@ -55,12 +52,6 @@ def robot_output(
 
     def remade(original: bytes) -> bytes | None:
         """Return what the program makes of another text: its changes, and no more."""
-        from plastron_tui.sources.urdf.edits import edited
-
-        known = read_urdf(original, source.path).description
-        if known is None:
-            return None
-        wanted = merged(source.description, robot.description, known).robot
-        return None if wanted is None else edited(original, known, wanted, source.path).text
+        return edited(original, source.description, robot.description, source.path).text
 
     return changed_file(source, named, remade, folder, writing, ROBOT_FORM)

@@ -1,11 +1,12 @@
-"""Bringing a robot's description by hand together with what a program makes of it."""
+"""Bringing a robot's file that was changed by hand together with what a program makes of it."""
 
 from __future__ import annotations
 
 from pathlib import Path
 from typing import NamedTuple
 
-from plastron_tui.ros.robots.merging import merged
+from plastron_tui.sources.urdf.edits import edited
+from plastron_tui.sources.urdf.equality import same_robot
 from plastron_tui.sources.urdf.reader import read_urdf
 
 
@@ -31,17 +32,14 @@ def merged_robot(
         present: what it holds.
         by_lines: what became of its lines, None where both changed the same.
     """
-    from plastron_tui.sources.urdf.edits import edited
-
-    robots = [read_urdf(text, path).description for text in (before, new, present)]
-    known = [robot for robot in robots if robot is not None]
-    if len(known) < len(robots):
+    first, last = read_urdf(before).description, read_urdf(new).description
+    if first is None or last is None or read_urdf(present).description is None:
         return MergedRobot(by_lines, "the program changed the same lines")
-    wanted = merged(*known)
-    if wanted.robot is None:
-        return MergedRobot(None, f"the program changed the same: {wanted.clash}")
-    if by_lines is not None and read_urdf(by_lines, path).description == wanted.robot:
+    changed = edited(present, first, last, path)
+    if changed.text is None:
+        return MergedRobot(None, "; ".join(each.message for each in changed.diagnostics))
+    of_lines = None if by_lines is None else read_urdf(by_lines).description
+    wanted = read_urdf(changed.text).description
+    if of_lines is not None and wanted is not None and same_robot(of_lines, wanted):
         return MergedRobot(by_lines)
-    changed = edited(present, known[-1], wanted.robot, path)
-    reason = "; ".join(each.message for each in changed.diagnostics)
-    return MergedRobot(changed.text, reason)
+    return MergedRobot(changed.text)

@@ -14,12 +14,16 @@ from plastron_tui.diagnostics import Diagnostic, Edit, Fix, Span, codes
 from .declaration import Form, SlotKind
 from .field_mistakes import FIELD_SLIPS
 from .keywords import BY_KEYWORD, FIRST_WORDS, KEYWORDS, VERBS
-from .mistake_place import Place, mended
-from .tokens import QUOTED_KINDS, UNKNOWN, is_glued, text_at
+from .mistake_place import Place, mended, unquoted
+from .number_mistakes import LEFT_OUT
+from .robot_mistakes import ROBOT_SLIPS
+from .tokens import QUOTED_KINDS, UNKNOWN, WORD_KINDS, is_glued, text_at
 from .value_mistakes import VALUE_SLIPS
 
 _WORD = re.compile(r"[A-Za-z][A-Za-z0-9_]*")
 _TYPE = re.compile(r"[A-Za-z]\w*(/(msg/|srv/)?[A-Za-z]\w*)?", re.ASCII)
+
+_NUMBER = re.compile(r"[+-]?\d+(\.\d*)?")
 
 # Opening quotes of word processors, with those that close them, and the straight ones.
 _QUOTES = {"‘": ("’", "'"), "’": ("’", "'"), "“": ("”", '"'), "”": ("”", '"'), "„": ("“”", '"')}
@@ -40,6 +44,16 @@ def recognised(place: Place, found: Diagnostic) -> Diagnostic:
         if better is not None:
             return better
     return found
+
+
+def completed(place: Place, found: Diagnostic) -> Diagnostic:
+    """Return what a line lacks that ends too early, where it is a common slip.
+
+    Args:
+        place: the place behind the last word.
+        found: what is wrong so far.
+    """
+    return next(filter(None, (slip(place, found) for slip in LEFT_OUT)), found)
 
 
 def _comment(place: Place, found: Diagnostic) -> Diagnostic | None:
@@ -120,6 +134,18 @@ def _mark(place: Place, found: Diagnostic) -> Diagnostic | None:
     return None
 
 
+def _path(place: Place, found: Diagnostic) -> Diagnostic | None:
+    """Recognise `urdf/rover.urdf` without its quotes."""
+    wanted = place.wanted
+    if wanted is None or not wanted.is_quoted or place.token.kind not in WORD_KINDS:
+        return None
+    first, last = place.run("./-")
+    text = place.written(first, last)
+    if not {*text} & {".", "/"}:
+        return None
+    return unquoted(f"expected {wanted.words}", place.span(first, last), text)
+
+
 def _hyphen(place: Place, found: Diagnostic) -> Diagnostic | None:
     """Recognise `my-node`."""
     first, last = place.run("-")
@@ -178,9 +204,9 @@ def _quoted(place: Place, found: Diagnostic) -> Diagnostic | None:
             help=f"write {right}",
             fix=Fix("put it in single quotes", (Edit(token.span, right),)),
         )
-    if wanted.form in (Form.QUOTED, Form.VALUES):
+    if wanted.form in (Form.QUOTED, Form.VALUES, Form.VECTOR):
         return None
-    pattern = _TYPE if wanted.form is Form.TYPE else _WORD
+    pattern = {Form.TYPE: _TYPE, Form.NUMBER: _NUMBER}.get(wanted.form, _WORD)
     if pattern.fullmatch(text) and text not in KEYWORDS:
         what = wanted.words.partition(",")[0]
         verb = "have" if wanted.form is Form.QOS else "has"
@@ -202,7 +228,8 @@ def _swapped(place: Place, found: Diagnostic) -> Diagnostic | None:
         return None
     keyword = second if is_late else first
     where = "first, before" if is_late else "second, after"
-    message = f"`{keyword}` comes {where} the variable of the node"
+    owner = BY_KEYWORD[keyword].slots[0].kind.words.replace(" of a ", " of the ")
+    message = f"`{keyword}` comes {where} {owner}"
     span = Span(tokens[0].start, tokens[1].end)
     return mended(found, message, span, f"{second} {first}")
 
@@ -247,10 +274,12 @@ def _clause(place: Place, found: Diagnostic) -> Diagnostic | None:
 
 
 _SLIPS: tuple[Callable[[Place, Diagnostic], Diagnostic | None], ...] = (
+    *ROBOT_SLIPS,
     _comment,
     _quotes,
     _unclosed,
     _mark,
+    _path,
     _hyphen,
     _number_first,
     _type_of_python,

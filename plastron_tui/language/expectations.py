@@ -13,7 +13,7 @@ from tree_sitter import Node
 
 from plastron_tui.diagnostics import Span
 
-from .declaration import Declaration, Element, Form, Slot, SlotKind
+from .declaration import Declaration, Element, Form, Slot
 from .document import Document
 from .keywords import BY_KEYWORD, FIRST_WORDS, VERBS
 from .list_errors import first_unfit
@@ -176,9 +176,7 @@ def _expected(
         keywords = VERBS
     elif slot is not None and slot.kind.form in (Form.VALUE, Form.VALUES):
         values, is_over = _place_in_values(before[match.end :], word)
-        is_first = len(before) == match.end and slot.kind.form is Form.VALUES
-        # A message may be as it is by default; a shape has some size.
-        is_first &= slot.kind is not SlotKind.SIZE
+        is_first = len(before) == match.end and slot.kind.may_be_none
         keywords = keywords if is_over else ("none",) if is_first and not values.is_text else ()
     elif slot is not None and slot.kind.form is Form.FIELDS and not written:
         keywords = ("none",)

@@ -125,7 +125,7 @@ class SentenceErrors:
         if kind.form is Form.VECTOR:
             # The word behind it stands in the place of a number that is missing.
             return self._in_open(kind, self._tokens[filled.first : filled.end + 1])
-        if kind.form.is_open and token.text != "none":
+        if kind.form.is_open and not (kind.may_be_none and token.text == "none"):
             return self._in_open(kind, self._tokens[filled.first : filled.end])
         match kind.form:
             case Form.RATE if token.text == "parameter":

@@ -18,7 +18,6 @@ from .tokens import QUOTED_KINDS, WORD_KINDS, Token, is_glued, text_at
 _VARIABLE, _TYPE, _FILE = Form.VARIABLE, Form.TYPE, Form.FILE
 _RATE, _VECTOR = Form.RATE, Form.VECTOR
 _UNITS = frozenset({SlotKind.ANGLE_UNIT, SlotKind.LIMIT_UNIT})
-_MAY_BE_NONE = frozenset({Form.VALUES, Form.FIELDS})
 _OPENING, _CLOSING = ("(", "["), (")", "]")
 _WITHIN_VECTOR = frozenset({",", "="})
 _VECTOR_LENGTH = 5
@@ -189,7 +188,7 @@ class _Matcher:
     def _end_of_open(self, slot: Slot, words: set[str]) -> int | None:
         """Return where one of the words that may follow stands, None where none does."""
         tokens, first = self._tokens, self._at
-        if slot.kind.form in _MAY_BE_NONE and _is_none(tokens, first):
+        if slot.kind.may_be_none and _is_none(tokens, first):
             return first + 1
         depth = 0
         for at in range(first, len(tokens)):

@@ -146,7 +146,7 @@ class SlotKind(Enum):
     LINK = "'LINK'", "the name of a link, in single quotes", Form.QUOTED
     JOINT = "'JOINT'", "the name of a joint, in single quotes", Form.QUOTED
     SHAPE = "SHAPE", "`box`, `cylinder`, `sphere` or `mesh`", Form.WORD
-    SIZE = "VALUES", "how large it is, such as `0.4, 0.3, 0.1`", Form.VALUES
+    SIZE = "VALUES", "sizes in metres, such as `0.4, 0.3, 0.1`", Form.VALUES
     WEIGHT = "KG", "a number of kilograms", Form.NUMBER
     COLOR = "COLOR", 'a colour, such as `blue` or "#3060ff"', Form.COLOR
     POSITION = "X, Y, Z", "three numbers of metres, such as `0, 0.2, 0`", Form.VECTOR
@@ -172,6 +172,11 @@ class SlotKind(Enum):
     def is_variable(self) -> bool:
         """Whether a variable fills the slot, or can; another name than one is in quotes then."""
         return self.form in (Form.VARIABLE, Form.NAMED)
+
+    @property
+    def may_be_none(self) -> bool:
+        """Whether the word `none` may stand for no values, or no fields at all."""
+        return self.form in (Form.VALUES, Form.FIELDS) and self is not SlotKind.SIZE
 
     @property
     def is_quoted(self) -> bool:

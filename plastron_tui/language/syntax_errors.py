@@ -11,7 +11,7 @@ from plastron_tui.diagnostics import Diagnostic, Edit, Fix, Span, codes
 from plastron_tui.diagnostics.suggest import nearest
 
 from .broken_lines import Broken
-from .common_mistakes import recognised
+from .common_mistakes import completed, recognised
 from .declaration import Declaration, Slot, SlotKind
 from .keywords import BY_KEYWORD, FIRST_WORDS, KEYWORDS, VERBS
 from .mistake_place import Place
@@ -77,10 +77,9 @@ def _explain_line(
         if isinstance(match.wanted, Slot):
             slots[match.end] = match.wanted.kind
     start = None if found.span is None else found.span.start
-    at = next((index for index, token in enumerate(tokens) if token.start == start), None)
-    if at is None:
-        return found
-    return recognised(Place(source, tokens, at, slots, declaration), found)
+    at = next((index for index, token in enumerate(tokens) if token.start == start), len(tokens))
+    place = Place(source, tokens, at, slots, declaration)
+    return recognised(place, found) if at < len(tokens) else completed(place, found)
 
 
 def _may_declare(declaration: Declaration | None) -> bool:
@@ -137,11 +136,11 @@ def _unknown_statement(tokens: Sequence[Token]) -> Diagnostic:
             codes.UNKNOWN_STATEMENT,
             f"`{first.text}` alone is no statement",
             first.span,
-            help=f"after the variable of a node comes {', '.join(VERBS)}",
+            help=f"after a variable comes {', '.join(VERBS)}",
         )
     return Diagnostic(
         codes.UNKNOWN_STATEMENT,
         f"`{first.text}` starts no statement",
         first.span,
-        help=f"a statement starts with {', '.join(FIRST_WORDS)}, or with the variable of a node",
+        help=f"a statement starts with {', '.join(FIRST_WORDS)}, or with a variable",
     )

@@ -30,9 +30,18 @@ _RADIANS = {
     **dict.fromkeys(("deg", "degree", "degrees"), math.pi / 180),
     **dict.fromkeys(("rad", "radian", "radians"), 1),
 }
+_KILOGRAMS = {
+    **dict.fromkeys(("kg", "kilogram", "kilograms", "kilo", "kilos"), 1),
+    **dict.fromkeys(("g", "gram", "grams"), 0.001),
+}
 _UNITS: dict[str, tuple[str, float]] = {
     unit: (base, factor)
-    for base, units in (("seconds", _SECONDS), ("metres", _METRES), ("radians", _RADIANS))
+    for base, units in (
+        ("seconds", _SECONDS),
+        ("metres", _METRES),
+        ("radians", _RADIANS),
+        ("kilograms", _KILOGRAMS),
+    )
     for unit, factor in units.items()
 }
 """What ROS measures in instead of a unit, and how many of these the unit is (REP 103)."""

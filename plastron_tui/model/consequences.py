@@ -5,12 +5,21 @@ from __future__ import annotations
 from collections.abc import Mapping
 from itertools import product
 
+from plastron_tui.language import statements as st
 from plastron_tui.language.broken_lines import Broken
 from plastron_tui.language.declaration import DECLARATIONS, SlotKind, Statement
 from plastron_tui.ros.names import spelled
 
 from .kinds.facts import NAMES
 from .workspace import Node
+
+_PARTS: dict[type[Statement], str] = {
+    st.HasLink: "link",
+    st.NoLongerHasLink: "link",
+    st.HasJoint: "joint",
+    st.NoLongerHasJoint: "joint",
+}
+"""The slots of the parts of robots that statements make, change or take away."""
 
 _NAMES = NAMES | {SlotKind.OLD_NAME, SlotKind.NEW_NAME}
 
@@ -30,6 +39,7 @@ class Consequences:
         self._endpoints: set[tuple[str, str]] = set()
         self._nodes: set[str] = set()
         self._uncreated: set[str] = set()
+        self._parts: set[str] = set()
 
     def add(self, statement: Statement) -> None:
         """Remember what a statement without effect was to make: it is broken, not missing."""
@@ -39,6 +49,9 @@ class Consequences:
         # A type is called by its name, whether its package is written or not.
         self._declared.update(text.rpartition("/")[2] for text in made)
         self._uncreated.update(text for kind, text in filled if kind is SlotKind.NODE_NAME)
+        part = _PARTS.get(type(statement))
+        if part is not None:
+            self._parts.add(getattr(statement, part))
         names = [spelled(text) for kind, text in filled if kind in _NAMES]
         if names and declaration.undoes is None:
             nodes = [text for kind, text in filled if kind is SlotKind.NODE]
@@ -59,6 +72,10 @@ class Consequences:
     def mentions(self, name: str) -> bool:
         """Tell whether a broken line has a word or a quoted name."""
         return name in self._lines.words
+
+    def has_part(self, name: str) -> bool:
+        """Tell whether a statement about a link or a joint of this name has no effect."""
+        return name in self._parts
 
     def explains(self, node: Node, name: str) -> bool:
         """Tell whether what a node has under a name may be so because of an earlier mistake.

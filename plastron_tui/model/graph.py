@@ -13,6 +13,7 @@ from typing import NamedTuple
 from plastron_tui.diagnostics import Span
 from plastron_tui.ros.interfaces import InterfaceKind, InterfaceName
 from plastron_tui.ros.qos import Qos
+from plastron_tui.ros.robots.description import Description, Vector
 from plastron_tui.ros.run_names import AS_WRITTEN, RunNames
 
 from .kinds import EDITABLE, Endpoint, EndpointKind, Publication, Publisher, Subscription
@@ -45,6 +46,31 @@ class GraphNode(NamedTuple):
     def is_loaded(self) -> bool:
         """Whether the node was read from a file."""
         return self.file is not None
+
+
+class GraphRobot(NamedTuple):
+    """A robot.
+
+    Attributes:
+        name: what it is called.
+        variable: the program's variable for it.
+        file: the file that a loaded one came from, None for a created one.
+        is_generated: whether the program generates it.
+        span: the statement that created or loaded it.
+        description: what there is to see of it.
+        has_macros: whether its file has macros that are not expanded: there is more of it then.
+        meshes: the lowest and the highest corner of its meshes, by their URIs, in the lengths of
+            their files; only those that somebody measured.
+    """
+
+    name: str
+    variable: str
+    file: Path | None
+    is_generated: bool
+    span: Span
+    description: Description
+    has_macros: bool = False
+    meshes: Mapping[str, tuple[Vector, Vector]] = {}
 
 
 class Sending(NamedTuple):
@@ -177,10 +203,11 @@ NOUNS = {at: kinds[0].facts.named or "" for at, kinds in KINDS_AT.items()}
 
 
 class Graph(NamedTuple):
-    """The nodes of a program, and where they meet, each in the order of the program."""
+    """The nodes of a program, where they meet, and its robots, each in the program's order."""
 
     nodes: tuple[GraphNode, ...]
     at: Mapping[InterfaceKind, tuple[Hub, ...]]
+    robots: tuple[GraphRobot, ...] = ()
 
     @property
     def hubs(self) -> tuple[Hub, ...]:
@@ -231,7 +258,23 @@ def graph_of(workspace: Workspace, names: RunNames = AS_WRITTEN) -> Graph:
             interface: tuple([_hub(interface, name, ends) for name, ends in hubs.items()])
             for interface, hubs in found.items()
         },
+        tuple(_robots(workspace)),
     )
+
+
+def _robots(workspace: Workspace) -> Iterator[GraphRobot]:
+    generated = {made.robot.variable for made in workspace.written_robots}
+    for robot in workspace.robots.values():
+        source = robot.source
+        yield GraphRobot(
+            robot.name,
+            robot.variable,
+            None if source is None else source.path,
+            robot.variable in generated,
+            robot.span,
+            robot.shown,
+            source is not None and source.macros is not None and source.expanded is None,
+        )
 
 
 def _hub(interface: InterfaceKind, name: str, by_kind: dict[EndpointKind, list[End]]) -> Hub:

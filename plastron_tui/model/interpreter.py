@@ -27,6 +27,8 @@ from .node_statements import create_node, generate_node, load
 from .own_types import OwnInterfaces
 from .package_statements import contains, create_package, generate_package, no_longer_contains
 from .rename import rename
+from .robot_checks import check_robots
+from .robot_joint_names import check_joint_names
 from .run import Run
 from .stale_statements import late_changes, late_changes_of_parts
 from .statement_checks import all_wrong
@@ -87,6 +89,8 @@ def interpret(
         diagnostics += tuple(check_circles(workspace, version_of))
         diagnostics += tuple(late_changes_of_parts(program, workspace))
         diagnostics += tuple(check_launches(workspace, setting.ros_version, setting.libraries))
+        diagnostics += tuple(check_robots(program, workspace))
+        diagnostics += tuple(check_joint_names(program, workspace))
     workspace = interpreter.workspace
     own_types = {each: interpreter.own_types(each) for each in (1, 2)} if workspace.types else {}
     return Interpretation(workspace, diagnostics, interpreter.fitters, own_types)

@@ -30,10 +30,13 @@ def robot_json(robot: Description, path: Path) -> dict[str, Any]:
 
     A key is there only where the file says something of it, or has to.
     """
+    return {"file": str(path), "robot": robot.name, **parts_json(robot)}
+
+
+def parts_json(robot: Description) -> dict[str, Any]:
+    """Describe what a robot consists of."""
     found = roots(robot)
     return {
-        "file": str(path),
-        "robot": robot.name,
         "root": found[0] if len(found) == 1 else None,
         "links": [_link(each) for each in robot.links.values()],
         "joints": [_joint(each) for each in robot.joints.values()],

@@ -2,19 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
-from math import isfinite, radians
+from collections.abc import Callable, Iterator, Mapping
+from math import radians
 from typing import Any, NamedTuple
 
 from plastron_tui.diagnostics import Diagnostic, Span, codes, did_you_mean, guess
 from plastron_tui.language import statements as st
-from plastron_tui.language.definitions import Vector as WrittenVector
 from plastron_tui.language.inputs import Literal, NamedArgument, NestedValue
 from plastron_tui.ros.robots.colors import NAMES, material_name, rgba_of
 from plastron_tui.ros.robots.description import (
     Box,
     Cylinder,
-    Description,
     JointType,
     Material,
     Mesh,
@@ -24,6 +22,8 @@ from plastron_tui.ros.robots.description import (
 )
 
 from .mistake import Mistake
+from .robot_numbers import FARTHEST, HEAVIEST, LIGHTEST, SHORTEST, as_float, numbers, vector_of
+from .robots import Robot
 
 
 class _Form(NamedTuple):
@@ -65,18 +65,25 @@ def shape_of(statement: st.HasLink) -> Shape | None:
         message = f"`{statement.shape}` is no shape"
         help_text = near or "it is `box`, `cylinder`, `sphere` or `mesh`"
         raise Mistake(Diagnostic(codes.BAD_SHAPE, message, where, help=help_text, fix=fix))
-    given = _values(statement, form)
-    made = {
-        name: _uri(*each) if name == "uri" else _scale(*each) if name == "scale" else _length(*each)
-        for name, each in given.items()
-    }
+    given, wrong = _values(statement, form)
+    made: dict[str, Any] = {}
+    for name, (value, at) in given.items():
+        try:
+            make: Callable[[Any, Span], Any] = _MADE_OF.get(name, _length)
+            made[name] = make(value, at)
+        except Mistake as mistake:  # noqa: PERF203 - each value has its own
+            wrong += mistake.diagnostics
+    if wrong:
+        raise Mistake(*wrong)
     return form.make(**made)
 
 
-def _values(statement: st.HasLink, form: _Form) -> dict[str, tuple[Any, Span]]:
-    """Return the values of a shape by their names, and where each stands."""
+def _values(
+    statement: st.HasLink, form: _Form
+) -> tuple[dict[str, tuple[Any, Span]], list[Diagnostic]]:
+    """Return the values of a shape by their names, where each stands, and what is wrong."""
     found: dict[str, tuple[Any, Span]] = {}
-    whole = statement.span_of("size")
+    wrong: list[Diagnostic] = []
     for place, argument in enumerate(statement.size or ()):
         at = Span(argument.syntax.start_byte, argument.syntax.end_byte).moved(statement.shift)
         if isinstance(argument, NamedArgument):
@@ -84,23 +91,27 @@ def _values(statement: st.HasLink, form: _Form) -> dict[str, tuple[Any, Span]]:
         elif place < len(form.values):
             name, value = form.values[place], argument
         else:
-            raise _bad_shape(f"a {statement.shape} has no more values", at, form)
+            wrong.append(_bad_shape(f"a {statement.shape} has no more values", at, form))
+            break
         if name not in form.values:
             help_text = did_you_mean(name, form.values)
-            raise _bad_shape(f"a {statement.shape} has no `{name}`", at, form, help_text)
-        if name in found:
-            raise _bad_shape(f"`{name}` is given twice", at, form)
-        found[name] = value, at
+            message = f"a {statement.shape} has no `{name}`"
+            wrong.append(_bad_shape(message, at, form, help_text))
+        elif name in found:
+            wrong.append(_bad_shape(f"`{name}` is given twice", at, form))
+        else:
+            found[name] = value, at
     missing = [each for each in form.values if each not in (*found, *form.optional)]
-    if missing:
+    if missing and not wrong:
         lacking = " and ".join(f"`{each}`" for each in missing)
-        raise _bad_shape(f"a {statement.shape} needs {lacking}", whole, form)
-    return found
+        message = f"a {statement.shape} needs {lacking}"
+        wrong.append(_bad_shape(message, statement.span_of("size"), form))
+    return found, wrong
 
 
-def _bad_shape(message: str, where: Span, form: _Form, help_text: str | None = None) -> Mistake:
+def _bad_shape(message: str, where: Span, form: _Form, help_text: str | None = None) -> Diagnostic:
     help_text = help_text or f"write it as `{form.example}`"
-    return Mistake(Diagnostic(codes.BAD_SHAPE, message, where, help=help_text))
+    return Diagnostic(codes.BAD_SHAPE, message, where, help=help_text)
 
 
 def _length(value: Any, where: Span) -> float:
@@ -108,8 +119,10 @@ def _length(value: Any, where: Span) -> float:
     if number is None:
         message = "a length is a number of metres"
         raise Mistake(Diagnostic(codes.BAD_SHAPE, message, where))
-    if not (number > 0 and isfinite(number)):
+    if not SHORTEST <= number <= FARTHEST:
         message = "a length is more than 0"
+        if number > 0:
+            message = f"a length is between {SHORTEST:.6f} and {FARTHEST:,.0f} m"
         raise Mistake(Diagnostic(codes.BAD_SHAPE, message, where))
     return number
 
@@ -119,7 +132,7 @@ def _scale(value: Any, where: Span) -> Vector:
         parts = [None if isinstance(x, NamedArgument) else _number(x) for x in value.arguments]
     else:
         parts = [_number(value)] * 3
-    found = tuple(each for each in parts if each is not None and each != 0 and isfinite(each))
+    found = tuple(x for x in parts if x is not None and 1 / FARTHEST <= abs(x) <= FARTHEST)
     if len(parts) != 3 or len(found) != 3:
         message = "a scale is a number that is not 0, or three of them, as `(1, 1, 2)`"
         raise Mistake(Diagnostic(codes.BAD_SHAPE, message, where))
@@ -129,7 +142,7 @@ def _scale(value: Any, where: Span) -> Vector:
 
 def _number(value: Any) -> float | None:
     is_number = isinstance(value, Literal) and isinstance(value.value, (int, float))
-    return float(value.value) if is_number and not isinstance(value.value, bool) else None
+    return as_float(value.value) if is_number and not isinstance(value.value, bool) else None
 
 
 def _uri(value: Any, where: Span) -> str:
@@ -140,29 +153,40 @@ def _uri(value: Any, where: Span) -> str:
     raise Mistake(Diagnostic(codes.BAD_SHAPE, message, where, help=help_text))
 
 
+_MADE_OF: Mapping[str, Callable[[Any, Span], Any]] = {"uri": _uri, "scale": _scale}
+"""How a value of a shape is read that is no length."""
+
+
 def weight_of(statement: st.HasLink) -> float | None:
     """Return what a link weighs, None where nothing is said."""
     if statement.weight is None:
         return None
-    if not (statement.weight > 0 and isfinite(statement.weight)):
+    weight = as_float(statement.weight)
+    if not LIGHTEST <= weight <= HEAVIEST:
         message = "a weight is more than 0 kg"
+        if weight > 0:
+            message = f"a weight is between {LIGHTEST:.6f} and {HEAVIEST:,.0f} kg"
         raise Mistake(Diagnostic(codes.BAD_WEIGHT, message, statement.span_of("weight")))
-    return float(statement.weight)
+    return weight
 
 
-def material_of(statement: st.HasLink, robot: Description) -> Material | None:
+def material_of(statement: st.HasLink, robot: Robot | None) -> Material | None:
     """Return the material that paints a link, None where nothing is said.
 
     A name is that of a material which the robot has, or else of a colour.
     """
     if statement.color is None:
         return None
-    if statement.color in robot.materials:
+    shared = {} if robot is None else robot.description.materials
+    own = {} if robot is None else robot.own_materials
+    if statement.color in shared:
         return Material(statement.color)
+    if statement.color in own:
+        return own[statement.color]
     rgba = rgba_of(statement.color)
     if rgba is None:
         where = statement.span_of("color")
-        near, fix = guess(statement.color, (*robot.materials, *NAMES), where)
+        near, fix = guess(statement.color, (*shared, *own, *NAMES), where)
         message = f"`{statement.color}` is no colour"
         help_text = near or 'write a name as `blue`, or a code as `"#3060ff"`'
         raise Mistake(Diagnostic(codes.UNKNOWN_COLOR, message, where, help=help_text, fix=fix))
@@ -171,7 +195,7 @@ def material_of(statement: st.HasLink, robot: Description) -> Material | None:
 
 def position_of(statement: st.HasLink | st.HasJoint) -> Vector | None:
     """Return what stands behind `at`, in metres; None where nothing is said."""
-    return None if statement.position is None else _floats(statement.position)
+    return vector_of(statement, "position")
 
 
 def rotation_of(statement: st.HasLink | st.HasJoint) -> Vector | None:
@@ -180,26 +204,34 @@ def rotation_of(statement: st.HasLink | st.HasJoint) -> Vector | None:
         return None
     if statement.unit not in _ANGLES:
         raise bad_unit(statement, statement.unit, tuple(_ANGLES))
-    x, y, z = map(_ANGLES[statement.unit], _floats(statement.rotation))
+    turned = vector_of(statement, "rotation")
+    if turned is None:
+        return None
+    x, y, z = map(_ANGLES[statement.unit], turned)
     return x, y, z
 
 
 _ANGLES: Mapping[str, Callable[[float], float]] = {"deg": radians, "rad": float}
 
 
-def axis_of(statement: st.HasJoint, type_: JointType) -> Vector | None:
-    """Return what stands behind `with axis`, None where nothing is said."""
+def axis_of(statement: st.HasJoint, type_: JointType | None) -> Vector | None:
+    """Return what stands behind `with axis`, None where nothing is said.
+
+    Args:
+        statement: the statement.
+        type_: how the joint moves, None where that is not known.
+    """
     if statement.axis is None:
         return None
     where = statement.span_of("axis")
-    if not type_.has_axis:
-        message = f"a joint that is {type_.value} has no axis"
-        raise Mistake(Diagnostic(codes.BAD_AXIS, message, where))
-    axis = _floats(statement.axis)
-    if not any(axis):
+    axis = vector_of(statement, "axis")
+    if axis is None or max(map(abs, axis)) < 1 / FARTHEST:
         message = "an axis of 0, 0, 0 points nowhere"
         help_text = "`0, 0, 1` points up, `1, 0, 0` forward, `0, 1, 0` to the left"
         raise Mistake(Diagnostic(codes.BAD_AXIS, message, where, help=help_text))
+    if type_ is not None and not type_.has_axis:
+        message = f"a joint that is {type_.value} has no axis"
+        raise Mistake(Diagnostic(codes.BAD_AXIS, message, where))
     return axis
 
 
@@ -215,19 +247,45 @@ def joint_type_of(statement: st.HasJoint) -> JointType:
     raise Mistake(Diagnostic(codes.UNKNOWN_JOINT_TYPE, message, where, help=help_text, fix=fix))
 
 
-def range_of(statement: st.LimitsJoint, type_: JointType) -> tuple[float, float] | None:
-    """Return what stands behind `between`, in radians or metres; None where nothing is said."""
+def range_of(statement: st.LimitsJoint, type_: JointType | None) -> tuple[float, float] | None:
+    """Return what stands behind `between`, in radians or metres; None where nothing is said.
+
+    Args:
+        statement: the statement.
+        type_: how the joint moves, None where that is not known.
+    """
     if statement.minimum is None or statement.maximum is None or statement.unit is None:
         return None
-    right = tuple(_ANGLES) if type_.turns else ("m",)
+    right = (*_ANGLES, "m")
+    if type_ is not None:
+        right = tuple(_ANGLES) if type_.turns else ("m",)
+    wrong = [*_bad_ends(statement)]
     if statement.unit not in right:
-        raise bad_unit(statement, statement.unit, right)
-    if statement.minimum > statement.maximum:
-        message = f"{statement.minimum} is more than {statement.maximum}"
-        where = Span(statement.span_of("minimum").start, statement.span_of("maximum").end)
-        raise Mistake(Diagnostic(codes.BAD_LIMITS, message, where, help="the least comes first"))
+        wrong += bad_unit(statement, statement.unit, right).diagnostics
+    if wrong:
+        raise Mistake(*wrong)
     convert = _ANGLES.get(statement.unit, float)
-    return convert(float(statement.minimum)), convert(float(statement.maximum))
+    return convert(as_float(statement.minimum)), convert(as_float(statement.maximum))
+
+
+def _bad_ends(statement: st.LimitsJoint) -> Iterator[Diagnostic]:
+    """Yield what is wrong with the least and the greatest place of a joint."""
+    ends = [*numbers(statement, "minimum"), *numbers(statement, "maximum")]
+    far = [each for each in ends if not abs(each.value) <= FARTHEST]
+    yield from (Diagnostic(codes.BAD_LIMITS, _OUT_OF_RANGE, each.span) for each in far)
+    least, most = ends
+    if far or least.value < most.value:
+        return
+    help_text = "the least comes first"
+    message = f"{least.value:.12g} is more than {most.value:.12g}"
+    if least.value == most.value:
+        message = f"between {least.value:.12g} and {most.value:.12g} it moves nowhere"
+        help_text = "a joint that holds two links as they are is `fixed`"
+    where = Span(least.span.start, most.span.end)
+    yield Diagnostic(codes.BAD_LIMITS, message, where, help=help_text)
+
+
+_OUT_OF_RANGE = f"a limit is between -{FARTHEST:,.0f} and {FARTHEST:,.0f}"
 
 
 def bad_unit(statement: Any, unit: str, right: tuple[str, ...]) -> Mistake:
@@ -237,8 +295,3 @@ def bad_unit(statement: Any, unit: str, right: tuple[str, ...]) -> Mistake:
     words = " or ".join(f"`{each}`" for each in right)
     message = f"`{unit}` is no unit of this; it is in {words}"
     return Mistake(Diagnostic(codes.BAD_UNIT, message, where, help=near, fix=fix))
-
-
-def _floats(vector: WrittenVector) -> Vector:
-    x, y, z = map(float, vector)
-    return x, y, z

@@ -2,17 +2,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field, replace
 from pathlib import Path
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING, NamedTuple, TypeVar
 
 from plastron_tui.diagnostics import Diagnostic, Span, codes
-from plastron_tui.ros.robots.description import Description
+from plastron_tui.ros.robots.description import Description, Joint, Link, Material
 from plastron_tui.ros.robots.macros import Macros
 
 if TYPE_CHECKING:
     from .source import TextOrigin
+
+T = TypeVar("T")
 
 
 class RobotSource(NamedTuple):
@@ -35,6 +37,11 @@ class RobotSource(NamedTuple):
     origin: TextOrigin | None = None
     expanded: Description | None = None
     macros: Macros | None = None
+
+    @property
+    def whole(self) -> Description | None:
+        """The whole robot, None where nobody knows what macros make of it."""
+        return self.description if self.macros is None else self.expanded
 
     @property
     def present(self) -> bytes:
@@ -85,6 +92,7 @@ class Robot:
         links: where the program speaks of its links, by name.
         joints: where it speaks of its joints, by name.
         home: the package that the program puts it into, "" for none.
+        own_materials: the materials that a loaded one has, those too that stand in its links.
     """
 
     variable: str
@@ -94,17 +102,84 @@ class Robot:
     links: dict[str, Places] = field(default_factory=dict)
     joints: dict[str, Places] = field(default_factory=dict)
     home: str = ""
+    own_materials: Mapping[str, Material] = field(default_factory=dict)
+    # Its own, so that a statement changes one entry of them, not all.
+    _links: dict[str, Link] = field(init=False, repr=False)
+    _joints: dict[str, Joint] = field(init=False, repr=False)
+    # The joints that need a link or a joint, by both names; found where that is first asked for.
+    _users: dict[tuple[str, str], dict[str, None]] | None = field(init=False, repr=False)
+
+    def __post_init__(self) -> None:
+        """Take the description's parts over."""
+        self._links, self._joints = dict(self.description.links), dict(self.description.joints)
+        self._users = None
+        self.description = replace(self.description, links=self._links, joints=self._joints)
 
     @property
     def name(self) -> str:
         """What it is called."""
         return self.description.name
 
+    def put_link(self, link: Link) -> None:
+        """Give the robot a link, in place of the one of its name."""
+        self._links[link.name] = link
+
+    def take_link(self, name: str) -> None:
+        """Take a link away from the robot."""
+        del self._links[name]
+        self.links.pop(name, None)
+
+    def put_joint(self, joint: Joint) -> None:
+        """Give the robot a joint, in place of the one of its name."""
+        self._forget_uses(joint.name)
+        self._joints[joint.name] = joint
+        if self._users is not None:
+            _note_uses(self._users, joint)
+
+    def take_joint(self, name: str) -> None:
+        """Take a joint away from the robot."""
+        self._forget_uses(name)
+        del self._joints[name]
+        self.joints.pop(name, None)
+
+    def holding(self, link: str) -> Iterator[Joint]:
+        """Yield the joints that hold a link, or hang on it."""
+        yield from self._users_of("link", link)
+
+    def following(self, joint: str) -> Iterator[Joint]:
+        """Yield the joints that follow a joint."""
+        yield from self._users_of("joint", joint)
+
+    def _users_of(self, what: str, name: str) -> Iterator[Joint]:
+        if self._users is None:
+            self._users = {}
+            for joint in self._joints.values():
+                _note_uses(self._users, joint)
+        yield from (self._joints[each] for each in self._users.get((what, name), ()))
+
+    def _forget_uses(self, joint: str) -> None:
+        if self._users is not None and joint in self._joints:
+            for used in _uses(self._joints[joint]):
+                self._users[used].pop(joint, None)
+
+    @property
+    def whole(self) -> Description | None:
+        """The robot with what macros make of its file, None where nobody knows that."""
+        source = self.source
+        if source is None or source.macros is None or source.expanded is None:
+            is_known = source is None or source.macros is None
+            return self.description if is_known else None
+        before, now, all_ = source.description, self.description, source.expanded
+        return replace(
+            all_,
+            links=_with_changes(before.links, now.links, all_.links),
+            joints=_with_changes(before.joints, now.joints, all_.joints),
+        )
+
     @property
     def shown(self) -> Description:
         """What there is to see of it: with its macros expanded, where they are."""
-        expanded = None if self.source is None else self.source.expanded
-        return self.description if expanded is None else expanded
+        return self.whole or self.description
 
     @property
     def stem(self) -> str:
@@ -114,6 +189,27 @@ class Robot:
     def snapshot(self) -> Robot:
         """Return the robot as it is now, untouched by what later statements do to it."""
         return replace(self, links=dict(self.links), joints=dict(self.joints))
+
+
+def _with_changes(
+    before: Mapping[str, T], now: Mapping[str, T], parts: Mapping[str, T]
+) -> dict[str, T]:
+    """Return parts with what changed of some of them."""
+    kept = {name: part for name, part in parts.items() if name not in before or name in now}
+    return kept | {name: part for name, part in now.items() if before.get(name) != part}
+
+
+def _uses(joint: Joint) -> Iterator[tuple[str, str]]:
+    """Yield what a joint needs: two links, and the joint that it follows."""
+    yield "link", joint.parent
+    yield "link", joint.child
+    if joint.mimic is not None:
+        yield "joint", joint.mimic.joint
+
+
+def _note_uses(users: dict[tuple[str, str], dict[str, None]], joint: Joint) -> None:
+    for used in _uses(joint):
+        users.setdefault(used, {})[joint.name] = None
 
 
 def file_stem(name: str) -> str:

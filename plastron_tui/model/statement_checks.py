@@ -36,6 +36,7 @@ from .package_statements import (
     check_package_there,
 )
 from .rename import RENAMED, kinds_having, kinds_of
+from .robot_statement_checks import CHECKS as ROBOT_CHECKS
 from .run import Run
 from .type_statements import check_fields, check_type_named
 
@@ -285,6 +286,7 @@ _CHECKS: dict[type[Statement], tuple[_Check, ...]] = {
     st.Contains: (check_package_there, check_item, check_executable),
     st.CreateLaunch: (_variable, check_launch_named),
     st.LoadLaunch: (_variable,),
+    **ROBOT_CHECKS,
 }
 """What is looked at in each statement that may have several mistakes.
 

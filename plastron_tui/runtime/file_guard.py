@@ -65,12 +65,12 @@ class FileGuard:
 
     Attributes:
         opened: the files that were opened, or were not there.
-        refused: what was asked for and refused.
+        refused: what was asked for and refused, in words.
     """
 
     def __init__(self, allows: Callable[[str], bool]) -> None:
         """Set which files may be read, besides those of Python itself."""
-        self.opened: list[str] = []
+        self.opened: dict[str, None] = {}
         self.refused: list[str] = []
         self._allows = allows
         self._library = os.path.realpath(os.path.dirname(os.__file__)) + os.sep  # noqa: PTH120
@@ -83,16 +83,16 @@ class FileGuard:
             self._judge_path(arguments[0] or os.curdir)
         elif event == "import":
             if arguments[0].partition(".")[0] in _MODULES:
-                raise self._refusal(f"the module `{arguments[0]}`")
+                raise self._refusal(f"they ask for the module `{arguments[0]}`")
         elif event.startswith(_REFUSED) and event not in _HARMLESS:
-            raise self._refusal(f"`{event}`")
+            raise self._refusal(f"they ask for `{event}`")
 
     def _judge_open(self, path: Any, mode: str | None, flags: int) -> None:
         if isinstance(path, int):
             return
         is_written = any(each in mode for each in "wax+") if mode else bool(flags & _WRITING)
         if is_written:
-            raise self._refusal(os.fspath(path))
+            raise self._refusal(f"they write to `{os.fsdecode(path)}`")
         self._judge_path(path)
 
     def _judge_path(self, path: Any) -> None:
@@ -102,15 +102,15 @@ class FileGuard:
         if os.path.realpath(name).startswith(self._library):
             return
         if not self._allows(name):
-            raise self._refusal(name)
+            outside = "which is neither in the project nor in an installed package"
+            raise self._refusal(f"they lead to `{name}`, {outside}")
         if len(self.opened) < _MOST:
-            self.opened.append(name)
+            self.opened[name] = None
 
-    def _refusal(self, what: str | bytes) -> OSError:
-        name = os.fsdecode(what)
+    def _refusal(self, words: str) -> OSError:
         if len(self.refused) < _MOST:
-            self.refused.append(name)
-        return PermissionError(errno.EACCES, "is not allowed here", name)
+            self.refused.append(words)
+        return PermissionError(errno.EACCES, words)
 
 
 def leave_network() -> None:

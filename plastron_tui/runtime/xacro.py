@@ -99,10 +99,9 @@ def expand(path: Path, text: bytes, reach: Reach, modules: Path) -> Expanded:
         said = json.loads(head)
         reason, refused, opened = (said[each] for each in ("reason", "refused", "opened"))
         files = tuple(map(Path, map(str, opened)))
-        if refused:
-            reason = f"they lead to `{shortened(str(refused[0]))}`, which is not theirs to use"
+        reason = shortened(str(refused[0] if refused else reason), _LONGEST)
     except (ValueError, KeyError, TypeError):
         return Expanded(None, "expanding them fails")
     if reason:
-        return Expanded(None, str(reason)[:_LONGEST], files)
+        return Expanded(None, reason, files)
     return Expanded(expanded, "", files)

@@ -10,6 +10,7 @@ import importlib
 import json
 import os
 import pickle
+import re
 import sys
 from contextlib import suppress
 from pathlib import Path
@@ -27,6 +28,7 @@ _LARGEST_FILE = 4 * 1024**2
 
 # What is imported as it is needed: nothing is, once files are guarded.
 _MODULES = ("xml.dom.expatbuilder", "xml.dom.minidom", "yaml", "encodings.latin_1")
+_VARIABLE = re.compile(r"environment variable '(\w+)' is not set")
 _SUBSTITUTIONS = ("xacro.substitution_args", "roslaunch.substitution_args")
 
 
@@ -70,16 +72,12 @@ def _answer(request: Request) -> bytes:
     text, reason = b"", ""
     try:
         text = _expanded(xacro, request, guard)
-    except MemoryError:
-        reason = f"they need more than {request.limits.memory // 1024**2} MB of memory"
-    except RecursionError:
-        reason = "macros, files or expressions are within each other without end"
     # An expression of a file may fail in any way.
     except (Exception, SystemExit) as error:
-        reason = _reason(xacro, error)
+        reason = _reason(xacro, error, request.limits)
     if not reason and len(text) > request.limits.reply // 2:
         text, reason = b"", f"they make more than {request.limits.reply // 2 // 1024**2} MB"
-    head = {"reason": reason, "refused": guard.refused, "opened": guard.opened}
+    head = {"reason": reason, "refused": guard.refused, "opened": list(guard.opened)}
     return b"\n".join((json.dumps(head).encode(), text))
 
 
@@ -154,16 +152,28 @@ def _refuse_entities(text: bytes) -> None:
     parser.Parse(text, True)
 
 
-def _reason(xacro: Any, error: BaseException) -> str:
+def _reason(xacro: Any, error: BaseException, limits: Limits) -> str:
     """Return why a file is not expanded, on one line, with the file that the mistake is in."""
-    inner: BaseException | None = error
-    while inner is not None:
-        if isinstance(inner, MemoryError | RecursionError):
-            return "macros, files or expressions are within each other without end"
-        if isinstance(inner, _RefusedError):
-            return str(inner)
-        inner = getattr(inner, "exc", None) or inner.__cause__
-    said = " ".join(str(error).split()) or type(error).__name__
+    inner, said = error, error
+    while True:
+        match inner:
+            case MemoryError():
+                return f"they need more than {limits.memory // 1024**2} MB of memory"
+            case RecursionError():
+                return "macros, files or expressions are within each other without end"
+            case _RefusedError():
+                return str(inner)
+        cause = getattr(inner, "exc", None) or inner.__cause__
+        if not isinstance(cause, BaseException):
+            break
+        # What is around it says where it is: "when evaluating expression …".
+        is_told_whole = cause.__class__.__name__ == "XacroException"
+        said = cause if is_told_whole or str(inner).startswith("<class") else said
+        inner = cause
+    text = " ".join(str(said).split()) or type(inner).__name__
+    variable = _VARIABLE.fullmatch(text)
+    if variable is not None:
+        return f"they ask for the environment variable `{variable.group(1)}`, and get none"
     files = [each for each in getattr(xacro, "filestack", None) or () if isinstance(each, str)]
     place = f" (in `{Path(files[-1]).name}`)" if len(files) > 1 else ""
-    return said[:_LONGEST_REASON] + place
+    return text[:_LONGEST_REASON] + place

@@ -7,6 +7,7 @@ from machine import examples, mostly_long
 from plastron_programs import EXAMPLES, broken_lines, read
 from wrong_clauses import CLAUSES, SENTENCE
 from wrong_fields import FIELDS, MENDED
+from wrong_robots import ROBOTS
 
 from plastron_tui.diagnostics import Diagnostic
 from plastron_tui.language import DECLARATIONS, Document, lower
@@ -164,7 +165,7 @@ TABLE: list[tuple[str, str, str, str, str | None]] = [
     ("create_node 'a' as n create_node 'b' as m", "syntax-error", "create_node", "unexp", SENTENCE),
 ]
 
-LINES = [*TABLE, *CLAUSES, *FIELDS]
+LINES = [*TABLE, *CLAUSES, *FIELDS, *ROBOTS]
 
 
 def spanned(text: str, found: Diagnostic) -> str:

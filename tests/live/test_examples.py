@@ -18,8 +18,8 @@ pytestmark = pytest.mark.live
 
 # An example that loads a file has nodes of that file's generation only, and managed ones are
 # nodes of ROS 2; one with types of its own is built before it runs, and one that names client
-# libraries is for those.
-_OF_ANOTHER_KIND = r"^load | managed | using |^create_message_type "
+# libraries is for those; one with a package has its nodes there.
+_OF_ANOTHER_KIND = r"^load | managed | using |^create_message_type |^create_package "
 FOLDER = Path(__file__).parents[2] / "examples"
 EXAMPLES = sorted(
     path

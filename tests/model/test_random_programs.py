@@ -3,16 +3,19 @@
 from __future__ import annotations
 
 import re
+from pathlib import Path
 
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from machine import examples
+from robot_lines import ROBOT, ROBOT_LINES
 from workspaces import LIBRARIES, FakeReader, catalog, endpoint, source
 
 from plastron_tui.language import DECLARATIONS, Document, lower
 from plastron_tui.model.context import Setting
 from plastron_tui.model.interpreter import interpret
+from plastron_tui.model.robots import LoadedRobot, RobotSource
 from plastron_tui.model.source import EndpointKind
 
 NODES = st.sampled_from(["n", "o", "t", "x"])
@@ -156,6 +159,7 @@ LINES = st.one_of(
     st.builds("{} stop_repeating {}".format, NODES, FUNCTIONS),
     st.builds("{} renames {} {} to {}".format, NODES, WHATS, NAMES, NAMES),
     st.builds("generate_node {}".format, NODES),
+    *ROBOT_LINES,
 )
 BEFORE = """\
 create_node 'node' as n
@@ -163,6 +167,9 @@ n has_parameter 'a' of parameter_type float with default 1
 subscribe n to 'scan' of message_type sensor_msgs/LaserScan
 create_message m of message_type Float32 and input received.ranges[0]
 load driver as t
+create_robot 'rover' as v
+v has_link 'a' shaped sphere 1 weighing 1
+load_robot 'a.urdf' as w
 """
 
 
@@ -176,7 +183,13 @@ def test_no_program_raises(library: str, lines: list[str]) -> None:
         endpoint(EndpointKind.TIMER, None, None, "f"),
         library=library,
     )
-    setting = Setting(library, LIBRARIES, catalog, FakeReader({"driver": driver}))
+    setting = Setting(
+        library,
+        LIBRARIES,
+        catalog,
+        FakeReader({"driver": driver}),
+        read_robot=lambda _: LoadedRobot(RobotSource(Path("a.urdf"), b"", ROBOT)),
+    )
     text = (BEFORE + "\n".join(lines) + "\n").encode()
     program = lower(Document(text))
     assert len(program.statements) == text.count(b"\n")

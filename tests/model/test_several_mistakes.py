@@ -14,9 +14,11 @@ from plastron_tui.model.context import FoundDefinition, LoadedDefinition, Settin
 from plastron_tui.model.interpreter import interpret
 from plastron_tui.model.launches import LaunchSource, LoadedLaunch
 from plastron_tui.model.package_source import LoadedPackage, PackageSource
+from plastron_tui.model.robots import LoadedRobot, RobotSource
 from plastron_tui.model.source import EndpointKind
 from plastron_tui.ros.interfaces import InterfaceKind
 from plastron_tui.ros.launch import Format, LaunchFile
+from plastron_tui.ros.robots.description import Description, Link
 
 BEFORE = """\
 create_node 'node' as n
@@ -36,6 +38,18 @@ load driver as t
 create_message_type Own with int32 x
 create_package 'rover' as rover
 create_launch 'bringup' as bringup
+create_robot 'bot' as b
+b has_link 'base'
+create_robot 'whole' as whole
+whole has_link 'base'
+b has_link 'arm'
+b has_link 'old'
+b has_link 'limb'
+b has_link 'free'
+b has_joint 'turn' of joint_type revolute from 'base' to 'arm' with axis 0, 0, 1
+b has_joint 'hold' of joint_type fixed from 'arm' to 'old'
+b limits_joint 'turn' between -1 and 1 rad with effort 1 and velocity 1
+b has_joint 'lift' of joint_type revolute from 'base' to 'limb' with axis 0, 0, 1
 """
 
 SLOTS: dict[str, dict[str, list[str]]] = {
@@ -222,6 +236,47 @@ SLOTS: dict[str, dict[str, list[str]]] = {
     "{} starts t": {"bringup": ["bringp"]},
     "{} includes 'p/a.launch'": {"bringup": ["bringp"]},
     "generate_launch {}": {"bringup": ["bringp"]},
+    "create_robot {} as {}": {"'new'": ["'bot'", "'a b'"], "k": ["n", "_k"]},
+    "load_robot {} as {}": {"'a.urdf'": [], "k": ["n"]},
+    "{} has_link {} shaped sphere {} weighing {} painted {}": {
+        "b": ["x"],
+        "'new'": ["'base'", "'a b'"],
+        "0.1": ["-1", "0", '"a"'],
+        "2": ["0", "1e99"],
+        "red": ["rde"],
+    },
+    "b has_link {} shaped {} 1, 1, 1 at {} turned 0, 0, 90 {}": {
+        "'new'": ["'base'"],
+        "box": ["bx", "sphere"],
+        "0, 0, 1": [],
+        "deg": ["degrees", "m"],
+    },
+    "b has_link 'new' shaped box {}, 1, {} at 0, 0, {}": {
+        "1": ["0"],
+        "2": ["-2", "wide=3"],
+        "0.5": ["1e9"],
+    },
+    "{} has_joint {} of joint_type {} from {} to {} with axis {}": {
+        "b": ["x"],
+        "'j'": ["'turn'", "'a b'"],
+        "continuous": ["turning"],
+        "'arm'": ["'amr'"],
+        "'free'": ["'odl'"],
+        "0, 0, 1": ["0, 0, 0"],
+    },
+    "b has_joint 'j' of joint_type continuous from 'arm' to {} turned 0, 0, 1 {} mimicking {}": {
+        "'free'": ["'arm'"],
+        "rad": ["m"],
+        "'turn'": ["'trun'", "'hold'", "'j'"],
+    },
+    "{} limits_joint {} between {} deg with effort {} and velocity {}": {
+        "b": ["x"],
+        "'lift'": ["'turn'", "'litf'", "'hold'"],
+        "-1 and 10": ["10 and -1", "9 and 9"],
+        "5": ["-5"],
+        "6": ["-6"],
+    },
+    "generate_robot {}": {"whole": ["x"]},
 }
 
 FOLLOWING = {
@@ -234,7 +289,8 @@ FOLLOWING = {
         frozenset({"x", each})
         for each in (
             "parameter 'sped'", "parameter 'names'", "'sped'", "'names'", "'herd'", "'acts'",
-            "'speed'", "tick", "received.dat = 1", "received.data < 1", "any received.data = 1",
+            "'speed'", "tick", "'base'", "'turn'", "'amr'", "'odl'", "'litf'", "'hold'",
+            "received.dat = 1", "received.data < 1", "any received.data = 1",
         )
     ),
 }  # fmt: skip
@@ -251,6 +307,9 @@ def _mistakes(line: str) -> list[str]:
         FakeReader({"driver": driver}),
         read_definition=lambda _: found,
         read_package=lambda *_: LoadedPackage(PackageSource(Path("p"), "p", 1, "catkin")),
+        read_robot=lambda _: LoadedRobot(
+            RobotSource(Path("a.urdf"), b"", Description("a", {"a": Link("a")}))
+        ),
         read_launch=lambda _: LoadedLaunch(
             LaunchSource(Path("a.launch"), b"<launch/>", Format.ROS1_XML, LaunchFile(()))
         ),

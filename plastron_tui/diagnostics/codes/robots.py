@@ -139,6 +139,61 @@ BAD_MIMIC = Code(
     f"continuous from 'body' to 'lid' with axis 0, 0, 1 mimicking 'turn'\n{_END}",
 )
 
+BAD_ROBOT_NUMBER = Code(
+    "bad-robot-number",
+    "A place, an angle or an axis has a number that is beyond all that a robot is.",
+    bad=f"{_ROVER}rover has_link 'base' shaped sphere 0.1 at 0, 0, 1e99\n{_END}",
+    good=f"{_ROVER}rover has_link 'base' shaped sphere 0.1 at 0, 0, 0.1\n{_END}",
+)
+
+MADE_BY_MACRO = Code(
+    "made-by-macro",
+    "A link or a joint does not stand in a robot's file as it is: macros make it, and what they "
+    "make cannot be changed one by one. Change the macro, or what it is called with, in its file.",
+)
+
+SEVERAL_SHAPES = Code(
+    "several-shapes",
+    "A link of a loaded robot has several visuals or collisions, and a sentence is about one. "
+    "Change it in its file, or take the link away and make it anew.",
+)
+
+LINK_APART = Code(
+    "link-apart",
+    "What is seen of a link of a loaded robot, what collides, and its center of mass differ, or "
+    "are at several places. A shape becomes that of what is seen and of what collides; a new "
+    "place is that of what is seen, and of what was in the same place before.",
+    severity=Severity.WARNING,
+)
+
+INERTIA_STAYS = Code(
+    "inertia-stays",
+    "The inertia of a link of a loaded robot did not follow from its shape, and stays as it is "
+    "when the shape changes. Say what the link weighs as well, and it follows from both.",
+    severity=Severity.WARNING,
+)
+
+MESH_INERTIA = Code(
+    "mesh-inertia",
+    "The inertia of a mesh is taken to be that of the box around it, which is more than that of "
+    "the mesh mostly; where nobody knows how large the mesh is, none is written.",
+    severity=Severity.WARNING,
+    bad=f"{_ROVER}rover has_link 'base'\nrover has_link 'body' shaped mesh "
+    f'"package://rover/body.stl" weighing 5\n{_FIXED}{_END}',
+    good=_WHOLE,
+)
+
+UNKNOWN_JOINT_NAME = Code(
+    "unknown-joint-name",
+    "A message of `JointState` or `JointTrajectory` names a joint that the program's robot does "
+    "not have: what drives the robot, or shows it, leaves it out.",
+    severity=Severity.WARNING,
+    bad=f"{_BODY}{_TURNING}{_LIMITED}{_END}create_message states of message_type JointState and "
+    'input name=["trun"], position=[0.5]\n',
+    good=f"{_BODY}{_TURNING}{_LIMITED}{_END}create_message states of message_type JointState and "
+    'input name=["turn"], position=[0.5]\n',
+)
+
 NO_TREE = Code(
     "no-tree",
     "The links of a robot hang on one, its root: each other one is held by one joint, and none "
@@ -150,11 +205,13 @@ NO_TREE = Code(
 IMPOSSIBLE_INERTIA = Code(
     "impossible-inertia",
     "No body has such an inertia: simulators refuse it, or go astray.",
+    severity=Severity.WARNING,
 )
 
 ROOT_INERTIA = Code(
     "root-inertia",
     "The root has an inertia, which KDL, and what stands on it, leaves out of account.",
+    severity=Severity.WARNING,
     bad=f"{_ROVER}rover has_link 'base' shaped box 0.4, 0.3, 0.1 weighing 5\n{_END}",
     good=_WHOLE,
 )
@@ -163,6 +220,7 @@ UNIT_SLIP = Code(
     "unit-slip",
     "A number looks like one of another unit: a link of 400 m may be one of 400 mm, an angle of "
     "90 rad one of 90 deg.",
+    severity=Severity.WARNING,
     bad=f"{_ROVER}rover has_link 'base' shaped box 400, 300, 100\n{_END}",
     good=f"{_ROVER}rover has_link 'base' shaped box 0.4, 0.3, 0.1\n{_END}",
 )

@@ -5,14 +5,17 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from plastron_tui.diagnostics.terminal import visible
-from plastron_tui.model.graph import Graph
+from plastron_tui.model.graph import Graph, GraphRobot
 from plastron_tui.model.kinds import EndpointKind
 from plastron_tui.ros.interfaces import InterfaceKind
 
 from .captions import hub_text, missing_text, node_text
 from .identifiers import edges_of, identified
+from .robots.captions import joint_text, link_text
+from .robots.listing import robot_joints, robot_links, robot_title
 
 _NODE = 'shape=box, style="rounded,filled", fillcolor="#dbe7fb", color="#3b6fc4"'
+_LINK = 'shape=box, style=filled, fillcolor="#e9edf2", color="#5b6675"'
 _HUBS = {
     InterfaceKind.MESSAGE: 'shape=ellipse, style=filled, fillcolor="#d9f0e3", color="#2c8a5a"',
     InterfaceKind.SERVICE: 'shape=hexagon, style=filled, fillcolor="#fbe6cf", color="#b8691b"',
@@ -55,7 +58,22 @@ def _lines(graph: Graph) -> Iterator[str]:
     for edge in edges_of(graph):
         start, end = edge.ends
         yield f"  {start} -> {end}{_style(edge.kind)};"
+    for at, robot in enumerate(graph.robots):
+        yield from _robot(f"r{at}", robot)
     yield "}"
+
+
+def _robot(identifier: str, robot: GraphRobot) -> Iterator[str]:
+    """Yield a robot as a cluster: links are boxes, and what joins them its joints."""
+    yield f"  subgraph cluster_{identifier} {{"
+    yield f"    label={quoted(robot_title(robot))};"
+    for name, link in robot_links(identifier, robot):
+        yield f"    {name} [label={quoted(link.name, link_text(link))}, {_LINK}];"
+    for joint in robot_joints(identifier, robot):
+        fixed = "" if joint.moves else ", style=dashed"
+        label = quoted(joint.joint.name, joint_text(joint.joint))
+        yield f"    {joint.parent} -> {joint.child} [label={label}{fixed}];"
+    yield "  }"
 
 
 def _style(kind: EndpointKind) -> str:

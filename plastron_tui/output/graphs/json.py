@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from typing import Any
 
 from plastron_tui.diagnostics import Span
-from plastron_tui.model.graph import KINDS_AT, NOUNS, End, Graph, GraphNode, Hub
+from plastron_tui.model.graph import KINDS_AT, NOUNS, End, Graph, GraphNode, GraphRobot, Hub
 from plastron_tui.model.inspection import qos_json
 from plastron_tui.model.kinds import (
     ActionClient,
@@ -17,6 +17,7 @@ from plastron_tui.model.kinds import (
     Service,
     callback_of,
 )
+from plastron_tui.model.robot_inspection import parts_json
 from plastron_tui.model.values import Computed, MessageValue, Value
 from plastron_tui.ros.interfaces import InterfaceName
 
@@ -36,7 +37,9 @@ def render(graph: Graph) -> str:
            "clients": [{"node", "variable", "written", "type", "span", "requests", "rates"}]}],
          "actions": [{"name", "type", "types", "missing",
            "action_servers": [{"node", "variable", "written", "type", "span", "handler"}],
-           "action_clients": [{"node", "variable", "written", "type", "span", "goals"}]}]}
+           "action_clients": [{"node", "variable", "written", "type", "span", "goals"}]}],
+         "robots": [{"name", "variable", "file", "generated", "span", "root", "links", "joints",
+           "materials"}]}
 
     A `name` of a topic, service or action is its full name, `written` what the program says;
     `node` is a node's name, in a namespace its full one, and `variable` tells two of one name
@@ -50,11 +53,13 @@ def render(graph: Graph) -> str:
     is known of the quality of service: its policies by name, those that are known; durations in
     seconds, or `infinite`. A request is an object of its fields; what is not there keeps its
     default. `library`, `file`, `callback` and `handler` are null where the program does not
-    say.
+    say. The parts of robots are as `plastron inspect` has them, in metres, kilograms and radians;
+    `macros` is there, and true, where its file has macros that are not expanded.
     """
     document = {
         "nodes": [_node(node) for node in graph.nodes],
         **{f"{NOUNS[at]}s": [_hub(hub) for hub in hubs] for at, hubs in graph.at.items()},
+        "robots": [_robot(robot) for robot in graph.robots],
     }
     return json.dumps(document, indent=2) + "\n"
 
@@ -68,6 +73,18 @@ def _node(node: GraphNode) -> dict[str, Any]:
         "generated": node.is_generated,
         "span": _span(node.span),
         **({"managed": True} if node.is_managed else {}),
+    }
+
+
+def _robot(robot: GraphRobot) -> dict[str, Any]:
+    return {
+        "name": robot.name,
+        "variable": robot.variable,
+        "file": None if robot.file is None else str(robot.file),
+        "generated": robot.is_generated,
+        "span": _span(robot.span),
+        **({"macros": True} if robot.has_macros else {}),
+        **parts_json(robot.description),
     }
 
 

@@ -15,6 +15,8 @@ from .captions import ends_of, hub_text, missing_text, node_text, type_text
 from .identifiers import Edge, edges_of, identified
 from .layers import Link
 from .layout import Layout, layout
+from .robots.svg import robot_svg
+from .robots.svg_style import STYLE as ROBOT_STYLE
 from .style import ARROW, LEGEND_HEIGHT, MARGIN, STYLE, legend, legend_width, number
 from .widths import broken, drawable, text_width
 
@@ -53,8 +55,8 @@ class _Label:
 def render(graph: Graph) -> str:
     """Return a picture: boxes in columns, messages from left to right.
 
-    It is the same for the same graph, has its own background in light and in dark, and says
-    everything in `title` and `desc` elements too.
+    Robots stand below it, or alone where there is no node. It is the same for the same graph, has
+    its own background in light and in dark, and says everything in `title` and `desc` elements too.
     """
     labels = list(_labels(graph))
     numbers = {label.identifier: at for at, label in enumerate(labels)}
@@ -67,25 +69,43 @@ def render(graph: Graph) -> str:
 def _document(
     graph: Graph, labels: list[_Label], links: dict[Edge, Link], made: Layout
 ) -> Iterator[str]:
-    width = max(made.width, legend_width(graph)) + 2 * MARGIN
-    height = made.height + 2 * MARGIN + LEGEND_HEIGHT
+    robots = [robot_svg(each) for each in graph.robots]
+    # A program of robots alone has no graph.
+    has_graph = not robots or bool(graph.nodes)
+    drawn = made.height + MARGIN + LEGEND_HEIGHT if has_graph else 0.0
+    widths = [max(made.width, legend_width(graph))] if has_graph else []
+    width = max([*widths, *(each.width for each in robots)]) + 2 * MARGIN
+    height = drawn + MARGIN + sum(each.height + MARGIN for each in robots)
     size = f'width="{number(width)}" height="{number(height)}"'
     box = f'viewBox="0 0 {number(width)} {number(height)}"'
     yield (
         f'<svg xmlns="http://www.w3.org/2000/svg" {size} {box} role="img" '
         'aria-labelledby="title desc">'
     )
-    yield f'<title id="title">{_escaped(_title(graph))}</title>'
-    yield f'<desc id="desc">{_escaped(_description(graph))}</desc>'
+    titles = [_title(graph)] if has_graph else []
+    described = [_description(graph)] if has_graph else []
+    titles += [each.title for each in robots]
+    described += [each.description for each in robots]
+    yield f'<title id="title">{_escaped("; ".join(titles))}</title>'
+    yield f'<desc id="desc">{_escaped("; ".join(described))}</desc>'
     yield STYLE
+    if robots:
+        yield ROBOT_STYLE
     yield f'<rect class="paper" {size} rx="10"/>'
-    yield f'<g transform="translate({number((width - made.width) / 2)} {number(MARGIN)})">'
-    for edge, link in links.items():
-        yield from _edge(graph, edge, made.lines[link])
-    for label, placed in zip(labels, made.boxes, strict=True):
-        yield from _box(label, placed)
-    yield "</g>"
-    yield from legend(graph, height - LEGEND_HEIGHT)
+    if has_graph:
+        yield f'<g transform="translate({number((width - made.width) / 2)} {number(MARGIN)})">'
+        for edge, link in links.items():
+            yield from _edge(graph, edge, made.lines[link])
+        for label, placed in zip(labels, made.boxes, strict=True):
+            yield from _box(label, placed)
+        yield "</g>"
+        yield from legend(graph, drawn + MARGIN - LEGEND_HEIGHT)
+    top = drawn + MARGIN
+    for robot in robots:
+        yield f'<g transform="translate({number(MARGIN)} {number(top)})">'
+        yield from robot.lines
+        yield "</g>"
+        top += robot.height + MARGIN
     yield "</svg>"
 
 

@@ -9,6 +9,7 @@ from plastron_tui.diagnostics.terminal import visible, width
 from plastron_tui.model.graph import NOUNS, Graph, Hub
 
 from .captions import ends_of, missing_text, node_text, type_text
+from .robots.listing import robot_rows, robot_title
 
 _WIDTH = 100
 _MOST_PADDED = 40
@@ -17,11 +18,14 @@ _MOST_PADDED = 40
 def render(graph: Graph) -> str:
     """Return the nodes, then each topic and each service with the nodes that meet there.
 
+    Then come the robots as trees: each link with the joint that holds it.
+
     Lines have at most 100 characters where the names allow it; there are no colour codes.
     """
     sections = [
         _section("nodes", _columns((visible(node.name), node_text(node)) for node in graph.nodes)),
         *(_section(f"{NOUNS[at]}s", _hubs(hubs)) for at, hubs in graph.at.items()),
+        *(_section(robot_title(robot), _columns(robot_rows(robot))) for robot in graph.robots),
     ]
     return "\n".join(section for section in sections if section) or "nothing here yet\n"
 

@@ -29,10 +29,10 @@ _BOLD = (
     712, 366, 712, 838,
 )
 # fmt: on
-_OTHER = {"·": 380, "…": 1000}
+_OTHER = {"°": 500, "·": 380, "×": 838, "…": 1000}
 _WIDEST = 1600
 # Latin, Greek, Cyrillic, kana, ideographs, Hangul: whatever font has them, none is wider.
-_KNOWN = re.compile("[ -~·…\u00c0-\u024f\u0370-\u04ff\u3041-\u30ff\u4e00-\u9fff\uac00-\ud7a3]")
+_KNOWN = re.compile("[ -~°·…\u00c0-\u024f\u0370-\u04ff\u3041-\u30ff\u4e00-\u9fff\uac00-\ud7a3]")
 
 
 def text_width(text: str, size: float, *, bold: bool = False) -> float:

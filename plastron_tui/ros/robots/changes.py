@@ -1,32 +1,23 @@
-"""Links and joints made of what is said of them, and changed by it."""
+"""Links made of what is said of them, and changed by it."""
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from math import isclose
+from collections.abc import Callable, Iterable
+from enum import Enum, auto
+from math import isclose, isfinite
 from typing import NamedTuple
 
-from .description import (
-    Body,
-    Inertial,
-    Joint,
-    JointType,
-    Link,
-    Material,
-    Mesh,
-    Mimic,
-    Pose,
-    Shape,
-    Tensor,
-    Vector,
-)
-from .inertia import tensor_of
+from .description import Body, Inertial, Link, Material, Mesh, Pose, Shape, Tensor, Vector
+from .inertia import tensor_of, turned
+from .transforms import rotation_matrix, seen_from
 
 MeshSize = Callable[[str], Vector | None]
 """Returns how large a mesh is along its axes, in the file's lengths; None where nobody knows."""
 
-_CLOSE = 1e-3
-"""How far an inertia may be from that of its shape, and still be meant to follow from it."""
+_CLOSE = 1e-2
+"""How far an inertia may be from that of its shape, and still be meant to follow from it.
+
+People write two or three digits: 0.0417 for 5 / 120."""
 
 
 class LinkValues(NamedTuple):
@@ -47,74 +38,243 @@ class LinkValues(NamedTuple):
     rotation: Vector | None = None
 
 
-def new_link(name: str, values: LinkValues, mesh_size: MeshSize) -> Link:
+class Note(Enum):
+    """What somebody is told of a link that is made or changed."""
+
+    NO_SHAPE = auto()
+    """Refused: what is said is about a shape, and the link has none."""
+    SEVERAL_SHAPES = auto()
+    """Refused: it has several shapes, and nothing says which is meant."""
+    NOT_SEEN = auto()
+    """Refused: it is painted, and has nothing that is seen."""
+    BOX_INERTIA = auto()
+    """The inertia of a mesh is that of the box around it."""
+    UNKNOWN_SIZE = auto()
+    """Nobody knows how large its mesh is, so that no inertia follows from it."""
+    INERTIA_STAYS = auto()
+    """Its inertia did not follow from its shape, and stays as it is."""
+    OTHER_COLLISION = auto()
+    """What is seen and what collides had two shapes, and have one now."""
+    APART = auto()
+    """What collides, or the center of mass, was elsewhere, and stays there."""
+
+    @property
+    def is_refusal(self) -> bool:
+        """Whether the link stays as it is."""
+        return self in (Note.NO_SHAPE, Note.SEVERAL_SHAPES, Note.NOT_SEEN)
+
+
+class Changed(NamedTuple):
+    """A link that was made or changed.
+
+    Attributes:
+        link: the link; as it was, where a note refuses the change.
+        notes: what somebody is told of it, each with the field of `LinkValues` that it is about.
+    """
+
+    link: Link
+    notes: tuple[tuple[Note, str], ...] = ()
+
+
+def new_link(name: str, values: LinkValues, mesh_size: MeshSize) -> Changed:
     """Return a link of which this is all that is known."""
+    link = Link(name)
     if values.shape is None:
-        return Link(name)
-    pose = _moved(Pose(), values)
-    body = Body(values.shape, pose)
-    tensor = None if values.mass is None else _tensor(values.shape, values.mass, mesh_size)
-    inertial = None
-    if values.mass is not None and tensor is not None:
-        inertial = Inertial(values.mass, tensor, pose)
-    return Link(name, (body._replace(material=values.material),), (body,), inertial)
+        said = _first_said(values, LinkValues._fields)
+        return Changed(link, ((Note.NO_SHAPE, said),) if said else ())
+    body = Body(values.shape, _placed(Pose(), values))
+    link = Link(name, (body._replace(material=values.material),), (body,))
+    if values.mass is None:
+        return Changed(link)
+    return _with_inertia(link, values.mass, mesh_size)
 
 
-def changed_link(link: Link, values: LinkValues, mesh_size: MeshSize) -> Link:
+def changed_link(link: Link, values: LinkValues, mesh_size: MeshSize) -> Changed:
     """Return a link with what is said of it changed, and nothing else.
 
-    What is seen and what collides are changed alike where there is one of each. An inertia that
-    followed from shape and mass does so again; another one stays.
+    What is seen and what collides get one shape, and are moved and turned alike where they were
+    alike. A mass without a shape leaves the inertia in proportion. An inertia that followed from
+    the shape follows from a new one, as does any where both shape and mass are said.
     """
-    visual = link.visuals[0] if link.visuals else None
-    collision = link.collisions[0] if link.collisions else None
-    # TODO: several bodies, inertia that follows
-    del visual, collision, values, mesh_size
-    return link
+    refusal = _refusal(link, values)
+    if refusal is not None:
+        return Changed(link, (refusal,))
+    if not (link.visuals or link.collisions) and values.shape is not None:
+        bodies = new_link(link.name, values._replace(mass=None), mesh_size).link
+        new = link._replace(visuals=bodies.visuals, collisions=bodies.collisions)
+        notes: list[tuple[Note, str]] = []
+    else:
+        new, notes = _with_bodies(link, values)
+    changed = _with_inertial(link, new, values, mesh_size)
+    return Changed(changed.link, (*notes, *changed.notes))
 
 
-def changed_joint(
-    joint: Joint,
-    type_: JointType,
-    ends: tuple[str, str],
-    position: Vector | None,
-    rotation: Vector | None,
-    axis: Vector | None,
-    mimic: Mimic | None,
-) -> Joint:
-    """Return a joint with what is said of it changed, and nothing else."""
-    parent, child = ends
-    return joint._replace(
-        type=type_,
-        parent=parent,
-        child=child,
-        pose=Pose(position or joint.pose.position, rotation or joint.pose.rotation),
-        axis=joint.axis if axis is None else axis,
-        mimic=joint.mimic if mimic is None else mimic,
+def _first_said(values: LinkValues, fields: Iterable[str]) -> str:
+    return next((each for each in fields if getattr(values, each) is not None), "")
+
+
+def _refusal(link: Link, values: LinkValues) -> tuple[Note, str] | None:
+    """Return why a link cannot be changed as it is said, None where it can."""
+    placing = _first_said(values, ("shape", "position", "rotation"))
+    is_bare = not (link.visuals or link.collisions)
+    weighs_first = values.mass is not None and link.inertial is None
+    if is_bare and values.shape is None:
+        said = _first_said(values, ("position", "rotation", "material"))
+        said = said or ("mass" if weighs_first else "")
+        return (Note.NO_SHAPE, said) if said else None
+    if len(link.visuals) > 1 or len(link.collisions) > 1:
+        said = placing or ("mass" if weighs_first else "")
+        if said:
+            return Note.SEVERAL_SHAPES, said
+    if values.material is not None and not (link.visuals or is_bare):
+        return Note.NOT_SEEN, "material"
+    return None
+
+
+def _with_bodies(link: Link, values: LinkValues) -> tuple[Link, list[tuple[Note, str]]]:
+    """Return a link with its bodies changed, of which it has one of each kind where they move."""
+    notes = []
+    bodies = (*link.visuals, *link.collisions)
+    main = bodies[0].pose if bodies else Pose()
+    if values.shape is not None and len({each.shape for each in bodies}) > 1:
+        notes.append((Note.OTHER_COLLISION, "shape"))
+    elif values.shape is None and any(_stays(each.pose, main, values) for each in bodies):
+        notes.append((Note.APART, _first_said(values, ("position", "rotation"))))
+
+    def changed(body: Body) -> Body:
+        if values.shape is not None:
+            # They are one shape from now on, and in one place where that is said.
+            return body._replace(shape=values.shape, pose=_placed(body.pose, values))
+        return body._replace(pose=_moved(body.pose, main, values))
+
+    visuals = tuple(map(changed, link.visuals))
+    if values.material is not None:
+        visuals = tuple(each._replace(material=values.material) for each in visuals)
+    return link._replace(visuals=visuals, collisions=tuple(map(changed, link.collisions))), notes
+
+
+def _placed(pose: Pose, values: LinkValues) -> Pose:
+    return Pose(
+        pose.position if values.position is None else values.position,
+        pose.rotation if values.rotation is None else values.rotation,
     )
 
 
-def follows(inertial: Inertial, shape: Shape, mesh_size: MeshSize) -> bool:
-    """Tell whether an inertia is that of a shape and its mass."""
-    tensor = _tensor(shape, inertial.mass, mesh_size)
-    return tensor is not None and all(
-        isclose(one, other, rel_tol=_CLOSE, abs_tol=_CLOSE * max(map(abs, tensor)))
+def _moved(pose: Pose, main: Pose, values: LinkValues) -> Pose:
+    """Return where something is that goes along with what was at `main`, if it was there too."""
+    position, rotation = pose
+    if values.position is not None and position == main.position:
+        position = values.position
+    if values.rotation is not None and pose == main:
+        rotation = values.rotation
+    return Pose(position, rotation)
+
+
+def _stays(pose: Pose, main: Pose, values: LinkValues) -> bool:
+    """Tell whether something does not go along with what was at `main`."""
+    is_elsewhere = values.position is not None and pose.position != main.position
+    return is_elsewhere or (values.rotation is not None and pose != main)
+
+
+def _with_inertial(old: Link, new: Link, values: LinkValues, mesh_size: MeshSize) -> Changed:
+    """Return a link with what it weighs after its bodies were changed."""
+    inertial = old.inertial
+    if inertial is None:
+        return Changed(new) if values.mass is None else _with_inertia(new, values.mass, mesh_size)
+    pairs = list(zip(_bodies(old), _bodies(new), strict=False))
+    followed = [after for before, after in pairs if follows(inertial, before, mesh_size)]
+    if values.shape is not None and (followed or values.mass is not None):
+        mass = inertial.mass if values.mass is None else values.mass
+        # Its axes stay as they are where the file has some of its own.
+        rotation = None if not followed or inertial.pose == pairs[0][0].pose else inertial.pose[1]
+        return _with_inertia(new._replace(inertial=inertial), mass, mesh_size, rotation)
+    notes = [] if values.shape is None else [(Note.INERTIA_STAYS, "shape")]
+    if pairs and values.shape is None:
+        main = pairs[0][0].pose
+        moved = inertial._replace(pose=_moved(inertial.pose, main, values))
+        if followed and inertial.pose != main:
+            tensor = _tensor(followed[0], inertial.mass, mesh_size, moved.pose.rotation)
+            inertial = moved if tensor is None else moved._replace(tensor=tensor)
+        elif _stays(inertial.pose, main, values):
+            notes.append((Note.APART, _first_said(values, ("position", "rotation"))))
+        inertial = inertial._replace(pose=moved.pose)
+    if values.mass is not None:
+        scaled = _scaled(inertial, values.mass)
+        if scaled is None:
+            return _with_inertia(new._replace(inertial=inertial), values.mass, mesh_size)
+        inertial = scaled
+    return Changed(new._replace(inertial=inertial), tuple(notes))
+
+
+def _bodies(link: Link) -> tuple[Body, ...]:
+    return *link.visuals, *link.collisions
+
+
+def _scaled(inertial: Inertial, mass: float) -> Inertial | None:
+    """Return an inertia of what is denser or less dense; None where it is that of nothing."""
+    if not (inertial.mass > 0 and isfinite(inertial.mass) and any(inertial.tensor)):
+        return None
+    factor = mass / inertial.mass
+    return Inertial(mass, Tensor(*(factor * each for each in inertial.tensor)), inertial.pose)
+
+
+def _with_inertia(
+    link: Link, mass: float, mesh_size: MeshSize, rotation: Vector | None = None
+) -> Changed:
+    """Return a link whose inertia follows from its shape and a mass.
+
+    Args:
+        link: the link; an inertia that it has stays where none follows.
+        mass: what it weighs.
+        mesh_size: tells how large a mesh is.
+        rotation: how the axes are turned that the inertia is in; None for those of the shape.
+    """
+    # What collides is what a simulation moves.
+    for body in (*link.collisions, *link.visuals):
+        tensor = _tensor(body, mass, mesh_size, rotation)
+        if tensor is not None:
+            turned_ = body.pose.rotation if rotation is None else rotation
+            inertial = Inertial(mass, tensor, Pose(body.pose.position, turned_))
+            is_mesh = isinstance(body.shape, Mesh)
+            notes = ((Note.BOX_INERTIA, "mass"),) if is_mesh else ()
+            return Changed(link._replace(inertial=inertial), notes)
+    old = link.inertial
+    if old is not None:
+        link = link._replace(inertial=_scaled(old, mass) or old._replace(mass=mass))
+    has_mesh = any(isinstance(each.shape, Mesh) for each in _bodies(link))
+    note = Note.UNKNOWN_SIZE if has_mesh else Note.INERTIA_STAYS
+    return Changed(link, ((note, "mass"),))
+
+
+def follows(inertial: Inertial, body: Body, mesh_size: MeshSize) -> bool:
+    """Tell whether an inertia is that of a body, its mass and its place."""
+    tensor = _tensor(body, inertial.mass, mesh_size, inertial.pose.rotation)
+    if tensor is None:
+        return False
+    slack = _CLOSE * max(map(abs, tensor))
+    return all(
+        isclose(one, other, abs_tol=slack)
         for one, other in zip(inertial.tensor, tensor, strict=True)
+    ) and all(
+        isclose(one, other, abs_tol=1e-6)
+        for one, other in zip(inertial.pose.position, body.pose.position, strict=True)
     )
 
 
-def _tensor(shape: Shape, mass: float, mesh_size: MeshSize) -> Tensor | None:
+def _tensor(
+    body: Body, mass: float, mesh_size: MeshSize, rotation: Vector | None = None
+) -> Tensor | None:
+    """Return the inertia of a body about its middle, in its axes or in those turned otherwise."""
+    shape = body.shape
+    if shape is None:
+        return None
     size = None
     if isinstance(shape, Mesh):
         extent = mesh_size(shape.uri)
         if extent is not None:
             x, y, z = (abs(a * b) for a, b in zip(extent, shape.scale, strict=True))
             size = x, y, z
-    return tensor_of(shape, mass, size)
-
-
-def _moved(pose: Pose, values: LinkValues) -> Pose:
-    return Pose(
-        pose.position if values.position is None else values.position,
-        pose.rotation if values.rotation is None else values.rotation,
-    )
+    tensor = tensor_of(shape, mass, size)
+    if tensor is None or rotation in (None, body.pose.rotation):
+        return tensor
+    return turned(tensor, seen_from(rotation_matrix(rotation), rotation_matrix(body.pose.rotation)))

@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 from .description import Box, Cylinder, Shape, Sphere, Tensor, Vector
+from .transforms import Matrix
 
 _SLACK = 1e-6
 """How far beyond what a body can have a description may be that was written with few digits."""
@@ -23,10 +26,10 @@ def tensor_of(shape: Shape, mass: float, size: Vector | None = None) -> Tensor |
         case Box(size=(x, y, z)):
             return _box(mass, x, y, z)
         case Cylinder(radius=radius, length=length):
-            across = mass * (3 * radius**2 + length**2) / 12
-            return Tensor(across, 0.0, 0.0, across, 0.0, mass * radius**2 / 2)
+            across = mass * (3 * radius * radius + length * length) / 12
+            return Tensor(across, 0.0, 0.0, across, 0.0, mass * radius * radius / 2)
         case Sphere(radius=radius):
-            each = mass * radius**2 * 2 / 5
+            each = mass * radius * radius * 2 / 5
             return Tensor(each, 0.0, 0.0, each, 0.0, each)
         case _:
             return None if size is None else _box(mass, *size)
@@ -34,13 +37,29 @@ def tensor_of(shape: Shape, mass: float, size: Vector | None = None) -> Tensor |
 
 def _box(mass: float, x: float, y: float, z: float) -> Tensor:
     return Tensor(
-        mass * (y**2 + z**2) / 12,
+        mass * (y * y + z * z) / 12,
         0.0,
         0.0,
-        mass * (x**2 + z**2) / 12,
+        mass * (x * x + z * z) / 12,
         0.0,
-        mass * (x**2 + y**2) / 12,
+        mass * (x * x + y * y) / 12,
     )
+
+
+def turned(tensor: Tensor, rotation: Matrix) -> Tensor:
+    """Return an inertia in other axes, seen from which its own are turned by a rotation."""
+    ixx, ixy, ixz, iyy, iyz, izz = tensor
+    rows = ((ixx, ixy, ixz), (ixy, iyy, iyz), (ixz, iyz, izz))
+    between = [[_dot(row, line) for row in rows] for line in rotation]
+
+    def at(row: int, column: int) -> float:
+        return _dot(between[row], rotation[column])
+
+    return Tensor(at(0, 0), at(0, 1), at(0, 2), at(1, 1), at(1, 2), at(2, 2))
+
+
+def _dot(one: Sequence[float], other: Sequence[float]) -> float:
+    return one[0] * other[0] + one[1] * other[1] + one[2] * other[2]
 
 
 def is_possible(tensor: Tensor) -> bool:

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from math import cos, sin
+from operator import mul
 from typing import NamedTuple, TypeAlias
 
 from .description import ORIGIN, Description, Pose, Vector
@@ -42,6 +44,21 @@ class Transform(NamedTuple):
             (first[2], second[2], third[2]),
         )
         return Transform(rotation, self.point(pose.position))
+
+
+def seen_from(frame: Matrix, other: Matrix) -> Matrix:
+    """Return what turns points seen from `other` into points seen from `frame`."""
+    columns = list(zip(*other, strict=True))
+    first, second, third = (
+        tuple(sum(map(mul, across, column)) for column in columns)
+        for across in zip(*frame, strict=True)
+    )
+    return _vector(first), _vector(second), _vector(third)
+
+
+def _vector(values: Sequence[float]) -> Vector:
+    x, y, z = values
+    return x, y, z
 
 
 def rotation_matrix(rotation: Vector) -> Matrix:

@@ -37,8 +37,6 @@ _ATTRIBUTES: Mapping[str, tuple[str, ...]] = {
 _DEFAULTS: Mapping[tuple[str, str], tuple[float, ...]] = {
     ("origin", "rpy"): (0, 0, 0),
     ("mesh", "scale"): (1, 1, 1),
-    ("limit", "lower"): (0,),
-    ("limit", "upper"): (0,),
     ("mimic", "multiplier"): (1,),
     ("mimic", "offset"): (0,),
 }

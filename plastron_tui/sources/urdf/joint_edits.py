@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from plastron_tui.ros.robots.description import Dynamics, Joint, Limit, Mimic
+from plastron_tui.ros.robots.description import Dynamics, Joint, Mimic
 
 from .equality import same
 from .link_edits import change_pose, put, set_or_drop
-from .new_elements import axis_element, dynamics_element, limit_element, mimic_element
+from .new_elements import axis_element, dynamics_element, limit_element, mimic_element, number
 from .part_edits import PartEdits, Path
 
 
@@ -25,29 +25,41 @@ def change_joint(part: PartEdits, before: Joint, after: Joint) -> None:
             new = None if after.axis is None else axis_element(after.axis)
             put(part, axis, new, was_there=before.axis is not None)
     else:
-        part.set_numbers(axis, "xyz", after.axis)
-    _change_limit(part, before.limit, after)
+        part.set_numbers(axis, "xyz", before.axis, after.axis)
+    _change_limit(part, before, after)
     _change_dynamics(part, before.dynamics, after.dynamics)
     _change_mimic(part, before.mimic, after.mimic)
 
 
-def _change_limit(part: PartEdits, before: Limit | None, joint: Joint) -> None:
+def _change_limit(part: PartEdits, old: Joint, new: Joint) -> None:
     path: Path = (("limit", 0),)
-    after = joint.limit
-    if same(before, after):
-        return
+    before, after = old.limit, new.limit
     if before is None or after is None:
-        new = None if after is None else limit_element(after, has_range=joint.type.is_limited)
-        put(part, path, new, was_there=before is not None)
+        if not same(before, after):
+            element = None
+            if after is not None:
+                element = limit_element(after, has_range=new.type.is_limited)
+            put(part, path, element, was_there=before is not None)
         return
-    for name in ("lower", "upper"):
-        value = (getattr(after, name),)
-        if joint.type.is_limited:
-            part.set_numbers(path, name, value, (0.0,))
+    starts, ends = (
+        each.type.is_limited and not other.type.is_limited
+        for each, other in ((new, old), (old, new))
+    )
+    for name, was, value in (
+        ("lower", before.lower, after.lower),
+        ("upper", before.upper, after.upper),
+    ):
+        limit = part.find(path)
+        is_there = limit is not None and limit.attribute(name) is not None
+        if starts and not is_there:
+            part.set_text(path, name, number(value))
+        elif not new.type.is_limited and value == 0 and (ends or was != 0):
+            # What has no range does not say one.
+            part.drop(path, name)
         else:
-            set_or_drop(part, path, name, value, (0.0,))
-    part.set_numbers(path, "effort", (after.effort,))
-    part.set_numbers(path, "velocity", (after.velocity,))
+            part.set_numbers(path, name, (was,), (value,), (0.0,))
+    part.set_numbers(path, "effort", (before.effort,), (after.effort,))
+    part.set_numbers(path, "velocity", (before.velocity,), (after.velocity,))
 
 
 def _change_dynamics(part: PartEdits, before: Dynamics | None, after: Dynamics | None) -> None:
@@ -58,8 +70,8 @@ def _change_dynamics(part: PartEdits, before: Dynamics | None, after: Dynamics |
         new = None if after is None else dynamics_element(after)
         put(part, path, new, was_there=before is not None)
         return
-    for name, value in zip(Dynamics._fields, after, strict=True):
-        part.set_numbers(path, name, (value,), (0.0,))
+    for name, was, value in zip(Dynamics._fields, before, after, strict=True):
+        part.set_numbers(path, name, (was,), (value,), (0.0,))
 
 
 def _change_mimic(part: PartEdits, before: Mimic | None, after: Mimic | None) -> None:
@@ -71,5 +83,5 @@ def _change_mimic(part: PartEdits, before: Mimic | None, after: Mimic | None) ->
         put(part, path, new, was_there=before is not None)
         return
     part.set_text(path, "joint", after.joint)
-    set_or_drop(part, path, "multiplier", (after.multiplier,), (1.0,))
-    set_or_drop(part, path, "offset", (after.offset,), (0.0,))
+    set_or_drop(part, path, "multiplier", (before.multiplier,), (after.multiplier,), (1.0,))
+    set_or_drop(part, path, "offset", (before.offset,), (after.offset,), (0.0,))

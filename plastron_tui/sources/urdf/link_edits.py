@@ -49,7 +49,7 @@ def change_material(part: PartEdits, path: Path, before: Material, after: Materi
     if after.rgba is None or before.rgba is None:
         put(part, color, written.get("color"), was_there=before.rgba is not None)
     else:
-        part.set_numbers(color, "rgba", after.rgba)
+        part.set_numbers(color, "rgba", before.rgba, after.rgba)
     if after.texture is None or before.texture is None:
         put(part, texture, written.get("texture"), was_there=before.texture is not None)
     else:
@@ -66,16 +66,21 @@ def change_pose(part: PartEdits, path: Path, before: Pose, after: Pose) -> None:
     if part.find(origin) is None or (written is None and not says_none):
         put(part, origin, written, was_there=True)
         return
-    part.set_numbers(origin, "xyz", after.position, ORIGIN)
-    set_or_drop(part, origin, "rpy", after.rotation, ORIGIN)
+    part.set_numbers(origin, "xyz", before.position, after.position, ORIGIN)
+    set_or_drop(part, origin, "rpy", before.rotation, after.rotation, ORIGIN)
 
 
 def set_or_drop(
-    part: PartEdits, path: Path, name: str, values: Sequence[float], default: Sequence[float]
+    part: PartEdits,
+    path: Path,
+    name: str,
+    was: Sequence[float],
+    values: Sequence[float],
+    default: Sequence[float],
 ) -> None:
-    """Let an attribute have numbers; where they are as if unsaid, it goes if the author does so."""
+    """Let an attribute have other numbers; it goes where the author leaves such numbers unsaid."""
     element = part.find(path)
-    is_default = same(tuple(values), tuple(map(float, default)))
+    is_default = same(tuple(values), tuple(default)) and not same(tuple(was), tuple(values))
     if (
         element is not None
         and element.attribute(name) is not None
@@ -84,7 +89,7 @@ def set_or_drop(
     ):
         part.drop(path, name)
     else:
-        part.set_numbers(path, name, values, default)
+        part.set_numbers(path, name, was, values, default)
 
 
 class _Change(NamedTuple):
@@ -162,20 +167,19 @@ def _change_shape(part: PartEdits, path: Path, before: Shape | None, after: Shap
         put(part, geometry, NewElement("geometry", children=(new,)), was_there=True)
         return
     inner = (*geometry, (there.children[0].name, 0))
-    if before is None or type(before) is not type(after):
-        part.replace(inner, new)
-        return
-    match after:
-        case Box(size=size):
-            part.set_numbers(inner, "size", size)
-        case Cylinder(radius=radius, length=length):
-            part.set_numbers(inner, "radius", (radius,))
-            part.set_numbers(inner, "length", (length,))
-        case Sphere(radius=radius):
-            part.set_numbers(inner, "radius", (radius,))
-        case Mesh(uri=uri, scale=scale):
-            part.set_text(inner, "filename", uri)
-            set_or_drop(part, inner, "scale", scale, (1, 1, 1))
+    match before, after:
+        case Box(was), Box(size):
+            part.set_numbers(inner, "size", was, size)
+        case Cylinder(), Cylinder():
+            part.set_numbers(inner, "radius", (before.radius,), (after.radius,))
+            part.set_numbers(inner, "length", (before.length,), (after.length,))
+        case Sphere(old), Sphere(radius):
+            part.set_numbers(inner, "radius", (old,), (radius,))
+        case Mesh(), Mesh():
+            part.set_text(inner, "filename", after.uri)
+            set_or_drop(part, inner, "scale", before.scale, after.scale, (1.0, 1.0, 1.0))
+        case _:
+            part.replace(inner, new)
 
 
 def _change_inertial(part: PartEdits, before: Inertial | None, after: Inertial | None) -> None:
@@ -187,9 +191,9 @@ def _change_inertial(part: PartEdits, before: Inertial | None, after: Inertial |
         put(part, path, new, was_there=before is not None)
         return
     change_pose(part, path, before.pose, after.pose)
-    part.set_numbers((*path, ("mass", 0)), "value", (after.mass,))
-    for name, value in zip(Tensor._fields, after.tensor, strict=True):
-        part.set_numbers((*path, ("inertia", 0)), name, (value,))
+    part.set_numbers((*path, ("mass", 0)), "value", (before.mass,), (after.mass,))
+    for name, was, value in zip(Tensor._fields, before.tensor, after.tensor, strict=True):
+        part.set_numbers((*path, ("inertia", 0)), name, (was,), (value,))
 
 
 def put(part: PartEdits, path: Path, new: NewElement | None, *, was_there: bool) -> None:

@@ -24,7 +24,7 @@ from plastron_tui.sources.xml.new_element import NewElement
 from .equality import same
 from .habits import Habits
 from .new_elements import number, numbers
-from .values import is_computed, number_of
+from .values import XACRO, is_computed, number_of
 
 Path: TypeAlias = tuple[tuple[str, int], ...]
 """Names of elements, one within the other, each with its place among those of its name."""
@@ -102,16 +102,24 @@ class PartEdits:
             self._take(remove_attribute(self._document, element, name))
 
     def set_numbers(
-        self, path: Path, name: str, values: Sequence[float], default: Sequence[float] = ()
+        self,
+        path: Path,
+        name: str,
+        was: Sequence[float],
+        values: Sequence[float],
+        default: Sequence[float] = (),
     ) -> None:
-        """Let an attribute have numbers; those that it has stay as they are written.
+        """Let an attribute have other numbers; those of it that it has stay as they are written.
 
         Args:
             path: the element.
             name: the attribute.
+            was: the numbers so far.
             values: the numbers.
             default: what they are where the attribute is not there; () where it has to be.
         """
+        if same(tuple(was), tuple(values)):
+            return
         found = self._needed(path).attribute(name)
         if found is None:
             if not (default and same(tuple(values), tuple(default))):
@@ -138,6 +146,10 @@ class PartEdits:
             index: how many of its name are before it.
         """
         holder = self._needed(parent)
+        macro = next((each for each in holder.children if each.name.startswith(XACRO)), None)
+        if self._is_xacro and macro is not None:
+            message = f"`<{macro.name}>` may write a `<{new.name}>` here: add it where that is"
+            raise self.refusal(message, self._in_file(macro.name_span))
         named, style = holder.named(new.name), self.habits.style
         if index and index <= len(named):
             self._take(insert_after(self._document, named[index - 1], new, style))

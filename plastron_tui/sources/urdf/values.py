@@ -15,7 +15,8 @@ from plastron_tui.sources.xml.document import Attribute, Element, XmlDocument
 _NUMBER = re.compile(r"[+-]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][+-]?[0-9]+)?")
 _BLANKS = " \t\r\n"
 _COMPUTED = ("${", "$(")
-_XACRO = "xacro:"
+XACRO = "xacro:"
+"""What the names of elements begin with that macros replace."""
 
 
 def number_of(text: str) -> float | None:
@@ -29,7 +30,7 @@ def number_of(text: str) -> float | None:
 def is_xacro(document: XmlDocument) -> bool:
     """Tell whether a file has macros, whose values are computed."""
     return any(
-        each.name.startswith(_XACRO) or any(one.name == "xmlns:xacro" for one in each.attributes)
+        each.name.startswith(XACRO) or any(one.name == "xmlns:xacro" for one in each.attributes)
         for each in document.root.walk()
     )
 
@@ -153,7 +154,7 @@ class Values:
 
     def has_macros_in(self, element: Element) -> bool:
         """Tell whether macros may write something into an element."""
-        return self.is_xacro and any(each.name.startswith(_XACRO) for each in element.children)
+        return self.is_xacro and any(each.name.startswith(XACRO) for each in element.children)
 
 
 def first(element: Element, name: str) -> Element | None:

@@ -46,6 +46,9 @@ _textures = st.sampled_from((None, None, "package://demo/wood.png"))
 _inertials = st.one_of(
     st.none(), st.builds(Inertial, _lengths, st.builds(Tensor, *[_numbers] * 6), _poses)
 )
+_material_names = st.lists(st.sampled_from(("blue", "grey.2", "r&d")), unique=True)
+_names = st.lists(st.sampled_from(NAMES), min_size=1, unique=True)
+_types = st.sampled_from(tuple(JointType))
 _limits = st.builds(Limit, _numbers, _numbers, _lengths, _lengths)
 _dynamics = st.one_of(st.none(), st.builds(Dynamics, _lengths, _numbers))
 
@@ -54,10 +57,9 @@ _dynamics = st.one_of(st.none(), st.builds(Dynamics, _lengths, _numbers))
 def robots(draw: st.DrawFn) -> Description:
     """Return a robot whose parts are in the order in which they are written."""
     materials = {
-        name: Material(name, draw(_colors), draw(_textures))
-        for name in draw(st.lists(st.sampled_from(("blue", "grey.2", "r&d")), unique=True))
+        name: Material(name, draw(_colors), draw(_textures)) for name in draw(_material_names)
     }
-    names = draw(st.lists(st.sampled_from(NAMES), min_size=1, unique=True))
+    names = draw(_names)
     links = {name: _link(draw, name, list(materials)) for name in names}
     joints: dict[str, Joint] = {}
     for at in range(1, len(names)):
@@ -82,10 +84,11 @@ def _bodies() -> st.SearchStrategy[Body]:
 
 
 def _joint(draw: st.DrawFn, name: str, parent: str, child: str, others: Sequence[str]) -> Joint:
-    type_ = draw(st.sampled_from(JointType))
+    type_ = draw(_types)
     limit = draw(_limits if type_.is_limited else st.one_of(st.none(), _limits))
     mimic = None
-    if others and draw(st.booleans()):
+    follows = draw(st.booleans())
+    if others and follows:
         mimic = Mimic(draw(st.sampled_from(others)), draw(_numbers), draw(_numbers))
     axis = draw(st.one_of(st.none(), _vectors))
     return Joint(name, type_, parent, child, draw(_poses), axis, limit, draw(_dynamics), mimic)

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from math import ceil, floor, inf, sqrt
+from math import ceil, floor, sqrt
 
+from .polygons import stretches
 from .runs import Run, RunLines
 from .shades import contrast
 from .views import Point
@@ -50,29 +51,8 @@ class Canvas:
         """Fill a convex polygon: pixels whose middles are in it, at least one in each row."""
         if self.ascii_only:
             points = [Point(x, y / 2) for x, y in points]
-        low, high = min(y for _, y in points), max(y for _, y in points)
-        first = max(0, floor(low))
-        last = min(len(self._pixels), max(ceil(high), floor(low) + 1))
-        if last <= first:
-            return
-        lefts, rights = [inf] * (last - first), [-inf] * (last - first)
-        before = points[-1]
-        for point in points:
-            upper, lower = (before, point) if before.y < point.y else (point, before)
-            before = point
-            tall = lower.y - upper.y
-            slope = (lower.x - upper.x) / tall if tall else 0.0
-            for row in range(max(first, floor(upper.y)), min(last, floor(lower.y) + 1)):
-                # What is thinner than a pixel is seen all the same: its rows have no middle.
-                at = min(max(row + 0.5, low), high)
-                if upper.y <= at <= lower.y:
-                    x = upper.x + (at - upper.y) * slope
-                    lefts[row - first] = min(lefts[row - first], x)
-                    rights[row - first] = max(rights[row - first], x if tall else lower.x)
-        for row in range(first, last):
-            left, right = lefts[row - first], rights[row - first]
-            if left <= right:
-                self._fill_row(row, left, right, color)
+        for row, left, right in stretches(points, len(self._pixels)):
+            self._fill_row(row, left, right, color)
 
     def fill_circle(self, middle: Point, radius: float, color: str) -> None:
         """Fill a circle."""

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from functools import lru_cache
 from itertools import product
-from math import cos, hypot, pi, sin
+from math import atan2, cos, hypot, pi, sin
 from typing import NamedTuple
 
 from plastron_tui.ros.robots.description import Box, Cylinder, Sphere, Vector
@@ -28,6 +28,20 @@ class Face(NamedTuple):
     facing: float
 
 
+class Ellipse(NamedTuple):
+    """The rim of a cylinder, seen at an angle.
+
+    Attributes:
+        long: half its length.
+        short: half its width.
+        turn: how far its length is turned from the right to the left, in radians.
+    """
+
+    long: float
+    short: float
+    turn: float
+
+
 class Outline(NamedTuple):
     """What one sees of a body.
 
@@ -39,6 +53,8 @@ class Outline(NamedTuple):
         faces: the flat faces that one sees, where that is more than one, or less than all.
         facing: how far what is not a face of these is turned to who looks.
         nearest: how near its nearest point is.
+        rim: what the rounded parts of the outline are, None for one without. The first half of the
+            points is on one of them, the other half on another one.
     """
 
     solid: Solid
@@ -47,6 +63,7 @@ class Outline(NamedTuple):
     faces: tuple[Face, ...]
     facing: float
     nearest: float
+    rim: Ellipse | None = None
 
     @property
     def frame(self) -> Frame:
@@ -132,7 +149,9 @@ def _cylinder(solid: Solid, radius: float, length: float, view: View, corners: i
     nearest = view.depth(middle) + abs(facing) * length / 2 + radius * size
     if size < _EDGE_ON:
         return Outline(solid, (view.point(middle),), radius, (), 1.0, nearest)
-    # The first of these is where the outline is farthest from the axis.
+    # The first of these is where the outline is farthest from the axis: on the side from which
+    # the rim goes to the left around.
+    size = size if facing >= 0 else -size
     first: Vector = (across[0] / size, across[1] / size, across[2] / size)
     second = cross(along, first)
     one, other = view.point(first), view.point(second)
@@ -142,22 +161,22 @@ def _cylinder(solid: Solid, radius: float, length: float, view: View, corners: i
     ]
     center, end = view.point(middle), view.point(along)
     half = length / 2
-    # The rim's first half is on the side that the axis points to: so it is that of the near end
-    # which borders the outline there if the far end is the other way, and that of the end beyond.
+    # The first half of the rim bulges to where `other` points: the end that is farther that way
+    # has it in the outline, and the other end has its second half there.
     upper, lower = (
         [Point(center.x + sign * end.x + p.x, center.y + sign * end.y + p.y) for p in rim]
         for sign in (half, -half)
     )
     count = corners // 2
-    ahead = other.x * end.x + other.y * end.y >= 0
-    outer, inner = (upper, lower) if ahead else (lower, upper)
+    outer, inner = (upper, lower) if facing >= 0 else (lower, upper)
     points = (*outer[: count + 1], *inner[count:], inner[0])
     cap = (
         (Face(tuple(upper if facing > 0 else lower), abs(facing)),)
         if abs(facing) > _EDGE_ON
         else ()
     )
-    return Outline(solid, points, 0.0, cap, size, nearest)
+    rim_shape = Ellipse(radius, radius * abs(facing), atan2(one.y, one.x))
+    return Outline(solid, points, 0.0, cap, abs(size), nearest, rim_shape)
 
 
 @lru_cache(maxsize=4)

@@ -65,6 +65,16 @@ def tree_rows(robot: Description) -> list[TreeRow]:
     return rows
 
 
+def lead(row: TreeRow) -> str:
+    """Return the lines before a row, in characters; a lane has two columns."""
+    if row.joint is None:
+        return ""
+    rails = "".join("│ " if at in row.rails else "  " for at in range(row.lane))
+    if row.is_only:
+        return rails + "↓ "
+    return rails[:-2] + ("└ " if row.is_last else "├ ")
+
+
 def unheld(robot: Description, rows: list[TreeRow]) -> list[str]:
     """Return the links that hang on no root: those of a circle, or of a joint without a parent."""
     shown = {row.link for row in rows}

@@ -9,14 +9,14 @@ from plastron_tui.ros.robots.description import Rgba
 PLAIN = (0.66, 0.72, 0.78)
 """The colour of what has none: one that is seen on dark and on light."""
 
-_DARKEST = 0.7
+DARKEST = 0.7
 """How bright a face is that is nearly edge-on."""
 
 
 @lru_cache(maxsize=4096)
 def color_of(rgba: Rgba | None, facing: float = 1.0) -> str:
     """Return the colour of a face as `#rrggbb`, by how far it is turned to who looks."""
-    bright = _DARKEST + (1 - _DARKEST) * facing
+    bright = DARKEST + (1 - DARKEST) * facing
     red, green, blue = PLAIN if rgba is None else rgba[:3]
     return _code(red * bright, green * bright, blue * bright)
 

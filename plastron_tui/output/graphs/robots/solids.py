@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping
 from math import hypot, isfinite
 from typing import NamedTuple, TypeAlias
 
@@ -12,12 +12,14 @@ from plastron_tui.ros.robots.description import (
     Cylinder,
     Description,
     JointType,
+    Material,
     Mesh,
     Pose,
     Rgba,
     Sphere,
     Vector,
 )
+from plastron_tui.ros.robots.materials import defined_materials, meant
 from plastron_tui.ros.robots.transforms import Transform, placed
 
 from .captions import bodies_of
@@ -91,14 +93,14 @@ def no_bounds(uri: str) -> None:
 def scene_of(robot: Description, mesh_bounds: MeshBounds = no_bounds) -> Scene:
     """Return what is drawn of a robot."""
     where = {name: at for name, at in placed(robot).items() if _is_near(at)}
-    colors = _materials(robot)
+    materials = defined_materials(robot)
     solids: list[Solid] = []
     missing: list[str] = []
     for name, link in robot.links.items():
         if name not in where:
             missing.append(name)
             continue
-        drawn = list(_solids(name, bodies_of(link), where[name], colors, mesh_bounds))
+        drawn = list(_solids(name, bodies_of(link), where[name], materials, mesh_bounds))
         near = [solid for solid in drawn if _is_near(solid.at) and _is_small(solid.shape)]
         if len(near) < len(drawn):
             missing.append(name)
@@ -119,13 +121,11 @@ def _solids(
     link: str,
     bodies: tuple[Body, ...],
     at: Transform,
-    colors: dict[str, Rgba],
+    materials: Mapping[str, Material],
     mesh_bounds: MeshBounds,
 ) -> Iterator[Solid]:
     for body in bodies:
-        material, rgba = body.material, None
-        if material is not None:
-            rgba = material.rgba or colors.get(material.name)
+        rgba = None if body.material is None else meant(body.material, materials).rgba
         here = at.then(body.pose)
         match body.shape:
             case None:
@@ -150,19 +150,6 @@ def _box_around(mesh: Mesh, bounds: tuple[Vector, Vector]) -> tuple[Box, Vector]
     (x, xx), (y, yy), (z, zz) = scaled
     middle = (x + xx) / 2, (y + yy) / 2, (z + zz) / 2
     return Box((abs(xx - x), abs(yy - y), abs(zz - z))), middle
-
-
-def _materials(robot: Description) -> dict[str, Rgba]:
-    """Return the colours of materials by name: the robot's, else what a link says first."""
-    found: dict[str, Rgba] = {}
-    for material in robot.materials.values():
-        if material.rgba is not None:
-            found[material.name] = material.rgba
-    for link in robot.links.values():
-        for body in link.visuals:
-            if body.material is not None and body.material.rgba is not None:
-                found.setdefault(body.material.name, body.material.rgba)
-    return found
 
 
 def _is_near(at: Transform) -> bool:

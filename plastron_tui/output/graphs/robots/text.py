@@ -18,6 +18,9 @@ _ALL_WIDTH, _ALL_HEIGHT = 110, 28
 _TWO_WIDTH, _TWO_HEIGHT = 60, 14
 """From one of these on there is room for the tree and one view, beside or below each other."""
 
+_VIEWS_WIDTH, _VIEWS_HEIGHT = 64, 22
+"""From this size on there is room for all views."""
+
 _GAP = 2
 
 _CORNERS = 12
@@ -75,7 +78,7 @@ def render_text(
         lines, links = how.tree(wide, height)
         views = draw_views(scene, sides, width - wide - _GAP, height, marked, ascii_only)
         return TextPicture(_beside(lines, views), links, "")
-    best = max(sides, key=lambda side: side.frame.width * side.frame.height)
+    best = _best(sides)
     if width >= _TWO_WIDTH:
         lines, links = how.tree(wide, height)
         return TextPicture(_beside(lines, how.side(best, width - wide - _GAP, height)), links, "")
@@ -86,6 +89,42 @@ def render_text(
         return TextPicture((*upper, *lines), (*[""] * len(upper), *links), "")
     lines, links = how.tree(width, height)
     return TextPicture(lines, links, "tree")
+
+
+def render_views(
+    robot: Description,
+    width: int,
+    height: int,
+    *,
+    view: str = "",
+    marked: str = "",
+    mesh_bounds: MeshBounds = no_bounds,
+    ascii_only: bool = False,
+) -> RunLines:
+    """Return what a robot looks like in characters, without its tree, just so wide and so high.
+
+    Args:
+        robot: the robot.
+        width: how many columns there are.
+        height: how many lines.
+        view: the `key` of one of `VIEWS`, to have that alone; "" for all of them if there is room,
+            which is from 64 by 22 on, and else for the one that shows most.
+        marked: the link or joint to point out.
+        mesh_bounds: tells how large meshes are.
+        ascii_only: whether there is nothing but ASCII, and no colours.
+    """
+    width, height = max(width, 1), max(height, 1)
+    scene = scene_of(robot, mesh_bounds)
+    sides = seen_from_all(scene, _CORNERS)
+    chosen = next((side for side in sides if side.view.key == view), None)
+    if chosen is None and width >= _VIEWS_WIDTH and height >= _VIEWS_HEIGHT:
+        return draw_views(scene, sides, width, height, marked, ascii_only)
+    return draw_view(scene, chosen or _best(sides), width, height, marked, ascii_only)
+
+
+def _best(sides: tuple[Seen, ...]) -> Seen:
+    """Return the side from which one sees most of a robot."""
+    return max(sides, key=lambda side: side.frame.width * side.frame.height)
 
 
 class _How(NamedTuple):

@@ -8,7 +8,7 @@ from plastron_tui.diagnostics.terminal import visible, width
 from plastron_tui.ros.robots.description import Description
 
 from .captions import joint_text, link_text, robot_text
-from .rows import TreeRow, tree_rows, unheld
+from .rows import TreeRow, lead, tree_rows, unheld
 from .runs import Run, RunLine, RunLines, fitted
 from .shades import color_of
 from .solids import Scene
@@ -77,26 +77,16 @@ def _line(
     sign = colors.get(row.link, " ") if ascii_only else "■"
     swatch = Run(sign, "link", "" if ascii_only else colors.get(row.link, ""))
     name = visible(row.link)
-    lead = _lead(row)
-    blank = " " * max(0, pad - width(lead) - width(name))
+    lines = lead(row)
+    blank = " " * max(0, pad - width(lines) - width(name))
     role = "marked" if marked and _is_marked(row, marked) else "link"
-    runs = [Run(lead, "quiet"), swatch, Run(f" {name}", role), Run(f"{blank}  ")]
+    runs = [Run(lines, "quiet"), swatch, Run(f" {name}", role), Run(f"{blank}  ")]
     if row.joint is not None:
         role = "marked" if marked == row.joint.name else "joint"
         runs += [Run(visible(row.joint.name), role), Run(f"  {joint_text(row.joint)}", "quiet")]
     else:
         runs.append(Run(link_text(robot.links[row.link]), "quiet"))
     return tuple(run for run in runs if run.text)
-
-
-def _lead(row: TreeRow) -> str:
-    """Return the lines before the sign of a row."""
-    if row.joint is None:
-        return ""
-    rails = "".join("│ " if at in row.rails else "  " for at in range(row.lane))
-    if row.is_only:
-        return rails + "↓ "
-    return rails[:-2] + ("└ " if row.is_last else "├ ")
 
 
 def _is_marked(row: TreeRow, marked: str) -> bool:

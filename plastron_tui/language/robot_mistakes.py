@@ -1,0 +1,186 @@
+"""Common slips of the pen in the words of sentences about robots, and what was meant."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable
+
+from plastron_tui.diagnostics import Diagnostic, Span, write
+
+from .declaration import SlotKind
+from .mistake_place import Place, mended
+from .number_mistakes import FIRST_CLAUSE, NUMBER_SLIPS
+from .statements.robots import HasJoint, HasLink, LimitsJoint
+from .tokens import QUOTED_KINDS, UNKNOWN, WORD_KINDS, is_glued, token_at
+
+_COLOR_CODE = re.compile(rb"#[0-9a-fA-F]{3,8}\b")
+_URI = re.compile(r"[\w.+~$-]+(?::/)?(?:/[\w.+~$-]+)+|[\w-]+\.\w+")
+_ONE_WORD = "a colour is one word"
+_JOINERS = frozenset({",", "and", "with", "of", "&", "its"})
+_SIGNS = {"x": "1, 0, 0", "y": "0, 1, 0", "z": "0, 0, 1"}
+
+_CLAUSE_WORDS = {
+    **dict.fromkeys(("mass", "weight", "weighs", "kg"), "weighing"),
+    **dict.fromkeys(("color", "colour", "colored", "coloured", "paint", "material"), "painted"),
+    **dict.fromkeys(("rotated", "rotation", "rpy", "orientation", "rotate", "facing"), "turned"),
+    **dict.fromkeys(("position", "xyz", "placed", "origin", "located"), "at"),
+    **dict.fromkeys(("geometry", "form", "formed", "shape", "size"), "shaped"),
+    **dict.fromkeys(("mimic", "mimics", "following", "follows"), "mimicking"),
+}
+"""What others call what a clause says, and the word that it begins with."""
+
+_LIMITING = frozenset(
+    {"between", "limit", "limits", "limited", "effort", "velocity", "damping", "friction"}
+)
+
+
+def color(place: Place, found: Diagnostic) -> Diagnostic | None:
+    """Recognise `#ff8800` without its quotes, and `light blue`."""
+    token = place.token
+    if place.wanted is SlotKind.COLOR:
+        code = _COLOR_CODE.match(place.source, token.start)
+        if token.kind == UNKNOWN and code is not None:
+            right = f'"{code[0].decode()}"'
+            return mended(found, "a code is in double quotes", Span(*code.span()), right)
+        if token.kind in QUOTED_KINDS and token.text.startswith("'#"):
+            right = f'"{token.text[1:-1]}"'
+            return mended(found, "a code is in double quotes", token.span, right)
+    before, declaration = place.before, place.declaration
+    if before is None or declaration is None or not place.is_name(place.at):
+        return None
+    if place.slots.get(place.at - 1) is not SlotKind.COLOR or before.kind not in WORD_KINDS:
+        return None
+    if token.text in {each.keyword for each in declaration.clauses} or token.text in _CLAUSE_WORDS:
+        return None
+    if before.text not in ("light", "dark"):
+        return found._replace(message=f"unexpected `{token.text}`", help=_ONE_WORD, fix=None)
+    right = f"{before.text}_{token.text}"
+    return mended(found, _ONE_WORD, place.span(place.at - 1, place.at + 1), right)
+
+
+def axis(place: Place, found: Diagnostic) -> Diagnostic | None:
+    """Recognise `with axis z`, and `axis 0, 0, 1` without its `with`."""
+    at, text = place.at, place.token.text
+    if place.declaration is None or place.declaration.type is not HasJoint:
+        return None
+    is_clause = any(token.text == "to" for token in place.tokens[:at])
+    if text == "axis" and is_clause and place.text(at - 1) != "with":
+        return mended(found, "`axis` has the word `with` before it", place.token.span, "with axis")
+    if place.wanted is not SlotKind.AXIS:
+        return None
+    letter = place.text(at + 1) if text in ("-", "+") else text
+    numbers = _SIGNS.get(letter.lower())
+    if numbers is None:
+        return None
+    right = numbers.replace("1", "-1") if text == "-" else numbers
+    span = place.span(at, at + 1 + (letter != text))
+    return mended(found, "an axis is three numbers: x, y and z", span, right)
+
+
+def shape(place: Place, found: Diagnostic) -> Diagnostic | None:
+    """Recognise `box, 1, 2, 3`, `sphere radius 0.1`, and a mesh without quotes."""
+    at = place.at
+    if place.within is not SlotKind.SIZE:
+        return None
+    first = max(index for index in place.slots if index <= at)
+    token = place.token
+    start = place.tokens[first].start
+    text = place.source[start : start + 200].partition(b"\n")[0].decode("utf-8", "ignore")
+    if place.text(first - 1) == "mesh" and (uri := _URI.match(text)):
+        span = Span(start, start + len(uri[0].encode()))
+        return mended(found, "a mesh is named in double quotes", span, f'"{uri[0]}"')
+    if at == first and token.text == ",":
+        return mended(found, "no comma stands behind the shape", token.span, "")
+    clauses = {each.keyword for each in place.declaration.clauses} if place.declaration else set()
+    is_name = place.is_name(at) and token.text not in clauses
+    is_first = at == first or place.text(at - 1) == ","
+    following = token_at(place.tokens, at + 1)
+    if is_name and is_first and following is not None and following.kind == "number":
+        right = f"{token.text}={following.text}"
+        span = place.span(at, at + 2)
+        return mended(found, "a `=` stands between a name and its value", span, right)
+    return None
+
+
+def clause_word(place: Place, found: Diagnostic) -> Diagnostic | None:
+    """Recognise `mass 5` for `weighing 5`, and what stands between two clauses."""
+    declaration, at = place.declaration, place.at
+    if declaration is None or declaration.type not in (HasLink, HasJoint) or at < FIRST_CLAUSE:
+        return None
+    written = {token.text for token in place.tokens[:at]}
+    left = {each.keyword for each in declaration.clauses} - written
+    joiner = at if place.token.text in _JOINERS else None
+    word = place.text(at + (joiner is not None))
+    if joiner is None and place.text(at - 1) in _JOINERS:
+        joiner = at - 1
+    right = word if word in left else _CLAUSE_WORDS.get(word, "")
+    if right not in left or right == word == place.token.text:
+        return None
+    end = at + 1 + (joiner == at)
+    span = place.span(at if joiner is None else joiner, end)
+    start = span.start
+    if joiner is not None and joiner > 0 and is_glued(place.tokens, joiner):
+        right = f" {right}"
+    if word in left:
+        what = f"nothing stands between two clauses, not even `{place.text(joiner or at)}`"
+    else:
+        what = f"this clause begins with `{right.strip()}`"
+    return mended(found, what, Span(start, span.end), right)._replace(
+        help=f"write `{right.strip()}`"
+    )
+
+
+def times(place: Place, found: Diagnostic) -> Diagnostic | None:
+    """Recognise `mimicking 'other' by -1` and `* -1`."""
+    at = place.at
+    is_behind = place.text(at - 2) == "mimicking" and place.token.text in ("by", "*", "x", "with")
+    if not is_behind or at + 1 >= len(place.tokens) or place.tokens[at + 1].kind != "number":
+        return None
+    return mended(found, "how far it moves is said with `times`", place.token.span, "times")
+
+
+def limits_of_joint(place: Place, found: Diagnostic) -> Diagnostic | None:
+    """Recognise limits in the sentence that makes a joint."""
+    if place.declaration is None or place.declaration.type is not HasJoint:
+        return None
+    if place.token.text not in _LIMITING:
+        return None
+    name = place.tokens[2].text if place.tokens[2].kind in QUOTED_KINDS else "'JOINT'"
+    robot = place.tokens[0].text
+    help_ = f"limits have a line of their own: `{robot} limits_joint {name} between …`"
+    return found._replace(help=help_, fix=None)
+
+
+def pair_word(place: Place, found: Diagnostic) -> Diagnostic | None:
+    """Say what stands with what, where effort and velocity, or damping and friction, do not."""
+    if place.declaration is None or place.declaration.type is not LimitsJoint:
+        return None
+    text = place.token.text
+    if text in ("velocity", "speed", "torque", "force"):
+        return found._replace(help="write `with effort N and velocity V`", fix=None)
+    if text == "friction":
+        return found._replace(help="write `with damping D and friction F`", fix=None)
+    return None
+
+
+def type_word(place: Place, found: Diagnostic) -> Diagnostic | None:
+    """Recognise `of type fixed`, and `of fixed`."""
+    if place.declaration is None or place.text(place.at - 1) != "of":
+        return None
+    if place.token.text != "type" or place.declaration.type is not HasJoint:
+        return None
+    fix = write("joint_type", place.token.span)
+    return found._replace(help="did you mean `joint_type`?", fix=fix)
+
+
+ROBOT_SLIPS: tuple[Callable[[Place, Diagnostic], Diagnostic | None], ...] = (
+    color,
+    axis,
+    *NUMBER_SLIPS,
+    shape,
+    times,
+    limits_of_joint,
+    pair_word,
+    type_word,
+    clause_word,
+)

@@ -1,0 +1,194 @@
+"""What is wrong with robots, once a program has come to its end."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from typing import Any, NamedTuple, TypeAlias
+
+from plastron_tui.diagnostics import Diagnostic, Edit, Fix, Label, Span
+from plastron_tui.language import statements as st
+from plastron_tui.language.declaration import Statement
+from plastron_tui.language.lowering import Program
+from plastron_tui.ros.robots.faults import Fault, FaultKind, faults
+
+from .robot_faults import CODES, help_of, message_of
+from .robots import Robot
+from .unique_names import numbered
+from .workspace import Workspace
+
+_SAID = frozenset({FaultKind.LONG, FaultKind.HEAVY, FaultKind.NAME})
+"""What is told of the statement that says it, whatever else the robot is."""
+
+_OF_THE_WHOLE = frozenset(
+    {
+        *(FaultKind.NO_LINKS, FaultKind.LOOSE, FaultKind.NO_PARENT, FaultKind.NO_CHILD),
+        *(FaultKind.MIMICS_NOTHING, FaultKind.ROOT_INERTIA),
+    }
+)
+"""What nobody can tell of a file whose macros are not expanded."""
+
+_SLOTS: Mapping[FaultKind, str] = {
+    FaultKind.LOOSE: "link",
+    FaultKind.CIRCLE: "child",
+    FaultKind.HELD_TWICE: "child",
+    FaultKind.NO_PARENT: "parent",
+    FaultKind.NO_CHILD: "child",
+    FaultKind.NO_LIMITS: "type",
+    FaultKind.MIMICS_NOTHING: "mimicked",
+    FaultKind.MIMICS_FIXED: "mimicked",
+    FaultKind.MIMIC_CIRCLE: "mimicked",
+    FaultKind.MASS: "weight",
+    FaultKind.SIZE: "size",
+    FaultKind.INERTIA: "weight",
+    FaultKind.ROOT_INERTIA: "weight",
+}
+"""The slot that is wrong of the statement that a fault comes from."""
+
+_Key: TypeAlias = "tuple[str, str, str]"
+
+
+class _Said(NamedTuple):
+    """The statements about a program's robots.
+
+    Attributes:
+        of_parts: the last one about each part, by the robot's variable, `link` or `joint`, and
+            the part's name.
+        last: the last one about each robot, by its variable.
+    """
+
+    of_parts: Mapping[_Key, Statement]
+    last: Mapping[str, Statement]
+
+
+_PARTS: tuple[tuple[type[Statement], str], ...] = (
+    (st.HasLink, "link"),
+    (st.NoLongerHasLink, "link"),
+    (st.HasJoint, "joint"),
+    (st.NoLongerHasJoint, "joint"),
+    (st.LimitsJoint, "joint"),
+)
+
+
+def check_robots(program: Program, workspace: Workspace) -> Iterator[Diagnostic]:
+    """Yield what is wrong with the robots of a program that has no other mistakes.
+
+    What is only missing yet is told of robots that are written. Of a loaded robot only what the
+    program adds is told; the rest was told where it was loaded.
+    """
+    if not workspace.robots:
+        return
+    written = _written(workspace)
+    said = _said(program)
+    for variable in workspace.robots:
+        robot = written.get(variable, workspace.robots[variable])
+        if robot.source is not None and robot.description == robot.source.description:
+            continue
+        before = set(_before(robot))
+        whole = robot.whole
+        for fault in faults(robot.description if whole is None else whole):
+            is_lack = fault.kind.is_lack and variable not in written
+            is_open = whole is None and fault.kind in _OF_THE_WHOLE
+            is_old = (fault.kind, fault.part) in before
+            if not (is_lack or is_open or is_old or fault.kind in _SAID):
+                yield _told(fault, robot, said)
+
+
+def _before(robot: Robot) -> Iterator[tuple[FaultKind, str]]:
+    """Yield the faults that a loaded robot had."""
+    if robot.source is not None:
+        before = robot.source.whole or robot.source.description
+        yield from ((each.kind, each.part) for each in faults(before))
+
+
+def _written(workspace: Workspace) -> dict[str, Robot]:
+    """Return the robots that are written, by variable, each as it is written last."""
+    found = {each.robot.variable: each.robot for each in workspace.written_robots}
+    for written in workspace.written_packages:
+        for contained in written.package.contents.values():
+            if isinstance(contained.item, Robot):
+                found[contained.item.variable] = contained.item
+    return found
+
+
+def _said(program: Program) -> _Said:
+    of_parts: dict[_Key, Statement] = {}
+    last: dict[str, Statement] = {}
+    slots: dict[Any, str] = dict(_PARTS)
+    for statement in program.statements:
+        type_: Any = type(statement)  # which mypy takes for not hashable
+        slot = slots.get(type_)
+        if slot is None:
+            continue
+        of: Any = statement
+        last[of.robot] = statement
+        # Limits are a second thing that is said of a joint.
+        key = "limits" if type_ is st.LimitsJoint else slot
+        of_parts[of.robot, key, getattr(of, slot)] = statement
+    return _Said(of_parts, last)
+
+
+def _told(fault: Fault, robot: Robot, said: _Said) -> Diagnostic:
+    where, statement = _place(fault, robot, said)
+    labels = tuple(
+        Label(other.span, "this is one of them")
+        for other in _others(fault, robot, said)
+        if other is not statement
+    )
+    fix = None
+    if fault.kind is FaultKind.ROOT_INERTIA and isinstance(statement, st.HasLink):
+        fix = _with_root(fault.part, robot, statement)
+    help_ = help_of(fault, robot)
+    return Diagnostic(
+        CODES[fault.kind], message_of(fault), where, help=help_, fix=fix, labels=labels
+    )
+
+
+def _place(fault: Fault, robot: Robot, said: _Said) -> tuple[Span, Statement | None]:
+    """Return where a fault stands, and the statement that it comes from, if that is known."""
+    what = "joint" if fault.kind.is_of_joint else "link"
+    keys = ["limits", what] if fault.kind is FaultKind.NO_RANGE else [what]
+    found = [said.of_parts.get((robot.variable, key, fault.part)) for key in keys]
+    statement = next((each for each in found if each is not None), None)
+    if statement is None:
+        statement = _cause(fault, robot, said)
+    if statement is None:
+        return robot.span, None
+    slot = _SLOTS.get(fault.kind, what)
+    of: Any = statement
+    if getattr(of, slot, None) is not None:
+        return statement.span_of(slot), statement
+    word = "joint" if hasattr(of, "joint") else "link"
+    return statement.span_of(word), statement
+
+
+def _cause(fault: Fault, robot: Robot, said: _Said) -> Statement | None:
+    """Return the statement about another part that a fault of a loaded robot comes from."""
+    if fault.kind is FaultKind.LOOSE and robot.source is not None:
+        for joint in robot.source.description.joints.values():
+            if joint.child == fault.part:
+                found = said.of_parts.get((robot.variable, "joint", joint.name))
+                if found is not None:
+                    return found
+    others = [*_others(fault, robot, said)]
+    return others[-1] if others else said.last.get(robot.variable)
+
+
+def _others(fault: Fault, robot: Robot, said: _Said) -> Iterator[Statement]:
+    """Yield the statements about the joints that a fault is about besides."""
+    if fault.kind.is_of_joint:
+        for name in fault.others:
+            found = said.of_parts.get((robot.variable, "joint", name))
+            if found is not None:
+                yield found
+
+
+def _with_root(link: str, robot: Robot, statement: st.HasLink) -> Fix:
+    """Return the remedy that gives a robot an empty root."""
+    names = robot.description
+    root = next(each for each in numbered("root") if each not in names.links)
+    joint = next(each for each in numbered("root_joint") if each not in names.joints)
+    variable, span = robot.variable, statement.span
+    before = f"{variable} has_link '{root}'\n"
+    after = f"\n{variable} has_joint '{joint}' of joint_type fixed from '{root}' to '{link}'"
+    edits = Edit(Span(span.start, span.start), before), Edit(Span(span.end, span.end), after)
+    return Fix("let an empty link be the root", edits)

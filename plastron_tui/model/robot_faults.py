@@ -1,0 +1,134 @@
+"""Faults of robots in words."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping, Sequence
+
+from plastron_tui.diagnostics import Code, Diagnostic, Severity, Span, codes, listed
+from plastron_tui.ros.robots.description import JointType
+from plastron_tui.ros.robots.faults import Fault, FaultKind, faults
+from plastron_tui.ros.robots.plausible import HEAVIEST, LONGEST
+
+from .robots import Robot, RobotSource
+
+CODES: Mapping[FaultKind, Code] = {
+    FaultKind.NO_LINKS: codes.NO_TREE,
+    FaultKind.LOOSE: codes.NO_TREE,
+    FaultKind.CIRCLE: codes.NO_TREE,
+    FaultKind.HELD_TWICE: codes.NO_TREE,
+    FaultKind.NO_PARENT: codes.UNKNOWN_LINK,
+    FaultKind.NO_CHILD: codes.UNKNOWN_LINK,
+    FaultKind.NO_LIMITS: codes.MISSING_LIMITS,
+    FaultKind.NO_RANGE: codes.BAD_LIMITS,
+    FaultKind.MIMICS_NOTHING: codes.BAD_MIMIC,
+    FaultKind.MIMICS_FIXED: codes.BAD_MIMIC,
+    FaultKind.MIMIC_CIRCLE: codes.BAD_MIMIC,
+    FaultKind.MASS: codes.BAD_WEIGHT,
+    FaultKind.SIZE: codes.BAD_SHAPE,
+    FaultKind.INERTIA: codes.IMPOSSIBLE_INERTIA,
+    FaultKind.ROOT_INERTIA: codes.ROOT_INERTIA,
+    FaultKind.LONG: codes.UNIT_SLIP,
+    FaultKind.HEAVY: codes.UNIT_SLIP,
+    FaultKind.NAME: codes.BAD_ROBOT_NAME,
+}
+"""What each kind of fault is to a user."""
+
+_OF_SEVERAL: Mapping[FaultKind, str] = {
+    FaultKind.NO_LINKS: "it has no link",
+    FaultKind.LOOSE: "no joint holds {}",
+    FaultKind.NO_LIMITS: "the limits are missing that URDF wants of {}",
+    FaultKind.NO_RANGE: "between its limits nothing moves at {}",
+    FaultKind.MASS: "no positive mass has {}",
+    FaultKind.SIZE: "no positive size has {}",
+    FaultKind.INERTIA: "no body can have the inertia of {}",
+    FaultKind.ROOT_INERTIA: "the root {} has an inertia, which KDL leaves out of account",
+    FaultKind.LONG: f"more than {LONGEST:,.0f} m is said of {{}}",
+    FaultKind.HEAVY: f"more than {HEAVIEST:,.0f} kg is said of {{}}",
+    FaultKind.NAME: "tf2 takes no such name: {}",
+}
+"""What is said of all faults of a kind at once."""
+
+_OF_ONE: Mapping[FaultKind, Callable[[Fault], str]] = {
+    FaultKind.CIRCLE: lambda fault: f"joints hold each other in a circle: {_row(fault)}",
+    FaultKind.HELD_TWICE: lambda fault: (
+        f"two joints hold `{fault.others[0]}`: `{fault.others[1]}` and `{fault.part}`"
+    ),
+    FaultKind.NO_PARENT: lambda fault: (
+        f"`{fault.part}` hangs on `{fault.others[0]}`, which is not there"
+    ),
+    FaultKind.NO_CHILD: lambda fault: (
+        f"`{fault.part}` holds `{fault.others[0]}`, which is not there"
+    ),
+    FaultKind.MIMICS_NOTHING: lambda fault: (
+        f"`{fault.part}` follows `{fault.others[0]}`, which is not there"
+    ),
+    FaultKind.MIMICS_FIXED: lambda fault: (
+        f"`{fault.part}` follows `{fault.others[0]}`, which is fixed"
+    ),
+    FaultKind.MIMIC_CIRCLE: lambda fault: f"joints follow each other in a circle: {_row(fault)}",
+}
+"""What is said of one fault of the other kinds."""
+
+_MOST = 5
+"""How many faults of one kind of a file are told one by one."""
+
+
+def _row(fault: Fault) -> str:
+    return listed(f"`{each}`" for each in fault.others)
+
+
+def message_of(fault: Fault) -> str:
+    """Return what is said of one fault."""
+    one = _OF_ONE.get(fault.kind)
+    return _OF_SEVERAL[fault.kind].format(f"`{fault.part}`") if one is None else one(fault)
+
+
+def help_of(fault: Fault, robot: Robot) -> str | None:
+    """Return the remedy for one fault, in words."""
+    variable, part = robot.variable, fault.part
+    match fault.kind:
+        case FaultKind.NO_LINKS:
+            return f"give it one: `{variable} has_link 'base_link'`"
+        case FaultKind.LOOSE:
+            parent = fault.others[0]
+            joint = f"'{part}_joint' of joint_type fixed from '{parent}' to '{part}'"
+            return f"a joint is missing, such as `{variable} has_joint {joint}`"
+        case FaultKind.CIRCLE | FaultKind.MIMIC_CIRCLE | FaultKind.HELD_TWICE:
+            return f"take one of them away: `{variable} no_longer_has_joint '{part}'`"
+        case FaultKind.NO_LIMITS | FaultKind.NO_RANGE:
+            is_sliding = robot.description.joints[part].type is JointType.PRISMATIC
+            ends = "0 and 0.5 m" if is_sliding else "-90 and 90 deg"
+            said = f"limits_joint '{part}' between {ends} with effort 10 and velocity 1"
+            return f"say, for example, `{variable} {said}`"
+        case FaultKind.ROOT_INERTIA:
+            return f"let an empty link be the root, and hold `{part}` by a fixed joint"
+        case _:
+            return None
+
+
+def faults_of_file(source: RobotSource, where: Span) -> Iterator[Diagnostic]:
+    """Yield a warning for each kind of fault that a robot's file has: it can be changed as it is.
+
+    Args:
+        source: the file.
+        where: what is told of it stands there.
+    """
+    whole = source.whole
+    if whole is None:
+        return
+    found: dict[FaultKind, list[Fault]] = {}
+    for fault in faults(whole):
+        found.setdefault(fault.kind, []).append(fault)
+    for kind, each in found.items():
+        for message in _messages(kind, each):
+            yield Diagnostic(CODES[kind], message, where, severity=Severity.WARNING)
+
+
+def _messages(kind: FaultKind, found: Sequence[Fault]) -> Iterator[str]:
+    if kind in _OF_SEVERAL:
+        yield _OF_SEVERAL[kind].format(listed(f"`{each.part}`" for each in found))
+        return
+    yield from map(message_of, found[:_MOST])
+    rest = found[_MOST:]
+    if rest:
+        yield f"so it is with {listed(f'`{each.part}`' for each in rest)}"

@@ -1,0 +1,150 @@
+"""The statements about links of robots."""
+
+from __future__ import annotations
+
+from plastron_tui.diagnostics import Code, Diagnostic, Label, codes
+from plastron_tui.language import statements as st
+from plastron_tui.ros.robots.changes import LinkValues, Note, changed_link, new_link
+from plastron_tui.ros.robots.description import Link
+
+from .mistake import Mistake
+from .robot_lookups import (
+    check_name,
+    check_new,
+    check_not_of_macro,
+    find_own_link,
+    find_robot,
+)
+from .robot_parts import material_of, position_of, rotation_of, shape_of, weight_of
+from .robot_slips import link_slips
+from .robots import Places, Robot
+from .run import Run
+
+_SLOTS = {
+    "shape": "shape",
+    "mass": "weight",
+    "material": "color",
+    "position": "position",
+    "rotation": "rotation",
+}
+"""The slots that the values of a link stand in."""
+
+_DONE = {
+    "mass": "weighs something",
+    "material": "is painted",
+    "position": "is placed",
+    "rotation": "is turned",
+}
+"""What is said of a link that has a shape for it."""
+
+
+def has_link(run: Run, statement: st.HasLink) -> None:
+    """Give a robot a link, or change one that a loaded robot has."""
+    robot = find_robot(run, statement)
+    check_link_named(run, statement)
+    values = LinkValues(
+        shape_of(statement),
+        weight_of(statement),
+        material_of(statement, robot),
+        position_of(statement),
+        rotation_of(statement),
+    )
+    name = statement.link
+    there = robot.description.links.get(name)
+    if there is None:
+        link, notes = new_link(name, values, run.setting.mesh_size)
+    else:
+        link, notes = changed_link(there, values, run.setting.mesh_size)
+    told = [_told(statement, there or link, note, field) for note, field in notes]
+    if any(note.is_refusal for note, _ in notes):
+        raise Mistake(*told)
+    for each in (*told, *link_slips(statement)):
+        run.report(statement, each)
+    robot.put_link(link)
+    places = robot.links.get(name, Places())
+    is_new = there is None
+    robot.links[name] = (
+        places._replace(made=statement.span) if is_new else places._replace(changed=statement.span)
+    )
+
+
+def check_link_named(run: Run, statement: st.HasLink) -> None:
+    """Check that a link may have its name, and is made and changed once."""
+    robot = run.workspace.robots.get(statement.robot)
+    name, where = statement.link, statement.span_of("link")
+    if robot is None:
+        check_name("link", name, where)
+        return
+    check_new(robot.links, name, "link", where)
+    check_not_of_macro(robot, "link", name, where)
+    if name not in robot.description.links:
+        check_name("link", name, where)
+    elif all(getattr(statement, slot) is None for slot in _SLOTS.values()):
+        message = f"`{robot.variable}` has a link `{name}`, and nothing is said of it"
+        help_text = "say what changes, or choose another name"
+        raise Mistake(Diagnostic(codes.PART_EXISTS, message, where, help=help_text))
+
+
+def _told(statement: st.HasLink, link: Link, note: Note, field: str) -> Diagnostic:
+    """Return what is said of a note on what a statement says of a link."""
+    slot = _SLOTS[field]
+    if getattr(statement, slot) is None:
+        slot = "shape" if statement.shape is not None else "link"
+    code, message, help_text = _words(statement, link, note, field)
+    return Diagnostic(code, message, statement.span_of(slot), help=help_text)
+
+
+def _words(
+    statement: st.HasLink, link: Link, note: Note, field: str
+) -> tuple[Code, str, str | None]:
+    name, again = link.name, f"{statement.robot} has_link '{link.name}'"
+    match note:
+        case Note.NO_SHAPE:
+            return codes.BAD_SHAPE, f"what {_DONE[field]} has a shape", "say `shaped …`"
+        case Note.NOT_SEEN:
+            message = f"nothing of `{name}` is seen that could be painted"
+            return codes.BAD_SHAPE, message, "give it a shape as well: `shaped …`"
+        case Note.SEVERAL_SHAPES:
+            parts = f"{len(link.visuals)} visuals and {len(link.collisions)} collisions"
+            help_text = "change it in its file, or take the link away and make it anew"
+            message = f"`{name}` has {parts}: which one is meant cannot be said"
+            return codes.SEVERAL_SHAPES, message, help_text
+        case Note.BOX_INERTIA:
+            message = f"the inertia of `{name}` is that of the box around its mesh"
+            return codes.MESH_INERTIA, message, None
+        case Note.UNKNOWN_SIZE:
+            kept = "stays as it was" if link.inertial is not None else "is left out"
+            message = f"how large the mesh is cannot be told, so the inertia of `{name}` {kept}"
+            return codes.MESH_INERTIA, message, "a mesh is found in the project and read as STL"
+        case Note.INERTIA_STAYS:
+            help_text = f"say what it weighs as well, as in `{again} shaped … weighing …`"
+            message = f"the inertia of `{name}` did not follow from its shape, and stays as it is"
+            return codes.INERTIA_STAYS, message, help_text
+        case Note.OTHER_COLLISION:
+            message = f"what is seen of `{name}` and what collides had two shapes, and have one now"
+            return codes.LINK_APART, message, "change one of the two in its file"
+        case Note.APART:
+            message = f"not all of `{name}` is in one place: what was elsewhere stays where it is"
+            return codes.LINK_APART, message, "collisions and centers of mass may be elsewhere"
+
+
+def no_longer_has_link(run: Run, statement: st.NoLongerHasLink) -> None:
+    """Take a link away from a robot."""
+    robot = find_robot(run, statement)
+    name, where = statement.link, statement.span_of("link")
+    find_own_link(run, robot, name, where)
+    holding = next(robot.holding(name), None)
+    if holding is not None:
+        raise _held(run, robot, statement, holding.name)
+    robot.take_link(name)
+
+
+def _held(run: Run, robot: Robot, statement: st.NoLongerHasLink, joint: str) -> Mistake:
+    if run.consequences.has_part(joint) or run.consequences.mentions(joint):
+        return Mistake()
+    message = f"the joint `{joint}` still holds `{statement.link}`"
+    made = robot.joints.get(joint, Places()).made
+    labels = () if made is None else (Label(made, "here"),)
+    help_text = f"take it away first: `{robot.variable} no_longer_has_joint '{joint}'`"
+    where = statement.span_of("link")
+    return Mistake(Diagnostic(codes.PART_IN_USE, message, where, help=help_text, labels=labels))

@@ -1,0 +1,202 @@
+"""What is wrong with a robot as a whole."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from enum import Enum, auto
+from typing import NamedTuple
+
+from .description import Box, Cylinder, Description, JointType, Link, Shape, Sphere
+from .inertia import is_possible
+from .plausible import HEAVIEST, LONGEST
+from .tree import branches, holders
+
+
+class FaultKind(Enum):
+    """A kind of fault; those of joints say so."""
+
+    NO_LINKS = auto()
+    """It has none; the part is the robot."""
+    LOOSE = auto()
+    """No joint holds a link, and it is not the root; others: the root."""
+    CIRCLE = auto()
+    """Joints hold each other; the part is the last of them, others: all of them, in a row."""
+    HELD_TWICE = auto()
+    """A joint holds a link that another one holds; others: the link, and the other joint."""
+    NO_PARENT = auto()
+    """A joint is to hang on a link that is not there; others: the link."""
+    NO_CHILD = auto()
+    """A joint is to hold a link that is not there; others: the link."""
+    NO_LIMITS = auto()
+    """A joint lacks the limits that URDF wants (urdfdom: `parseJoint`)."""
+    NO_RANGE = auto()
+    """A joint with limits moves nowhere between them."""
+    MIMICS_NOTHING = auto()
+    """A joint follows one that is not there; others: that one."""
+    MIMICS_FIXED = auto()
+    """A joint follows one that does not move; others: that one."""
+    MIMIC_CIRCLE = auto()
+    """Joints follow each other; the part is the last of them, others: all of them, in a row."""
+    MASS = auto()
+    """The mass of a link is not positive."""
+    SIZE = auto()
+    """A length of a link is not positive."""
+    INERTIA = auto()
+    """No body has the inertia of a link."""
+    ROOT_INERTIA = auto()
+    """The root has an inertia, which KDL leaves out (`kdl_parser`: `treeFromUrdfModel`)."""
+    LONG = auto()
+    """A length or a place of a link or a joint is so far that it may be in millimetres."""
+    HEAVY = auto()
+    """A link is so heavy that its mass may be in grams."""
+    NAME = auto()
+    """The name of a link or a joint is one that tf2 does not take: empty, or with a slash first."""
+
+    @property
+    def is_of_joint(self) -> bool:
+        """Whether the part is a joint."""
+        return self in _OF_JOINTS
+
+    @property
+    def is_lack(self) -> bool:
+        """Whether something is only missing yet."""
+        return self in (FaultKind.NO_LINKS, FaultKind.LOOSE, FaultKind.NO_LIMITS)
+
+
+_OF_JOINTS = frozenset(
+    {
+        *(FaultKind.CIRCLE, FaultKind.HELD_TWICE, FaultKind.NO_PARENT, FaultKind.NO_CHILD),
+        *(FaultKind.NO_LIMITS, FaultKind.NO_RANGE, FaultKind.MIMICS_NOTHING),
+        *(FaultKind.MIMICS_FIXED, FaultKind.MIMIC_CIRCLE),
+    }
+)
+
+
+class Fault(NamedTuple):
+    """Something that is wrong with a robot.
+
+    Attributes:
+        kind: what it is.
+        part: the name of the link or the joint that it is about.
+        others: the names of those that it is about besides, as the kind says.
+    """
+
+    kind: FaultKind
+    part: str
+    others: tuple[str, ...] = ()
+
+
+def faults(robot: Description) -> Iterator[Fault]:
+    """Yield all that is wrong with a robot as a whole, each once."""
+    if not robot.links:
+        yield Fault(FaultKind.NO_LINKS, robot.name)
+    yield from _tree_faults(robot)
+    yield from _limit_faults(robot)
+    yield from _mimic_faults(robot)
+    for link in robot.links.values():
+        yield from _link_faults(link)
+    for joint in robot.joints.values():
+        if any(abs(each) > LONGEST for each in joint.pose.position):
+            yield Fault(FaultKind.LONG, joint.name)
+    for name in (*robot.links, *robot.joints):
+        if not name.strip() or name.startswith("/"):
+            yield Fault(FaultKind.NAME, name)
+
+
+def _tree_faults(robot: Description) -> Iterator[Fault]:
+    held = holders(robot)
+    for joint in robot.joints.values():
+        if joint.parent not in robot.links:
+            yield Fault(FaultKind.NO_PARENT, joint.name, (joint.parent,))
+        if joint.child not in robot.links:
+            yield Fault(FaultKind.NO_CHILD, joint.name, (joint.child,))
+        elif held[joint.child] is not joint:
+            others = (joint.child, held[joint.child].name)
+            yield Fault(FaultKind.HELD_TWICE, joint.name, others)
+    above = {joint.name: held[joint.parent].name for joint in held.values() if joint.parent in held}
+    yield from _circles(FaultKind.CIRCLE, robot, above)
+    sizes: dict[str, int] = {}
+    root = ""
+    for branch in branches(robot):
+        root = branch.link if branch.joint is None else root
+        sizes[root] = sizes.get(root, 0) + 1
+    if not sizes:
+        return
+    main = max(sizes, key=sizes.__getitem__)
+    yield from (Fault(FaultKind.LOOSE, each, (main,)) for each in sizes if each != main)
+    if robot.links[main].inertial is not None:
+        yield Fault(FaultKind.ROOT_INERTIA, main)
+
+
+def _circles(kind: FaultKind, robot: Description, after: Mapping[str, str]) -> Iterator[Fault]:
+    """Yield a fault for each circle of joints, of which each has one at most that comes after."""
+    order = {name: at for at, name in enumerate(robot.joints)}
+    done: set[str] = set()
+    for start in after:
+        path: dict[str, int] = {}
+        at = start
+        while at in after and at not in done and at not in path:
+            path[at] = len(path)
+            at = after[at]
+        if at in path:
+            around = tuple(reversed(list(path)[path[at] :]))
+            last = max(range(len(around)), key=lambda place: order[around[place]])
+            yield Fault(kind, around[last], (*around[last + 1 :], *around[: last + 1]))
+        done.update(path)
+
+
+def _limit_faults(robot: Description) -> Iterator[Fault]:
+    for joint in robot.joints.values():
+        if not joint.type.is_limited:
+            continue
+        if joint.limit is None:
+            yield Fault(FaultKind.NO_LIMITS, joint.name)
+        elif not joint.limit.lower < joint.limit.upper:
+            yield Fault(FaultKind.NO_RANGE, joint.name)
+
+
+def _mimic_faults(robot: Description) -> Iterator[Fault]:
+    after: dict[str, str] = {}
+    for joint in robot.joints.values():
+        if joint.mimic is None:
+            continue
+        followed = robot.joints.get(joint.mimic.joint)
+        if followed is None:
+            yield Fault(FaultKind.MIMICS_NOTHING, joint.name, (joint.mimic.joint,))
+        elif followed.type is JointType.FIXED:
+            yield Fault(FaultKind.MIMICS_FIXED, joint.name, (followed.name,))
+        else:
+            after[joint.name] = followed.name
+    yield from _circles(FaultKind.MIMIC_CIRCLE, robot, after)
+
+
+def _link_faults(link: Link) -> Iterator[Fault]:
+    bodies = (*link.visuals, *link.collisions)
+    lengths = [length for body in bodies for length in _lengths(body.shape)]
+    if not all(each > 0 for each in lengths):
+        yield Fault(FaultKind.SIZE, link.name)
+    places = [each for body in bodies for each in body.pose.position]
+    if any(abs(each) > LONGEST for each in (*lengths, *places)):
+        yield Fault(FaultKind.LONG, link.name)
+    if link.inertial is None:
+        return
+    if link.inertial.mass > HEAVIEST:
+        yield Fault(FaultKind.HEAVY, link.name)
+    if not link.inertial.mass > 0:
+        yield Fault(FaultKind.MASS, link.name)
+        if not any(link.inertial.tensor):
+            return
+    if not is_possible(link.inertial.tensor):
+        yield Fault(FaultKind.INERTIA, link.name)
+
+
+def _lengths(shape: Shape | None) -> tuple[float, ...]:
+    match shape:
+        case Box(size=size):
+            return size
+        case Cylinder(radius=radius, length=length):
+            return radius, length
+        case Sphere(radius=radius):
+            return (radius,)
+        case _:
+            return ()

@@ -1,0 +1,50 @@
+"""Joints changed by what is said of them."""
+
+from __future__ import annotations
+
+from .description import Joint, JointType, Limit, Mimic, Pose, Vector
+
+
+def changed_joint(
+    joint: Joint,
+    type_: JointType,
+    ends: tuple[str, str],
+    position: Vector | None,
+    rotation: Vector | None,
+    axis: Vector | None,
+    mimic: Mimic | None,
+) -> Joint:
+    """Return a joint with what is said of it changed, and nothing else.
+
+    What a joint of the new type has no use for goes; what stays means the same as before.
+    """
+    parent, child = ends
+    if type_ is not joint.type:
+        joint = retyped(joint, type_)
+    return joint._replace(
+        parent=parent,
+        child=child,
+        pose=Pose(
+            joint.pose.position if position is None else position,
+            joint.pose.rotation if rotation is None else rotation,
+        ),
+        axis=joint.axis if axis is None else axis,
+        mimic=joint.mimic if mimic is None else mimic,
+    )
+
+
+def retyped(joint: Joint, type_: JointType) -> Joint:
+    """Return a joint that moves otherwise, without what the new type has no use for.
+
+    Limits and dynamics of what turns are in radians, of what slides in metres: they say nothing
+    of the other. What turns without end has no range, but may have an effort and a velocity.
+    """
+    old = joint.type
+    joint = joint._replace(type=type_)
+    if not (old.has_axis and type_.has_axis):
+        return joint._replace(axis=None, limit=None, dynamics=None, mimic=None)
+    if not (old.turns and type_.turns):
+        return joint._replace(limit=None, dynamics=None, mimic=None)
+    if joint.limit is None or type_ is JointType.REVOLUTE:
+        return joint
+    return joint._replace(limit=Limit(effort=joint.limit.effort, velocity=joint.limit.velocity))

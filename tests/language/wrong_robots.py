@@ -1,0 +1,213 @@
+"""Half-written and wrong lines about robots, and what is said of each."""
+
+from __future__ import annotations
+
+SENTENCE = "the sentence is: "
+NO_UNIT = "a number has no unit; ROS measures in metres"
+NO_FORCE = "these numbers have no units; ROS measures in N m or N, and rad/s or m/s"
+COMMAS = "numbers have commas between them"
+POINT = "a fraction has a point, not a comma"
+LIMITS = "limits are two numbers with `and` between them, and then their unit"
+EFFORT = "`effort` stands first, and `and velocity` behind it"
+CODE = "a code is in double quotes"
+UNITS = "angles are in `deg` or `rad`, what slides is in `m`"
+ELSEWHERE = "limits have a line of their own: `r limits_joint 'j' between …`"
+SHAPES = "`box`, `cylinder`, `sphere` or `mesh`"
+
+# How lines begin; of each how it goes on, the text of the span, the message, what the help says.
+_ENDS: dict[str, list[tuple[str, str, str, str | None]]] = {
+    "r has_link ": [
+        ("", "", "expected the name of a link, in single quotes here", SENTENCE),
+        ("base", "base", "expected the name of a link, in single quotes", "write 'base'"),
+        ('"base"', '"base"', "expected the name of a link, in single quotes", "write 'base'"),
+    ],
+    "r has_link 'base' ": [
+        ("at", "", "expected three numbers of metres, such as `0, 0.2, 0` here", SENTENCE),
+        ("at 0", "", "expected a comma, and two more numbers here", SENTENCE),
+        ("at 0,", "", "expected a second number here", SENTENCE),
+        ("at 0, 0", "", "expected a comma, and a third number here", "write `0, 0, 0`"),
+        ("at 0, 0,", "", "expected a third number here", SENTENCE),
+        ("at 0, 0, 0,", ",", "three numbers are enough, without `,`", SENTENCE),
+        ("at 0, 0, 0 0 weighing 1", "0", "three numbers are enough, without `0`", SENTENCE),
+        ("at 1, 2 weighing 5", "weighing", "expected a comma, and a third number, not `weighing`",
+         "write `1, 2, 0`"),
+        ("at weighing 5", "weighing",
+         "expected three numbers of metres, such as `0, 0.2, 0` before `weighing`", SENTENCE),
+        ("at 0 0 0", "0 0 0", COMMAS, "write `0, 0, 0`"),
+        ("at (0, 0, 0)", "(0, 0, 0)", "three numbers stand without brackets", "write `0, 0, 0`"),
+        ("at [0 0 1] weighing 5", "[0 0 1]", "three numbers stand without brackets",
+         "write `0, 0, 1`"),
+        ("at x=1, z=3, y=2", "x=1, z=3, y=2", "three numbers stand without names, x first",
+         "write `1, 2, 3`"),
+        ("at 0, 0, 1 m", "0, 0, 1 m", NO_UNIT, "write `0, 0, 1`"),
+        ("at 0 m, 5 cm, 1mm", "0 m, 5 cm, 1mm", NO_UNIT, "write `0, 0.05, 0.001`"),
+        ("at 0,2, 0, -1,5", "0,2, 0, -1,5", POINT, "write `0.2, 0, -1.5`"),
+        ("at 0, 0, z", "z", "expected a third number, not `z`", SENTENCE),
+        ("at 0, 0, 0 wieghing 5", "wieghing", "expected `weighing`", "did you mean `weighing`?"),
+        ("at 0, 0, 0 at 1, 1, 1", "at", "`at` cannot stand here any more", SENTENCE),
+        ("turned", "", "expected three angles, such as `90, 0, 0` here", SENTENCE),
+        ("turned 0, 0, 90", "", "expected `deg` or `rad` here", "write `90 deg`"),
+        ("turned 0, 0, 1.57", "", "expected `deg` or `rad` here", "write `1.57 rad`"),
+        ("turned 0, 0, 1", "", "expected `deg` or `rad` here", "angles are in `deg` or `rad`"),
+        ("turned 0, 0, 90 at 0, 0, 1", "at", "expected `deg` or `rad`, not `at`", "write `90 deg`"),
+        ("turned 0, 0, 90 weighing 5", "weighing", "expected `deg` or `rad`, not `weighing`",
+         "write `90 deg`"),
+        ("turned 0, 0, 90°", "0, 0, 90°", "degrees are written as `deg`", "write `0, 0, 90 deg`"),
+        ("turned 0 deg, 0 deg, 90 deg", "0 deg, 0 deg, 90 deg",
+         "the unit stands once, behind the three angles", "write `0, 0, 90 deg`"),
+        ("turned 0, 0, pi/2 rad", "0, 0, pi/2 rad", "a number is written in digits",
+         "write `0, 0, 1.5708 rad`"),
+        ("turned 90 deg", "deg", "expected a comma, and two more numbers, not `deg`",
+         "there are three: `0, 0, 90 deg` turns about what points up"),
+        ("weighing", "", "expected a number of kilograms here", SENTENCE),
+        ("weighing heavy", "heavy", "expected a number of kilograms, not `heavy`", SENTENCE),
+        ("weighing 5 kg", "5 kg", "a number has no unit; ROS measures in kilograms", "write `5`"),
+        ("weighing 500g", "500g", "a number has no unit; ROS measures in kilograms", "write `0.5`"),
+        ("weighing 1,5 painted red", "1,5", POINT, "write `1.5`"),
+        ("painted", "", 'expected a colour, such as `blue` or "#3060ff" here', SENTENCE),
+        ("painted #ff8800", "#ff8800", CODE, 'write `"#ff8800"`'),
+        ("painted #3060ff at 0, 0, 1", "#3060ff", CODE, 'write `"#3060ff"`'),
+        ("painted '#ff8800'", "'#ff8800'", CODE, 'write `"#ff8800"`'),
+        ("painted 'blue'", "'blue'", "a colour has no quotes", "write `blue`"),
+        ('painted "#ff', '"', 'the quote is not closed on this line: "', 'close it with "'),
+        ("painted light blue", "light blue", "a colour is one word", "write `light_blue`"),
+        ("painted blue red", "red", "unexpected `red`", "a colour is one word"),
+        ("painted blue painted red", "painted", "`painted` cannot stand here any more", SENTENCE),
+        ("shaped", "", f"expected {SHAPES} here", SENTENCE),
+        ("shaped box", "", "expected sizes in metres, such as `0.4, 0.3, 0.1` here", SENTENCE),
+        ("shaped box 1,", ",", "expected a value after this", SENTENCE),
+        ("shaped box weighing 5", "weighing",
+         "expected sizes in metres, such as `0.4, 0.3, 0.1` before `weighing`", SENTENCE),
+        ("shaped box none", "none", "`none` stands alone, and for no values at all", SENTENCE),
+        ("shaped 1, 2, 3", "1", f"expected {SHAPES}, not `1`", SENTENCE),
+        ("shaped 'box' 1, 2, 3", "'box'", "`box` has no quotes", "write `box`"),
+        ("shaped box, 1, 2, 3", ",", "no comma stands behind the shape", "take it away"),
+        ("shaped box 1 2 3", "1 2 3", COMMAS, "write `1, 2, 3`"),
+        ("shaped box 0.4 x 0.3 x 0.1 weighing 5", "0.4 x 0.3 x 0.1", COMMAS,
+         "write `0.4, 0.3, 0.1`"),
+        ("shaped box 0.4 m, 30 cm, 0.1 m", "0.4 m, 30 cm, 0.1 m", NO_UNIT, "write `0.4, 0.3, 0.1`"),
+        ("shaped sphere radius 0.1", "radius 0.1", "a `=` stands between a name and its value",
+         "write `radius=0.1`"),
+        ("shaped mesh package://a/b.stl", "package://a/b.stl",
+         "a mesh is named in double quotes", 'write `"package://a/b.stl"`'),
+        ("shaped mesh meshes/b.stl at 0, 0, 1", "meshes/b.stl",
+         "a mesh is named in double quotes", 'write `"meshes/b.stl"`'),
+        ("shaped box 1, 2, 3, weighing 5", ", weighing",
+         "nothing stands between two clauses, not even `,`", "write `weighing`"),
+        ("shaped box 1, 2, 3 and painted red", "and painted",
+         "nothing stands between two clauses, not even `and`", "write `painted`"),
+        ("with mass 5", "with mass", "this clause begins with `weighing`", "write `weighing`"),
+        ("color blue", "color", "this clause begins with `painted`", "write `painted`"),
+        ("rotated 0, 0, 90 deg", "rotated", "this clause begins with `turned`", "write `turned`"),
+    ],
+    "r has_joint 'j' ": [
+        ("of type revolute from 'a' to 'b'", "type", "expected `joint_type`, not `type`",
+         "did you mean `joint_type`?"),
+        ("of joint type fixed from 'a' to 'b'", "joint type", "`joint_type` is written as one word",
+         "write `joint_type`"),
+        ("of joint_type 'fixed' from 'a' to 'b'", "'fixed'", "a joint type has no quotes",
+         "write `fixed`"),
+        ("of joint_type from 'a' to 'b'", "from", "expected a joint type, such as `revolute`",
+         SENTENCE),
+        ("of joint_type fixed from a to 'b'", "a", "expected the name of a link, in single quotes",
+         "write 'a'"),
+        ("of joint_type fixed from 'a'", "", "expected `to` here", SENTENCE),
+    ],
+    "r has_joint 'j' of joint_type fixed from 'a' to 'b' ": [
+        ("with", "", "expected `axis` here", SENTENCE),
+        ("with axis", "", "expected three numbers, such as `0, 0, 1` here", SENTENCE),
+        ("with axis z", "z", "an axis is three numbers: x, y and z", "write `0, 0, 1`"),
+        ("with axis -y at 0, 0, 0", "-y", "an axis is three numbers: x, y and z",
+         "write `0, -1, 0`"),
+        ("axis 0, 0, 1", "axis", "`axis` has the word `with` before it", "write `with axis`"),
+        ("turned 0, 0, 90 with axis 0, 0, 1", "with", "expected `deg` or `rad`, not `with`",
+         "write `90 deg`"),
+        ("mimicking k", "k", "expected the name of a joint, in single quotes", "write 'k'"),
+        ("mimicking 'k' times", "", "expected a number here", SENTENCE),
+        ("mimicking 'k' by -1", "by", "how far it moves is said with `times`", "write `times`"),
+        ("times 2", "times", "unexpected `times`", SENTENCE),
+        ("between -90 and 90 deg", "between", "unexpected `between`", ELSEWHERE),
+        ("with effort 5 and velocity 1", "effort", "expected `axis`, not `effort`", ELSEWHERE),
+    ],
+    "r limits_joint 'j' ": [
+        ("between", "", "expected a number here", SENTENCE),
+        ("between -90", "", "expected `and` here", SENTENCE),
+        ("between -90 and 90", "", "expected `deg`, `rad` or `m` here", "write `90 deg`"),
+        ("between -0.1 and 0.3", "", "expected `deg`, `rad` or `m` here", UNITS),
+        ("between -90 and 90 with effort 1 and velocity 2", "with",
+         "expected `deg`, `rad` or `m`, not `with`", "write `90 deg`"),
+        ("between -90 deg and 90 deg", "between -90 deg and 90 deg", LIMITS,
+         "write `between -90 and 90 deg`"),
+        ("between -90° and 90°", "between -90° and 90°", LIMITS, "write `between -90 and 90 deg`"),
+        ("between -90 to 90 deg", "between -90 to 90 deg", LIMITS,
+         "write `between -90 and 90 deg`"),
+        ("from -1 m to 1 m", "from -1 m to 1 m", LIMITS, "write `between -1 and 1 m`"),
+        ("between -pi/2 and pi rad", "between -pi/2 and pi rad", LIMITS,
+         "write `between -1.5708 and 3.14159 rad`"),
+        ("between -90 deg", "deg", "expected `and`, not `deg`",
+         "the unit stands once, behind the second number"),
+        ("between -1,5 and 1 rad", "-1,5", POINT, "write `-1.5`"),
+        ("between 0 and 1 m between 0 and 2 m", "between",
+         "`between` cannot stand here any more", SENTENCE),
+        ("with", "", "expected `effort` or `damping` here", SENTENCE),
+        ("with effort", "", "expected a number here", SENTENCE),
+        ("with damping 1", "", "expected `and` here", SENTENCE),
+        ("with damping 1 and", "", "expected `friction` here", SENTENCE),
+        ("with demping 1 and friction 2", "demping", "expected `effort` or `damping`",
+         "did you mean `damping`?"),
+        ("with velocity 1", "velocity", "expected `effort` or `damping`",
+         "write `with effort N and velocity V`"),
+        ("with effort 1 and friction 2", "friction", "expected `velocity`, not `friction`",
+         "write `with damping D and friction F`"),
+        ("with velocity 1.5 and effort 20", "with velocity 1.5 and effort 20", EFFORT,
+         "write `with effort 20 and velocity 1.5`"),
+        ("with torque=20, speed=1.5", "with torque=20, speed=1.5", EFFORT,
+         "write `with effort 20 and velocity 1.5`"),
+        ("with effort 20 Nm and velocity 90 deg/s", "with effort 20 Nm and velocity 90 deg/s",
+         NO_FORCE, "write `with effort 20 and velocity 1.5708`"),
+        ("with effort 1 and velocity 2, damping 3 and friction 4", ",",
+         "`damping` has the word `with` before it", "write `with`"),
+        ("with damping 1 and friction 2 with damping 3 and friction 4", "with",
+         "`with` cannot stand here any more", SENTENCE),
+        ("with effort 1 and velocity 2 with effort 3 and velocity 4", "with",
+         "`with` cannot stand here any more", SENTENCE),
+        ("with effort 1 and velocity 2 with damping 3 and friction 4 with effort 1", "with",
+         "`with` cannot stand here any more", SENTENCE),
+    ],
+    "": [
+        ("create_robot rover as r", "rover", "expected the name of a robot, in single quotes",
+         "write 'rover'"),
+        ("create_robot 'rover'", "", "expected `as` here", SENTENCE),
+        ("load_robot urdf/my-rover.urdf as r", "urdf/my-rover.urdf",
+         "expected the path of a URDF file, in single quotes", "write 'urdf/my-rover.urdf'"),
+        ("r joint 'j' of joint_type fixed from 'a' to 'b'", "joint", "`joint` starts no statement",
+         "did you mean `has_joint`?"),
+        ("r limit_joint 'j' between 0 and 1 m", "limit_joint", "`limit_joint` starts no statement",
+         "did you mean `limits_joint`?"),
+        ("has_link r 'base'", "has_link r",
+         "`has_link` comes second, after the variable of the robot", "write `r has_link`"),
+        ("r no longer has joint 'j'", "no longer has joint",
+         "`no_longer_has_joint` is written as one word", "write `no_longer_has_joint`"),
+        ("r no_longer_has_link base", "base", "expected the name of a link, in single quotes",
+         "write 'base'"),
+        ("generate_robot 'r'", "'r'", "the variable of a robot has no quotes", "write `r`"),
+        ("generate_robot r using rclpy", "using", "unexpected `using`", SENTENCE),
+    ],
+}  # fmt: skip
+
+_CODES = {"the quote is not closed": "unclosed-quote", "`joint` starts": "unknown-statement",
+          "`limit_joint` starts": "unknown-statement"}  # fmt: skip
+"""How messages begin that are of another code than the rest."""
+
+
+def _code(message: str) -> str:
+    found = (code for start, code in _CODES.items() if message.startswith(start))
+    return next(found, "syntax-error")
+
+
+ROBOTS: list[tuple[str, str, str, str, str | None]] = [
+    ((start + end).rstrip(), _code(message), where, message, remedy)
+    for start, ends in _ENDS.items()
+    for end, where, message, remedy in ends
+]
+"""A line, the code, the text of the span, the message, what the help says."""
