@@ -38,6 +38,7 @@ _PAIR = re.compile(rf"with\s+{_GIVEN}\s*(?:,|&|\band\b)?\s*(?:\bwith\s+)?{_GIVEN
 _PAIRS = (("effort", "velocity"), ("damping", "friction"))
 _SAME = {"torque": "effort", "force": "effort", "speed": "velocity"}
 
+_MOST_SIZES = 3
 FIRST_CLAUSE = 3
 """Where the first clause of a link, or of a joint's limits, begins."""
 
@@ -82,6 +83,10 @@ def _unit(word: str) -> str:
     if word.startswith(("d", "°")):
         return "deg"
     return "rad" if word.startswith("r") else "m" if word.startswith("me") else word
+
+
+def _is_unit(word: str) -> bool:
+    return re.fullmatch(_UNIT, word, re.IGNORECASE) is not None
 
 
 def _in_digits(number: str) -> str:
@@ -139,7 +144,8 @@ def sizes(place: Place, found: Diagnostic) -> Diagnostic | None:
         end = number[1]
         by = _BY.match(text, end)
         at = end if by is None else by.end()
-    right = None if None in numbers else ", ".join(filter(None, numbers))
+    is_known = None not in numbers and len(numbers) <= _MOST_SIZES
+    right = ", ".join(filter(None, numbers)) if is_known else None
     is_here = found.span.start < token.start + len(text[:end].encode())
     if not right or _is_same(right, text[:end]) or not is_here:
         return None
@@ -336,7 +342,7 @@ def third_left_out(place: Place, found: Diagnostic) -> Diagnostic | None:
         return None
     end = place.tokens[at - 1].end
     text = place.text(at)
-    if text in (",", ";", ".") or _unit(text.lower()) in _METRES:
+    if text in (",", ";", ".") or _is_unit(text):
         return None
     fix = Fix("write `, 0`", (Edit(Span(end, end), ", 0"),))
     return found._replace(
@@ -347,7 +353,7 @@ def third_left_out(place: Place, found: Diagnostic) -> Diagnostic | None:
 def one_angle(place: Place, found: Diagnostic) -> Diagnostic | None:
     """Recognise `turned 90 deg`, and a unit behind the first of two limits."""
     at, text, before = place.at, place.token.text, place.before
-    if before is None or before.kind != "number" or _unit(text.lower()) not in ("deg", "rad", "m"):
+    if before is None or before.kind != "number" or not _is_unit(text):
         return None
     if _is_limits(place) and place.within is SlotKind.BOUND:
         return found._replace(help="the unit stands once, behind the second number", fix=None)
@@ -362,11 +368,15 @@ def second_pair(place: Place, found: Diagnostic) -> Diagnostic | None:
     at, before = place.at, place.before
     firsts = [first for first, _ in _PAIRS]
     is_joined = place.token.text in (",", "and") and place.text(at + 1) in firsts
-    if not _is_limits(place) or not is_joined or before is None or before.kind != "number":
+    is_bare = place.token.text in firsts and place.text(at - 1) != "with"
+    if not _is_limits(place) or at < FIRST_CLAUSE or not (is_joined or is_bare) or before is None:
         return None
-    right = " with" if is_glued(place.tokens, at) else "with"
-    what = f"`{place.text(at + 1)}` has the word `with` before it"
-    return mended(found, what, place.token.span, right)._replace(help="write `with`")
+    word = place.text(at + is_joined)
+    right = "with" if is_joined else f"with {word}"
+    if is_glued(place.tokens, at):
+        right = f" {right}"
+    what = f"`{word}` has the word `with` before it"
+    return mended(found, what, place.token.span, right)._replace(help=f"write `{right.strip()}`")
 
 
 LEFT_OUT: tuple[Callable[[Place, Diagnostic], Diagnostic | None], ...] = (

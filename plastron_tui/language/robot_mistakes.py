@@ -17,6 +17,7 @@ _COLOR_CODE = re.compile(rb"#[0-9a-fA-F]{3,8}\b")
 _URI = re.compile(r"[\w.+~$-]+(?::/)?(?:/[\w.+~$-]+)+|[\w-]+\.\w+")
 _ONE_WORD = "a colour is one word"
 _JOINERS = frozenset({",", "and", "with", "of", "&", "its"})
+_SHAPES = ("box", "cylinder", "sphere", "mesh")
 _SIGNS = {"x": "1, 0, 0", "y": "0, 1, 0", "z": "0, 0, 1"}
 
 _CLAUSE_WORDS = {
@@ -92,6 +93,11 @@ def shape(place: Place, found: Diagnostic) -> Diagnostic | None:
     if at == first and token.text == ",":
         return mended(found, "no comma stands behind the shape", token.span, "")
     clauses = {each.keyword for each in place.declaration.clauses} if place.declaration else set()
+    if token.text in _SHAPES:
+        help_ = f"it is {', '.join(f'`{each}`' for each in _SHAPES[:-1])} or `{_SHAPES[-1]}`"
+        what = f"`{place.text(first - 1)}` is no shape"
+        where = place.span(first - 1, first)
+        return found._replace(message=what, span=where, help=help_, fix=None)
     is_name = place.is_name(at) and token.text not in clauses
     is_first = at == first or place.text(at - 1) == ","
     following = token_at(place.tokens, at + 1)

@@ -150,7 +150,9 @@ class SentenceErrors:
                 token.span,
                 help="choose another name",
             )
-        if kind.is_quoted and (_fits(token, Form.WORD) or token.kind == "string"):
+        is_clause = any(token.text == clause.keyword for clause in self._declaration.clauses)
+        is_word = _fits(token, Form.WORD) and not is_clause
+        if kind.is_quoted and (is_word or token.kind == "string"):
             return unquoted(f"expected {kind.words}", token.span, token.text.strip('"'))
         return self._expected(kind.words, token)
 
