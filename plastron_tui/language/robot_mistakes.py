@@ -8,8 +8,9 @@ from collections.abc import Callable
 from plastron_tui.diagnostics import Diagnostic, Span, write
 
 from .declaration import SlotKind
+from .limit_mistakes import FIRST_CLAUSE, LIMIT_SLIPS
 from .mistake_place import Place, mended
-from .number_mistakes import FIRST_CLAUSE, NUMBER_SLIPS
+from .number_mistakes import NUMBER_SLIPS
 from .statements.robots import HasJoint, HasLink, LimitsJoint
 from .tokens import QUOTED_KINDS, UNKNOWN, WORD_KINDS, is_glued, token_at
 
@@ -183,6 +184,7 @@ ROBOT_SLIPS: tuple[Callable[[Place, Diagnostic], Diagnostic | None], ...] = (
     color,
     axis,
     *NUMBER_SLIPS,
+    *LIMIT_SLIPS,
     shape,
     times,
     limits_of_joint,
