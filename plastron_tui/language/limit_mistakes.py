@@ -112,7 +112,7 @@ def second_pair(place: Place, found: Diagnostic) -> Diagnostic | None:
     at, before = place.at, place.before
     firsts = [first for first, _ in _PAIRS]
     is_joined = place.token.text in (",", "and") and place.text(at + 1) in firsts
-    is_bare = place.token.text in firsts and place.text(at - 1) != "with"
+    is_bare = place.token.text in firsts and place.text(at - 1) not in ("with", *firsts)
     if not _is_limits(place) or at < FIRST_CLAUSE or not (is_joined or is_bare) or before is None:
         return None
     word = place.text(at + is_joined)

@@ -38,8 +38,8 @@ def vector(place: Place, found: Diagnostic) -> Diagnostic | None:
         return None
     text = written_from(place, token)
     numbers: list[WrittenNumber] = []
-    at = len(text[:1].strip("([")) ^ 1
-    is_open = at > 0
+    is_open = text[:1] in ("(", "[")
+    at = int(is_open)
     for _ in range(3):
         if numbers or is_open:
             comma = _COMMA.match(text, at)

@@ -25,6 +25,9 @@ _PART = re.compile(
 )
 _OF_PI = re.compile(rf"([+-]?)(?:({_UNSIGNED})\s*\*\s*)?[a-zA-Z_.]*(?:pi|PI|π)(?:\s*/\s*(.+))?")
 
+_DECIMAL = r"[+-]?\d+(?:,\d+)?"
+_DECIMALS = re.compile(rf"{_DECIMAL}(?:(?:,|\s*;)\s+{_DECIMAL})*")
+
 METRES = {"m": 1, "cm": 0.01, "mm": 0.001}
 """How many metres a unit is."""
 
@@ -78,6 +81,16 @@ def in_digits(number: str) -> str:
     value, divisor = float(found[2] or 1) * math.pi, float(found[3] or 1)
     digits = rounded(value / divisor) if divisor else None
     return number if digits is None else f"{found[1]}{digits}"
+
+
+def with_points(text: str) -> str | None:
+    """Return numbers that have a comma for the point, as in `0,4, 0,3`, as the language has them.
+
+    None for numbers that have none.
+    """
+    if not re.search(r"\d,\d", text) or not _DECIMALS.fullmatch(text):
+        return None
+    return ", ".join(each.replace(",", ".") for each in re.findall(_DECIMAL, text))
 
 
 def written_from(place: Place, token: Token) -> str:
