@@ -9,9 +9,9 @@ from plastron_tui.ros.robots.description import Link
 
 from .mistake import Mistake
 from .robot_lookups import (
+    check_makable,
     check_name,
     check_new,
-    check_not_of_macro,
     find_own_link,
     find_robot,
 )
@@ -76,7 +76,7 @@ def check_link_named(run: Run, statement: st.HasLink) -> None:
         check_name("link", name, where)
         return
     check_new(robot.links, name, "link", where)
-    check_not_of_macro(robot, "link", name, where)
+    check_makable(robot, "link", name, where)
     if name not in robot.description.links:
         check_name("link", name, where)
     elif all(getattr(statement, slot) is None for slot in _SLOTS.values()):
