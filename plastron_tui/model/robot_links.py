@@ -52,9 +52,9 @@ def has_link(run: Run, statement: st.HasLink) -> None:
     name = statement.link
     there = robot.description.links.get(name)
     if there is None:
-        link, notes = new_link(name, values, run.setting.mesh_size)
+        link, notes = new_link(name, values, run.setting.mesh_bounds)
     else:
-        link, notes = changed_link(there, values, run.setting.mesh_size)
+        link, notes = changed_link(there, values, run.setting.mesh_bounds)
     told = [_told(run, statement, there or link, note, field) for note, field in notes]
     if any(note.is_refusal for note, _ in notes):
         raise Mistake(*told)
