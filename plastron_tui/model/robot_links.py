@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from plastron_tui.diagnostics import Code, Diagnostic, Label, codes
+from plastron_tui.diagnostics import Code, Diagnostic, Edit, Fix, Label, Span, codes
 from plastron_tui.language import statements as st
 from plastron_tui.ros.robots.changes import LinkValues, Note, changed_link, new_link
 from plastron_tui.ros.robots.description import Link, Mesh
@@ -159,6 +159,16 @@ def _held(run: Run, robot: Robot, statement: st.NoLongerHasLink, joint: str) -> 
     message = f"the joint `{joint}` still holds `{statement.link}`"
     made = robot.joints.get(joint, Places()).made
     labels = () if made is None else (Label(made, "here"),)
-    help_text = f"take it away first: `{robot.variable} no_longer_has_joint '{joint}'`"
-    where = statement.span_of("link")
-    return Mistake(Diagnostic(codes.PART_IN_USE, message, where, help=help_text, labels=labels))
+    first = f"{robot.variable} no_longer_has_joint '{joint}'"
+    start = statement.span.start
+    fix = Fix(f"write `{first}` first", (Edit(Span(start, start), f"{first}\n"),))
+    return Mistake(
+        Diagnostic(
+            codes.PART_IN_USE,
+            message,
+            statement.span_of("link"),
+            help=f"take it away first: `{first}`",
+            fix=fix,
+            labels=labels,
+        )
+    )

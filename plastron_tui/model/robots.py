@@ -29,6 +29,8 @@ class RobotSource(NamedTuple):
             are not expanded; then it is only looked at.
         macros: what the file leaves to macros, None for a file without them. A file with macros
             may have links and joints besides those of its description.
+        spans: where the names of its links and joints stand in the text, by `link` or `joint` and
+            the name.
     """
 
     path: Path
@@ -37,6 +39,7 @@ class RobotSource(NamedTuple):
     origin: TextOrigin | None = None
     expanded: Description | None = None
     macros: Macros | None = None
+    spans: Mapping[tuple[str, str], Span] = {}
 
     @property
     def whole(self) -> Description | None:

@@ -6,7 +6,7 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import TYPE_CHECKING, NamedTuple
 
-from plastron_tui.diagnostics import Diagnostic, codes
+from plastron_tui.diagnostics import Diagnostic, Span, codes
 from plastron_tui.model.robots import LoadedRobot, RobotSource
 from plastron_tui.ros.robots.description import Description
 
@@ -14,7 +14,7 @@ from .named_texts import NamedTexts
 
 if TYPE_CHECKING:
     from plastron_tui.generating.text_layers import Form
-    from plastron_tui.sources.urdf.reader import UrdfRead
+    from plastron_tui.sources.urdf.reader import PartPlaces, UrdfRead
     from plastron_tui.sources.xml.document import XmlDocument
 
 _ENDINGS = (".urdf", ".xacro")
@@ -88,13 +88,23 @@ class RobotReader:
         read = read_urdf(found.text, path)
         if read.description is None or read.document is None:
             return LoadedRobot(None, _why_none(source, read))
-        found = found._replace(description=read.description)
+        found = found._replace(description=read.description, spans=_spans(read.places))
         if not has_macros(read.document):
             return LoadedRobot(found, read.diagnostics)
         expansion = self._expand(path, found.text, read.document)
         macros = read_macros(read.document)
         found = found._replace(macros=macros, expanded=expansion.description)
         return LoadedRobot(found, (*read.diagnostics, *expansion.diagnostics))
+
+
+def _spans(places: PartPlaces) -> dict[tuple[str, str], Span]:
+    """Return where the names of links and joints stand."""
+    return {
+        (kind, name): attribute.value_span
+        for kind, parts in (("link", places.links), ("joint", places.joints))
+        for name, element in parts.items()
+        if (attribute := element.attribute("name")) is not None
+    }
 
 
 def _why_none(source: str, read: UrdfRead) -> tuple[Diagnostic, ...]:
