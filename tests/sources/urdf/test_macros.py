@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import pytest
 
 from plastron_tui.ros.robots.description import Box
@@ -167,3 +169,10 @@ def test_what_is_expanded_has_no_macros_any_more(text: bytes, is_there: bool) ->
     document = read_urdf(text).document
     assert document is not None
     assert has_macros(document) is is_there
+
+
+def test_what_is_only_included_need_not_name_the_namespace() -> None:
+    text = b'<robot><material name="blue"><color rgba="${a}"/></material></robot>'
+    assert not read_urdf(text, Path("materials.urdf.xacro")).diagnostics
+    # In others that is no colour, and a robot has a name.
+    assert len(read_urdf(text, Path("materials.urdf")).diagnostics) == 2
