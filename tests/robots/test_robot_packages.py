@@ -151,6 +151,15 @@ def test_what_a_launch_file_starts_is_not_started_twice(tmp_path: Path) -> None:
     assert set(started(package, "rclpy")) == {"robot_state_publisher"}
 
 
+def test_nodes_of_other_packages_are_left_to_these(tmp_path: Path) -> None:
+    other = PACKAGE.replace("rover_demo", "rover_nodes").replace("as demo", "as nodes")
+    program = ROBOT.format(type="continuous") + driver() + PACKAGE + other
+    program += "nodes contains driver\ngenerate_package nodes\n"
+    package = made(program + END, tmp_path, "rospy")
+    assert set(started(package, "rospy")) == {"robot_state_publisher"}
+    assert "rover_nodes" not in depends(package)
+
+
 def test_a_node_in_no_package_is_told(tmp_path: Path) -> None:
     program = ROBOT.format(type="continuous") + driver() + "generate_node driver\n" + PACKAGE + END
     told = run(program, tmp_path, "rclpy")
