@@ -47,10 +47,19 @@ Expander = Callable[[Path, bytes, "XmlDocument"], Expansion]
 class RobotReader:
     """Reads robots by the paths of their files from the program's folder, within the project."""
 
-    def __init__(self, texts: NamedTexts, expand: Expander) -> None:
-        """Set what finds and reads files, and what expands their macros."""
+    def __init__(
+        self, texts: NamedTexts, expand: Expander, found: Callable[[Path], None] = lambda _: None
+    ) -> None:
+        """Set what is asked.
+
+        Args:
+            texts: finds and reads files.
+            expand: expands their macros.
+            found: is told the folders of robots, beside which their meshes may be.
+        """
         self._texts = texts
         self._expand = expand
+        self._found = found
 
     def __call__(self, source: str) -> LoadedRobot:
         """Read the file that a `load_robot` asks for."""
@@ -63,6 +72,7 @@ class RobotReader:
         if b"\0" in text:
             message = f"`{source}` is no text, and so no robot"
             return LoadedRobot(None, (Diagnostic(codes.UNREADABLE_FILE, message),))
+        self._found(path.parent)
         start = self._texts.started(path, text, _form)
         origin = None if start is None else start.origin
         return self._read(
