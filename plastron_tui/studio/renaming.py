@@ -19,6 +19,7 @@ from plastron_tui.language.statements import (
     CreateMessage,
     CreateNode,
     CreatePackage,
+    CreateRobot,
     Publish,
     Rename,
 )
@@ -40,6 +41,7 @@ from .analysis import Analysis
 from .editor.names import wrong_name as wrong_variable
 from .insertion_point import placed
 from .panels.entry import HUBS, Entry, Subject
+from .robot_renaming import PARTS, file_of_part, part_edits, wrong_part_name, wrong_robot_name
 
 _SLOTS = {
     InterfaceKind.MESSAGE: (SlotKind.TOPIC, SlotKind.TRIGGER),
@@ -47,6 +49,11 @@ _SLOTS = {
     InterfaceKind.ACTION: (SlotKind.ACTION,),
 }
 """The slots that have the name of what nodes meet at."""
+
+_MADE = (Subject.PACKAGE, Subject.LAUNCH, Subject.ROBOT)
+"""What has both a name and a variable, as nodes have."""
+
+_MAKING = (CreatePackage, CreateLaunch, CreateRobot)
 
 
 def _interface_of(entry: Entry) -> InterfaceKind:
@@ -76,15 +83,16 @@ def old_name(entry: Entry, workspace: Workspace) -> str:
     node = workspace.nodes.get(entry.node or "")
     if entry.subject is Subject.NODE and node is not None and node.source is None:
         return node.name
-    if entry.subject in (Subject.PACKAGE, Subject.LAUNCH):
+    if entry.subject in _MADE:
         return _made_name(workspace, entry)
     return entry.name or ""
 
 
 def _made_name(workspace: Workspace, entry: Entry) -> str:
-    """Return the name of a package or a launch file; of one that was loaded, its variable."""
+    """Return the name of a package, a launch file or a robot; of a loaded one its variable."""
     variable = entry.name or ""
-    found = workspace.packages.get(variable) or workspace.launches.get(variable)
+    kinds = (workspace.packages, workspace.launches, workspace.robots)
+    found = next((each[variable] for each in kinds if variable in each), None)
     if found is None or getattr(found, "source", None) is not None:
         return variable
     return found.name
@@ -99,8 +107,12 @@ def renamed(analysis: Analysis, entry: Entry, new: str) -> Renamed:
         return Renamed(tuple(_node(analysis, node, new)))
     if entry.subject is Subject.MESSAGE:
         return Renamed(tuple(_variable(program, old, new)))
-    if entry.subject in (Subject.PACKAGE, Subject.LAUNCH):
+    if entry.subject in _MADE:
         return Renamed(tuple(_made(analysis, entry, new)))
+    if entry.subject in PARTS:
+        file = file_of_part(workspace, entry)
+        edits = () if file is not None else tuple(part_edits(program, entry, old, new))
+        return Renamed(edits, () if file is None else (file,))
     if entry.subject is Subject.TYPE:
         return Renamed(tuple(_own_type(program, old, new)))
     if entry.subject is EndpointKind.PARAMETER:
@@ -123,12 +135,12 @@ def _node(analysis: Analysis, node: Node, new: str) -> Iterator[Edit]:
 
 
 def _made(analysis: Analysis, entry: Entry, new: str) -> Iterator[Edit]:
-    """Rename a package or a launch file, and its variable where that is the same word."""
+    """Rename a package, a launch file or a robot, and its variable if that is the same word."""
     variable = entry.name or ""
     old = _made_name(analysis.workspace, entry)
     is_created = False
     for statement in analysis.program.statements:
-        if isinstance(statement, CreatePackage | CreateLaunch) and statement.variable == variable:
+        if isinstance(statement, _MAKING) and statement.variable == variable:
             is_created = True
             yield Edit(statement.span_of("name"), f"'{new}'")
     if is_created and (old != variable or _wrong_variable(analysis, new) is not None):
@@ -282,25 +294,37 @@ def _wrong_variable(analysis: Analysis, new: str) -> str | None:
 
 
 def _wrong_made(analysis: Analysis, entry: Entry, new: str) -> str | None:
-    """Return why a package or a launch file cannot have a name, None when it can."""
+    """Return why a package, a launch file or a robot cannot have a name, None when it can."""
     workspace = analysis.workspace
-    package = workspace.packages.get(entry.name or "")
-    if package is not None and package.source is not None:
+    found = workspace.packages.get(entry.name or "") or workspace.robots.get(entry.name or "")
+    if found is not None and found.source is not None:
         return _wrong_variable(analysis, new)
     if _made_name(workspace, entry) == entry.name and workspace.what(new) is not None:
         return f"`{new}` is a variable already"
-    others = workspace.packages if entry.subject is Subject.PACKAGE else workspace.launches
-    if any(each.name == new for each in others.values()):
+    if new in _made_names(workspace, entry.subject):
         return f"a {entry.subject.word} `{new}` exists already"
+    if entry.subject is Subject.ROBOT:
+        return wrong_robot_name(new)
     return "a name has no single quote" if "'" in new else None
+
+
+def _made_names(workspace: Workspace, subject: Subject | EndpointKind) -> set[str]:
+    """Return the names of all packages, launch files or robots."""
+    if subject is Subject.PACKAGE:
+        return {each.name for each in workspace.packages.values()}
+    if subject is Subject.LAUNCH:
+        return {each.name for each in workspace.launches.values()}
+    return {each.name for each in workspace.robots.values()}
 
 
 def wrong_name(analysis: Analysis, entry: Entry, new: str) -> str | None:
     """Return why something cannot have a name, None when it can."""
     nodes = analysis.workspace.nodes
     node = nodes.get(entry.node or "")
-    if entry.subject in (Subject.PACKAGE, Subject.LAUNCH):
+    if entry.subject in _MADE:
         return _wrong_made(analysis, entry, new)
+    if entry.subject in PARTS:
+        return wrong_part_name(analysis.workspace, entry, new)
     if entry.subject is Subject.TYPE:
         is_name = all(part.isascii() and part.isidentifier() for part in new.split("/"))
         if new in analysis.workspace.types:

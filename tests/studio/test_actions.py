@@ -12,6 +12,7 @@ from plastron_tui.studio.actions import ACTIONS, BY_ID
 from plastron_tui.studio.config import config_file
 from plastron_tui.studio.editor.commands import BY_NAME
 from plastron_tui.studio.main.screen import MainScreen
+from plastron_tui.studio.panels.registry import PANELS
 
 
 def test_every_action_is_one_of_the_screen_the_app_or_the_editor() -> None:
@@ -140,7 +141,7 @@ async def test_panels_are_hidden_enlarged_and_left(program: Path) -> None:
 async def test_f7_goes_through_all_panels(program: Path, size: tuple[int, int]) -> None:
     async with studio(program, size) as driver:
         seen = set()
-        for _ in range(10):
+        for _ in range(len(PANELS) + 1):
             await driver.press("f7")
             focused = driver.main.focused
             assert focused is not None

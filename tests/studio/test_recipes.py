@@ -25,6 +25,9 @@ NEEDED = {
     "Emergency stop": "emergency_stop",
     "Drive with a joystick": "joystick",
     "Drive at a set speed": "speed",
+    "Rover": "rover",
+    "Arm": "arm",
+    "Sensor mast": "mast",
     "Change a ROS 1 node": "change_node",
     "Change a ROS 2 node": "change_node_ros2",
 }

@@ -2,7 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
+from typing import TYPE_CHECKING, TypeAlias
+
+if TYPE_CHECKING:
+    from plastron_tui.language.expectations import Expectation
+
+    from .vocabulary import Vocabulary
 
 
 @dataclass(frozen=True, slots=True)
@@ -16,3 +23,7 @@ class Candidate:
     text: str
     detail: str = ""
     after: str = ""
+
+
+Offer: TypeAlias = "Callable[[Expectation, Vocabulary], Iterator[Candidate]]"
+"""Yields what may fill a slot at a place."""

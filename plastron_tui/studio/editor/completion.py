@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from itertools import islice
 from pathlib import PurePath
 from typing import TYPE_CHECKING
@@ -19,6 +19,8 @@ from plastron_tui.ros.qos_words import offered_words
 from plastron_tui.session import Session
 from plastron_tui.targets import LIBRARIES, languages, ros_version
 
+from ..folder_files import found_files, path_text
+from ..robot_words import ROBOT_SUFFIXES
 from .candidate import Candidate
 from .packaging_completion import OFFERS
 from .value_completion import conditions, default_values, rates, resolver, values
@@ -94,9 +96,26 @@ def _offered(
     slot = expected.slot
     if slot is not None:
         yield from _of_slot(slot.kind, expected, vocabulary, session)
-    for word in expected.keywords:
+    for word in _fitting_first(expected, vocabulary, session):
         declaration = BY_KEYWORD.get(word)
         yield Candidate(word, declaration.summary if declaration is not None else "")
+
+
+def _fitting_first(
+    expected: Expectation, vocabulary: Vocabulary, session: Session
+) -> Sequence[str]:
+    """Return the words of the language, behind a variable those first that go with it."""
+    text, start = session.document.text, expected.span.start
+    before = text[text.rfind(b"\n", 0, start) + 1 : start].strip()
+    kind = vocabulary.kind_of(before.decode("utf-8", "replace")) if before else None
+    if kind is None or expected.declaration is not None:
+        return expected.keywords
+    return sorted(expected.keywords, key=lambda word: not _is_about(word, kind))
+
+
+def _is_about(word: str, kind: SlotKind) -> bool:
+    declaration = BY_KEYWORD.get(word)
+    return declaration is not None and declaration.slots[0].kind is kind
 
 
 def _of_slot(
@@ -145,6 +164,10 @@ def _of_slot(
             yield from (Candidate(each.name, _library(each)) for each in LIBRARIES.values())
         case SlotKind.FILE:
             yield from _files(session)
+        case SlotKind.ROBOT_FILE:
+            folder = session.folder
+            found = found_files(ROBOT_SUFFIXES, folder, levels=1)
+            yield from (Candidate(f"'{path_text(path, folder)}'") for path in found)
         case SlotKind.INPUT | SlotKind.ANSWER:
             yield from values(expected, vocabulary, _catalog(expected, vocabulary, session))
         case SlotKind.CONDITION:

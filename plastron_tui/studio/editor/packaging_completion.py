@@ -1,13 +1,14 @@
-"""What completion offers for types, packages and launch files."""
+"""What completion offers for types, packages, launch files and robots."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Iterator, Mapping
 
 from plastron_tui.language import SlotKind
 from plastron_tui.language.expectations import Expectation
 
-from .candidate import Candidate
+from .candidate import Candidate, Offer
+from .robot_completion import OFFERS as ROBOT_OFFERS
 from .vocabulary import Vocabulary
 
 _FIELDS = (
@@ -24,15 +25,13 @@ _FIELDS = (
 _LICENSES = ("Apache-2.0", "BSD-3-Clause", "MIT", "GPL-3.0-only", "LGPL-3.0-only", "MPL-2.0")
 _SECTIONS = ("request", "response", "goal", "result", "feedback")
 
-Offer = Callable[[Expectation, Vocabulary], Iterator[Candidate]]
-
 
 def _known(found: Mapping[str, str]) -> Iterator[Candidate]:
     yield from (Candidate(name, about) for name, about in found.items())
 
 
 def _items(expected: Expectation, vocabulary: Vocabulary) -> Iterator[Candidate]:
-    yield from _known({**vocabulary.nodes, **vocabulary.launches})
+    yield from _known({**vocabulary.nodes, **vocabulary.launches, **vocabulary.robots})
 
 
 def _fields(expected: Expectation, vocabulary: Vocabulary) -> Iterator[Candidate]:
@@ -64,5 +63,6 @@ OFFERS: Mapping[SlotKind, Offer] = {
     SlotKind.FIELDS: _fields,
     SlotKind.LICENSE: lambda *_: (Candidate(f'"{name}"') for name in _LICENSES),
     SlotKind.SECTION: lambda *_: (Candidate(name) for name in _SECTIONS),
+    **ROBOT_OFFERS,
 }
 """What may fill each kind of slot."""

@@ -6,13 +6,14 @@ from collections.abc import Iterable, Mapping
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
-from plastron_tui.language import Program
+from plastron_tui.language import Program, SlotKind
 from plastron_tui.language import statements as st
 from plastron_tui.model.kinds import EDITABLE, EndpointKind, Parameter, Subscription
 from plastron_tui.model.own_types import interfaces_of
 from plastron_tui.model.rename import RENAMED
 from plastron_tui.ros.interfaces import InterfaceKind, InterfaceName
 from plastron_tui.ros.names import spelled
+from plastron_tui.ros.robots.description import Description
 
 if TYPE_CHECKING:
     from plastron_tui.model.workspace import Workspace
@@ -22,6 +23,12 @@ _MADE: dict[Any, EndpointKind] = {
     kind.editing.made_by: kind for kind in EDITABLE if kind.facts.interface is not None
 }
 """The statements that name what nodes meet at, and its type."""
+
+_KINDS = (
+    *(SlotKind.NODE, SlotKind.MESSAGE, SlotKind.PACKAGE, SlotKind.LAUNCH, SlotKind.ROBOT),
+    SlotKind.OWN_TYPE,
+)
+"""The kinds of slots that variables fill, as `Vocabulary.variables` has them."""
 
 _PACKAGE = "own_interfaces"
 """The package of own types where the program has none: they are offered without it."""
@@ -54,9 +61,10 @@ class Vocabulary:
 
     @cached_property
     def _made(self) -> Mapping[str, dict[str, str]]:
-        """The packages, the launch files and the types, and what each is."""
+        """The packages, the launch files, the robots and the types, and what each is."""
         packages: dict[str, str] = {}
         launches: dict[str, str] = {}
+        robots: dict[str, str] = {}
         types: dict[str, str] = {}
         for statement in self._program.statements:
             match statement:
@@ -68,6 +76,10 @@ class Vocabulary:
                     launches[variable] = f"launch file '{name}'"
                 case st.LoadLaunch(source=source, variable=variable):
                     launches[variable] = f"launch file {source}"
+                case st.CreateRobot(name=name, variable=variable):
+                    robots[variable] = f"robot '{name}'"
+                case st.LoadRobot(source=source, variable=variable):
+                    robots[variable] = f"robot from {source}"
                 case st.CreateMessageType(type=type_):
                     types[type_] = "message of your own"
                 case st.CreateServiceType(type=type_):
@@ -76,7 +88,7 @@ class Vocabulary:
                     types[type_] = "action of your own"
                 case st.LoadType(source=source, variable=variable):
                     types[variable] = f"type from {source}"
-        return {"packages": packages, "launches": launches, "types": types}
+        return {"packages": packages, "launches": launches, "robots": robots, "types": types}
 
     def with_own_types(self, catalog: Catalog) -> Catalog:
         """Return a catalog with the types of the program's own, as it was last understood."""
@@ -94,7 +106,14 @@ class Vocabulary:
     @property
     def variables(self) -> Iterable[dict[str, str]]:
         """All variables, by what they stand for."""
-        return self.nodes, self.messages, self.packages, self.launches, self.types
+        return self.nodes, self.messages, self.packages, self.launches, self.robots, self.types
+
+    def kind_of(self, variable: str) -> SlotKind | None:
+        """Return the kind of slot that a variable fills, None for one that is not known."""
+        found = (
+            kind for kind, each in zip(_KINDS, self.variables, strict=True) if variable in each
+        )
+        return next(found, None)
 
     @property
     def packages(self) -> dict[str, str]:
@@ -110,6 +129,21 @@ class Vocabulary:
     def types(self) -> dict[str, str]:
         """The names of the types of the program's own, and what each is."""
         return self._made["types"]
+
+    @property
+    def robots(self) -> dict[str, str]:
+        """The variables of robots, and what each is."""
+        return self._made["robots"]
+
+    def robot(self, variable: str) -> Description:
+        """Return what a robot consists of, as it was last understood."""
+        found = self._workspace.robots.get(variable)
+        return Description("") if found is None else found.shown
+
+    def made_parts(self, variable: str) -> frozenset[str]:
+        """Return the links and joints of a robot that the program speaks of."""
+        found = self._workspace.robots.get(variable)
+        return frozenset() if found is None else frozenset({*found.links, *found.joints})
 
     def contents(self, package: str) -> Mapping[str, str]:
         """Return what a package contains, as statements name it, and what one starts it by."""

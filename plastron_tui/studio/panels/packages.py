@@ -111,11 +111,12 @@ def _package(
     )
     for item, contained in package.contents.items():
         is_node = item in workspace.nodes
+        kind = Subject.ROBOT if item in workspace.robots else Subject.LAUNCH
         yield Entry(
             f"contained {variable} {item}",
             contained.name,
             "" if contained.name == item else item,
-            *SIGNS[Subject.NODE if is_node else Subject.LAUNCH],
+            *SIGNS[Subject.NODE if is_node else kind],
             depth=1,
             span=contained.span,
             node=item if is_node else None,

@@ -15,6 +15,8 @@ from .source_lines import coloured, diff_lines, difference
 from .styles import Lines
 
 if TYPE_CHECKING:
+    from plastron_tui.model.robots import Robot
+
     from ..analysis import Analysis
 
 
@@ -80,8 +82,24 @@ def _written(analysis: Analysis, variable: str) -> Iterator[Preview]:
     files = [file for file in plan.files if is_meant(PurePosixPath(file.name))]
     for file in files:
         yield _preview(file, file.state, _disk_diff(file), problems)
-    if not files:
+    robot = analysis.workspace.robots.get(variable)
+    if not files and robot is not None:
+        yield _robot(robot)
+    elif not files:
         yield Preview(f"{variable}: nothing is written yet", None, None, (), None, problems)
+
+
+def _robot(robot: Robot) -> Preview:
+    """Return what the file of a robot would hold."""
+    from plastron_tui.generating.robot_files import robot_text
+
+    made = robot_text(robot)
+    source, path = robot.source, Path(made.name)
+    if made.text is None:
+        return Preview(made.name, None, None, (), None, made.diagnostics)
+    diff = None if source is None else difference(source.text, made.text)
+    lines = coloured(made.text.decode("utf-8", "replace"), path)
+    return Preview(made.name, path, None, lines, diff or None, made.diagnostics, len(made.text))
 
 
 def _plan(analysis: Analysis) -> tuple[FilePlan, tuple[Diagnostic, ...]]:
@@ -120,8 +138,7 @@ def _meant(workspace: Workspace, variable: str) -> Callable[[PurePosixPath], boo
         return lambda path: path.name.partition(".")[0] in (launch.name, f"{launch.name}_launch")
     robot = workspace.robots.get(variable)
     if robot is not None:
-        source = robot.source
-        name = f"{robot.name}.urdf" if source is None else source.path.name
+        name = f"{robot.stem}.urdf" if robot.source is None else robot.source.path.name
         return lambda path: path.name == name
     if variable in workspace.types:
         name = variable.rpartition("/")[2]

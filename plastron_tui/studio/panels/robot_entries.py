@@ -96,7 +96,7 @@ class _Tree:
 
     def __init__(self, robot: Robot, faults: _Faults) -> None:
         self._robot = robot
-        self._description = robot.description
+        self._description = robot.shown
         self._faults = faults
 
     def entries(self, is_written: bool) -> Iterator[Entry]:
@@ -192,7 +192,7 @@ def _without_effect(robot: Robot, program: Program, faults: _Faults) -> Iterator
             continue
         is_link = isinstance(statement, HasLink)
         name = statement.link if isinstance(statement, HasLink) else statement.joint
-        there = robot.description.links if is_link else robot.description.joints
+        there = robot.shown.links if is_link else robot.shown.joints
         fault = faults.within(statement.span)
         if name in there or fault is None:
             continue

@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING, ClassVar, NamedTuple
 
-from textual import events
+from textual import events, on
 from textual.app import ComposeResult
+from textual.binding import Binding, BindingType
 from textual.containers import Container
 
-from .entry import Entries
+from .entry import Entries, Subject
+from .entry_keys import Lit
 from .panel import Panel, Resized
 from .program_panel import ProgramPanel
 from .styles import Lines
@@ -29,12 +31,26 @@ _NARROW = 24
 """With fewer columns there is none beside it."""
 
 
+_VIEWS = {"": "all views", "top": "from above", "side": "from its right", "front": "from its front"}
+"""What can be shown: all of it as far as there is room, or one view."""
+
+
 class Looks(NamedTuple):
-    """A picture that is wanted: of which robot, and for how many columns and rows."""
+    """A picture that is wanted.
+
+    Attributes:
+        robot: the variable of the robot.
+        columns: how wide the picture is to be.
+        rows: how high it is to be, 0 for no picture.
+        view: the view that is wanted alone, "" for as many as there is room for.
+        marked: the link or the joint that stands out, "" for none.
+    """
 
     robot: str | None
     columns: int
     rows: int
+    view: str = ""
+    marked: str = ""
 
 
 class Shown(NamedTuple):
@@ -47,11 +63,19 @@ class Shown(NamedTuple):
 class RobotPanel(Container):
     """A tree, and a picture that is as large as fits."""
 
+    BINDINGS: ClassVar[list[BindingType]] = [
+        Binding("v", "view", "View", id="robots.view",
+                tooltip="See it from above, from its right, from its front, or from all of them"),
+    ]  # fmt: skip
+
     def __init__(self, *, id: str | None = None) -> None:  # noqa: A002 - Textual's word
         super().__init__(id=id)
         self._robot: str | None = None
+        self._is_awaited = False
         self.parts = ProgramPanel(id="robot-tree")
         self.picture = TextView(id="robot-picture")
+        self.picture.can_focus = False
+        self._view = ""
 
     def compose(self) -> ComposeResult:
         """Make the tree and the picture."""
@@ -60,8 +84,15 @@ class RobotPanel(Container):
 
     def focus(self, scroll_visible: bool = True) -> Self:
         """Give the tree the focus."""
-        self.parts.focus(scroll_visible)
+        self._is_awaited = not self.parts.is_attached
+        if not self._is_awaited:
+            self.parts.focus(scroll_visible)
         return self
+
+    def on_mount(self) -> None:
+        """Give the tree the focus that somebody wanted for it before it was there."""
+        if self._is_awaited:
+            self.focus()
 
     @property
     def _room(self) -> tuple[int, int]:
@@ -95,7 +126,14 @@ class RobotPanel(Container):
         robots = analysis.workspace.robots
         last = self._robot if self._robot in robots else next(iter(robots), None)
         self._robot = analysis.robot_at(offset) or last
-        return Looks(self._robot, *self._room)
+        columns, rows = self._room
+        return Looks(self._robot, columns, rows, self._view, self._marked(offset) if rows else "")
+
+    def _marked(self, offset: int) -> str:
+        """Return the part that stands out: the one at the cursor, in the tree or in the text."""
+        entry = self.parts.current if self.parts.has_focus else self.parts.entries.at(offset)
+        is_part = entry is not None and entry.subject in (Subject.LINK, Subject.JOINT)
+        return entry.text if entry is not None and is_part and entry.robot == self._robot else ""
 
     def show(self, content: Shown | None) -> None:
         """Show the robots; None for none."""
@@ -103,11 +141,29 @@ class RobotPanel(Container):
         had = len(self.parts.entries.all)
         self.parts.show(entries)
         self.picture.show(picture)
+        if self.has_focus_within:
+            self.refresh_bindings()
         if had != len(entries.all) and self.size:
             before = self._room
             self._lay_out()
             if before != self._room:
                 self.post_message(Resized())
+
+    @on(Lit)
+    def lit(self) -> None:
+        """Let the part that the tree's cursor is on stand out."""
+        self.post_message(Resized())
+
+    def check_action(self, action: str, parameters: tuple[object, ...]) -> bool | None:
+        """Offer other views of what is shown."""
+        return action != "view" or bool(self.picture.display and self.picture.lines)
+
+    def action_view(self) -> None:
+        """See it from another side."""
+        names = list(_VIEWS)
+        self._view = names[(names.index(self._view) + 1) % len(names)]
+        self.notify(_VIEWS[self._view], timeout=2)
+        self.post_message(Resized())
 
     def follow(self, offset: int) -> None:
         """Light the part that the statement at an offset is about."""
@@ -115,6 +171,8 @@ class RobotPanel(Container):
 
 
 def _made(analysis: Analysis, looks: Looks) -> Shown:
+    from plastron_tui.output.graphs.robots.solids import no_bounds
+
     from .robot_entries import robot_entries
     from .robot_picture import picture_of
 
@@ -122,7 +180,15 @@ def _made(analysis: Analysis, looks: Looks) -> Shown:
     robot = analysis.workspace.robots.get(looks.robot or "")
     if robot is None or not looks.rows:
         return Shown(entries, ())
-    return Shown(entries, picture_of(robot.description, looks.columns, looks.rows))
+    picture = picture_of(
+        robot.shown,
+        looks.columns,
+        looks.rows,
+        view=looks.view,
+        marked=looks.marked,
+        mesh_bounds=no_bounds,
+    )
+    return Shown(entries, picture)
 
 
 ROBOTS = Panel(

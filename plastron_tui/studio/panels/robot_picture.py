@@ -2,11 +2,66 @@
 
 from __future__ import annotations
 
+from plastron_tui.output.graphs.robots.runs import Run, RunLines
+from plastron_tui.output.graphs.robots.scales import seen_from_all
+from plastron_tui.output.graphs.robots.solids import MeshBounds, scene_of
+from plastron_tui.output.graphs.robots.text_views import draw_view, draw_views
 from plastron_tui.ros.robots.description import Description
 
-from .styles import Lines
+from .styles import Lines, Piece
+
+_ALL_COLUMNS, _ALL_ROWS = 46, 17
+"""From this size on there is room for all views."""
+
+_CORNERS = 12
+"""Of a circle that is seen at an angle: more are not told apart."""
+
+_TONES = {
+    "title": "strong",
+    "link": "primary",
+    "joint": "success",
+    "quiet": "quiet",
+    "axis": "accent",
+    "marked": "warning",
+}
+"""The tones of what is written into a picture."""
 
 
-def picture_of(robot: Description, columns: int, rows: int) -> Lines:
-    """Return a robot as it looks, in so many columns and rows."""
-    return ()
+def picture_of(
+    robot: Description,
+    columns: int,
+    rows: int,
+    *,
+    view: str = "",
+    marked: str = "",
+    mesh_bounds: MeshBounds,
+) -> Lines:
+    """Return a robot as it looks, in so many columns and rows.
+
+    Args:
+        robot: the robot.
+        columns: how wide the picture is.
+        rows: how high it is.
+        view: the side that it is seen from: `top`, `side` or `front`; "" for all of them, or the
+            one that shows most where there is no room for all.
+        marked: the link or joint that stands out, "" for none.
+        mesh_bounds: tells how large meshes are.
+    """
+    scene = scene_of(robot, mesh_bounds)
+    sides = seen_from_all(scene, _CORNERS)
+    found = next((side for side in sides if side.view.key == view), None)
+    if found is None and columns >= _ALL_COLUMNS and rows >= _ALL_ROWS:
+        return _lines(draw_views(scene, sides, columns, rows, marked, ascii_only=False))
+    most = max(sides, key=lambda side: side.frame.width * side.frame.height)
+    return _lines(draw_view(scene, found or most, columns, rows, marked, ascii_only=False))
+
+
+def _lines(drawn: RunLines) -> Lines:
+    return tuple(tuple(Piece(run.text, _tone(run)) for run in line) for line in drawn)
+
+
+def _tone(run: Run) -> str:
+    """Return the tone of a run: the colours that it has, or what its role has."""
+    if not (run.color or run.behind):
+        return _TONES.get(run.role, "")
+    return f"{run.color} on {run.behind}" if run.behind else run.color

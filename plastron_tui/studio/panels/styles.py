@@ -22,7 +22,7 @@ TONES = (
 )
 """The tones; `studio.tcss` gives each its colour, as the component `tone--NAME`.
 
-What has a colour of its own says it in the place of a tone, as `#3060ff`.
+What has a colour of its own says it in the place of a tone, as `#3060ff` or `#3060ff on #ffffff`.
 """
 
 _SAME = {
@@ -55,8 +55,9 @@ def tone_style(widget: Widget, tone: str, prefix: str = "tone") -> Style:
     """
     if not tone:
         return Style.null()
-    if tone.startswith("#"):
-        return Style(color=tone)
+    if "#" in tone:
+        letters, _, cells = tone.partition(" on ")
+        return Style(color=letters or None, bgcolor=cells or None)
     if prefix == "tone":
         tone = _SAME.get(tone, tone)
     styles = widget.get_component_styles(f"{prefix}--{tone}")

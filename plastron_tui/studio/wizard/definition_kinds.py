@@ -11,11 +11,11 @@ from plastron_tui.model.own_types import OwnType
 from plastron_tui.ros.interfaces import Constant, Field, Interface, InterfaceKind, InterfaceName
 from plastron_tui.ros.primitives import PRIMITIVES, other_word, primitive
 
+from ..folder_files import found_files, path_text
 from .ask import Ask, Choice
 from .context import free_name
 from .form import Cell
 from .kind import OF_THE_LIST, Kind
-from .node_files import found_files, path_text
 
 EXAMPLES = {
     "fields": "float64 value",

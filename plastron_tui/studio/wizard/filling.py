@@ -71,14 +71,27 @@ class Filled:
     def written(self) -> list[Placed]:
         """The statements in the order of the program."""
         before = [each for maker in self.makers for each in maker.written]
-        node, robot = self._text(SlotKind.NODE, SlotKind.NEW_NODE), self._text(SlotKind.ROBOT)
+        node = self._text(SlotKind.NODE, SlotKind.NEW_NODE)
         paths = {
             slot.name: tuple(row_path(slot, number) for number in filled_rows(rows))
             for slot in self.form.declaration.slots
             if (rows := self.rows.get(slot.name)) is not None
         }
         paths.update((name, used_paths(each)) for name, each in self.parts.items())
-        return [*before, Placed(self.form, self.text, tuple(self.used), node, paths, robot)]
+        return [
+            *before,
+            Placed(self.form, self.text, tuple(self.used), node, paths, self._text(SlotKind.ROBOT)),
+        ]
+
+    @property
+    def robot(self) -> str | None:
+        """The variable of the robot that the statement is about, None where it is about none."""
+        return self._text(SlotKind.ROBOT, SlotKind.NEW_ROBOT) or None
+
+    @property
+    def part(self) -> str:
+        """The link or the joint that the statement is about, "" where it is about none."""
+        return self._text(SlotKind.JOINT) or self._text(SlotKind.LINK)
 
     def _text(self, *kinds: SlotKind) -> str:
         slot = self.form.slot_of(*kinds)

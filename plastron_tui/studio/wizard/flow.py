@@ -62,6 +62,8 @@ class Look:
         outcome: the program with their statements; None where nothing is asked for yet.
         problems: what is wrong, what the slots know first.
         node: the variable of the node that it is about.
+        robot: the variable of the robot that it is about.
+        part: the link or the joint that it is about.
         can_generate: whether the node could be generated along with it.
         extras: what else can follow.
     """
@@ -72,6 +74,8 @@ class Look:
     node: str | None = None
     can_generate: bool = False
     extras: tuple[Extra, ...] = ()
+    robot: str | None = None
+    part: str = ""
 
     def of(self, form: Form) -> Filled | None:
         """Return a form as it is filled."""
@@ -291,7 +295,8 @@ class Course:
             if (each.form, each.slot, each.path) not in places
             and not (broken and (each.form in broken or each.form is None))
         ]
-        return Look(tuple(filled), outcome, (*known, *more), node, can, tuple(extras))
+        robot, part = filled[-1].robot, filled[-1].part
+        return Look(tuple(filled), outcome, (*known, *more), node, can, tuple(extras), robot, part)
 
     def _can_generate(self, placed: list[Placed], node: str | None, plain: Outcome) -> bool:
         if node is None:

@@ -35,8 +35,9 @@ def _of_package(scene: Scene, package: str) -> Iterator[Extra]:
     held = {name for each in workspace.packages.values() for name in each.contents}
     nodes = [name for name in workspace.nodes if name not in held]
     launches = [name for name in workspace.launches if name not in held]
-    if nodes or launches:
-        names = [*nodes, *launches]
+    robots = [name for name in workspace.robots if name not in held]
+    names = [*nodes, *launches, *robots]
+    if names:
         lines = [_line(st.Contains, package=package, item=name) for name in names]
         yield Extra("contents", f"put in {_said(names)}", tuple(lines))
     if nodes and not launches:
@@ -48,7 +49,7 @@ def _of_package(scene: Scene, package: str) -> Iterator[Extra]:
             _line(st.Contains, package=package, item=variable),
         ]
         yield Extra("launch", "with a launch file that starts them", tuple(lines))
-    if nodes or launches:
+    if names:
         line = _line(st.GeneratePackage, package=package)
         yield Extra("write", "write it to its folder", (line,))
 

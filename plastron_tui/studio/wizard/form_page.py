@@ -23,6 +23,7 @@ from .ask import Choice
 from .definition_rows import field_slots, row_path
 from .filling import Filled
 from .form import NEW, Form
+from .goals import told
 from .libraries import ros_of
 from .program_trial import Finding
 from .rows import Entered, Reached, Row
@@ -105,7 +106,7 @@ class FormPage(Vertical):
 
     def compose(self) -> ComposeResult:
         """Make the parts; the rows come with what is known of them."""
-        yield Label(self.form.declaration.about, id="wizard-about", markup=False)
+        yield Label(told(self.form.declaration), id="wizard-about", markup=False)
         yield Rows(id="wizard-rows", can_focus=False)
         yield Label("", id="wizard-help", markup=False)
         choices = OptionList(id="wizard-choices", compact=True, markup=False)

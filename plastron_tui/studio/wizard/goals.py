@@ -67,7 +67,7 @@ GROUPS = {
     Aim.ROBOT: Group(
         "describe a robot",
         "robot description (URDF)",
-        "What it is made of and how its parts move: for pictures, simulation and planning.",
+        "What it is made of, and how its parts move.",
         "What about robots?",
     ),
 }
@@ -99,6 +99,11 @@ def aim_of(declaration: Declaration) -> Aim:
     if SlotKind.NEW_MESSAGE in kinds:
         return Aim.MESSAGE
     return Aim.MORE
+
+
+def told(declaration: Declaration) -> str:
+    """Return what a statement is in one sentence; its help has the rest."""
+    return declaration.about.partition(". ")[0].removesuffix(".") + "."
 
 
 def declarations_of(aim: Aim) -> list[Declaration]:

@@ -7,10 +7,10 @@ from plastron_tui.language import statements as st
 from plastron_tui.model.launches import Launch
 from plastron_tui.ros.launch_names import launch_language
 
+from ..folder_files import found_files, path_text
 from .ask import Ask, Choice
 from .context import free_name
 from .kind import OF_THE_LIST, Kind
-from .node_files import found_files, path_text
 from .trials import first_that_works
 
 _SUFFIXES = frozenset({".launch", ".xml", ".py", ".yaml", ".yml"})

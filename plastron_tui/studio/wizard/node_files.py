@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-import os
-from collections.abc import Callable, Container, Iterator
+from collections.abc import Iterator
 from contextlib import suppress
 from itertools import islice
 from pathlib import Path
@@ -17,16 +16,10 @@ from plastron_tui.regular_files import read_regular
 from plastron_tui.sources.base import Language
 from plastron_tui.targets import languages
 
+from ..folder_files import MOST_ENTRIES, MOST_FILES, files_of, path_text
 from .ask import Ask, Choice
 from .form import Cell
 from .kind import OF_THE_LIST, Kind
-
-MOST_FILES = 60
-"""The most files that are listed."""
-
-_MOST_ENTRIES = 3000
-_DEEPEST = 3
-_LEFT_OUT = frozenset({"node_modules", "__pycache__", "build", "install", "log", "venv"})
 
 
 class FileKind(Kind):
@@ -119,14 +112,6 @@ def _labels(source: SourceUnit) -> list[str]:
     return list(dict.fromkeys(node.label for node in source.nodes if node.label))
 
 
-def path_text(path: Path, folder: Path) -> str:
-    """Return a path as a program in a folder has it."""
-    try:
-        return path.relative_to(folder).as_posix()
-    except ValueError:
-        return os.path.relpath(path, folder)
-
-
 def _node_files(folder: Path) -> Iterator[tuple[Path, str]]:
     """Yield the files below a folder that name a client library, with its name.
 
@@ -146,14 +131,6 @@ def _rank(path: Path, language: Language) -> int:
     return language.suffixes.index(path.suffix) if path.suffix in language.suffixes else 0
 
 
-def found_files(
-    suffixes: Container[str], folder: Path, is_meant: Callable[[str], bool] = lambda name: True
-) -> tuple[Path, ...]:
-    """Return the files below a folder that end in one of some ways, and whose names are meant."""
-    found = (path for path in files_of(suffixes, folder) if is_meant(path.name))
-    return tuple(islice(found, MOST_FILES))
-
-
 class _Marked(NamedTuple):
     """A file that names a client library."""
 
@@ -165,32 +142,9 @@ class _Marked(NamedTuple):
 
 def _marked(folder: Path) -> Iterator[_Marked]:
     known = {suffix: each for each in languages() for suffix in each.suffixes}
-    for path in islice(files_of(frozenset(known), folder), _MOST_ENTRIES):
+    for path in islice(files_of(frozenset(known), folder), MOST_ENTRIES):
         with suppress(OSError):
             language, text = known[path.suffix], read_regular(path, LARGEST_FILE)
             library = language.mentioned_library(text)
             if library is not None:
                 yield _Marked(path, language, text, library)
-
-
-def files_of(suffixes: Container[str], folder: Path, depth: int = 0) -> Iterator[Path]:
-    """Yield the files below a folder that end in one of some ways; what is built is left out.
-
-    So is what is hidden, and what links lead to.
-    """
-    try:
-        entries = sorted(islice(os.scandir(folder), _MOST_ENTRIES), key=lambda each: each.name)
-    except OSError:
-        return
-    folders = []
-    for entry in entries:
-        if entry.name.startswith(".") or entry.name in _LEFT_OUT:
-            continue
-        with suppress(OSError):
-            if entry.is_dir(follow_symlinks=False):
-                folders.append(Path(entry.path))
-            elif os.path.splitext(entry.name)[1] in suffixes and entry.is_file():  # noqa: PTH122
-                yield Path(entry.path)
-    if depth < _DEEPEST:
-        for inner in folders:
-            yield from files_of(suffixes, inner, depth + 1)

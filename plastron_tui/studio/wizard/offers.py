@@ -10,7 +10,7 @@ from .context import Scene
 from .filling import Filled, Filler
 from .followers import chosen, extras_of
 from .form import Form
-from .goals import GROUPS, Aim, declarations_of
+from .goals import GROUPS, Aim, declarations_of, told
 from .menu import RECIPES, Offer
 from .program_trial import Finding, check
 
@@ -68,7 +68,7 @@ class Offering:
     def _offer(
         self, declaration: Declaration, scene: Scene | None, filled: list[Filled] | None = None
     ) -> Offer:
-        title, term, about = declaration.purpose, declaration.ros_term, declaration.about
+        title, term, about = declaration.purpose, declaration.ros_term, told(declaration)
         if scene is None:
             closed = self._closed(declaration, self.scene, [])
             # A file's path can be written where none was found.

@@ -14,6 +14,26 @@ from ..panels.preview import Preview, previews_of
 from ..panels.styles import Line, Lines, Piece
 
 
+def code_of_robot(session: Session, robot: str) -> tuple[str, Lines]:
+    """Return the name and the lines of a robot's file; of a loaded one what changes in it."""
+    preview = previews_of(analyse(session, lambda: None), robot)[0]
+    if preview.problems and not preview.lines:
+        return preview.name, tuple((Piece(each.message, "warning"),) for each in preview.problems)
+    if preview.diff:
+        return f"{preview.name}: what changes", preview.diff
+    return preview.name, preview.lines
+
+
+def look_of_robot(session: Session, robot: str, part: str, width: int, height: int) -> Lines:
+    """Return how a robot looks, as large as fits; one part of it stands out."""
+    from plastron_tui.output.graphs.robots.solids import no_bounds
+
+    from ..panels.robot_picture import picture_of
+
+    shown = session.workspace.robots[robot].shown
+    return picture_of(shown, width, height, marked=part, mesh_bounds=no_bounds)
+
+
 def code_of(session: Session, node: str | None) -> tuple[str, Lines]:
     """Return the name and the lines of the file that a node becomes."""
     workspace = session.workspace

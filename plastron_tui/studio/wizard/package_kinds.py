@@ -8,10 +8,10 @@ from plastron_tui.language import SlotKind
 from plastron_tui.model.packages import Package
 from plastron_tui.ros.names import mended_node_name
 
+from ..folder_files import found_files, path_text
 from .ask import Ask, Choice
 from .context import free_name
 from .kind import OF_THE_LIST, Kind
-from .node_files import found_files, path_text
 from .parameter_kinds import TextKind
 from .trials import closed_by, first_that_works
 
@@ -116,7 +116,7 @@ class LicenseKind(TextKind):
 
 
 class ItemKind(Kind):
-    """A node or a launch file that a package is to contain."""
+    """A node, a launch file or a robot that a package is to contain."""
 
     def suggest(self, ask: Ask) -> str:
         """Return the first that no package contains."""
@@ -124,27 +124,29 @@ class ItemKind(Kind):
         return first_that_works(ask, names) or next(iter(names), "")
 
     def choices(self, ask: Ask, query: str) -> list[Choice]:
-        """Return the nodes and the launch files, and close those that have a place."""
+        """Return the nodes, launch files and robots, and close those that have a place."""
         names = _items(ask)
         reasons = closed_by(ask, names)
-        nodes = ask.scene.workspace.nodes
+        workspace = ask.scene.workspace
         return [
-            Choice(name, "a node" if name in nodes else "a launch file",
-                   closed=reasons.get(name, ""))
+            Choice(name, f"a {what[0]}", closed=reasons.get(name, ""))
             for name in names
-        ]  # fmt: skip
+            if (what := workspace.what(name)) is not None
+        ]
 
     def problem(self, ask: Ask, text: str) -> str | None:
         """Tell why a text cannot stand there."""
         if not _items(ask):
             return "there is no node yet: make one first"
-        return None if text in _items(ask) else f"no node or launch file: {OF_THE_LIST}"
+        if text in _items(ask):
+            return None
+        return f"no node, launch file or robot: {OF_THE_LIST}"
 
 
 def _items(ask: Ask) -> list[str]:
     workspace = ask.scene.workspace
     held = {name for each in workspace.packages.values() for name in each.contents}
-    names = [*workspace.nodes, *workspace.launches]
+    names = [*workspace.nodes, *workspace.launches, *workspace.robots]
     return sorted(names, key=lambda name: name in held)
 
 

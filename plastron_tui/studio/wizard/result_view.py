@@ -14,20 +14,32 @@ from plastron_tui.session import Session
 from ..panels.styles import Lines
 from ..panels.text_view import TextView
 from .flow import Look
-from .outcome import arrows_of, changed_rows, code_of, drawing_of
+from .outcome import (
+    arrows_of,
+    changed_rows,
+    code_of,
+    code_of_robot,
+    drawing_of,
+    look_of_robot,
+)
 
 WIDE = 116
 """From so many columns of the screen on, the graph is a picture."""
 
 
+_GRAPH, _LOOKS = "Who sends what to whom", "How it looks"
+_LEAST_ROWS = 6
+"""The least rows of a robot's picture."""
+
+
 class ResultView(Vertical):
-    """Shows what comes of the statements; what changed scrolls into view."""
+    """Shows what comes of the statements, a robot too; what changed scrolls into view."""
 
     _code: Lines = ()
 
     def compose(self) -> ComposeResult:
         """Make the graph, and the code below it."""
-        yield Label("Who sends what to whom", classes="wizard-caption", markup=False)
+        yield Label(_GRAPH, id="wizard-seen", classes="wizard-caption", markup=False)
         yield TextView(id="wizard-graph")
         yield Label("", id="wizard-file", classes="wizard-caption", markup=False)
         yield TextView(id="wizard-code")
@@ -53,8 +65,13 @@ class ResultView(Vertical):
             return
         is_wide = self.app.size.width >= WIDE
         room = self.size.width - 3, self.size.height // 3
+        robot = look.robot if look.robot in outcome.session.workspace.robots else None
 
         def find() -> tuple[str, Lines, Lines]:
+            if robot is not None:
+                rows = max(room[1], _LEAST_ROWS)
+                seen = look_of_robot(outcome.session, robot, look.part, room[0], rows)
+                return *code_of_robot(outcome.session, robot), seen
             name, lines = code_of(outcome.session, look.node)
             if is_wide:
                 return name, lines, drawing_of(session, outcome.session, *room)
@@ -63,6 +80,7 @@ class ResultView(Vertical):
         async with lock:
             name, lines, graph = await asyncio.to_thread(find)
         if is_due() and self.is_attached:
+            self.query_one("#wizard-seen", Label).update(_GRAPH if robot is None else _LOOKS)
             self.query_one("#wizard-graph", TextView).show(graph)
             self.query_one("#wizard-file", Label).update(name or "The file of the node")
             self._show_code(lines)

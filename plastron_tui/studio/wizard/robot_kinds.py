@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator, Mapping
+from collections.abc import Collection, Iterator
 from typing import TYPE_CHECKING
 
 from plastron_tui.language import SlotKind
@@ -10,29 +10,20 @@ from plastron_tui.language import statements as st
 from plastron_tui.ros.robots.description import Description, Joint, JointType
 from plastron_tui.ros.robots.tree import holders, roots
 
+from ..folder_files import found_files, path_text
+from ..robot_words import JOINT_TYPES, ROBOT_SUFFIXES
 from .ask import Ask, Choice
 from .context import free_name
 from .form import NEW, Cell
 from .goals import maker_of
 from .kind import OF_THE_LIST, Kind
-from .node_files import found_files, path_text
 from .trials import closed_by, first_that_works
 
 if TYPE_CHECKING:
     from plastron_tui.model.robots import Robot
 
 _NAMES = ("rover", "arm", "robot")
-_SUFFIXES = frozenset({".urdf", ".xacro"})
-_LINK_NAMES = ("base_link", "body")
-JOINT_TYPES: Mapping[str, str] = {
-    "fixed": "does not move: what is screwed on, as a sensor",
-    "revolute": "turns between two angles, as an elbow; it gets limits",
-    "continuous": "turns without end, as a wheel",
-    "prismatic": "slides between two ends, as a drawer; it gets limits",
-    "planar": "slides on a plane, as a puck; few tools take it",
-    "floating": "moves freely, as a boat; few tools take it",
-}
-"""Each joint type for somebody who knows no ROS, those that most robots have first."""
+_LINK_NAMES = ("body", "part")
 
 
 class RobotNameKind(Kind):
@@ -63,7 +54,7 @@ class RobotFileKind(Kind):
     def choices(self, ask: Ask, query: str) -> list[Choice]:
         """Return those below the program's folder."""
         folder = ask.scene.session.folder
-        found = ask.scene.surroundings.once("robots", lambda: found_files(_SUFFIXES, folder))
+        found = ask.scene.surroundings.once("robots", lambda: found_files(ROBOT_SUFFIXES, folder))
         robots = ask.scene.workspace.robots.values()
         loaded = {each.source.path for each in robots if each.source is not None}
         return [
@@ -123,7 +114,7 @@ class LinkKind(Kind):
         """Return what fits: a free name, a link that nothing holds yet, or the last one."""
         robot = description_of(ask)
         if ask.form.declaration.type is st.HasLink:
-            return _new_link_name(robot.links)
+            return new_link_name(robot.links)
         if ask.form.declaration.type is st.NoLongerHasLink:
             open_ = [each.text for each in self.choices(ask, "") if not each.closed]
             return next(reversed(open_), "")
@@ -165,12 +156,17 @@ class LinkKind(Kind):
             return None
         if not robot.links:
             return "the robot has no link yet: give it one first"
+        if not text:
+            return "a joint holds each link: take that away first, and the link goes along"
         return f"the robot has no link `{text}`: {OF_THE_LIST}"
 
 
-def _new_link_name(taken: Collection[str]) -> str:
+def new_link_name(taken: Collection[str]) -> str:
+    """Return a name for a new link: the first one is what all others hang on."""
+    if not taken:
+        return "base_link"
     free = (name for name in _LINK_NAMES if name not in taken)
-    return next(free, free_name("link", taken))
+    return next(free, free_name(_LINK_NAMES[-1], taken))
 
 
 def _child_to_be(ask: Ask) -> str:
@@ -183,7 +179,7 @@ def _child_to_be(ask: Ask) -> str:
         return maker.entered["link"]
     links = description_of(ask).links
     # What holds it is made before it, where there is nothing yet.
-    return _new_link_name(links or {_new_link_name(())})
+    return new_link_name(links or {new_link_name(())})
 
 
 def parents(robot: Description) -> list[str]:
@@ -243,6 +239,8 @@ class JointKind(Kind):
             return "the robot has no joint that moves and has no limits yet"
         if not joints:
             return "the robot has no joint yet: hold two parts together first"
+        if not text:
+            return "all joints are needed: others follow them"
         return f"the robot has no joint `{text}`: {OF_THE_LIST}"
 
 

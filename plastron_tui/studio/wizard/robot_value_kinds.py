@@ -10,10 +10,11 @@ from plastron_tui.language.sentence import quoted
 from plastron_tui.ros.robots.colors import NAMES
 from plastron_tui.ros.robots.description import JointType
 
+from ..folder_files import found_files, path_text
+from ..robot_words import AXES, SHAPES
 from .ask import Ask, Choice
 from .form import Cell
 from .kind import OF_THE_LIST, Kind
-from .node_files import found_files, path_text
 from .parameter_kinds import BoundKind
 from .part_rows import VECTOR, Part
 from .robot_kinds import description_of, joint_of
@@ -24,35 +25,16 @@ def _length(name: str, usual: str) -> Part:
     return Part(name, "m", usual, example=usual, is_needed=True)
 
 
-SHAPES: Mapping[str, tuple[str, tuple[Part, ...]]] = {
-    "box": (
-        "as a body, a shelf or a battery",
-        (_length("x", "0.4"), _length("y", "0.3"), _length("z", "0.1")),
-    ),
-    "cylinder": (
-        "as a wheel or a mast, along its z axis",
-        (_length("radius", "0.1"), _length("length", "0.05")),
-    ),
-    "sphere": ("as a caster", (_length("radius", "0.05"),)),
+_PARTS: Mapping[str, tuple[Part, ...]] = {
+    "box": (_length("x", "0.4"), _length("y", "0.3"), _length("z", "0.1")),
+    "cylinder": (_length("radius", "0.1"), _length("length", "0.05")),
+    "sphere": (_length("radius", "0.05"),),
     "mesh": (
-        "a file with its surface, of a drawing program",
-        (
-            Part("uri", "a path, or package://…", example="", is_needed=True),
-            Part("scale", "of the file's lengths", example="0.001"),
-        ),
+        Part("uri", "a path, or package://…", example="", is_needed=True),
+        Part("scale", "of the file's lengths", example="0.001"),
     ),
 }
-"""What each shape is for, and its values."""
-
-AXES: Mapping[str, str] = {
-    "0, 0, 1": "up: turns as a turntable does",
-    "0, 1, 0": "to the left: turns as a wheel does",
-    "1, 0, 0": "forward: rolls, or slides ahead",
-    "0, 0, -1": "down",
-    "0, -1, 0": "to the right",
-    "-1, 0, 0": "backward",
-}
-"""The axes that most joints have, and where they point."""
+"""The values of each shape."""
 
 _PLACE = tuple(Part(name, "m", without="0") for name in "xyz")
 _ANGLES = ("roll", "pitch", "yaw")
@@ -69,7 +51,7 @@ class ShapeKind(Kind):
 
     def choices(self, ask: Ask, query: str) -> list[Choice]:
         """Return all."""
-        return [Choice(name, about) for name, (about, _) in SHAPES.items()]
+        return [Choice(name, each.about) for name, each in SHAPES.items()]
 
     def problem(self, ask: Ask, text: str) -> str | None:
         """Tell why a text cannot stand there."""
@@ -82,7 +64,7 @@ class SizeKind(Kind):
     def parts(self, ask: Ask) -> tuple[Part, ...]:
         """Return the values of the shape."""
         shape = ask.text(SlotKind.SHAPE)
-        _, parts = SHAPES.get(shape, ("", ()))
+        parts = _PARTS.get(shape, ())
         if shape == "mesh":
             folder = ask.scene.session.folder
             found = ask.scene.surroundings.once("meshes", lambda: found_files(_MESHES, folder))

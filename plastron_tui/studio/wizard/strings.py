@@ -22,8 +22,9 @@ def done_items(session: Session, heard: str) -> dict[str, Item]:
     closed = ""
     if has_errors(session.diagnostics):
         closed = "a mistake in the program has to be mended first"
-    elif not workspace.generations:
-        closed = "the program writes no node to a file yet"
+    elif not workspace.is_written:
+        closed = "the program writes nothing to a file yet"
+    idle = closed or ("" if workspace.generations else "the program has no node to run yet")
     is_whole = not closed and Scene(session).lonely == 0
     items = {
         "more": Item("something more", "",
@@ -32,8 +33,11 @@ def done_items(session: Session, heard: str) -> dict[str, Item]:
         "screen.generate": Item("write the files", "", "Shows each file before it is written.",
                                 closed, is_whole),
         "screen.run(True)": Item("run the nodes", "",
-                           "Writes the files, starts the nodes and shows what they say.", closed),
+                           "Writes the files, starts the nodes and shows what they say.", idle),
     }  # fmt: skip
+    if workspace.robots:
+        about = "Its links and joints as a tree, and how it looks from three sides."
+        items["screen.show('robots')"] = Item("look at the robot", "", about)
     if heard:
         about = "A message that answers each of them, or those for which a condition holds."
         items["answer"] = Item(f"send something for each message of `{heard}`", "", about)
@@ -108,5 +112,6 @@ def explanation(page: Page, is_done: bool) -> tuple[str, str]:
     if page.form is not None and not is_done:
         declaration = page.form.declaration
         slots = "\n".join(f"{slot.name}: {slot.help}" for slot in declaration.slots)
-        text = f"{declaration.usage}\n{slots}\nFor example: {declaration.example}\n\n"
+        about = f"{declaration.about}\n\n{declaration.usage}\n{slots}"
+        text = f"{about}\nFor example: {declaration.example}\n\n"
     return title(page, is_done), text + _KEYS

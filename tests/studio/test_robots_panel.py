@@ -1,0 +1,192 @@
+"""Robots in the studio: shown, completed, acted on, renamed."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+from studio_driver import studio
+
+from plastron_tui.language.expectations import expected_at
+from plastron_tui.session import Session
+from plastron_tui.studio.analysis import Analysis, analyse
+from plastron_tui.studio.editor.completion import candidates
+from plastron_tui.studio.editor.vocabulary import Vocabulary
+from plastron_tui.studio.panels.entry import Entry
+from plastron_tui.studio.panels.preview import previews_of
+from plastron_tui.studio.panels.robot_panel import ROBOTS, Looks, Shown
+from plastron_tui.studio.renaming import renamed, wrong_name
+
+TEXT = """\
+create_robot 'rover' as rover
+rover has_link 'base'
+rover has_link 'body' shaped box 0.4, 0.3, 0.1 weighing 5 painted blue
+rover has_joint 'hold' of joint_type fixed from 'base' to 'body'
+rover has_link 'wheel' shaped cylinder 0.1, 0.04 weighing 0.5 painted "#102030"
+rover has_joint 'turn' of joint_type continuous from 'body' to 'wheel' with axis 0, 1, 0
+rover has_link 'mast' shaped mesh "mast.stl"
+rover has_joint 'lift' of joint_type prismatic from 'body' to 'mast' mimicking 'turn'
+rover limits_joint 'lift' between 0 and 0.5 m with effort 20 and velocity 0.1
+generate_robot rover
+"""
+
+
+def analysis_of(text: str, path: Path | None = None) -> Analysis:
+    return analyse(Session(text.encode(), path, environ={}), lambda: None)
+
+
+def shown(analysis: Analysis, looks: Looks) -> Shown:
+    assert ROBOTS.make is not None
+    made = ROBOTS.make(analysis, looks)
+    assert isinstance(made, Shown)
+    return made
+
+
+def entries(analysis: Analysis) -> tuple[Entry, ...]:
+    return shown(analysis, Looks("rover", 0, 0)).entries.all
+
+
+def test_the_tree_has_each_link_below_its_joint() -> None:
+    analysis = analysis_of(TEXT)
+    lines = [
+        f"{'  ' * each.depth}{each.sign} {each.text} {each.detail}" for each in entries(analysis)
+    ]
+    assert lines == [
+        "◈ rover 4 links",
+        "  □ base a place",
+        "    ─ hold fixed",
+        "    ■ body box 0.4 × 0.3 × 0.1 · 5 kg · blue",
+        "      ○ turn continuous y",
+        "      ■ wheel cylinder r 0.1, l 0.04 · 0.5 kg · color_102030",
+        "      ⇄ lift prismatic x · 0 to 0.5 m · 20 N · 0.1 m/s · follows turn",
+        "      ■ mast mesh mast.stl",
+    ]
+    assert [each.tone for each in entries(analysis) if each.sign == "■"] == [
+        "#0000ff",
+        "#102030",
+        "quiet",
+    ]
+    assert ROBOTS.count is not None and ROBOTS.count(analysis) == 1
+
+
+def test_what_is_wrong_stands_beside_its_part_and_is_mended_there() -> None:
+    text = TEXT.replace("shaped box", "shaped bx").replace("generate_robot rover\n", "")
+    found = {each.text: each for each in entries(analysis_of(text))}
+    assert found["rover"].warning == "not written"
+    assert "bx" in found["body"].warning and found["body"].sign == "✖"
+    assert [edit.text for edit in found["body"].edits] == ["box"]
+
+
+def test_the_part_at_the_cursor_stands_out_in_the_picture() -> None:
+    analysis = analysis_of(TEXT)
+    plain, marked = (
+        shown(analysis, Looks("rover", 60, 20, "", part)).picture for part in ("", "wheel")
+    )
+    texts = [["".join(piece.text for piece in line) for line in each] for each in (plain, marked)]
+    assert len(plain) == 20 and all(len(line) == 60 for line in texts[0])
+    assert plain != marked
+    assert {"top", "front"} <= {word for line in texts[0] for word in line.split()}
+    alone = shown(analysis, Looks("rover", 60, 20, "side")).picture
+    assert "".join(piece.text for piece in alone[0]).startswith("right side")
+
+
+@pytest.mark.parametrize(
+    ("line", "first"),
+    [
+        ("rover ", ["has_link", "no_longer_has_link", "has_joint"]),
+        ("generate_robot ", ["rover"]),
+        ("create_robot 'arm' as ", ["arm"]),
+        ("load_robot 'urdf/arm.urdf' as ", ["arm"]),
+        ("rover has_link 'x' shaped ", ["box", "cylinder", "sphere", "mesh"]),
+        ("rover has_link 'x' shaped cylinder ", ["0.1, 0.05"]),
+        ("rover has_link 'x' painted or", ["orange"]),
+        ("rover has_link 'x' turned 90, 0, 0 ", ["deg", "rad"]),
+        ("rover has_joint 'x' of joint_type ", ["fixed", "revolute", "continuous"]),
+        ("rover has_joint 'x' of joint_type fixed from ", ["'base'", "'body'"]),
+        ("rover has_joint 'x' of joint_type fixed from 'base' to ", ["'body'", "'wheel'"]),
+        ("rover has_joint 'x' of joint_type fixed from 'base' to 'body' with axis ", ["0, 0, 1"]),
+        (
+            "rover has_joint 'x' of joint_type fixed from 'base' to 'body' mimicking ",
+            ["'turn'", "'lift'"],
+        ),
+        ("rover limits_joint ", ["'turn'", "'lift'"]),
+        ("rover limits_joint 'turn' between 0 and 1 ", ["deg", "rad"]),
+        ("rover limits_joint 'lift' between 0 and 1 ", ["m"]),
+        ("rover no_longer_has_link ", ["'base'", "'body'", "'wheel'", "'mast'"]),
+        ("rover no_longer_has_joint ", ["'hold'", "'turn'", "'lift'"]),
+    ],
+)
+def test_completion_offers_what_a_robot_has(line: str, first: list[str]) -> None:
+    session = Session((TEXT + line + "\n").encode(), environ={})
+    known = Session(TEXT.encode(), environ={})
+    expected = expected_at(session.document, len((TEXT + line).encode()))
+    found = candidates(expected, Vocabulary(known.program, known.workspace), session)
+    assert [each.text for each in found][: len(first)] == first
+
+
+def test_completion_offers_the_files_of_robots(tmp_path: Path) -> None:
+    for name in ("urdf/arm.urdf", "rover.xacro", "other.xml"):
+        (tmp_path / name).parent.mkdir(exist_ok=True)
+        (tmp_path / name).write_text("")
+    session = Session(b"load_robot ", tmp_path / "x.plastron", environ={})
+    expected = expected_at(session.document, len(b"load_robot "))
+    found = candidates(expected, Vocabulary(session.program, session.workspace), session)
+    assert [each.text for each in found] == ["'rover.xacro'", "'urdf/arm.urdf'"]
+
+
+@pytest.mark.parametrize(
+    ("key", "new", "changed"),
+    [
+        ("robot rover", "cart", ["create_robot 'cart' as cart", "cart has_link 'base'",
+                                 "generate_robot cart"]),
+        ("link rover body", "box", ["has_link 'box' shaped box", "from 'base' to 'box'",
+                                    "from 'box' to 'wheel'"]),
+        ("joint rover turn", "spin", ["has_joint 'spin'", "mimicking 'spin'"]),
+    ],
+)  # fmt: skip
+def test_another_name_is_put_everywhere(key: str, new: str, changed: list[str]) -> None:
+    analysis = analysis_of(TEXT)
+    entry = next(each for each in entries(analysis) if each.key == key)
+    assert wrong_name(analysis, entry, new) is None
+    assert wrong_name(analysis, entry, entry.text) is not None
+    assert wrong_name(analysis, entry, "a name") is not None
+    text = TEXT
+    edits = renamed(analysis, entry, new).edits
+    for edit in sorted(edits, key=lambda each: each.span.start, reverse=True):
+        text = text[: edit.span.start] + edit.text + text[edit.span.end :]
+    assert {each.code for each in analysis_of(text).diagnostics} == {
+        each.code for each in analysis.diagnostics
+    }
+    assert all(each in text for each in changed)
+
+
+def test_the_preview_has_the_file_of_the_robot_at_the_cursor(tmp_path: Path) -> None:
+    analysis = analysis_of(TEXT, tmp_path / "x.plastron")
+    (preview,) = previews_of(analysis, "rover")
+    assert preview.name == "rover.urdf"
+    tones = {piece.tone for line in preview.lines for piece in line}
+    assert {"keyword", "name", "string"} <= tones
+    assert analysis.written_at(TEXT.index("rover has_joint")) == "rover"
+
+
+async def test_a_robot_is_seen_while_it_is_typed(program: Path) -> None:
+    program.write_text(TEXT)
+    async with studio(program, (120, 40)) as driver:
+        await driver.press("down", "down")
+        await driver.press("alt+l")
+        panel = driver.main.panels["robots"]
+        tree = panel.parts
+        assert tree.has_focus and tree.current.text == "body"
+        assert "v View" in driver.main.query_one("KeyBar").text
+        before = panel.picture.text
+        await driver.press("v")
+        assert panel.picture.text.startswith("top")
+        await driver.press("v", "v", "v")
+        assert panel.picture.text == before
+        await driver.press("end", "d")
+        assert "rover no_longer_has_link 'mast'\ngenerate_robot rover\n" in driver.text
+        driver.main.editor.go_to(TEXT.index("0.4"))
+        driver.main.editor.focus()
+        await driver.press("delete", "1")
+        assert "box 1.4" in next(each.detail for each in tree.entries.all if each.text == "body")
+        assert panel.picture.text != before
