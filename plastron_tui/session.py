@@ -24,7 +24,6 @@ from plastron_tui.project.program_file import lines_of
 from plastron_tui.project.ros_choice import RosChoice
 from plastron_tui.project.settings import Project
 from plastron_tui.project.start_checks import start_problems
-from plastron_tui.targets import LIBRARIES
 
 if TYPE_CHECKING:
     # What a program means is found out when its text is there to see: the studio starts sooner.
@@ -37,6 +36,7 @@ if TYPE_CHECKING:
     from plastron_tui.model.workspace import Generation, Node, Workspace
     from plastron_tui.output.plan import FilePlan
     from plastron_tui.project.loader import FilesRead, NodeLoader
+    from plastron_tui.project.robot_files import RobotFiles
     from plastron_tui.ros import parameters
     from plastron_tui.ros.catalog import Catalog
     from plastron_tui.ros.parameter_values import NodeParameters
@@ -212,31 +212,18 @@ class Session:
         return NodeLoader(*places, self._rendered, *program, self._files)
 
     def _new_setting(self, loader: NodeLoader) -> Setting:
-        from plastron_tui.model.context import Setting
-        from plastron_tui.project.definition_reader import DefinitionReader
-        from plastron_tui.project.launch_reader import LaunchReader
-        from plastron_tui.project.named_texts import NamedTexts
-        from plastron_tui.project.package_reader import PackageReader
-        from plastron_tui.project.parameter_reader import ParameterReader
-        from plastron_tui.project.robot_expansion import RobotExpander
-        from plastron_tui.project.robot_reader import RobotReader
+        from plastron_tui.project.program_setting import Written, new_setting
 
-        program = self._name, self.document.text
-        texts = NamedTexts(self.folder, self.boundary, *program, self._files.manifest)
-        expander = RobotExpander(self.boundary, self._environ, self._files.expansions)
-        return Setting(
-            self.library,
-            LIBRARIES,
-            self._configuration.catalog,
-            loader,
-            self.ros.is_chosen,
-            "" if self.path is None else self.path.stem,
-            DefinitionReader(self.folder, self.boundary),
-            PackageReader(self.folder, self.boundary, self._files.packages),
-            LaunchReader(texts),
-            ParameterReader(self.folder, self.boundary),
-            RobotReader(texts, expander),
-        )
+        program = Written(self.path, self.document.text)
+        return new_setting(self._configuration, loader, program, self._files)
+
+    @property
+    def robots(self) -> RobotFiles:
+        """What reads the robots' files that the program names."""
+        from plastron_tui.project.program_setting import Written, robot_files
+
+        program = Written(self.path, self.document.text)
+        return robot_files(self._configuration, program, self._files)
 
     @property
     def _name(self) -> str:

@@ -33,6 +33,9 @@ from .common import (
 from .inspect_robot import ROBOT_SUFFIXES
 from .run_options import namespace_option, refuse, remap_option, unknown_nodes
 
+_DRAWN = ("svg",)
+"""The formats that show how large things are."""
+
 
 @click.command(epilog="Example: plastron graph --format svg robot.plastron > robot.svg")
 @programs_argument
@@ -67,7 +70,11 @@ def command(
     programs = tuple(each for each in files if each not in robots)
     sessions = open_sessions(programs, report, Options(target=target)) if programs else []
     names = RunNames(namespace, remaps)
-    shown = robots_of(robots, report)
+    is_drawn = format_ in _DRAWN
+    shown = robots_of(robots, report, is_drawn=is_drawn)
+    for session in sessions if is_drawn else ():
+        for robot in session.workspace.robots.values():
+            session.robots.measure(robot)
     if sessions or shown:
         diagnostics = _check(sessions, names)
         whole = joined(sessions)
@@ -116,14 +123,16 @@ def _show_launch_files(
         report.add(found.diagnostics, lambda path: None if path is None else lines_of(path))
 
 
-def robots_of(files: Iterable[Path], report: Report) -> list[Robot]:
-    """Read the robots of files."""
+def robots_of(files: Iterable[Path], report: Report, *, is_drawn: bool = False) -> list[Robot]:
+    """Read the robots of files; what is drawn has to be measured."""
     from plastron_tui.project.program_file import lines_of
     from plastron_tui.project.robot_graph import robot_graph
 
     robots = []
     for file in files:
-        found = robot_graph(file, find_boundary(file.absolute().parent), os.environ)
+        found = robot_graph(
+            file, find_boundary(file.absolute().parent), os.environ, is_drawn=is_drawn
+        )
         report.add(found.diagnostics, lambda path: None if path is None else lines_of(path))
         if found.robot is not None:
             robots.append(found.robot)

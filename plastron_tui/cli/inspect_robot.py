@@ -7,7 +7,7 @@ from pathlib import Path
 
 import click
 
-from plastron_tui.diagnostics import LineIndex
+from plastron_tui.diagnostics import Diagnostic, LineIndex, Span
 
 from .common import Report, print_text
 
@@ -17,6 +17,9 @@ ROBOT_SUFFIXES = (".urdf", ".xacro")
 def show_robot(file: Path, text: bytes, format_: str, report: Report, *, is_one: bool) -> None:
     """Print what there is in a robot's file, and what is wrong with it.
 
+    Macros are expanded where the project of the file is trusted; else what stands in the file
+    itself is shown, and why.
+
     Args:
         file: the file.
         text: what it holds.
@@ -24,18 +27,41 @@ def show_robot(file: Path, text: bytes, format_: str, report: Report, *, is_one:
         report: takes what is wrong.
         is_one: whether the file is the only one.
     """
+    from plastron_tui.model.robot_faults import faults_of_file
     from plastron_tui.model.robot_inspection import robot_json, robot_text
     from plastron_tui.model.robot_program import program_of_robot
-    from plastron_tui.sources.urdf.reader import read_urdf
+    from plastron_tui.model.robots import file_stem
+    from plastron_tui.session import Session
 
-    read = read_urdf(text, file)
-    report.add(read.diagnostics, lambda _: LineIndex(text), file)
-    robot = read.description
-    if robot is None:
+    def lines(other: Path | None) -> LineIndex | None:
+        return LineIndex(text) if other in (None, file) else None
+
+    # A program would take `~` for a home folder.
+    name = f"./{file.name}" if file.name.startswith("~") else file.name
+    loaded = Session(begun=file.absolute().parent).setting.read_robot(name)
+    source = loaded.source
+    found = [_placed(each, file) for each in loaded.diagnostics]
+    if source is not None:
+        found += (_placed(each, file) for each in faults_of_file(source, Span(0, 0)))
+    found = list(dict.fromkeys(found))
+    report.add(found, lines, file)
+    if source is None:
         return
+    robot = source.description if source.expanded is None else source.expanded
     if format_ == "json":
-        click.echo(json.dumps(robot_json(robot, file), indent=2 if is_one else None))
+        from plastron_tui.diagnostics.render import as_json
+
+        told = robot_json(robot, file) | {"faults": as_json(found, lines, file)}
+        click.echo(json.dumps(told, indent=2 if is_one else None))
     elif format_ == "plastron":
-        print_text(program_of_robot(robot, file.stem))
+        print_text(program_of_robot(robot, file_stem(file.name)))
     else:
         print_text(robot_text(robot, file))
+
+
+def _placed(found: Diagnostic, file: Path) -> Diagnostic:
+    """Return a diagnostic as one of a file, as that was named."""
+    if found.file is None or found.file == file.absolute().parent / file.name:
+        span = None if found.span == Span(0, 0) else found.span
+        return found._replace(file=file, span=span)
+    return found

@@ -9,6 +9,7 @@ from plastron_tui.diagnostics import Diagnostic, codes
 from plastron_tui.model.robots import Robot, RobotGeneration
 from plastron_tui.model.workspace import Workspace
 from plastron_tui.ros.robots.description import Description, Mesh
+from plastron_tui.ros.robots.macros import Macros
 from plastron_tui.sources.launch.new_elements import CannotWriteError
 from plastron_tui.targets.launch.program import request_of
 from plastron_tui.targets.packages.rendering import URDF_FOLDER
@@ -29,7 +30,6 @@ if TYPE_CHECKING:
     from .program_launches import ProgramLaunches
     from .text_files import Folder
 
-_MACROS = ".xacro"
 _IN_PACKAGE = "package://"
 
 
@@ -127,23 +127,24 @@ class ProgramRobots:
         path = f"{URDF_FOLDER}/{written.name}"
         if is_there:
             path = name_within(package, robot).partition("/")[2]
-        is_macros = written.name.endswith(_MACROS)
+        macros = None if robot.source is None else robot.source.macros
         starts = robot_starts(robot, package, self._workspace, version, span)
         launch = self._launches.placed(starts.launch)
         started = request_of(launch, version, self._launches.executable).added
-        described = DescribedRobot(package.name, path, is_macros)
+        described = DescribedRobot(package.name, path, macros is not None)
         try:
             started = with_description(started, described, version, distribution)
             name, text = self._launches.written(robot.stem, started, version)
         except CannotWriteError as problem:
             message = f"ROS {version} has no words for {problem} in a launch file"
             return _Packaged(None, (Diagnostic(codes.BAD_LAUNCH_NAME, message, span),))
-        needs = {*needs_of_launch(launch, version), *_meshes_of(robot.description)}
-        needs |= {"xacro"} if is_macros else set()
+        needs = {*needs_of_launch(launch, version), *_meshes_of(robot.shown)}
+        needs |= {"xacro"} if macros is not None else set()
         file = None if is_there else PackagedFile(written.name, written.text, span)
         packaged = PackagedLaunch(name, text, frozenset(needs - {package.name}), span)
         made = PackagedRobot(file, path, packaged, span)
-        return _Packaged(made, (*written.diagnostics, *starts.diagnostics))
+        left = () if macros is None or is_there else _left_behind(macros, written.name, span)
+        return _Packaged(made, (*written.diagnostics, *starts.diagnostics, *left))
 
     def _contained(self) -> Iterator[tuple[Package, str, Robot, Span]]:
         last = {each.package.variable: each.package for each in self._workspace.written_packages}
@@ -156,6 +157,18 @@ class ProgramRobots:
 class _Packaged(NamedTuple):
     robot: PackagedRobot | None
     diagnostics: tuple[Diagnostic, ...]
+
+
+def _left_behind(macros: Macros, name: str, span: Span) -> Iterator[Diagnostic]:
+    """Tell the files that a description includes from beside it, which stay where they are."""
+    for each in macros.includes:
+        if not each.file.startswith(("$(", "${", "/", _IN_PACKAGE)):
+            yield Diagnostic(
+                codes.NOT_COPIED,
+                f"`{name}` includes `{each.file}`, which the package does not get",
+                span,
+                help=f"put it beside `{URDF_FOLDER}/{name}` in the package, by hand",
+            )
 
 
 def _meshes_of(robot: Description) -> Iterator[str]:

@@ -74,6 +74,11 @@ def _no_mesh(uri: str) -> None:
     """Know no mesh: where a program has no folder, there is none."""
 
 
+def _no_mesh_problem(uri: str) -> tuple[str, str | None]:
+    """Know nothing of a mesh."""
+    return "", None
+
+
 class Setting(NamedTuple):
     """What a program is interpreted in.
 
@@ -89,6 +94,7 @@ class Setting(NamedTuple):
         read_parameters: reads the parameter files that launch files name.
         read_robot: reads the robots that the program loads.
         mesh_size: tells how large a mesh is that a robot has.
+        mesh_problem: says why that is not known, "" where it is, and what to do.
         is_chosen: whether somebody chose `library`; otherwise it is what there is on this machine.
     """
 
@@ -104,6 +110,7 @@ class Setting(NamedTuple):
     read_parameters: ParameterReader = no_parameters
     read_robot: RobotReader = no_robot
     mesh_size: MeshSize = _no_mesh
+    mesh_problem: Callable[[str], tuple[str, str | None]] = _no_mesh_problem
 
     def ros_version(self, library: str | None) -> int:
         """Return the generation of ROS of a client library; of the program's for one unknown."""

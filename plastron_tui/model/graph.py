@@ -274,6 +274,7 @@ def _robots(workspace: Workspace) -> Iterator[GraphRobot]:
             robot.span,
             robot.shown,
             source is not None and source.macros is not None and source.expanded is None,
+            robot.meshes,
         )
 
 

@@ -13,6 +13,7 @@ from plastron_tui.ros.parameters import Setting
 
 from .launches import Launch
 from .mistake import Mistake
+from .robots import Robot
 from .run import Run
 from .workspace import Node
 
@@ -36,9 +37,23 @@ def find_node(run: Run, variable: str, where: Span) -> Node:
     node = run.workspace.nodes.get(variable)
     if node is not None:
         return node
+    robot = run.workspace.robots.get(variable)
+    if robot is not None:
+        raise _started_by_its_file(run, robot, where)
     remedy = f"make it first: `create_node '{variable}' as {variable}`"
     others = run.workspace.nodes
     raise _unknown(run, codes.UNKNOWN_NODE, "node", variable, where, others, remedy)
+
+
+def _started_by_its_file(run: Run, robot: Robot, where: Span) -> Mistake:
+    """Return the mistake of a robot that is to be started, which a file of its package does."""
+    ending = ".launch" if run.setting.ros_version(None) == 1 else ".launch.xml"
+    message = f"`{robot.variable}` is a robot, and no node"
+    includes = (
+        f"include what starts it: `includes '{robot.home or 'PACKAGE'}/{robot.stem}{ending}'`"
+    )
+    help_ = includes if robot.home else f"put it into a package, and {includes}"
+    return Mistake(Diagnostic(codes.UNKNOWN_NODE, message, where, help=help_))
 
 
 def _unknown(

@@ -53,11 +53,13 @@ class _Said(NamedTuple):
     Attributes:
         of_parts: the last one about each part, by the robot's variable, `link` or `joint`, and
             the part's name.
-        last: the last one about each robot, by its variable.
+        last: the last one that changes each robot, by its variable.
+        writing: the last one that writes each robot likewise.
     """
 
     of_parts: Mapping[_Key, Statement]
     last: Mapping[str, Statement]
+    writing: Mapping[str, Statement]
 
 
 _PARTS: tuple[tuple[type[Statement], str], ...] = (
@@ -113,18 +115,21 @@ def _written(workspace: Workspace) -> dict[str, Robot]:
 def _said(program: Program) -> _Said:
     of_parts: dict[_Key, Statement] = {}
     last: dict[str, Statement] = {}
+    writing: dict[str, Statement] = {}
     slots: dict[Any, str] = dict(_PARTS)
     for statement in program.statements:
         type_: Any = type(statement)  # which mypy takes for not hashable
         slot = slots.get(type_)
+        of: Any = statement
+        if isinstance(statement, st.GenerateRobot):
+            writing[statement.robot] = statement
         if slot is None:
             continue
-        of: Any = statement
         last[of.robot] = statement
         # Limits are a second thing that is said of a joint.
         key = "limits" if type_ is st.LimitsJoint else slot
         of_parts[of.robot, key, getattr(of, slot)] = statement
-    return _Said(of_parts, last)
+    return _Said(of_parts, last, writing)
 
 
 def _told(fault: Fault, robot: Robot, said: _Said) -> Diagnostic:
@@ -145,6 +150,9 @@ def _told(fault: Fault, robot: Robot, said: _Said) -> Diagnostic:
 
 def _place(fault: Fault, robot: Robot, said: _Said) -> tuple[Span, Statement | None]:
     """Return where a fault stands, and the statement that it comes from, if that is known."""
+    writing = said.writing.get(robot.variable)
+    if fault.kind is FaultKind.NO_LINKS and writing is not None:
+        return writing.span_of("robot"), writing
     what = "joint" if fault.kind.is_of_joint else "link"
     keys = ["limits", what] if fault.kind is FaultKind.NO_RANGE else [what]
     found = [said.of_parts.get((robot.variable, key, fault.part)) for key in keys]

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Mapping, Sequence
 
 from plastron_tui.diagnostics import Code, Diagnostic, Severity, Span, codes, listed
-from plastron_tui.ros.robots.description import JointType
+from plastron_tui.ros.robots.description import Description, JointType
 from plastron_tui.ros.robots.faults import Fault, FaultKind, faults
 from plastron_tui.ros.robots.plausible import HEAVIEST, LONGEST
 
@@ -107,28 +107,43 @@ def help_of(fault: Fault, robot: Robot) -> str | None:
 
 
 def faults_of_file(source: RobotSource, where: Span) -> Iterator[Diagnostic]:
-    """Yield a warning for each kind of fault that a robot's file has: it can be changed as it is.
+    """Yield a warning for what is wrong with a robot's file, which can be changed as it is.
 
     Args:
         source: the file.
-        where: what is told of it stands there.
+        where: the statement that loads it: what stands nowhere in it is told there.
     """
     whole = source.whole
     if whole is None:
         return
     found: dict[FaultKind, list[Fault]] = {}
     for fault in faults(whole):
-        found.setdefault(fault.kind, []).append(fault)
+        if not _is_told_by_reader(fault, whole):
+            found.setdefault(fault.kind, []).append(fault)
     for kind, each in found.items():
-        for message in _messages(kind, each):
-            yield Diagnostic(CODES[kind], message, where, severity=Severity.WARNING)
+        for part, message in _messages(kind, each):
+            key = "joint" if kind.is_of_joint else "link", part
+            span = source.spans.get(key) if source.origin is None else None
+            file = None if span is None else source.path
+            at = where if span is None else span
+            yield Diagnostic(CODES[kind], message, at, file, severity=Severity.WARNING)
 
 
-def _messages(kind: FaultKind, found: Sequence[Fault]) -> Iterator[str]:
+def _is_told_by_reader(fault: Fault, robot: Description) -> bool:
+    """Tell whether reading URDF tells of a fault: urdfdom's parser does, too."""
+    if fault.kind is FaultKind.MASS:
+        inertial = robot.links[fault.part].inertial
+        return inertial is not None and inertial.mass < 0
+    return fault.kind is FaultKind.NO_LIMITS
+
+
+def _messages(kind: FaultKind, found: Sequence[Fault]) -> Iterator[tuple[str, str]]:
+    """Yield what is said of faults of a kind, each with the part where it is said."""
     if kind in _OF_SEVERAL:
-        yield _OF_SEVERAL[kind].format(listed(f"`{each.part}`" for each in found))
+        names = listed(f"`{each.part}`" for each in found)
+        yield found[0].part, _OF_SEVERAL[kind].format(names)
         return
-    yield from map(message_of, found[:_MOST])
+    yield from ((each.part, message_of(each)) for each in found[:_MOST])
     rest = found[_MOST:]
     if rest:
-        yield f"so it is with {listed(f'`{each.part}`' for each in rest)}"
+        yield rest[0].part, f"so it is with {listed(f'`{each.part}`' for each in rest)}"

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from plastron_tui.diagnostics import Code, Diagnostic, Label, codes
+from plastron_tui.diagnostics import Code, Diagnostic, Edit, Fix, Label, Span, codes
 from plastron_tui.language import statements as st
 from plastron_tui.ros.robots.changes import LinkValues, Note, changed_link, new_link
-from plastron_tui.ros.robots.description import Link
+from plastron_tui.ros.robots.description import Link, Mesh
 
 from .mistake import Mistake
 from .robot_lookups import (
@@ -55,7 +55,7 @@ def has_link(run: Run, statement: st.HasLink) -> None:
         link, notes = new_link(name, values, run.setting.mesh_size)
     else:
         link, notes = changed_link(there, values, run.setting.mesh_size)
-    told = [_told(statement, there or link, note, field) for note, field in notes]
+    told = [_told(run, statement, there or link, note, field) for note, field in notes]
     if any(note.is_refusal for note, _ in notes):
         raise Mistake(*told)
     for each in (*told, *link_slips(statement)):
@@ -85,12 +85,15 @@ def check_link_named(run: Run, statement: st.HasLink) -> None:
         raise Mistake(Diagnostic(codes.PART_EXISTS, message, where, help=help_text))
 
 
-def _told(statement: st.HasLink, link: Link, note: Note, field: str) -> Diagnostic:
+def _told(run: Run, statement: st.HasLink, link: Link, note: Note, field: str) -> Diagnostic:
     """Return what is said of a note on what a statement says of a link."""
     slot = _SLOTS[field]
     if getattr(statement, slot) is None:
         slot = "shape" if statement.shape is not None else "link"
     code, message, help_text = _words(statement, link, note, field)
+    if note is Note.UNKNOWN_SIZE:
+        why, help_text = _unmeasured(run, statement, link)
+        message = f"{why}, so the inertia of `{link.name}` {message}"
     return Diagnostic(code, message, statement.span_of(slot), help=help_text)
 
 
@@ -114,8 +117,7 @@ def _words(
             return codes.MESH_INERTIA, message, None
         case Note.UNKNOWN_SIZE:
             kept = "stays as it was" if link.inertial is not None else "is left out"
-            message = f"how large the mesh is cannot be told, so the inertia of `{name}` {kept}"
-            return codes.MESH_INERTIA, message, "a mesh is found in the project and read as STL"
+            return codes.MESH_INERTIA, kept, None
         case Note.INERTIA_STAYS:
             help_text = f"say what it weighs as well, as in `{again} shaped … weighing …`"
             message = f"the inertia of `{name}` did not follow from its shape, and stays as it is"
@@ -126,6 +128,18 @@ def _words(
         case Note.APART:
             message = f"not all of `{name}` is in one place: what was elsewhere stays where it is"
             return codes.LINK_APART, message, "collisions and centers of mass may be elsewhere"
+
+
+def _unmeasured(run: Run, statement: st.HasLink, link: Link) -> tuple[str, str | None]:
+    """Say why nobody knows how large the mesh of a link is, and what to do."""
+    shapes = (each.shape for each in (*link.collisions, *link.visuals))
+    said = shape_of(statement)
+    meshes = [each for each in (said, *shapes) if isinstance(each, Mesh)]
+    for mesh in meshes:
+        why, remedy = run.setting.mesh_problem(mesh.uri)
+        if why:
+            return f"how large `{mesh.uri}` is cannot be told ({why})", remedy
+    return "how large the mesh is cannot be told", None
 
 
 def no_longer_has_link(run: Run, statement: st.NoLongerHasLink) -> None:
@@ -145,6 +159,16 @@ def _held(run: Run, robot: Robot, statement: st.NoLongerHasLink, joint: str) -> 
     message = f"the joint `{joint}` still holds `{statement.link}`"
     made = robot.joints.get(joint, Places()).made
     labels = () if made is None else (Label(made, "here"),)
-    help_text = f"take it away first: `{robot.variable} no_longer_has_joint '{joint}'`"
-    where = statement.span_of("link")
-    return Mistake(Diagnostic(codes.PART_IN_USE, message, where, help=help_text, labels=labels))
+    first = f"{robot.variable} no_longer_has_joint '{joint}'"
+    start = statement.span.start
+    fix = Fix(f"write `{first}` first", (Edit(Span(start, start), f"{first}\n"),))
+    return Mistake(
+        Diagnostic(
+            codes.PART_IN_USE,
+            message,
+            statement.span_of("link"),
+            help=f"take it away first: `{first}`",
+            fix=fix,
+            labels=labels,
+        )
+    )

@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
 from typing import Any, Generic, NamedTuple, TypeVar
 
-from plastron_tui.diagnostics import Code, Diagnostic, Label, Span, codes, guess, listed
+from plastron_tui.diagnostics import Code, Diagnostic, Label, Span, codes, guess, listed, write
 from plastron_tui.ros.robots.description import Description, Joint, Link
 
 from .mistake import Mistake
@@ -17,6 +17,7 @@ from .run import Run
 T = TypeVar("T")
 
 _NAME = re.compile(r"[A-Za-z_][\w.-]*", re.ASCII)
+_OTHERS = re.compile(r"[^\w.-]+", re.ASCII)
 
 
 def find_robot(run: Run, statement: Any) -> Robot:
@@ -144,7 +145,9 @@ def check_name(what: str, name: str, where: Span) -> None:
     if not _NAME.fullmatch(name):
         message = f"`{name}` cannot be the name of a {what}"
         help_text = "a name has letters, digits, `_`, `-` and dots, and starts with a letter or `_`"
-        raise Mistake(Diagnostic(codes.BAD_ROBOT_NAME, message, where, help=help_text))
+        right = _OTHERS.sub("_", name).lstrip("0123456789.-")
+        fix = write(f"'{right}'", where) if right.strip("_") else None
+        raise Mistake(Diagnostic(codes.BAD_ROBOT_NAME, message, where, help=help_text, fix=fix))
 
 
 def check_new(places: Mapping[str, Places], name: str, what: str, where: Span) -> None:

@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterator, Mapping
 from math import radians
 from typing import Any, NamedTuple
 
-from plastron_tui.diagnostics import Diagnostic, Span, codes, did_you_mean, guess
+from plastron_tui.diagnostics import Diagnostic, Edit, Fix, Span, codes, did_you_mean, guess
 from plastron_tui.language import statements as st
 from plastron_tui.language.inputs import Literal, NamedArgument, NestedValue
 from plastron_tui.ros.robots.colors import NAMES, material_name, rgba_of
@@ -276,13 +276,19 @@ def _bad_ends(statement: st.LimitsJoint) -> Iterator[Diagnostic]:
     least, most = ends
     if far or least.value < most.value:
         return
-    help_text = "the least comes first"
-    message = f"{least.value:.12g} is more than {most.value:.12g}"
+    where = Span(least.span.start, most.span.end)
     if least.value == most.value:
         message = f"between {least.value:.12g} and {most.value:.12g} it moves nowhere"
         help_text = "a joint that holds two links as they are is `fixed`"
-    where = Span(least.span.start, most.span.end)
-    yield Diagnostic(codes.BAD_LIMITS, message, where, help=help_text)
+        yield Diagnostic(codes.BAD_LIMITS, message, where, help=help_text)
+        return
+    message = f"{least.value:.12g} is more than {most.value:.12g}"
+    edits = (
+        Edit(least.span, str(statement.maximum)),
+        Edit(most.span, str(statement.minimum)),
+    )
+    fix = Fix("write the least first", edits)
+    yield Diagnostic(codes.BAD_LIMITS, message, where, help="the least comes first", fix=fix)
 
 
 _OUT_OF_RANGE = f"a limit is between -{FARTHEST:,.0f} and {FARTHEST:,.0f}"

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any
 
-from plastron_tui.diagnostics import Diagnostic, codes
+from plastron_tui.diagnostics import Diagnostic, Severity, codes
 from plastron_tui.language import statements as st
 from plastron_tui.language.declaration import Statement
 from plastron_tui.ros.packages import LONGEST_FILE_NAME
@@ -60,7 +60,9 @@ def load_robot(run: Run, statement: st.LoadRobot) -> None:
             message = f"`{statement.source}` is loaded already"
             raise twice(codes.ROBOT_EXISTS, message, where, other.span)
     for each in (*found, *faults_of_file(source, where)):
-        run.report(statement, each)
+        # What is wrong with it can be mended by what changes it.
+        is_error = each.severity is Severity.ERROR
+        run.report(statement, each._replace(severity=Severity.WARNING) if is_error else each)
     run.workspace.robots[statement.variable] = Robot(
         statement.variable,
         statement.span,

@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, NamedTuple, TypeVar
 
 from plastron_tui.diagnostics import Diagnostic, Span, codes
-from plastron_tui.ros.robots.description import Description, Joint, Link, Material
+from plastron_tui.ros.robots.description import Description, Joint, Link, Material, Vector
 from plastron_tui.ros.robots.macros import Macros
 
 if TYPE_CHECKING:
@@ -29,6 +29,8 @@ class RobotSource(NamedTuple):
             are not expanded; then it is only looked at.
         macros: what the file leaves to macros, None for a file without them. A file with macros
             may have links and joints besides those of its description.
+        spans: where the names of its links and joints stand in the text, by `link` or `joint` and
+            the name.
     """
 
     path: Path
@@ -37,6 +39,7 @@ class RobotSource(NamedTuple):
     origin: TextOrigin | None = None
     expanded: Description | None = None
     macros: Macros | None = None
+    spans: Mapping[tuple[str, str], Span] = {}
 
     @property
     def whole(self) -> Description | None:
@@ -93,6 +96,8 @@ class Robot:
         joints: where it speaks of its joints, by name.
         home: the package that the program puts it into, "" for none.
         own_materials: the materials that a loaded one has, those too that stand in its links.
+        meshes: the lowest and the highest corner of its meshes, by their URIs, where somebody
+            has measured them.
     """
 
     variable: str
@@ -103,6 +108,7 @@ class Robot:
     joints: dict[str, Places] = field(default_factory=dict)
     home: str = ""
     own_materials: Mapping[str, Material] = field(default_factory=dict)
+    meshes: Mapping[str, tuple[Vector, Vector]] = field(default_factory=dict)
     # Its own, so that a statement changes one entry of them, not all.
     _links: dict[str, Link] = field(init=False, repr=False)
     _joints: dict[str, Joint] = field(init=False, repr=False)

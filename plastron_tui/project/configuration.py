@@ -68,13 +68,13 @@ class Configuration:
         """
         self.folder = folder
         self.options = options
-        self._environ = environ
+        self.environ = environ
         self._catalogs: dict[int, Catalog] = {}
         self._libraries: dict[str, Library | None] = {}
 
     def anew(self) -> Configuration:
         """Return the same with nothing of it read yet."""
-        return Configuration(self.folder, self.options, self._environ)
+        return Configuration(self.folder, self.options, self.environ)
 
     @cached_property
     def boundary(self) -> Boundary:
@@ -101,7 +101,7 @@ class Configuration:
     @cached_property
     def ros(self) -> RosChoice:
         """The ROS of a node that names none, and why it is that one."""
-        return choose_ros(self._said, LIBRARIES, self._environ)
+        return choose_ros(self._said, LIBRARIES, self.environ)
 
     @property
     def _said(self) -> tuple[Said, ...]:
@@ -144,9 +144,9 @@ class Configuration:
     def _new_catalog(self, ros_version: int) -> Catalog:
         from plastron_tui.ros.catalog import Catalog, installed_folders
 
-        distribution = choose_distribution(ros_version, self._said, self._environ)
+        distribution = choose_distribution(ros_version, self._said, self.environ)
         own = self.project.types or (self.folder,)
-        installed = installed_folders(self._environ, ros_version)
+        installed = installed_folders(self.environ, ros_version)
         refusal = partial(outside_definition, folders=own, boundary=self.boundary)
         return Catalog(distribution, own, installed, refusal)
 

@@ -20,6 +20,7 @@ from plastron_tui.output.own_files import MANIFEST, is_own_name, settled
 from plastron_tui.regular_files import Stamp, read_regular, reason, stamp_of
 
 from .missing_files import missing
+from .robot_files import KnownRobots
 
 if TYPE_CHECKING:
     from plastron_tui.boundary import Boundary
@@ -28,7 +29,6 @@ if TYPE_CHECKING:
     from plastron_tui.output.patch_stack import Author
 
     from .package_reader import KnownPackages
-    from .robot_expansion import KnownExpansions
 
 _MOST_FOLDERS = 64
 """How many manifests are remembered; a program writes to one folder, and loads from a few."""
@@ -54,7 +54,7 @@ class FilesRead:
         manifests: what is remembered of the files of a folder, with the stamp of its file.
         problems: what was found of writes to a folder that were interrupted.
         packages: what was read of packages.
-        expansions: what the macros of robots made of their files.
+        robots: what was found out about robots' files.
     """
 
     nodes: dict[Path, tuple[Stamps, Loaded]] = field(default_factory=dict)
@@ -62,7 +62,7 @@ class FilesRead:
     manifests: dict[Path, tuple[Stamp, Reading]] = field(default_factory=dict)
     problems: dict[Path, tuple[Diagnostic, ...]] = field(default_factory=dict)
     packages: KnownPackages = field(default_factory=dict)
-    expansions: KnownExpansions = field(default_factory=dict)
+    robots: KnownRobots = field(default_factory=KnownRobots)
 
     def settle(self, folder: Path) -> None:
         """Finish what a process that was killed had begun to write to a folder."""

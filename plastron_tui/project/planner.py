@@ -347,8 +347,9 @@ class Planner:
         """
         assert self._workspace is not None
         by_name = {each.name: each.text for each in files}
-        launches = [each.launch.source for each in self._workspace.written_launches]
-        paths = [each.path for each in launches if each is not None]
+        launches = (each.launch.source for each in self._workspace.written_launches)
+        robots = (each.robot.source for each in self._workspace.written_robots)
+        paths = [each.path for each in (*launches, *robots) if each is not None]
         found = [(path, by_name.get(path.name)) for path in paths]
         for each in made:
             source = each.generation.node.source

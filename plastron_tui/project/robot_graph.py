@@ -14,8 +14,7 @@ from plastron_tui.output.manifest import load_manifest
 from plastron_tui.regular_files import read_regular, reason
 
 from .named_texts import NamedTexts
-from .robot_expansion import RobotExpander
-from .robot_reader import RobotReader
+from .robot_files import RobotFiles
 
 
 class RobotGraph(NamedTuple):
@@ -25,13 +24,16 @@ class RobotGraph(NamedTuple):
     diagnostics: tuple[Diagnostic, ...] = ()
 
 
-def robot_graph(path: Path, boundary: Boundary, environ: Mapping[str, str]) -> RobotGraph:
+def robot_graph(
+    path: Path, boundary: Boundary, environ: Mapping[str, str], *, is_drawn: bool = False
+) -> RobotGraph:
     """Read a robot's file.
 
     Args:
         path: the file.
         boundary: the project, which has to be trusted for macros to be expanded.
         environ: the environment variables that say which ROS is sourced.
+        is_drawn: whether its meshes are to be measured.
     """
     try:
         read_regular(path, LARGEST_FILE)
@@ -39,9 +41,13 @@ def robot_graph(path: Path, boundary: Boundary, environ: Mapping[str, str]) -> R
         message = f"`{path.name}` cannot be read: {reason(error)}"
         return RobotGraph(None, (Diagnostic(codes.UNREADABLE_FILE, message, file=path),))
     texts = NamedTexts(path.absolute().parent, boundary, "", b"", load_manifest)
-    loaded = RobotReader(texts, RobotExpander(boundary, environ, {}))(path.name)
+    files = RobotFiles(texts, environ)
+    loaded = files.read(path.name)
     found = tuple(each._replace(file=each.file or path) for each in loaded.diagnostics)
     source = loaded.source
     if source is None:
         return RobotGraph(None, found)
-    return RobotGraph(Robot(file_stem(path.name), Span(0, 0), source.description, source), found)
+    robot = Robot(file_stem(path.name), Span(0, 0), source.description, source)
+    if is_drawn:
+        files.measure(robot)
+    return RobotGraph(robot, found)

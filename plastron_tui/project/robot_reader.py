@@ -6,7 +6,7 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import TYPE_CHECKING, NamedTuple
 
-from plastron_tui.diagnostics import Diagnostic, codes
+from plastron_tui.diagnostics import Diagnostic, Span, codes
 from plastron_tui.model.robots import LoadedRobot, RobotSource
 from plastron_tui.ros.robots.description import Description
 
@@ -14,7 +14,7 @@ from .named_texts import NamedTexts
 
 if TYPE_CHECKING:
     from plastron_tui.generating.text_layers import Form
-    from plastron_tui.sources.urdf.reader import UrdfRead
+    from plastron_tui.sources.urdf.reader import PartPlaces, UrdfRead
     from plastron_tui.sources.xml.document import XmlDocument
 
 _ENDINGS = (".urdf", ".xacro")
@@ -47,10 +47,19 @@ Expander = Callable[[Path, bytes, "XmlDocument"], Expansion]
 class RobotReader:
     """Reads robots by the paths of their files from the program's folder, within the project."""
 
-    def __init__(self, texts: NamedTexts, expand: Expander) -> None:
-        """Set what finds and reads files, and what expands their macros."""
+    def __init__(
+        self, texts: NamedTexts, expand: Expander, found: Callable[[Path], None] = lambda _: None
+    ) -> None:
+        """Set what is asked.
+
+        Args:
+            texts: finds and reads files.
+            expand: expands their macros.
+            found: is told the folders of robots, beside which their meshes may be.
+        """
         self._texts = texts
         self._expand = expand
+        self._found = found
 
     def __call__(self, source: str) -> LoadedRobot:
         """Read the file that a `load_robot` asks for."""
@@ -63,6 +72,7 @@ class RobotReader:
         if b"\0" in text:
             message = f"`{source}` is no text, and so no robot"
             return LoadedRobot(None, (Diagnostic(codes.UNREADABLE_FILE, message),))
+        self._found(path.parent)
         start = self._texts.started(path, text, _form)
         origin = None if start is None else start.origin
         return self._read(
@@ -79,13 +89,23 @@ class RobotReader:
         read = read_urdf(found.text, path)
         if read.description is None or read.document is None:
             return LoadedRobot(None, _why_none(source, read))
-        found = found._replace(description=read.description)
+        found = found._replace(description=read.description, spans=_spans(read.places))
         if not is_xacro(read.document):
             return LoadedRobot(found, read.diagnostics)
         expansion = self._expand(path, found.text, read.document)
         macros = read_macros(read.document)
         found = found._replace(macros=macros, expanded=expansion.description)
         return LoadedRobot(found, (*read.diagnostics, *expansion.diagnostics))
+
+
+def _spans(places: PartPlaces) -> dict[tuple[str, str], Span]:
+    """Return where the names of links and joints stand."""
+    return {
+        (kind, name): attribute.value_span
+        for kind, parts in (("link", places.links), ("joint", places.joints))
+        for name, element in parts.items()
+        if (attribute := element.attribute("name")) is not None
+    }
 
 
 def _why_none(source: str, read: UrdfRead) -> tuple[Diagnostic, ...]:

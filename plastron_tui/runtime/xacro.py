@@ -100,7 +100,7 @@ def expand(path: Path, text: bytes, reach: Reach, modules: Path) -> Expanded:
         reason, refused, opened = (said[each] for each in ("reason", "refused", "opened"))
         files = tuple(map(Path, map(str, opened)))
         reason = shortened(str(refused[0] if refused else reason), _LONGEST)
-    except (ValueError, KeyError, TypeError):
+    except (ValueError, KeyError, TypeError, RecursionError):
         return Expanded(None, "expanding them fails")
     if reason:
         return Expanded(None, reason, files)

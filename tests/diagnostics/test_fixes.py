@@ -24,6 +24,8 @@ WITHOUT = {
     "launch-exists", "already-started", "not-started", "bad-launch-name",
     "invalid-qos", "not-in-ros-1", "still-needed", "unknown-parameter", "parameter-type-mismatch",
     "invalid-range", "nothing-received", "computed-type-mismatch",
+    "robot-exists", "part-exists", "bad-shape", "bad-weight", "bad-unit", "bad-axis",
+    "missing-limits", "bad-mimic", "bad-robot-number", "mesh-inertia", "no-tree",
 }  # fmt: skip
 
 MORE = [

@@ -236,3 +236,60 @@ def test_a_robot_that_is_there_is_not_written_over(tmp_path: Path) -> None:
     told = run(program, tmp_path, library, in_place=True)
     assert [str(each.code) for each in told] == ["file-conflict"]
     assert texts(package) == before
+
+
+XACRO = """\
+<robot name="rover" xmlns:xacro="http://www.ros.org/wiki/xacro">
+  <xacro:include filename="parts.xacro"/>
+  <xacro:include filename="$(find other)/more.xacro"/>
+  <link name="base"/>
+</robot>
+"""
+
+
+@pytest.mark.parametrize("library", ["rospy", "rclpy"])
+@pytest.mark.parametrize("name", ["rover.urdf.xacro", "rover.urdf"])
+def test_macros_are_expanded_where_the_robot_starts(
+    name: str, library: str, tmp_path: Path
+) -> None:
+    (tmp_path / name).write_text(XACRO)
+    told = run(f"load_robot '{name}' as rover\n{PACKAGE}{END}", tmp_path, library)
+    assert not has_errors(told)
+    [left] = [each for each in told if each.code == "not-copied"]
+    assert "parts.xacro" in left.message
+    package = tmp_path / "output/rover_demo"
+    assert (package / "urdf" / name).read_text() == XACRO
+    assert (
+        f"xacro $(find{'' if library == 'rospy' else '-pkg-share'} rover_demo)/urdf/{name}"
+        in (package / "launch" / LAUNCHES[library]).read_text()
+    )
+    assert depends(package) >= {"xacro", "robot_state_publisher"}
+
+
+def test_humble_has_no_words_for_the_content_of_a_file(tmp_path: Path) -> None:
+    (tmp_path / "plastron.yaml").write_text("distribution: humble\n")
+    package = made(ROBOT.format(type="fixed") + PACKAGE + END, tmp_path, "rclpy")
+    text = (package / "launch/rover.launch.xml").read_text()
+    assert "$(command 'cat $(find-pkg-share rover_demo)/urdf/rover.urdf')" in text
+
+
+@pytest.mark.parametrize(
+    ("inside", "library", "file"),
+    [
+        ("demo contains rover\n", "rospy", "rover_demo/rover.launch"),
+        ("demo contains rover\n", "rclpy", "rover_demo/rover.launch.xml"),
+        ("", "rclpy", "PACKAGE/rover.launch.xml"),
+    ],
+)
+def test_a_robot_is_started_by_what_its_package_has(
+    inside: str, library: str, file: str, tmp_path: Path
+) -> None:
+    program = ROBOT.format(type="fixed") + PACKAGE + inside
+    program += "create_launch 'bringup' as bringup\n"
+    [told] = run(f"{program}bringup starts rover\n", tmp_path, library)
+    assert told.code == "unknown-node"
+    assert told.help is not None
+    assert f"`includes '{file}'`" in told.help
+    if inside:
+        write = "demo contains bringup\ngenerate_package demo\n"
+        assert run(f"{program}bringup includes '{file}'\n{write}", tmp_path, library) == ()

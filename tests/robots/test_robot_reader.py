@@ -32,7 +32,11 @@ WHEEL = b"""\
   </xacro:macro>
 </robot>
 """
-EXPANDED = b"<robot name='rover'><link name='base'/><link name='left_wheel'/></robot>"
+EXPANDED = (
+    b"<robot name='rover'><link name='base'/><link name='left_wheel'/>"
+    b"<joint name='left' type='fixed'><parent link='base'/><child link='left_wheel'/></joint>"
+    b"</robot>"
+)
 
 
 def loading(folder: Path, name: str) -> Session:
@@ -171,7 +175,7 @@ def test_what_is_in_the_way_of_expanding_is_told(
 def test_mistakes_of_the_expanded_file_are_warnings_without_a_place(
     folder: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    text = b"<robot name='r'>" + b"<link/>" * 10 + b"</robot>"
+    text = b"<robot name='r'><link name='base'/>" + b"<link/>" * 10 + b"</robot>"
     monkeypatch.setattr(xacro, "expand", lambda *_: Expanded(text))
     TrustStore().add(folder)
     found = loading(folder, "models/arm.urdf.xacro").diagnostics

@@ -106,7 +106,7 @@ def changed_link(link: Link, values: LinkValues, mesh_size: MeshSize) -> Changed
     else:
         new, notes = _with_bodies(link, values)
     changed = _with_inertial(link, new, values, mesh_size)
-    return Changed(changed.link, (*notes, *changed.notes))
+    return Changed(changed.link, tuple(dict.fromkeys((*notes, *changed.notes))))
 
 
 def _first_said(values: LinkValues, fields: Iterable[str]) -> str:
@@ -116,12 +116,14 @@ def _first_said(values: LinkValues, fields: Iterable[str]) -> str:
 def _refusal(link: Link, values: LinkValues) -> tuple[Note, str] | None:
     """Return why a link cannot be changed as it is said, None where it can."""
     placing = _first_said(values, ("shape", "position", "rotation"))
-    is_bare = not (link.visuals or link.collisions)
+    is_bare = not _bodies(link)
     weighs_first = values.mass is not None and link.inertial is None
-    if is_bare and values.shape is None:
-        said = _first_said(values, ("position", "rotation", "material"))
+    is_shapeless = all(each.shape is None for each in _bodies(link))
+    if is_shapeless and values.shape is None:
+        said = _first_said(values, ("position", "rotation", "material")) if is_bare else ""
         said = said or ("mass" if weighs_first else "")
-        return (Note.NO_SHAPE, said) if said else None
+        if said:
+            return Note.NO_SHAPE, said
     if len(link.visuals) > 1 or len(link.collisions) > 1:
         said = placing or ("mass" if weighs_first else "")
         if said:

@@ -59,8 +59,8 @@ class FaultKind(Enum):
 
     @property
     def is_lack(self) -> bool:
-        """Whether something is only missing yet."""
-        return self in (FaultKind.NO_LINKS, FaultKind.LOOSE, FaultKind.NO_LIMITS)
+        """Whether something is only missing yet: a link, a joint, limits, or an empty root."""
+        return self in _LACKS
 
 
 _OF_JOINTS = frozenset(
@@ -69,6 +69,10 @@ _OF_JOINTS = frozenset(
         *(FaultKind.NO_LIMITS, FaultKind.NO_RANGE, FaultKind.MIMICS_NOTHING),
         *(FaultKind.MIMICS_FIXED, FaultKind.MIMIC_CIRCLE),
     }
+)
+
+_LACKS = frozenset(
+    {FaultKind.NO_LINKS, FaultKind.LOOSE, FaultKind.NO_LIMITS, FaultKind.ROOT_INERTIA}
 )
 
 

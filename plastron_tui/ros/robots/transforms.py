@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from math import cos, sin
+from math import cos, isfinite, nan, sin
 from operator import mul
 from typing import NamedTuple, TypeAlias
 
@@ -62,8 +62,11 @@ def _vector(values: Sequence[float]) -> Vector:
 
 
 def rotation_matrix(rotation: Vector) -> Matrix:
-    """Return what roll, pitch and yaw turn by (urdfdom: `Rotation::setFromRPY`)."""
-    roll, pitch, yaw = rotation
+    """Return what roll, pitch and yaw turn by (urdfdom: `Rotation::setFromRPY`).
+
+    What an angle without end turns by is not a number.
+    """
+    roll, pitch, yaw = (angle if isfinite(angle) else nan for angle in rotation)
     cr, sr, cp, sp, cy, sy = cos(roll), sin(roll), cos(pitch), sin(pitch), cos(yaw), sin(yaw)
     return (
         (cy * cp, cy * sp * sr - sy * cr, cy * sp * cr + sy * sr),

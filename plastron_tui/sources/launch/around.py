@@ -80,7 +80,7 @@ def _beside(package: Path) -> list[Path]:
 
 
 def folders_below(root: Path) -> Iterator[Path]:
-    """Yield the folders with a package.xml below one, in the order of their names; no link is followed."""
+    """Yield the folders with a package.xml below one, by their names; no link is followed."""
     for seen, (place, folders, files) in enumerate(os.walk(root)):
         path = Path(place)
         if seen >= _MOST_FOLDERS:

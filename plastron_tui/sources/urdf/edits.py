@@ -60,13 +60,17 @@ def edited(
         wanted = kept_apart(present, wanted)
         if same_robot(present, wanted):
             return UrdfEdit(text)
-        changed = _without_gone(_with_changes(text, read, wanted, path), wanted, path)
+        changed = _with_changes(text, read, wanted, path)
+        again = read_urdf(changed, path)
+        gone = _gone(again, wanted)
+        if gone and again.document is not None:
+            changed = apply(changed, removals(again.document, gone, Habits(again.document)))
+            again = read_urdf(changed, path)
     except ConflictError as conflict:
         message = f"the file says something else of {conflict.what} by now, and it is to change"
         return UrdfEdit(None, (_refused(message, read.document.root.name_span, path),))
     except RefusedError as refused:
         return UrdfEdit(None, (refused.diagnostic,))
-    again = read_urdf(changed, path)
     if again.description is None or not same_robot(again.description, wanted):
         message = "the robot would not be what was asked for"
         return UrdfEdit(None, (_refused(message, read.document.root.name_span, path),))
@@ -114,19 +118,16 @@ def _begun(
     return _with_changes(text, read_urdf(text, path), wanted, path)
 
 
-def _without_gone(text: bytes, wanted: Description, path: Path | None) -> bytes:
-    read = read_urdf(text, path)
-    if read.document is None or read.description is None:
-        return text
-    gone = []
-    for part in _parts(read.description, lambda part: not _has(wanted, part)):
-        element = place_of(read.places, part)
-        if element is not None:
-            _check_plain(read.document, element)
-            gone.append(element)
-    if not gone:
-        return text
-    return apply(text, removals(read.document, gone, Habits(read.document)))
+def _gone(read: UrdfRead, wanted: Description) -> list[Element]:
+    """Return the parts that are to go."""
+    document, present = read.document, read.description
+    if document is None or present is None:
+        return []
+    parts = _parts(present, lambda part: not _has(wanted, part))
+    found = [element for part in parts if (element := place_of(read.places, part)) is not None]
+    for element in found if is_xacro(document) else ():
+        _check_plain(document, element)
+    return found
 
 
 def _named(text: bytes, name: str, path: Path | None) -> bytes:
@@ -164,7 +165,8 @@ def _changed(before: Mapping[str, T], after: Mapping[str, T]) -> Iterator[tuple[
 def _check_made_here(read: UrdfRead, wanted: Description, new: list[Part]) -> None:
     """Refuse to write a part of a name that an element has which could not be read."""
     present = read.description
-    for part in _parts(wanted, lambda part: part not in new):
+    added = set(new)
+    for part in _parts(wanted, lambda part: part not in added):
         element = place_of(read.places, part)
         if present is not None and element is not None and not _has(present, part):
             document = read.document
@@ -175,8 +177,6 @@ def _check_made_here(read: UrdfRead, wanted: Description, new: list[Part]) -> No
 
 def _check_plain(document: XmlDocument, element: Element) -> None:
     """Refuse to take away what macros have a hand in."""
-    if not is_xacro(document):
-        return
     for each in element.walk():
         for one in each.attributes:
             if is_computed(one.value):

@@ -8,12 +8,14 @@ from pathlib import Path
 from typing import NamedTuple
 
 from plastron_tui.diagnostics import Diagnostic, Label, Span, codes
+from plastron_tui.diagnostics.severity import Severity
 from plastron_tui.ros.robots.description import Body, Description, Joint, Link, Material
+from plastron_tui.ros.robots.materials import is_defined
 from plastron_tui.sources.xml.document import Element, XmlDocument, read_xml
 
 from .joints import joint_of
 from .links import link_of, material_of
-from .values import Values, is_computed, is_xacro
+from .values import Values, is_xacro
 
 
 @dataclass(frozen=True, slots=True)
@@ -133,24 +135,34 @@ class _Reader:
 
         The first of a name is the one that all mean, wherever it stands (`assignMaterial`).
         """
-        defined = set(self.materials)
+        defined = dict(self.materials)
         for name, element in self.places["link"].items():
             for body, place in _painted(self.links[name], element):
                 material = body.material
-                if material is None or not material.name or material.name in defined:
+                if material is None or not material.name:
                     continue
-                if material.rgba is not None or material.texture is not None:
-                    defined.add(material.name)
-                elif not (self.values.is_xacro or is_computed(material.name)):
+                if is_defined(material):
+                    if defined.setdefault(material.name, material) != material:
+                        self._shadowed(material, place)
+                elif material.name not in defined and not self.values.is_xacro:
                     self._undefined(material, place)
 
     def _undefined(self, material: Material, place: Element) -> None:
-        found = next(each for each in place.named("material"))
-        name = found.attribute("name")
-        span = found.name_span if name is None else name.value_span
         known = ", ".join(f"`{each}`" for each in list(self.materials)[:5])
         help_text = f"there are {known}" if known else 'give it a `<color rgba="…"/>` of its own'
-        self.values.tell(f"no material is called `{material.name}`", span, help_text)
+        message = f"no material is called `{material.name}`"
+        self.values.tell(message, _name_span(place), help_text)
+
+    def _shadowed(self, material: Material, place: Element) -> None:
+        message = f"another material is called `{material.name}`, and is the one that counts"
+        self.values.tell(message, _name_span(place), severity=Severity.WARNING)
+
+
+def _name_span(place: Element) -> Span:
+    """Return where the name of the material in a `visual` stands."""
+    material = next(each for each in place.named("material"))
+    name = material.attribute("name")
+    return material.name_span if name is None else name.value_span
 
 
 def _painted(link: Link, element: Element) -> Iterator[tuple[Body, Element]]:

@@ -197,6 +197,15 @@ def test_what_urdfdom_takes_is_no_mistake(inner: str) -> None:
     assert read_urdf(f'<robot name="r">{inner}</robot>'.encode()).diagnostics == ()
 
 
+def test_a_colour_that_does_not_count_is_told() -> None:
+    red = seen(SPHERE + '<material name="m"><color rgba="1 0 0 1"/></material>')
+    green = red.replace("1 0 0", "0 1 0").replace('"a"', '"b"')
+    text = f'<robot name="r">{red}{green}</robot>'
+    (found,) = read_urdf(text.encode()).diagnostics
+    assert found.message == "another material is called `m`, and is the one that counts"
+    assert found.severity is Severity.WARNING
+
+
 def test_another_file_is_no_robot() -> None:
     read = read_urdf(b"<sdf/>")
     assert read.description is None

@@ -65,7 +65,7 @@ def spec_of(
     build_type: BuildType | None = None,
     name: str = "demo",
 ) -> PackageSpec:
-    """Return a package with two nodes, a launch file and a parameter file."""
+    """Return a package with two nodes, a launch file, a parameter file and a robot."""
     return PackageSpec(
         name,
         ROS_VERSION[library],
@@ -76,6 +76,9 @@ def spec_of(
         nodes=nodes_of(program, library, folder),
         launches=(PackagedLaunch("demo.launch", LAUNCH[library], frozenset({name})),),
         configs=(PackagedFile("demo.yaml", b"talker:\n  rate: 1\n"),),
+        robots=(
+            PackagedFile("rover.urdf", b'<robot name="rover">\n  <link name="a"/>\n</robot>\n'),
+        ),
         packages=packages_of(library),
         build_type=build_type,
     )

@@ -35,6 +35,7 @@ def test_catkin_package_is_built_and_launched(tmp_path: Path) -> None:
     assert os.access(installed / "lib/demo/talker.py", os.X_OK)
     assert (installed / "share/demo/launch/demo.launch").is_file()
     assert (installed / "share/demo/config/demo.yaml").is_file()
+    assert (installed / "share/demo/urdf/rover.urdf").is_file()
     use = ". devel/setup.sh && cd src/demo && exec "
     call(["sh", "-c", f"{use} python3 -c 'from demo.srv import SetLevel'"], tmp_path, system)
     call(["catkin_make", "-j1", "run_tests"], tmp_path, system)
@@ -64,6 +65,7 @@ def test_colcon_builds_and_tests_a_package(build_type: BuildType, tmp_path: Path
         assert os.access(installed / "lib/demo" / node.executable, os.X_OK)
     assert (installed / "share/demo/launch/demo.launch").is_file()
     assert (installed / "share/demo/config/demo.yaml").is_file()
+    assert (installed / "share/demo/urdf/rover.urdf").is_file()
     for node in spec.nodes:
         # A status of 124 is that of `timeout`: the node was still there. A signal that meets it
         # while it starts may leave it running; it is then killed, with status 137.
@@ -84,6 +86,7 @@ def test_colcon_builds_a_package_of_launch_files(tmp_path: Path) -> None:
     write(render_package(spec), tmp_path / "src" / "demo")
     call(["colcon", "build"], tmp_path, {"PATH": path, "AMENT_PREFIX_PATH": sys.prefix})
     assert (tmp_path / "install/demo/share/demo/launch/demo.launch").is_file()
+    assert (tmp_path / "install/demo/share/demo/urdf/rover.urdf").is_file()
 
 
 @pytest.mark.long(1)

@@ -54,6 +54,18 @@ class Canvas:
         for row, left, right in stretches(points, len(self._pixels)):
             self._fill_row(row, left, right, color)
 
+    def line(self, start: Point, end: Point, color: str) -> None:
+        """Draw a line, a pixel wide."""
+        flat = 2 if self.ascii_only else 1
+        across, down = end.x - start.x, (end.y - start.y) / flat
+        count = min(ceil(max(abs(across), abs(down))), self.columns + len(self._pixels))
+        for step in range(count + 1):
+            part = step / count if count else 0.0
+            column = floor(start.x + across * part)
+            row = floor(start.y / flat + down * part)
+            if 0 <= column < self.columns and 0 <= row < len(self._pixels):
+                self._pixels[row][column] = color
+
     def fill_circle(self, middle: Point, radius: float, color: str) -> None:
         """Fill a circle."""
         flat = 2 if self.ascii_only else 1

@@ -116,7 +116,7 @@ def _box(solid: Solid, size: Vector, view: View) -> Outline:
         if abs(facing) > _EDGE_ON:
             faces.append(Face(tuple([seen[number] for number in _FACES[axis, side]]), abs(facing)))
     if len(faces) == 1:
-        return Outline(solid, faces[0].points, 0.0, (), faces[0].facing, nearest)
+        return Outline(solid, hull(faces[0].points), 0.0, (), faces[0].facing, nearest)
     points = hull(seen)
     return Outline(solid, points, 0.0, tuple(faces), 1.0, nearest)
 
@@ -149,11 +149,10 @@ def _cylinder(solid: Solid, radius: float, length: float, view: View, corners: i
     nearest = view.depth(middle) + abs(facing) * length / 2 + radius * size
     if size < _EDGE_ON:
         return Outline(solid, (view.point(middle),), radius, (), 1.0, nearest)
-    # The first of these is where the outline is farthest from the axis: on the side from which
-    # the rim goes to the left around.
-    size = size if facing >= 0 else -size
+    # The first of these is where the outline is farthest from the axis; the second one is seen
+    # where the axis points, so that the rim goes to the left around.
     first: Vector = (across[0] / size, across[1] / size, across[2] / size)
-    second = cross(along, first)
+    second = cross(along, first) if facing >= 0 else cross(first, along)
     one, other = view.point(first), view.point(second)
     rim = [
         Point(radius * (a * one.x + b * other.x), radius * (a * one.y + b * other.y))
@@ -161,22 +160,21 @@ def _cylinder(solid: Solid, radius: float, length: float, view: View, corners: i
     ]
     center, end = view.point(middle), view.point(along)
     half = length / 2
-    # The first half of the rim bulges to where `other` points: the end that is farther that way
-    # has it in the outline, and the other end has its second half there.
+    # The first half of the rim bulges to where the axis points: the end there has it in the
+    # outline, and the other end its second half.
     upper, lower = (
         [Point(center.x + sign * end.x + p.x, center.y + sign * end.y + p.y) for p in rim]
         for sign in (half, -half)
     )
     count = corners // 2
-    outer, inner = (upper, lower) if facing >= 0 else (lower, upper)
-    points = (*outer[: count + 1], *inner[count:], inner[0])
+    points = (*upper[: count + 1], *lower[count:], lower[0])
     cap = (
         (Face(tuple(upper if facing > 0 else lower), abs(facing)),)
         if abs(facing) > _EDGE_ON
         else ()
     )
     rim_shape = Ellipse(radius, radius * abs(facing), atan2(one.y, one.x))
-    return Outline(solid, points, 0.0, cap, abs(size), nearest, rim_shape)
+    return Outline(solid, points, 0.0, cap, size, nearest, rim_shape)
 
 
 @lru_cache(maxsize=4)

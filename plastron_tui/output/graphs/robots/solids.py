@@ -12,6 +12,7 @@ from plastron_tui.ros.robots.description import (
     Cylinder,
     Description,
     JointType,
+    Link,
     Material,
     Mesh,
     Pose,
@@ -42,14 +43,14 @@ class Solid(NamedTuple):
         shape: its shape; None for a mesh of which nobody knows how large it is.
         at: what places it.
         rgba: its colour, None where nothing is said.
-        is_bounds: whether it is the box around a mesh.
+        is_rough: whether it is not what is seen: the box around a mesh, or what collides.
     """
 
     link: str
     shape: Box | Cylinder | Sphere | None
     at: Transform
     rgba: Rgba | None = None
-    is_bounds: bool = False
+    is_rough: bool = False
 
 
 class Axis(NamedTuple):
@@ -68,12 +69,20 @@ class Axis(NamedTuple):
     along: Vector | None
 
 
+class Bone(NamedTuple):
+    """From where to where a joint is: from its parent to its child."""
+
+    start: Vector
+    end: Vector
+
+
 class Scene(NamedTuple):
     """All that is drawn of a robot.
 
     Attributes:
         solids: its bodies, in the order of the links.
         axes: its joints, in theirs.
+        bones: what holds it together, where not all bodies can be drawn.
         points: where its links are.
         links: the names of its links.
         missing: what cannot be drawn: links that hang on no root, or are too far away.
@@ -81,6 +90,7 @@ class Scene(NamedTuple):
 
     solids: tuple[Solid, ...]
     axes: tuple[Axis, ...]
+    bones: tuple[Bone, ...]
     points: tuple[Vector, ...]
     links: tuple[str, ...]
     missing: tuple[str, ...]
@@ -100,21 +110,43 @@ def scene_of(robot: Description, mesh_bounds: MeshBounds = no_bounds) -> Scene:
         if name not in where:
             missing.append(name)
             continue
-        drawn = list(_solids(name, bodies_of(link), where[name], materials, mesh_bounds))
+        drawn = _drawn(link, where[name], materials, mesh_bounds)
         near = [solid for solid in drawn if _is_near(solid.at) and _is_small(solid.shape)]
         if len(near) < len(drawn):
             missing.append(name)
         solids += near
     axes = []
+    bones = []
     for joint in robot.joints.values():
         at = where.get(joint.child)
         # A link that two joints hold is where the first one has it.
         if at is None or joint.parent not in where:
             continue
+        if at.translation != where[joint.parent].translation:
+            bones.append(Bone(where[joint.parent].translation, at.translation))
         along = _unit(at.direction(joint.axis or (1.0, 0.0, 0.0))) if joint.type.has_axis else None
         axes.append(Axis(joint.name, joint.type, at.translation, along))
     points = tuple(at.translation for at in where.values())
-    return Scene(tuple(solids), tuple(axes), points, tuple(robot.links), tuple(missing))
+    if all(solid.shape is not None for solid in solids):
+        bones = []
+    names = tuple(robot.links)
+    return Scene(tuple(solids), tuple(axes), tuple(bones), points, names, tuple(missing))
+
+
+def _drawn(
+    link: Link, at: Transform, materials: Mapping[str, Material], mesh_bounds: MeshBounds
+) -> list[Solid]:
+    """Return the bodies of a link: what is seen of it, else what collides.
+
+    What collides stands in for meshes, too, of which nobody knows how large they are.
+    """
+    seen = list(_solids(link.name, bodies_of(link), at, materials, mesh_bounds))
+    if any(solid.shape is not None for solid in seen):
+        return seen
+    rgba = seen[0].rgba if seen else None
+    found = _solids(link.name, link.collisions, at, materials, mesh_bounds)
+    rough = [x._replace(rgba=rgba, is_rough=True) for x in found if x.shape is not None]
+    return rough or seen
 
 
 def _solids(
@@ -136,7 +168,7 @@ def _solids(
                     yield Solid(link, None, here, rgba)
                     continue
                 box, middle = _box_around(mesh, bounds)
-                yield Solid(link, box, here.then(Pose(middle)), rgba, is_bounds=True)
+                yield Solid(link, box, here.then(Pose(middle)), rgba, is_rough=True)
             case shape:
                 yield Solid(link, shape, here, rgba)
 

@@ -45,7 +45,8 @@ def robot_svg(shown: GraphRobot) -> SvgRobot:
     """Return the picture of a robot."""
     robot = shown.description
     scene = scene_of(robot, shown.meshes.get)
-    tree, views = tree_svg(robot, scene), views_svg(scene)
+    tree = tree_svg(robot, scene)
+    views = views_svg(scene, tree.height)
     title = robot_title(shown)
     head = drawable(title)
     lines = (
@@ -54,13 +55,13 @@ def robot_svg(shown: GraphRobot) -> SvgRobot:
         f'<g class="tree" transform="translate(0 {number(_HEAD)})">',
         *tree.lines,
         "</g>",
-        f'<g class="views" transform="translate({number(tree.width + _GAP)} 0)">',
+        f'<g class="views" transform="translate({number(tree.width + _GAP)} {number(_HEAD)})">',
         *views.lines,
         "</g>",
         "</g>",
     )
     width = max(tree.width + _GAP + views.width, text_width(head, _SIZE, bold=True))
-    height = max(tree.height + _HEAD, views.height)
+    height = max(tree.height, views.height) + _HEAD
     return SvgRobot(lines, width, height, title, _in_words(robot))
 
 

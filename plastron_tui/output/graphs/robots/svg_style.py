@@ -34,6 +34,7 @@ STYLE = f"""<style>
 .robot .edge{{stroke:#1d2733;stroke-opacity:.62;stroke-width:.9;stroke-linejoin:round}}
 .robot .box .edge{{stroke-dasharray:4 2.5}}
 .robot .unknown{{fill:#fbfcfd;stroke:#5d6b7a;stroke-width:1.2}}
+.robot .bone{{stroke:#9aa7b5;stroke-width:1.2;stroke-dasharray:1.5 2.5}}
 .robot .rail{{fill:none;stroke:#9aa7b5;stroke-width:1.4}}
 .robot .moves{{stroke:#9a7ad6;stroke-width:2}}
 .robot .spot{{stroke:#5d6b7a;stroke-width:1}}
@@ -57,7 +58,8 @@ STYLE = f"""<style>
 {_plain(0x7D, 0x8C, 0x9C)}
 .robot .edge{{stroke:#f0f4f8;stroke-opacity:.55}}
 .robot .unknown{{fill:#161b22;stroke:#9dabba}}
-.robot .rail{{stroke:#5d6b7a}} .robot .moves{{stroke:#8a6bc4}} .robot .spot{{stroke:#c3ced9}}
+.robot .bone,.robot .rail{{stroke:#5d6b7a}} .robot .moves{{stroke:#8a6bc4}}
+.robot .spot{{stroke:#c3ced9}}
 .robot .axis{{stroke:#b08cf0}} .robot .tip{{fill:#b08cf0}}
 .robot .end{{fill:#161b22;stroke:#b08cf0}} .robot .lead{{stroke:#b08cf0}}
 .robot .name{{fill:#d3c0fb}}

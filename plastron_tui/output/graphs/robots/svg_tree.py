@@ -20,7 +20,7 @@ from .svg_text import escaped, text
 _ROW = 33.0
 _LANE = 18.0
 _SPOT = 5.5
-_ROOM = 300.0
+_ROOM = 340.0
 """How wide a line of text may be."""
 
 _GAP = 10.0
@@ -80,7 +80,9 @@ def _rows_a_column(count: int, width: float) -> int:
     if count <= _FEW:
         return _FEW
     # count / rows columns of `width` are `_SHAPE` times as wide as rows are high
-    return max(_FEW, ceil(sqrt(count * (width + _COLUMN_GAP) / (_SHAPE * _ROW))))
+    most = max(_FEW, ceil(sqrt(count * (width + _COLUMN_GAP) / (_SHAPE * _ROW))))
+    # The columns are about as long as each other.
+    return ceil(count / ceil(count / most))
 
 
 def _texts(robot: Description, row: TreeRow) -> tuple[list[_Line], list[_Line]]:
@@ -95,12 +97,14 @@ def _texts(robot: Description, row: TreeRow) -> tuple[list[_Line], list[_Line]]:
 
 def _line(parts: list[tuple[str, str, float]]) -> list[_Line]:
     found: list[_Line] = []
+    texts = [drawable(visible(words)) for _, words, _ in parts]
+    wanted = text_width(texts[1], parts[1][2])
+    # What follows a long name has a third of the room, if it needs that.
+    rooms = (_ROOM - min(wanted + _GAP, _ROOM * 0.3), _ROOM)
     left = _ROOM
-    for kind, words, size in parts:
+    for (kind, _, size), words, room in zip(parts, texts, rooms, strict=True):
         bold = kind == "link"
-        # A long name leaves a third to what follows.
-        room = max(left if found else _ROOM * 0.68, 40.0)
-        shown = broken(drawable(visible(words)), size, room, 1, bold=bold)[0] if words else ""
+        shown = broken(words, size, max(min(room, left), 40.0), 1, bold=bold)[0]
         if shown:
             wide = text_width(shown, size, bold=bold)
             found.append(_Line(kind, shown, wide))

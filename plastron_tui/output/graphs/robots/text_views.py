@@ -23,6 +23,9 @@ _PAD_X, _PAD_Y = 2, 1
 _FEW = 8
 """So many names of joints may hide what is drawn behind them."""
 
+_BONE = "#7f8b97"
+"""The colour of what holds bodies together: it is seen on dark and on light."""
+
 _THICK = 6.0
 """A body that is so many pixels wide and high has an edge."""
 
@@ -109,6 +112,9 @@ class _Drawing:
         def pixel(at: Point) -> Point:
             return Point(left + (at.x - frame.left) * scale, top + (frame.high - at.y) * scale)
 
+        for bone in self.scene.bones:
+            start, end = (pixel(seen.view.point(at)) for at in bone)
+            self.canvas.line(start, end, "." if self.canvas.ascii_only else _BONE)
         for outline in self._ordered(seen.outlines):
             self._body(outline, pixel, scale)
         across, up = seen.view.axes

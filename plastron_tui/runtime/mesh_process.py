@@ -1,0 +1,126 @@
+"""Measures meshes, in a process of its own (`meshes`): files may be of any size and make."""
+
+from __future__ import annotations
+
+import importlib
+import io
+import json
+import os
+import pickle
+import sys
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any, NamedTuple
+from xml.parsers import expat
+
+from plastron_tui.limited_process import Limits, limit_itself
+from plastron_tui.regular_files import read_regular
+
+from .file_guard import guard_files, leave_network
+
+_LONGEST_REASON = 300
+
+
+class Request(NamedTuple):
+    """What is to be measured.
+
+    Attributes:
+        paths: the files, which may be read.
+        limits: what the process may use.
+        largest: the most bytes of a file.
+    """
+
+    paths: tuple[Path, ...]
+    limits: Limits
+    largest: int
+
+
+def main() -> int:
+    """Measure what the standard input asks for; return the exit status."""
+    request: Request = pickle.load(sys.stdin.buffer)
+    reply = os.dup(1)
+    with Path(os.devnull).open("w") as nowhere:
+        sys.stdout = sys.stderr = nowhere
+        answer = json.dumps(_answer(request)).encode()
+    while answer:
+        answer = answer[os.write(reply, answer) :]
+    return 0
+
+
+def _answer(request: Request) -> list[dict[str, Any]]:
+    trimesh = importlib.import_module("trimesh")
+    try:
+        importlib.import_module("collada")
+        reads_collada = True
+    except ImportError:
+        reads_collada = False
+    leave_network()
+    limit_itself(request.limits)
+    guard_files(_allowed(request.paths))
+    answers: list[dict[str, Any]] = []
+    for path in request.paths:
+        if _kind(path) == "dae" and not reads_collada:
+            answers.append({"missing": True})
+            continue
+        try:
+            answers.append({"bounds": _bounds(trimesh, path, request.largest)})
+        except MemoryError:
+            most = request.limits.memory // 1024**2
+            answers.append({"reason": f"it needs more than {most} MB of memory"})
+        # What a file has that is no mesh may be anything.
+        except (Exception, SystemExit) as error:
+            said = " ".join(str(error).split()) or type(error).__name__
+            answers.append({"reason": said[:_LONGEST_REASON]})
+    return answers
+
+
+def _kind(path: Path) -> str:
+    return path.suffix.lower().removeprefix(".")
+
+
+def _bounds(trimesh: Any, path: Path, largest: int) -> list[list[float]]:
+    """Return the least and the greatest corner of a mesh, in metres where it has a unit.
+
+    Raises:
+        Exception: whatever is raised for what is no mesh.
+    """
+    text = read_regular(path, largest)
+    metres = _metres(text) if _kind(path) == "dae" else 1.0
+    # Of bytes, without what would find other files: no texture matters here.
+    scene = trimesh.load(io.BytesIO(text), file_type=_kind(path), force="scene", process=False)
+    if scene.bounds is None:
+        raise ValueError("it has no surface")
+    return [[metres * float(each) for each in corner] for corner in scene.bounds]
+
+
+def _allowed(paths: tuple[Path, ...]) -> Callable[[str], bool]:
+    """Return what tells whether a file is a mesh, or of a module that is imported late."""
+    own = {os.path.realpath(each) for each in paths}
+    modules = tuple(os.path.realpath(each) + os.sep for each in sys.path)
+
+    def allows(name: str) -> bool:
+        real = os.path.realpath(name)
+        return real in own or real.startswith(modules)
+
+    return allows
+
+
+def _metres(text: bytes) -> float:
+    """Return how many metres the unit of a COLLADA file is; entities are refused.
+
+    RViz and Gazebo draw it so, whatever axis is up in the file (rviz: `mesh_loader.cpp`).
+    """
+    found: list[float] = []
+
+    def start(name: str, attributes: dict[str, str]) -> None:
+        if name.rpartition(":")[2] == "unit" and "meter" in attributes and not found:
+            found.append(float(attributes["meter"]))
+
+    def refuse(*_: object) -> None:
+        raise ValueError("it declares entities, which are not expanded")
+
+    parser = expat.ParserCreate()
+    parser.StartElementHandler = start
+    parser.EntityDeclHandler = refuse
+    parser.Parse(text, True)
+    return found[0] if found else 1.0

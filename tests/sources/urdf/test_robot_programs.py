@@ -1,0 +1,108 @@
+"""Robots that are written as programs: what is said is the robot's, and can be read."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+from hypothesis import HealthCheck, given, settings
+from machine import examples
+from random_robots import robots
+
+from plastron_tui.language import Document, lower
+from plastron_tui.model.robot_program import program_of_robot
+from plastron_tui.ros.robots.description import (
+    Body,
+    Box,
+    Cylinder,
+    Description,
+    Inertial,
+    Joint,
+    JointType,
+    Limit,
+    Link,
+    Material,
+    Mesh,
+    Mimic,
+    Pose,
+    Sphere,
+)
+from plastron_tui.ros.robots.inertia import tensor_of
+from plastron_tui.session import Session
+from plastron_tui.sources.urdf.equality import same_robot
+from plastron_tui.sources.urdf.reader import read_urdf
+from plastron_tui.targets.robots.urdf import write_urdf
+
+TURNED = Pose((0, 0.1, 0), (1.570796327, 0, 0))
+TENSOR = tensor_of(Box((0.1, 0.2, 0.3)), 2)
+assert TENSOR is not None
+
+
+def robot(link: Link, *joints: Joint) -> Description:
+    others = {each.child: Link(each.child) for each in joints}
+    return Description("r", {link.name: link, **others}, {each.name: each for each in joints})
+
+
+def same(shape: Box | Cylinder | Sphere, material: Material | None = None) -> Link:
+    body = Body(shape, TURNED)
+    return Link("a", (body._replace(material=material),), (body,))
+
+
+WHOLE = [
+    robot(Link("a")),
+    robot(same(Box((0.1, 0.2, 0.3)))),
+    robot(same(Sphere(0.1), Material("red", (1, 0, 0, 1)))),
+    robot(same(Cylinder(0.1, 0.05), Material("color_30ff4080", (0.188, 1, 0.251, 0.502)))),
+    robot(same(Box((0.1, 0.2, 0.3)))._replace(inertial=Inertial(2, TENSOR, TURNED))),
+    robot(
+        Link("a"),
+        Joint("j", JointType.REVOLUTE, "a", "b", TURNED, (0, 1, 0), Limit(-1.5, 0.5, 20, 1.5)),
+        Joint("k", JointType.CONTINUOUS, "b", "c", mimic=Mimic("j", 2)),
+        Joint("s", JointType.PRISMATIC, "c", "d", axis=(0, 0, 1), limit=Limit(0, 0.5, 1, 1)),
+    ),
+]
+
+
+@pytest.mark.parametrize("wanted", WHOLE)
+def test_what_a_program_can_say_comes_back(wanted: Description, tmp_path: Path) -> None:
+    program = program_of_robot(wanted, "r")
+    assert "//" not in program
+    session = Session(program.encode(), tmp_path / "a.plastron", environ={})
+    assert not [each for each in session.diagnostics if each.span is None]
+    made = session.workspace.robots["r"].description
+    written, again = (read_urdf(write_urdf(each)).description for each in (wanted, made))
+    assert written is not None
+    assert again is not None
+    assert same_robot(written, again)
+
+
+@pytest.mark.parametrize(
+    ("link", "told"),
+    [
+        (Link("a", (Body(Sphere(1)), Body(Sphere(2)))), "what is seen of it are 2 shapes"),
+        (Link("a", (Body(Sphere(1)),)), "it does not collide"),
+        (Link("a", (Body(Sphere(1)),), (Body(Sphere(2)),)), "what collides is something else"),
+        (Link("a", (), (Body(Sphere(1)),)), "nothing is seen of it"),
+        (Link("a", inertial=Inertial(1, TENSOR)), "it weighs 1 kg, and has no shape"),
+        (
+            Link("a", (Body(Sphere(1)),), (Body(Sphere(1)),), Inertial(1, TENSOR)),
+            "its inertia is another one than that of its shape",
+        ),
+        (
+            Link("a", (Body(Sphere(1), material=Material("m", None, "wood.png")),)),
+            "its material is one that a program has no words for",
+        ),
+        (Link("a", (Body(Mesh("a.stl")),)), "it does not collide"),
+        (Link("the 'head'"), "a link is called `the 'head'`, which no program can say"),
+    ],
+)
+def test_what_no_program_says_is_a_comment(link: Link, told: str) -> None:
+    comments = [x for x in program_of_robot(robot(link), "r").splitlines() if x.startswith("//")]
+    assert any(told in each for each in comments), comments
+
+
+@settings(max_examples=examples(60), deadline=None, suppress_health_check=list(HealthCheck))
+@given(robots())
+def test_a_program_of_any_robot_can_be_read(any_robot: Description) -> None:
+    program = lower(Document(program_of_robot(any_robot, "x y").encode()))
+    assert program.diagnostics == ()
