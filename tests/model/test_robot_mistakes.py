@@ -35,6 +35,8 @@ MISTAKES: list[tuple[str, str, str, str]] = [
     ("r has_link 'd' shaped box 1, 2, 3, 4", "bad-shape", "4", "box 0.4, 0.3, 0.1"),
     ("r has_link 'd' shaped box 1, 2, y=3", "bad-shape", "y=3", ""),
     ("r has_link 'd' shaped cylinder radus=1, length=1", "bad-shape", "radus=1", "`radius`"),
+    ("r has_link 'd' shaped box 0,4, 1, 0,05", "bad-shape", "0,4, 1, 0,05", "`0.4, 1, 0.05`"),
+    ("r has_link 'd' shaped sphere 0,1", "bad-shape", "0,1", "write `0.1`"),
     ("r has_link 'd' shaped sphere 0", "bad-shape", "0", ""),
     ("r has_link 'd' shaped sphere 1e-9", "bad-shape", "1e-9", ""),
     ("r has_link 'd' shaped sphere True", "bad-shape", "True", ""),
