@@ -30,7 +30,7 @@ CODES: Mapping[FaultKind, Code] = {
     FaultKind.LONG: codes.UNIT_SLIP,
     FaultKind.HEAVY: codes.UNIT_SLIP,
     FaultKind.NAME: codes.BAD_ROBOT_NAME,
-    FaultKind.SHARED_NAME: codes.SHARED_NAME,
+    FaultKind.SHARED_NAME: codes.LINK_NAME_AGAIN,
 }
 """What each kind of fault is to a user."""
 

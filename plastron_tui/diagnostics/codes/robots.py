@@ -183,8 +183,8 @@ MESH_INERTIA = Code(
     good=_WHOLE,
 )
 
-SHARED_NAME = Code(
-    "shared-name",
+LINK_NAME_AGAIN = Code(
+    "link-name-again",
     "A link and a joint of a robot have one name. URDF takes that, and Gazebo does not: in its own "
     "format both are parts of one model, which have names of their own.",
     severity=Severity.WARNING,
