@@ -29,7 +29,12 @@ def number_of(text: str) -> float | None:
 
 
 def is_xacro(document: XmlDocument) -> bool:
-    """Tell whether a file has macros, whose values are computed."""
+    """Tell whether a file has macros, whose values are computed.
+
+    What is only included by other files need not name their namespace.
+    """
+    if document.file is not None and document.file.suffix == ".xacro":
+        return True
     return any(
         each.name.startswith(XACRO) or any(one.name == "xmlns:xacro" for one in each.attributes)
         for each in document.root.walk()
