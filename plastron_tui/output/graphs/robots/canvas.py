@@ -35,7 +35,8 @@ class Canvas:
         if not (0 <= row < self.rows and column >= 0 and column + length <= self.columns):
             return False
         cells = range(column, column + length)
-        if any(at in self._written[row] for at in cells):
+        written = self._written[row]
+        if written and not written.keys().isdisjoint(cells):
             return False
         return over_pixels or not any(any(self._pair(at, row)) for at in cells)
 
@@ -47,10 +48,10 @@ class Canvas:
                 color = contrast(behind) if behind else ""
                 self._written[row][at] = Run(char, role, color, behind)
 
-    def fill(self, points: Sequence[Point], color: str) -> None:
+    def fill(self, points: Sequence[tuple[float, float]], color: str) -> None:
         """Fill a convex polygon: pixels whose middles are in it, at least one in each row."""
         if self.ascii_only:
-            points = [Point(x, y / 2) for x, y in points]
+            points = [(x, y / 2) for x, y in points]
         for row, left, right in stretches(points, len(self._pixels)):
             self._fill_row(row, left, right, color)
 
