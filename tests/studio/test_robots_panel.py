@@ -77,6 +77,23 @@ def test_what_is_wrong_stands_beside_its_part_and_is_mended_there() -> None:
     assert [edit.text for edit in found["body"].edits] == ["box"]
 
 
+def test_a_part_of_a_file_says_where_it_stands(tmp_path: Path) -> None:
+    (tmp_path / "old.urdf").write_text(
+        '<?xml version="1.0"?>\n<robot name="old">\n  <link name="base"/>\n'
+        '  <link name="arm"/>\n  <joint name="turn" type="continuous">\n'
+        '    <parent link="base"/>\n    <child link="arm"/>\n  </joint>\n</robot>\n'
+    )
+    text = "load_robot 'old.urdf' as old\nold has_link 'arm' shaped sphere 0.1\n"
+    analysis = analysis_of(text, tmp_path / "x.plastron")
+    assert analysis.diagnostics == ()
+    found = {each.text: each for each in entries(analysis)}
+    assert found["turn"].span is None and found["turn"].elsewhere == "turn is in old.urdf, line 5"
+    assert found["arm"].span is not None and found["arm"].detail == "sphere r 0.1"
+    assert found["arm"].statement == "old no_longer_has_link 'arm'"
+    refused = renamed(analysis, found["arm"], "other")
+    assert (refused.edits, refused.files) == ((), ("old.urdf",))
+
+
 def test_the_part_at_the_cursor_stands_out_in_the_picture() -> None:
     analysis = analysis_of(TEXT)
     plain, marked = (

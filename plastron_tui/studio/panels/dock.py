@@ -22,6 +22,16 @@ from .styles import Toned
 _PLAIN = Style.null()
 
 
+_TIGHTER = (
+    (" ", " ", "all"),
+    ("", " ", "all"),
+    ("", " ", "active"),
+    ("", "", "active"),
+    ("", "", "alarms"),
+)
+"""How tabs are written, the roomiest first: behind a name, behind a count, and what is counted."""
+
+
 class TabStrip(Toned):
     """One line with the names of panels; it is the edge of its dock too."""
 
@@ -85,13 +95,17 @@ class TabStrip(Toned):
 
     def _fitting(self, width: int) -> list[tuple[Panel, str, str]]:
         """Return the tabs, their text and count: with all counts and some room if that fits."""
-        for room, has_counts in ((" ", True), ("", True), ("", False)):
+        for room, behind, counted in _TIGHTER:
             tabs = []
             for panel in self.tabs:
-                is_counted = has_counts or panel.is_alarm or panel.name == self.active
+                is_counted = (
+                    panel.is_alarm
+                    or counted == "all"
+                    or (counted == "active" and panel.name == self.active)
+                )
                 count = self.counts.get(panel.name, 0) if is_counted else 0
                 text = f" {panel.title} " if count else f" {panel.title}{room}"
-                tabs.append((panel, text, f"{count} " if count else ""))
+                tabs.append((panel, text, f"{count}{behind}" if count else ""))
             if sum(cell_len(text) + cell_len(count) for _, text, count in tabs) <= width:
                 break
         return tabs

@@ -34,6 +34,7 @@ from plastron_tui.ros.robots.description import (
 from plastron_tui.ros.robots.tree import Branch, branches, held_by
 
 from .entry import SIGNS, Entries, Entry, Subject
+from .robot_places import place_of
 
 if TYPE_CHECKING:
     from plastron_tui.language import Program
@@ -181,7 +182,7 @@ class _Tree:
             is_branch=is_branch,
             ending=sentence(DECLARATIONS[ends], texts),
             robot=robot.variable,
-            place="" if source is None else source.path.name,
+            place="" if source is None else place_of(source, subject, name),
         )
 
 

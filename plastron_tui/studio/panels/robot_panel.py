@@ -171,8 +171,6 @@ class RobotPanel(Container):
 
 
 def _made(analysis: Analysis, looks: Looks) -> Shown:
-    from plastron_tui.output.graphs.robots.solids import no_bounds
-
     from .robot_entries import robot_entries
     from .robot_picture import picture_of
 
@@ -180,14 +178,8 @@ def _made(analysis: Analysis, looks: Looks) -> Shown:
     robot = analysis.workspace.robots.get(looks.robot or "")
     if robot is None or not looks.rows:
         return Shown(entries, ())
-    picture = picture_of(
-        robot.shown,
-        looks.columns,
-        looks.rows,
-        view=looks.view,
-        marked=looks.marked,
-        mesh_bounds=no_bounds,
-    )
+    size = looks.columns, looks.rows
+    picture = picture_of(analysis.session, robot, *size, view=looks.view, marked=looks.marked)
     return Shown(entries, picture)
 
 

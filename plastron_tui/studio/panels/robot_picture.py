@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
+from plastron_tui.model.robots import Robot
 from plastron_tui.output.graphs.robots.runs import Run, RunLines
 from plastron_tui.output.graphs.robots.scales import seen_from_all
-from plastron_tui.output.graphs.robots.solids import MeshBounds, scene_of
+from plastron_tui.output.graphs.robots.solids import scene_of
 from plastron_tui.output.graphs.robots.text_views import draw_view, draw_views
-from plastron_tui.ros.robots.description import Description
+from plastron_tui.session import Session
 
 from .styles import Lines, Piece
 
@@ -28,26 +29,21 @@ _TONES = {
 
 
 def picture_of(
-    robot: Description,
-    columns: int,
-    rows: int,
-    *,
-    view: str = "",
-    marked: str = "",
-    mesh_bounds: MeshBounds,
+    session: Session, robot: Robot, columns: int, rows: int, *, view: str = "", marked: str = ""
 ) -> Lines:
     """Return a robot as it looks, in so many columns and rows.
 
     Args:
+        session: the program, which measures meshes; the first time that may take seconds.
         robot: the robot.
         columns: how wide the picture is.
         rows: how high it is.
         view: the side that it is seen from: `top`, `side` or `front`; "" for all of them, or the
             one that shows most where there is no room for all.
         marked: the link or joint that stands out, "" for none.
-        mesh_bounds: tells how large meshes are.
     """
-    scene = scene_of(robot, mesh_bounds)
+    session.robots.measure(robot)
+    scene = scene_of(robot.shown, robot.meshes.get)
     sides = seen_from_all(scene, _CORNERS)
     found = next((side for side in sides if side.view.key == view), None)
     if found is None and columns >= _ALL_COLUMNS and rows >= _ALL_ROWS:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 
 from plastron_tui.language import Slot, SlotKind
@@ -115,7 +115,13 @@ def filled_of(form: Form, filled: Sequence[Filled]) -> Filled | None:
 class Filler:
     """Fills forms; it remembers what came of the choices that were tried out."""
 
-    def __init__(self) -> None:
+    def __init__(self, followed: Callable[[Filled], list[Placed]]) -> None:
+        """Remember nothing yet.
+
+        Args:
+            followed: returns the statements of a form, with what may follow them.
+        """
+        self._followed = followed
         self._tried: dict[object, Trial] = {}
 
     def fill(
@@ -300,6 +306,9 @@ class Filler:
         if problems:
             return Trial(problems[0].message, scene.lonely, _needing(problems[0], form))
         outcome = check(scene.session, filled.written)
+        if outcome.findings:
+            # What follows it may be what it lacks.
+            outcome = check(scene.session, self._followed(filled))
         lonely = Scene(outcome.session).lonely
         if not outcome.findings:
             return Trial(None, lonely)
@@ -319,7 +328,7 @@ def _clause_problems(filled: Filled) -> Iterator[Finding]:
         slots = [slot.name for slot in clause.slots]
         given = [name for name in slots if cells[name].text]
         for name in slots if given else ():
-            if not cells[name].text and not filled.parts.get(name):
+            if not cells[name].text and name not in filled.parts:
                 words = f"it is needed along with `{given[0]}`: give both, or leave both out"
                 yield Finding(form, name, words)
     passed: list[str] = []

@@ -72,6 +72,12 @@ def _line(type_: type[Statement], **texts: str) -> str:
     return laid_out(DECLARATIONS[type_], texts)
 
 
+def followed(filled: Filled) -> list[Placed]:
+    """Return the statements of a form, with all that may follow them."""
+    placed, _ = chosen(filled.base.session, filled.written, extras_of(filled), {})
+    return placed
+
+
 def chosen(
     session: Session, placed: list[Placed], extras: list[Extra], wanted: Mapping[str, bool]
 ) -> tuple[list[Placed], list[Extra]]:

@@ -8,7 +8,7 @@ from plastron_tui.language import Declaration, SlotKind
 
 from .context import Scene
 from .filling import Filled, Filler
-from .followers import chosen, extras_of
+from .followers import followed
 from .form import Form
 from .goals import GROUPS, Aim, declarations_of, told
 from .menu import RECIPES, Offer
@@ -93,8 +93,7 @@ class Offering:
         findings = check(scene.session, anew.written).findings
         if findings:
             # What follows it may be what it lacks.
-            placed, _ = chosen(scene.session, anew.written, extras_of(anew), {})
-            findings = check(scene.session, placed).findings
+            findings = check(scene.session, followed(anew)).findings
         return findings[0].words if findings else ""
 
     def _completes(self, declaration: Declaration, scene: Scene, filled: list[Filled]) -> bool:

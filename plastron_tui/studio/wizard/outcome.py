@@ -26,12 +26,9 @@ def code_of_robot(session: Session, robot: str) -> tuple[str, Lines]:
 
 def look_of_robot(session: Session, robot: str, part: str, width: int, height: int) -> Lines:
     """Return how a robot looks, as large as fits; one part of it stands out."""
-    from plastron_tui.output.graphs.robots.solids import no_bounds
-
     from ..panels.robot_picture import picture_of
 
-    shown = session.workspace.robots[robot].shown
-    return picture_of(shown, width, height, marked=part, mesh_bounds=no_bounds)
+    return picture_of(session, session.workspace.robots[robot], width, height, marked=part)
 
 
 def code_of(session: Session, node: str | None) -> tuple[str, Lines]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Collection, Iterator
 from typing import TYPE_CHECKING
 
@@ -184,13 +185,14 @@ def _child_to_be(ask: Ask) -> str:
 
 def parents(robot: Description) -> list[str]:
     """Return the links that can hold another one, those that most would take first."""
-    held = holders(robot)
-    # What carries something already, or is carried, belongs to the tree; the newest often does not.
-    carrying = {joint.parent for joint in robot.joints.values()}
-    first = roots(robot)[:1]
-    return sorted(robot.links, key=lambda name: (
-        not robot.links[name].visuals, name not in carrying, name not in held, name not in first,
-    ))  # fmt: skip
+    carried = Counter(joint.parent for joint in robot.joints.values())
+
+    def rank(name: str) -> tuple[bool, int]:
+        # A root that is a place, and carries one link, stands for that link.
+        stands_for = carried[name] == 1 and not robot.links[name].visuals
+        return stands_for, -carried[name]
+
+    return sorted(robot.links, key=rank)
 
 
 def _free_children(ask: Ask) -> list[str]:
