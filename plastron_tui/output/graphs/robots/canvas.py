@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from math import ceil, floor, sqrt
 
-from .polygons import stretches
+from .polygons import middles, stretches
 from .runs import Run, RunLines
 from .shades import contrast
 from .views import Point
@@ -32,9 +32,9 @@ class Canvas:
 
     def is_free(self, column: int, row: int, length: int, *, over_pixels: bool) -> bool:
         """Tell whether there is room for a text."""
-        if not (0 <= row < self.rows and column >= 0 and column + length <= self.columns):
+        if not 0 <= row < self.rows:
             return False
-        cells = range(column, column + length)
+        cells = range(max(column, 0), min(column + length, self.columns))
         written = self._written[row]
         if written and not written.keys().isdisjoint(cells):
             return False
@@ -70,15 +70,19 @@ class Canvas:
     def fill_circle(self, middle: Point, radius: float, color: str) -> None:
         """Fill a circle."""
         flat = 2 if self.ascii_only else 1
-        low, high = (middle.y - radius) / flat, (middle.y + radius) / flat
-        for row in range(max(0, floor(low)), min(len(self._pixels), ceil(high) or 1)):
-            at = min(max(row + 0.5, low), high) * flat
-            half = sqrt(max(0.0, radius**2 - (at - middle.y) ** 2))
+        for row, at in middles(
+            (middle.y - radius) / flat, (middle.y + radius) / flat, len(self._pixels)
+        ):
+            half = sqrt(max(0.0, radius**2 - (at * flat - middle.y) ** 2))
             self._fill_row(row, middle.x - half, middle.x + half, color)
 
     def _fill_row(self, row: int, left: float, right: float, color: str) -> None:
-        start = max(0, round(left))
-        end = min(self.columns, max(round(right), start + 1))
+        start, end = ceil(left - 0.5), floor(right + 0.5)
+        if start >= end:
+            # It is thinner than a pixel.
+            start = floor((left + right) / 2)
+            end = start + 1
+        start, end = max(start, 0), min(end, self.columns)
         if 0 <= row < len(self._pixels) and end > start:
             self._pixels[row][start:end] = [color] * (end - start)
 

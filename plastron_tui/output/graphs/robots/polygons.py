@@ -21,12 +21,11 @@ def stretches(points: Sequence[tuple[float, float]], rows: int) -> Iterator[Stre
     What is thinner than a row has one all the same, as far as it is not above or below all rows.
     """
     heights = [y for _, y in points]
-    low, high = min(heights), max(heights)
-    first = max(0, floor(low))
-    last = min(rows, max(ceil(high), floor(low) + 1))
-    if last <= first:
+    found = middles(min(heights), max(heights), rows)
+    if not found:
         return
-    lefts, rights = [inf] * (last - first), [-inf] * (last - first)
+    first, last = found[0][0], found[-1][0]
+    lefts, rights = [inf] * len(found), [-inf] * len(found)
     x, y = points[-1]
     for end_x, end_y in points:
         # From the upper end of the edge to the lower one; this is where pictures take their time.
@@ -36,16 +35,28 @@ def stretches(points: Sequence[tuple[float, float]], rows: int) -> Iterator[Stre
             top_x, top, bottom_x, bottom = end_x, end_y, x, y
         x, y = end_x, end_y
         slope = (bottom_x - top_x) / (bottom - top) if bottom > top else 0.0
-        for row in range(max(first, floor(top)), min(last, floor(bottom) + 1)):
-            at = min(max(row + 0.5, low), high)
+        start, end = max(first, floor(top)), min(last, floor(bottom))
+        for number in range(start - first, end - first + 1):
+            at = found[number][1]
             if top <= at <= bottom:
                 edge = top_x + (at - top) * slope
-                number = row - first
                 for each in (edge,) if bottom > top else (top_x, bottom_x):
                     if each < lefts[number]:
                         lefts[number] = each
                     if each > rights[number]:
                         rights[number] = each
-    for number, (left, right) in enumerate(zip(lefts, rights, strict=True)):
+    for (row, _), left, right in zip(found, lefts, rights, strict=True):
         if left <= right:
-            yield Stretch(first + number, left, right)
+            yield Stretch(row, left, right)
+
+
+def middles(low: float, high: float, rows: int) -> list[tuple[int, float]]:
+    """Return the rows whose middles are between two heights, each with that height.
+
+    Where there is none, it is the row that they are in, and the height between them.
+    """
+    first, last = ceil(low - 0.5), floor(high - 0.5)
+    if first > last:
+        row = floor((low + high) / 2)
+        return [(row, (low + high) / 2)] if 0 <= row < rows else []
+    return [(row, row + 0.5) for row in range(max(first, 0), min(last, rows - 1) + 1)]

@@ -123,7 +123,9 @@ class _Drawing:
         left = place.column + (place.columns - frame.width * scale) / 2
         top = 2 * place.row + (2 * place.rows - frame.height * scale) / 2
 
-        pixels = _Pixels(left - frame.left * scale, top + frame.high * scale, scale)
+        # The origin is between two pixels: what is the same on both sides of it looks the same.
+        x, y = round(left - frame.left * scale), round(top + frame.high * scale)
+        pixels = _Pixels(x, y, scale)
         for bone in self.scene.bones:
             start, end = (pixels.at(seen.view.point(at)) for at in bone)
             self.canvas.line(start, end, "." if self.canvas.ascii_only else _BONE)
@@ -134,7 +136,7 @@ class _Drawing:
         self._write(place.column, place.row - 1, seen.view.name, "title")
         self._write(place.column + len(seen.view.name) + 2, place.row - 1, signs, "quiet")
         self._unknown(seen.outlines, pixels)
-        self._axes(seen, pixels)
+        self._axes(seen, pixels, place)
 
     def ruler(self, column: int, row: int, columns: int, scale: float) -> None:
         """Draw a ruler, and how long it is."""
@@ -188,7 +190,7 @@ class _Drawing:
                 role = "marked" if outline.solid.link == self.marked else "link"
                 self._write(int(at.x), int(at.y / 2), UNKNOWN, role)
 
-    def _axes(self, seen: Seen, pixels: _Pixels) -> None:
+    def _axes(self, seen: Seen, pixels: _Pixels, place: _Place) -> None:
         """Draw the axes of what moves, then as many of their names as there is room for."""
         moving = [axis for axis in self.scene.axes if axis.type is not JointType.FIXED]
         moving.sort(key=lambda axis: axis.joint != self.marked)
@@ -203,11 +205,14 @@ class _Drawing:
             places.append((axis.joint, role, cell))
             self._write(*cell, sign, role)
         for joint, role, cell in places:
-            self._name(visible(joint), role, cell, over=len(moving) <= _FEW or role == "marked")
+            may_hide = len(moving) <= _FEW or role == "marked"
+            self._name(visible(joint), role, cell, place, may_hide=may_hide)
 
-    def _name(self, name: str, role: str, cell: tuple[int, int], *, over: bool) -> None:
+    def _name(
+        self, name: str, role: str, sign: tuple[int, int], place: _Place, *, may_hide: bool
+    ) -> None:
         """Write a name beside, above or below a sign, where it hides as little as can be."""
-        column, row = cell
+        column, row = sign
         length = width(name)
         if length != len(name):
             return
@@ -216,7 +221,14 @@ class _Drawing:
             (column + 1, row + 1), (column - length, row - 1), (column - length, row + 1),
             (column - length // 2, row - 2), (column - length // 2, row + 2),
         ]  # fmt: skip
-        for over_pixels in (False, True) if over else (False,):
+        places = [
+            (at, line)
+            for at, line in places
+            if place.row <= line < place.row + place.rows
+            and place.column <= at
+            and at + length <= place.column + place.columns
+        ]
+        for over_pixels in (False, True) if may_hide else (False,):
             for at, line in places:
                 # A blank on either side keeps names apart.
                 if self.canvas.is_free(at - 1, line, length + 2, over_pixels=over_pixels):
