@@ -22,7 +22,7 @@ _TONES = {
     "link": "primary",
     "joint": "success",
     "quiet": "quiet",
-    "axis": "accent",
+    "axis": "secondary",
     "marked": "warning",
 }
 """The tones of what is written into a picture."""
