@@ -66,7 +66,7 @@ them if you like: `"#3060ff80"`.
 robot's name. That starts robot_state_publisher, which tells everybody where the parts are. Where the joints
 stand it hears on `joint_states`: from the nodes of the package that publish `sensor_msgs/JointState` there,
 which the launch file starts too unless another one of the program does, or, where joints move and no node
-says it, from joint_state_publisher. A node that has a parameter `joint_names` (`string_list`) or `base_frame`
+of the program says it, from joint_state_publisher. A node that has a parameter `joint_names` (`string_list`) or `base_frame`
 (`string`) gets the names of the joints that move, or of the root. package.xml names what all of that needs.
 Another launch file takes it in with `includes 'PACKAGE/rover.launch'`, in ROS 2 with
 `'PACKAGE/rover.launch.xml'`, and `plastron run FILE rover` starts it.

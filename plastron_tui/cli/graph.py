@@ -68,6 +68,8 @@ def command(
         return
     robots = [each for each in files if each.suffix in ROBOT_SUFFIXES]
     programs = tuple(each for each in files if each not in robots)
+    if not programs:
+        refuse(_names_without_programs(remaps, namespace, "a robot has none of these names"))
     sessions = open_sessions(programs, report, Options(target=target)) if programs else []
     names = RunNames(namespace, remaps)
     is_drawn = format_ in _DRAWN
@@ -102,11 +104,21 @@ def _launch_files(
 def _wrong_with_launch_files(
     programs: tuple[Path, ...], remaps: tuple[Remap, ...], namespace: str | None
 ) -> str | None:
-    for option, value in (("--remap", remaps), ("--namespace", namespace)):
-        if value:
-            return f"{option} is for programs; a launch file says itself which names nodes get"
+    named = "a launch file says itself which names nodes get"
+    refused = _names_without_programs(remaps, namespace, named)
+    if refused is not None:
+        return refused
     for each in programs:
         return f"launch files are shown without programs, such as `{each}`"
+    return None
+
+
+def _names_without_programs(
+    remaps: tuple[Remap, ...], namespace: str | None, why: str
+) -> str | None:
+    for option, value in (("--remap", remaps), ("--namespace", namespace)):
+        if value:
+            return f"{option} is for programs; {why}"
     return None
 
 

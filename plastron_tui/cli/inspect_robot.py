@@ -51,12 +51,13 @@ def show_robot(file: Path, text: bytes, format_: str, report: Report, *, is_one:
     if format_ == "json":
         from plastron_tui.diagnostics.render import as_json
 
-        told = robot_json(robot, file) | {"faults": as_json(found, lines, file)}
+        told = robot_json(robot, file, source.macros) | {"faults": as_json(found, lines, file)}
         click.echo(json.dumps(told, indent=2 if is_one else None))
     elif format_ == "plastron":
         print_text(program_of_robot(robot, file_stem(file.name)))
     else:
-        print_text(robot_text(robot, file))
+        is_whole = source.expanded is not None
+        print_text(robot_text(robot, file, None if is_whole else source.macros))
 
 
 def _placed(found: Diagnostic, file: Path) -> Diagnostic:

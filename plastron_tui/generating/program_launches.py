@@ -203,6 +203,13 @@ class ProgramLaunches:
         """Return a launch file whose nodes are where the program's own packages have them."""
         return with_homes(launch, self._homes)
 
+    def nodes_of(self, version: int) -> list[Node]:
+        """Return the nodes of the program that are for a generation of ROS."""
+        default = None if self._default is None else self._default.target.ros_version
+        libraries = {name: each.target.ros_version for name, each in self._libraries.items()}
+        nodes = self._workspace.nodes.values()
+        return [x for x in nodes if libraries.get(x.library or "", default) == version]
+
     def executable(self, node: Node) -> ExecutableName:
         """Return what starts a node of a package."""
         library = self._libraries.get(node.library or "") or self._default

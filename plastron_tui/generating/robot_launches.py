@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
 from plastron_tui.diagnostics import Diagnostic, Label, Severity, Span, codes
@@ -11,7 +11,7 @@ from plastron_tui.model.launches import Launch, Start
 from plastron_tui.model.packages import Package
 from plastron_tui.model.robots import Robot
 from plastron_tui.model.workspace import Node, Workspace
-from plastron_tui.ros.names import parameter_name, resolved_name
+from plastron_tui.ros.names import resolved_name
 from plastron_tui.ros.parameters import ParameterType, Setting
 from plastron_tui.ros.robots.description import Description
 from plastron_tui.ros.robots.joints import driven_joints
@@ -21,6 +21,7 @@ from plastron_tui.targets.robots.launch import JOINT_PUBLISHER, JOINT_STATES, ST
 _JOINT_STATE = ("sensor_msgs", "JointState")
 _JOINT_NAMES = "joint_names"
 _BASE_FRAME = "base_frame"
+_NONE = object()
 _SOURCES = "source_list"
 """The parameter of joint_state_publisher that names the topics which it puts together."""
 
@@ -33,32 +34,32 @@ class RobotStarts(NamedTuple):
 
 
 def robot_starts(
-    robot: Robot, package: Package, workspace: Workspace, ros_version: int, span: Span
+    robot: Robot, package: Package, nodes: Sequence[Node], workspace: Workspace, span: Span
 ) -> RobotStarts:
     """Return what starts a robot of a package.
 
-    A node of the program that says where the joints are is started too, unless a launch file of
-    the program starts it. Where none does, joint_state_publisher says it.
+    A node of the package that says where the joints are is started too, unless a launch file of
+    the program starts it. Where no node of the program says it, joint_state_publisher does.
 
     Args:
         robot: the robot.
         package: the package that contains it.
+        nodes: the nodes of the program that are for the ROS of the package.
         workspace: what the program built.
-        ros_version: the generation of ROS of the package.
-        span: the statement that puts it there.
+        span: the statement that puts the robot there.
     """
     launch = Launch(robot.stem, robot.variable, span)
-    described = robot.shown
-    joints = driven_joints(described)
-    found = list(_tellers(package, workspace))
-    topics = dict.fromkeys(topic for _, topic in found)
-    told: list[Diagnostic] = []
-    heard = next(iter(topics), f"/{JOINT_STATES}")
+    joints = driven_joints(robot.shown)
+    said = [(each, topic) for each in nodes for topic in _topics(each)]
+    topics = tuple(dict.fromkeys(topic for _, topic in said))
+    usual = f"/{JOINT_STATES}"
+    heard = topics[0] if len(topics) == 1 else usual
     if joints and len(topics) != 1:
-        settings = ((_SOURCES, tuple(topics)),) if topics else ()
-        heard = f"/{JOINT_STATES}"
+        # It would hear itself on the topic that it publishes.
+        sources = tuple(each for each in topics if each != usual)
+        settings = ((_SOURCES, sources),) if sources else ()
         _add(launch, _other(JOINT_PUBLISHER, span, settings=settings))
-    remaps = ((JOINT_STATES, heard),) if heard != f"/{JOINT_STATES}" else ()
+    remaps = ((JOINT_STATES, heard),) if heard != usual else ()
     _add(launch, _other(STATE_PUBLISHER, span, remaps))
     started = {
         start.node.variable
@@ -66,21 +67,12 @@ def robot_starts(
         for start in each.starts.values()
         if start.node is not None
     }
-    for node in {each.variable: each for each, _ in found}.values():
-        if node.variable not in started:
-            wired = tuple(_wired(node, described, joints, ros_version))
-            _add(launch, _own(node, span, wired))
-    told += _in_no_package(robot, workspace, ros_version, span)
-    return RobotStarts(launch, tuple(told))
-
-
-def _tellers(package: Package, workspace: Workspace) -> Iterator[tuple[Node, str]]:
-    """Yield the nodes of a package that say where joints are, each with the topic."""
-    for variable in package.contents:
-        node = workspace.nodes.get(variable)
-        if node is not None:
-            for topic in _topics(node):
-                yield node, topic
+    tellers = {node.variable: node for node, _ in said}
+    for variable, node in tellers.items():
+        if variable in package.contents and variable not in started:
+            _add(launch, _own(node, span, tuple(_wired(node, robot.shown, joints))))
+    alone = (node for node in tellers.values() if node.home is None)
+    return RobotStarts(launch, tuple(_in_no_package(each, robot, span) for each in alone))
 
 
 def _topics(node: Node) -> Iterator[str]:
@@ -91,35 +83,28 @@ def _topics(node: Node) -> Iterator[str]:
             yield topic
 
 
-def _in_no_package(
-    robot: Robot, workspace: Workspace, ros_version: int, span: Span
-) -> Iterator[Diagnostic]:
-    """Tell the nodes that say where joints are, and that no launch file can start."""
-    del ros_version
-    for node in workspace.nodes.values():
-        if node.home is None and any(True for _ in _topics(node)):
-            yield Diagnostic(
-                codes.IN_NO_PACKAGE,
-                f"`{node.variable}`, which says where joints are, is in no package, and is not "
-                f"started with `{robot.variable}`",
-                span,
-                help=f"put it into the package of `{robot.variable}`",
-                severity=Severity.WARNING,
-                labels=(Label(node.span, "the node"),),
-            )
+def _in_no_package(node: Node, robot: Robot, span: Span) -> Diagnostic:
+    """Tell a node that says where joints are, and that no launch file can start."""
+    return Diagnostic(
+        codes.IN_NO_PACKAGE,
+        f"`{node.variable}`, which says where joints are, is in no package, and is not started "
+        f"with `{robot.variable}`",
+        span,
+        help=f"put it into the package of `{robot.variable}`",
+        severity=Severity.WARNING,
+        labels=(Label(node.span, "the node"),),
+    )
 
 
 def _wired(
-    node: Node, robot: Description, joints: tuple[str, ...], ros_version: int
+    node: Node, robot: Description, joints: tuple[str, ...]
 ) -> Iterator[tuple[str, Setting]]:
     """Yield what a node that is started with a robot has to know of it."""
-    parameters = node.of(Parameter)
-    names = parameters.get(parameter_name(_JOINT_NAMES, ros_version))
-    if names is not None and names.holds in (None, ParameterType.STRING_LIST):
+    own = {each.name.lstrip("~/"): each.holds for each in node.of(Parameter).values()}
+    if own.get(_JOINT_NAMES, _NONE) in (None, ParameterType.STRING_LIST):
         yield _JOINT_NAMES, joints
-    frame = parameters.get(parameter_name(_BASE_FRAME, ros_version))
     root = roots(robot)
-    if frame is not None and frame.holds in (None, ParameterType.STRING) and len(root) == 1:
+    if own.get(_BASE_FRAME, _NONE) in (None, ParameterType.STRING) and len(root) == 1:
         yield _BASE_FRAME, root[0]
 
 

@@ -6,7 +6,6 @@ from pathlib import Path
 from typing import NamedTuple
 
 from plastron_tui.sources.urdf.edits import edited
-from plastron_tui.sources.urdf.equality import same_robot
 from plastron_tui.sources.urdf.reader import read_urdf
 
 
@@ -20,10 +19,9 @@ class MergedRobot(NamedTuple):
 def merged_robot(
     path: Path, before: bytes, new: bytes, present: bytes, by_lines: bytes | None
 ) -> MergedRobot:
-    """Bring what a program changes in a robot into its file, which was changed by hand.
+    """Bring what a program changes in a robot into its file, value by value.
 
-    Lines that were merged count if they say what both together say; else it is changed there
-    value by value.
+    Lines count where one of the texts is no robot.
 
     Args:
         path: the file.
@@ -36,10 +34,5 @@ def merged_robot(
     if first is None or last is None or read_urdf(present).description is None:
         return MergedRobot(by_lines, "the program changed the same lines")
     changed = edited(present, first, last, path)
-    if changed.text is None:
-        return MergedRobot(None, "; ".join(each.message for each in changed.diagnostics))
-    of_lines = None if by_lines is None else read_urdf(by_lines).description
-    wanted = read_urdf(changed.text).description
-    if of_lines is not None and wanted is not None and same_robot(of_lines, wanted):
-        return MergedRobot(by_lines)
-    return MergedRobot(changed.text)
+    reason = "; ".join(each.message for each in changed.diagnostics)
+    return MergedRobot(changed.text, reason)

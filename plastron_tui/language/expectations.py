@@ -188,7 +188,7 @@ def _expected(
         slot, keywords, written = match.slots[-1].slot, (), ("parameter",)
         match = match._replace(wanted=slot)
     elif isinstance(match.wanted, str):
-        keywords = (*keywords, match.wanted)
+        keywords = (*keywords, match.wanted, *match.instead)
     return Expectation(
         span,
         prefix,

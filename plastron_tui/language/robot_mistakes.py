@@ -8,8 +8,9 @@ from collections.abc import Callable
 from plastron_tui.diagnostics import Diagnostic, Span, write
 
 from .declaration import SlotKind
+from .limit_mistakes import FIRST_CLAUSE, LIMIT_SLIPS
 from .mistake_place import Place, mended
-from .number_mistakes import FIRST_CLAUSE, NUMBER_SLIPS
+from .number_mistakes import NUMBER_SLIPS
 from .statements.robots import HasJoint, HasLink, LimitsJoint
 from .tokens import QUOTED_KINDS, UNKNOWN, WORD_KINDS, is_glued, token_at
 
@@ -17,6 +18,7 @@ _COLOR_CODE = re.compile(rb"#[0-9a-fA-F]{3,8}\b")
 _URI = re.compile(r"[\w.+~$-]+(?::/)?(?:/[\w.+~$-]+)+|[\w-]+\.\w+")
 _ONE_WORD = "a colour is one word"
 _JOINERS = frozenset({",", "and", "with", "of", "&", "its"})
+_SHAPES = ("box", "cylinder", "sphere", "mesh")
 _SIGNS = {"x": "1, 0, 0", "y": "0, 1, 0", "z": "0, 0, 1"}
 
 _CLAUSE_WORDS = {
@@ -63,7 +65,7 @@ def axis(place: Place, found: Diagnostic) -> Diagnostic | None:
     at, text = place.at, place.token.text
     if place.declaration is None or place.declaration.type is not HasJoint:
         return None
-    is_clause = any(token.text == "to" for token in place.tokens[:at])
+    is_clause = any(token.text == "to" for token in place.tokens[: at - 1])
     if text == "axis" and is_clause and place.text(at - 1) != "with":
         return mended(found, "`axis` has the word `with` before it", place.token.span, "with axis")
     if place.wanted is not SlotKind.AXIS:
@@ -92,6 +94,11 @@ def shape(place: Place, found: Diagnostic) -> Diagnostic | None:
     if at == first and token.text == ",":
         return mended(found, "no comma stands behind the shape", token.span, "")
     clauses = {each.keyword for each in place.declaration.clauses} if place.declaration else set()
+    if token.text in _SHAPES:
+        help_ = f"it is {', '.join(f'`{each}`' for each in _SHAPES[:-1])} or `{_SHAPES[-1]}`"
+        what = f"`{place.text(first - 1)}` is no shape"
+        where = place.span(first - 1, first)
+        return found._replace(message=what, span=where, help=help_, fix=None)
     is_name = place.is_name(at) and token.text not in clauses
     is_first = at == first or place.text(at - 1) == ","
     following = token_at(place.tokens, at + 1)
@@ -177,6 +184,7 @@ ROBOT_SLIPS: tuple[Callable[[Place, Diagnostic], Diagnostic | None], ...] = (
     color,
     axis,
     *NUMBER_SLIPS,
+    *LIMIT_SLIPS,
     shape,
     times,
     limits_of_joint,

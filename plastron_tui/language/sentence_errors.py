@@ -97,7 +97,8 @@ class SentenceErrors:
             if token.text in match.passed:
                 return self._no_more(token)
             clause = nearest(token.text, match.following)
-            if token.kind in WORD_KINDS and clause is not None:
+            # The word itself stands in a bracket that is not closed.
+            if token.kind in WORD_KINDS and clause not in (None, token.text):
                 return self._not_the_word(clause, token)
         return None
 
@@ -149,7 +150,9 @@ class SentenceErrors:
                 token.span,
                 help="choose another name",
             )
-        if kind.is_quoted and (_fits(token, Form.WORD) or token.kind == "string"):
+        is_clause = any(token.text == clause.keyword for clause in self._declaration.clauses)
+        is_word = _fits(token, Form.WORD) and not is_clause
+        if kind.is_quoted and (is_word or token.kind == "string"):
             return unquoted(f"expected {kind.words}", token.span, token.text.strip('"'))
         return self._expected(kind.words, token)
 
@@ -199,7 +202,8 @@ class SentenceErrors:
             if token is None or not (token.text == "," if at % 2 else token.kind == "number"):
                 return self._expected(wanted, token)
         beyond = token_at(tokens, len(_VECTOR_PARTS) + 1)
-        if beyond is None or beyond.kind in BEHIND_NUMBERS:
+        is_last = len(tokens) == len(_VECTOR_PARTS) + 2
+        if beyond is None or (is_last and beyond.kind in BEHIND_NUMBERS):
             return None
         return self._error(f"three numbers are enough, without `{shown(beyond.text)}`", beyond.span)
 

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, NamedTuple
 from plastron_tui.diagnostics import Diagnostic, codes
 from plastron_tui.ros.catalog import Catalog
 from plastron_tui.ros.interfaces import InterfaceKind
-from plastron_tui.ros.robots.changes import MeshSize
+from plastron_tui.ros.robots.changes import MeshBounds
 
 from .launches import LaunchReader, ParameterReader, no_launch, no_parameters
 from .libraries import Libraries
@@ -93,7 +93,7 @@ class Setting(NamedTuple):
         read_launch: reads the launch files that the program loads.
         read_parameters: reads the parameter files that launch files name.
         read_robot: reads the robots that the program loads.
-        mesh_size: tells how large a mesh is that a robot has.
+        mesh_bounds: tells the lowest and the highest corner of a mesh that a robot has.
         mesh_problem: says why that is not known, "" where it is, and what to do.
         is_chosen: whether somebody chose `library`; otherwise it is what there is on this machine.
     """
@@ -109,7 +109,7 @@ class Setting(NamedTuple):
     read_launch: LaunchReader = no_launch
     read_parameters: ParameterReader = no_parameters
     read_robot: RobotReader = no_robot
-    mesh_size: MeshSize = _no_mesh
+    mesh_bounds: MeshBounds = _no_mesh
     mesh_problem: Callable[[str], tuple[str, str | None]] = _no_mesh_problem
 
     def ros_version(self, library: str | None) -> int:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -20,17 +20,21 @@ from plastron_tui.ros.robots.description import (
     Shape,
     Sphere,
 )
+from plastron_tui.ros.robots.macros import Macros
 from plastron_tui.ros.robots.tree import branches, roots
 
+from .robot_macros import macro_rows, macros_json
 from .robot_words import limit_words, mass_words, number, numbers, shape_words
 
 
-def robot_json(robot: Description, path: Path) -> dict[str, Any]:
+def robot_json(robot: Description, path: Path, macros: Macros | None = None) -> dict[str, Any]:
     """Describe a robot as JSON, in metres, kilograms and radians.
 
-    A key is there only where the file says something of it, or has to.
+    A key is there only where the file says something of it, or has to; `macros` is what the file
+    leaves to macros, be they expanded or not.
     """
-    return {"file": str(path), "robot": robot.name, **parts_json(robot)}
+    told = {} if macros is None else {"macros": macros_json(macros)}
+    return {"file": str(path), "robot": robot.name, **parts_json(robot), **told}
 
 
 def parts_json(robot: Description) -> dict[str, Any]:
@@ -113,13 +117,24 @@ def _joint(joint: Joint) -> dict[str, Any]:
     return found
 
 
-def robot_text(robot: Description, path: Path) -> str:
-    """Describe a robot for people: its tree, a line for each link with the joint that holds it."""
-    rows = list(_rows(robot))
-    widths = [max(map(len, column), default=0) for column in zip(*rows, strict=True)]
+def robot_text(robot: Description, path: Path, macros: Macros | None = None) -> str:
+    """Describe a robot for people: its tree, a line for each link with the joint that holds it.
+
+    Args:
+        robot: the robot.
+        path: its file.
+        macros: what the file leaves to macros that are not expanded, None for nothing.
+    """
     lines = [f"{path} (URDF)", f"  robot {robot.name or '(without a name)'}"]
-    lines += ["    " + "  ".join(map(str.ljust, row, widths)).rstrip() for row in rows]
+    lines += _columns(list(_rows(robot)))
+    if macros is not None:
+        lines += ["  not expanded", *_columns(list(macro_rows(macros)))]
     return "\n".join(lines)
+
+
+def _columns(rows: Sequence[tuple[str, str, str]]) -> list[str]:
+    widths = [max(map(len, column), default=0) for column in zip(*rows, strict=True)]
+    return ["    " + "  ".join(map(str.ljust, row, widths)).rstrip() for row in rows]
 
 
 def _rows(robot: Description) -> Iterator[tuple[str, str, str]]:

@@ -9,9 +9,9 @@ from plastron_tui.ros.robots.joint_changes import changed_joint
 
 from .mistake import Mistake
 from .robot_lookups import (
+    check_makable,
     check_name,
     check_new,
-    check_not_of_macro,
     find_joint,
     find_link,
     find_own_joint,
@@ -56,7 +56,7 @@ def check_joint_named(run: Run, statement: st.HasJoint) -> None:
     name, where = statement.joint, statement.span_of("joint")
     if robot is not None:
         check_new(robot.joints, name, "joint", where)
-        check_not_of_macro(robot, "joint", name, where)
+        check_makable(robot, "joint", name, where)
     if robot is None or name not in robot.description.joints:
         check_name("joint", name, where)
 

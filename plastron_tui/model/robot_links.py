@@ -9,9 +9,9 @@ from plastron_tui.ros.robots.description import Link, Mesh
 
 from .mistake import Mistake
 from .robot_lookups import (
+    check_makable,
     check_name,
     check_new,
-    check_not_of_macro,
     find_own_link,
     find_robot,
 )
@@ -52,9 +52,9 @@ def has_link(run: Run, statement: st.HasLink) -> None:
     name = statement.link
     there = robot.description.links.get(name)
     if there is None:
-        link, notes = new_link(name, values, run.setting.mesh_size)
+        link, notes = new_link(name, values, run.setting.mesh_bounds)
     else:
-        link, notes = changed_link(there, values, run.setting.mesh_size)
+        link, notes = changed_link(there, values, run.setting.mesh_bounds)
     told = [_told(run, statement, there or link, note, field) for note, field in notes]
     if any(note.is_refusal for note, _ in notes):
         raise Mistake(*told)
@@ -76,7 +76,7 @@ def check_link_named(run: Run, statement: st.HasLink) -> None:
         check_name("link", name, where)
         return
     check_new(robot.links, name, "link", where)
-    check_not_of_macro(robot, "link", name, where)
+    check_makable(robot, "link", name, where)
     if name not in robot.description.links:
         check_name("link", name, where)
     elif all(getattr(statement, slot) is None for slot in _SLOTS.values()):

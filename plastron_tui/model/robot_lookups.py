@@ -68,14 +68,24 @@ def find_own_joint(run: Run, robot: Robot, name: str, where: Span) -> Joint:
     return found
 
 
-def check_not_of_macro(robot: Robot, what: str, name: str, where: Span) -> None:
-    """Check that a part which is not there is not one that macros make, as far as is known."""
+def check_makable(robot: Robot, what: str, name: str, where: Span) -> None:
+    """Check that a part which is not there may be made.
+
+    Macros may make one of its name, or the file has one that cannot be read.
+    """
     if what == "link":
         is_made = _parts(robot, lambda each: each.links).made(name) is not None
     else:
         is_made = _parts(robot, lambda each: each.joints).made(name) is not None
     if is_made:
         raise Mistake(_of_macro(what, name, where))
+    source = robot.source
+    if source is not None and (what, name) in source.spans:
+        written = source.description
+        if name not in (written.links if what == "link" else written.joints):
+            message = f"the file has a {what} `{name}` that cannot be read"
+            help_text = "correct it there, or choose another name"
+            raise Mistake(Diagnostic(codes.BROKEN_URDF, message, where, help=help_text))
 
 
 @dataclass(frozen=True, slots=True)

@@ -55,7 +55,7 @@ def new_setting(
         LaunchReader(_texts(configuration, program, files)),
         ParameterReader(folder, boundary),
         robots.read,
-        robots.sizes,
+        robots.sizes.bounds,
         robots.sizes.problem,
     )
 

@@ -60,8 +60,10 @@ class RobotExpander:
     def __call__(self, path: Path, text: bytes, document: XmlDocument) -> Expansion:
         """Return what the macros of a file make of it, or say why they are not expanded."""
         if not self._boundary.is_trusted:
-            message = "the macros are not expanded, as the folder is not trusted"
-            return _refused(message, self._boundary.remedy)
+            message = "the macros are not expanded, as the project is not trusted"
+            remedy_ = self._boundary.remedy
+            found = Diagnostic(codes.UNTRUSTED_MACROS, message, help=remedy_)
+            return Expansion(None, (found,))
         from plastron_tui.runtime.xacro import find_xacro, remedy
 
         modules = find_xacro(self._environ)

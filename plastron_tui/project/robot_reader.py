@@ -82,15 +82,14 @@ class RobotReader:
         )
 
     def _read(self, source: str, path: Path, found: RobotSource) -> LoadedRobot:
-        from plastron_tui.sources.urdf.macros import read_macros
+        from plastron_tui.sources.urdf.macros import has_macros, read_macros
         from plastron_tui.sources.urdf.reader import read_urdf
-        from plastron_tui.sources.urdf.values import is_xacro
 
         read = read_urdf(found.text, path)
         if read.description is None or read.document is None:
             return LoadedRobot(None, _why_none(source, read))
         found = found._replace(description=read.description, spans=_spans(read.places))
-        if not is_xacro(read.document):
+        if not has_macros(read.document):
             return LoadedRobot(found, read.diagnostics)
         expansion = self._expand(path, found.text, read.document)
         macros = read_macros(read.document)

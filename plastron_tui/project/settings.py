@@ -17,7 +17,14 @@ from plastron_tui.trust import real_path
 LARGEST_PROJECT = 64 * 1024
 """The largest project file that is read, in bytes; one is a few lines."""
 
-TRUST_CODES = frozenset({codes.FOREIGN_PROJECT, codes.OUTSIDE_PROJECT, codes.UNTRUSTED_TEMPLATES})
+TRUST_CODES = frozenset(
+    {
+        codes.FOREIGN_PROJECT,
+        codes.OUTSIDE_PROJECT,
+        codes.UNTRUSTED_MACROS,
+        codes.UNTRUSTED_TEMPLATES,
+    }
+)
 """The codes of what the user has to trust the project for."""
 
 LONGEST_PATH = 4096

@@ -167,9 +167,24 @@ garbage = st.lists(st.one_of(words, words, wild_text), min_size=1, max_size=30).
 )
 
 
+@st.composite
+def mutated(draw: st.DrawFn) -> str:
+    """Draw a statement in which words are others, doubled, left out, or those of another one."""
+    line = draw(st.sampled_from(WHOLE))[1].split(" ")
+    for _ in range(draw(st.integers(1, 3))):
+        first, last = sorted(draw(st.integers(0, len(line))) for _ in range(2))
+        other = draw(st.sampled_from(WHOLE))[1].split(" ")
+        new = draw(
+            st.sampled_from([[], line[first:last] * 2, other[len(other) // 2 :]])
+            | words.map(lambda word: [word])
+        )
+        line = [*line[:first], *new, *line[last:]]
+    return " ".join(line)
+
+
 @settings(max_examples=examples(2000), deadline=None)
 @given(
-    garbage.filter(lambda line: "/*" not in line),
+    (garbage | mutated()).filter(lambda line: "/*" not in line),
     st.sampled_from(WHOLE),
     st.sampled_from(WHOLE),
     st.sampled_from(["\n", "\r\n"]),

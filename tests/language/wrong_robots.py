@@ -19,6 +19,8 @@ _ENDS: dict[str, list[tuple[str, str, str, str | None]]] = {
     "r has_link ": [
         ("", "", "expected the name of a link, in single quotes here", SENTENCE),
         ("base", "base", "expected the name of a link, in single quotes", "write 'base'"),
+        ("shaped box 1, 2, 3", "shaped",
+         "expected the name of a link, in single quotes, not `shaped`", SENTENCE),
         ('"base"', '"base"', "expected the name of a link, in single quotes", "write 'base'"),
     ],
     "r has_link 'base' ": [
@@ -79,6 +81,8 @@ _ENDS: dict[str, list[tuple[str, str, str, str | None]]] = {
         ("shaped box weighing 5", "weighing",
          "expected sizes in metres, such as `0.4, 0.3, 0.1` before `weighing`", SENTENCE),
         ("shaped box none", "none", "`none` stands alone, and for no values at all", SENTENCE),
+        ("shaped big box 1, 2, 3", "big", "`big` is no shape", f"it is {SHAPES}"),
+        ("shaped box 1, 2, 3 5", "5", "unexpected `5` in the values", SENTENCE),
         ("shaped 1, 2, 3", "1", f"expected {SHAPES}, not `1`", SENTENCE),
         ("shaped 'box' 1, 2, 3", "'box'", "`box` has no quotes", "write `box`"),
         ("shaped box, 1, 2, 3", ",", "no comma stands behind the shape", "take it away"),
@@ -167,6 +171,8 @@ _ENDS: dict[str, list[tuple[str, str, str, str | None]]] = {
          NO_FORCE, "write `with effort 20 and velocity 1.5708`"),
         ("with effort 1 and velocity 2, damping 3 and friction 4", ",",
          "`damping` has the word `with` before it", "write `with`"),
+        ("between 0 and 1 m damping 3 and friction 4", "damping",
+         "`damping` has the word `with` before it", "write `with damping`"),
         ("with damping 1 and friction 2 with damping 3 and friction 4", "with",
          "`with` cannot stand here any more", SENTENCE),
         ("with effort 1 and velocity 2 with effort 3 and velocity 4", "with",

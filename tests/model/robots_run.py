@@ -70,14 +70,15 @@ def expanded() -> Description:
     )
 
 
-def run(text: str, loaded: RobotSource | None = None, mesh: Vector | None = None) -> Interpretation:
+def run(
+    text: str, loaded: RobotSource | None = None, mesh: tuple[Vector, Vector] | None = None
+) -> Interpretation:
     setting = Setting(
         "rospy",
         LIBRARIES,
         catalog,
         FakeReader(),
         read_robot=lambda _: LoadedRobot(loaded or source()),
-        mesh_size=lambda _: mesh,
     )
     return interpret(lower(Document(text.encode())), setting)
 

@@ -8,7 +8,7 @@ import pytest
 from robots_run import FILE, LOAD, MADE, expanded, run, source, with_macros
 from workspaces import marked
 
-from plastron_tui.diagnostics import Severity, codes
+from plastron_tui.diagnostics import Severity, Span, codes
 from plastron_tui.ros.robots.description import Joint, JointType, Link, Mimic
 
 BEFORE = f"""\
@@ -34,6 +34,8 @@ MISTAKES: list[tuple[str, str, str, str]] = [
     ("r has_link 'd' shaped box 1, 2, 3, 4", "bad-shape", "4", "box 0.4, 0.3, 0.1"),
     ("r has_link 'd' shaped box 1, 2, y=3", "bad-shape", "y=3", ""),
     ("r has_link 'd' shaped cylinder radus=1, length=1", "bad-shape", "radus=1", "`radius`"),
+    ("r has_link 'd' shaped box 0,4, 1, 0,05", "bad-shape", "0,4, 1, 0,05", "`0.4, 1, 0.05`"),
+    ("r has_link 'd' shaped sphere 0,1", "bad-shape", "0,1", "write `0.1`"),
     ("r has_link 'd' shaped sphere 0", "bad-shape", "0", ""),
     ("r has_link 'd' shaped sphere 1e-9", "bad-shape", "1e-9", ""),
     ("r has_link 'd' shaped sphere True", "bad-shape", "True", ""),
@@ -258,6 +260,22 @@ def test_what_macros_make_does_not_change(line: str, word: str) -> None:
     text = f"{LOAD}r {line}\n"
     (found,) = run(text, with_macros(expanded())).diagnostics
     assert (found.code, marked(text, found)) == (codes.MADE_BY_MACRO, word)
+
+
+def test_a_part_of_the_file_that_cannot_be_read_is_not_made_anew() -> None:
+    broken = source()._replace(spans={("joint", "odd"): Span(0, 1), ("link", "tip"): Span(0, 1)})
+    text = f"{LOAD}r has_joint 'odd' of joint_type fixed from 'hand' to 'tip'\n"
+    (found,) = run(text, broken).diagnostics
+    assert (found.code, marked(text, found)) == (codes.BROKEN_URDF, "'odd'")
+    again = "r no_longer_has_joint 'slide'\nr no_longer_has_link 'tip'\nr has_link 'tip'\n"
+    assert run(f"{LOAD}{again}", broken).diagnostics == ()
+
+
+def test_what_comes_after_a_robot_is_generated_is_told() -> None:
+    text = f"{MADE}r has_link 'a'\ngenerate_robot r\nr no_longer_has_link 'a'\n"
+    (found,) = run(text).diagnostics
+    assert found.code == codes.CHANGED_AFTER_GENERATING
+    assert marked(text, found) == "r no_longer_has_link 'a'"
 
 
 def test_of_macros_that_are_not_expanded_nothing_is_told() -> None:

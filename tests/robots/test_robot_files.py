@@ -211,3 +211,30 @@ def test_what_comes_after_a_robot_is_written_is_told(tmp_path: Path) -> None:
     late = "rover has_link 'late'\nrover no_longer_has_link 'late'\n"
     told = run(created() + late, tmp_path)
     assert codes(told) == ["changed-after-generating"] * 2
+
+
+def test_lines_that_fit_are_merged_as_lines(tmp_path: Path) -> None:
+    file = tmp_path / "output/rover.urdf"
+    more = "rover has_link 'eye'\n"
+    more += "rover has_joint 'eye_joint' of joint_type fixed from 'mast' to 'eye'\n"
+    run(created(more=more), tmp_path)
+    wanted = file.read_text().replace("<robot", "<!-- mine -->\n<robot")
+    file.unlink()
+    run(created(), tmp_path)
+    file.write_text(file.read_text().replace("<robot", "<!-- mine -->\n<robot"))
+    run(created(more=more), tmp_path)
+    assert file.read_text() == wanted
+
+
+def test_what_is_laid_out_otherwise_is_the_programs_still(tmp_path: Path) -> None:
+    file = tmp_path / "arm.urdf"
+    file.write_text(LOADED)
+    run(LOAD + WIDER + WRITE, tmp_path, in_place=True)
+    line = '<limit lower="-2" upper="2" effort="10" velocity="1"/>'
+    assert line in file.read_text()
+    by_hand = file.read_text().replace(
+        line, '<limit velocity="1" effort="10" upper="2" lower="-2"/>'
+    )
+    file.write_text(by_hand)
+    assert codes(run(LOAD + WRITE, tmp_path, in_place=True)) == ["file-conflict"]
+    assert file.read_text() == by_hand

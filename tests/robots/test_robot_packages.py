@@ -151,6 +151,15 @@ def test_what_a_launch_file_starts_is_not_started_twice(tmp_path: Path) -> None:
     assert set(started(package, "rclpy")) == {"robot_state_publisher"}
 
 
+def test_nodes_of_other_packages_are_left_to_these(tmp_path: Path) -> None:
+    other = PACKAGE.replace("rover_demo", "rover_nodes").replace("as demo", "as nodes")
+    program = ROBOT.format(type="continuous") + driver() + PACKAGE + other
+    program += "nodes contains driver\ngenerate_package nodes\n"
+    package = made(program + END, tmp_path, "rospy")
+    assert set(started(package, "rospy")) == {"robot_state_publisher"}
+    assert "rover_nodes" not in depends(package)
+
+
 def test_a_node_in_no_package_is_told(tmp_path: Path) -> None:
     program = ROBOT.format(type="continuous") + driver() + "generate_node driver\n" + PACKAGE + END
     told = run(program, tmp_path, "rclpy")
@@ -293,3 +302,25 @@ def test_a_robot_is_started_by_what_its_package_has(
     if inside:
         write = "demo contains bringup\ngenerate_package demo\n"
         assert run(f"{program}bringup includes '{file}'\n{write}", tmp_path, library) == ()
+
+
+def test_the_copy_of_a_package_has_a_robot_as_it_is_changed(tmp_path: Path) -> None:
+    library, files = KINDS["ament_cmake"]
+    urdf = '<robot name="rover">\n  <link name="base"/>\n</robot>\n'
+    lay(tmp_path, {**files, "urdf/rover.urdf": urdf})
+    program = (
+        "load_package 'demo' as demo\nload_robot 'demo/urdf/rover.urdf' as rover\n"
+        "rover has_link 'eye'\n"
+        "rover has_joint 'eye_joint' of joint_type fixed from 'base' to 'eye'\n"
+        "generate_robot rover\ngenerate_package demo\n"
+    )
+    assert run(program, tmp_path, library) == ()
+    made_files = texts(tmp_path / "output")
+    assert b'"eye"' in made_files["demo/urdf/rover.urdf"]
+    assert made_files["demo/urdf/rover.urdf"] == made_files["rover.urdf"]
+
+
+def test_a_robot_of_a_package_is_not_written_beside_it(tmp_path: Path) -> None:
+    program = ROBOT.format(type="fixed") + "generate_robot rover\n" + PACKAGE + END
+    made(program, tmp_path, "rospy")
+    assert not (tmp_path / "output/rover.urdf").exists()

@@ -110,7 +110,7 @@ def test_macros_are_expanded_where_the_folder_is_trusted(
     monkeypatch.setattr(xacro, "expand", expand)
     session = loading(folder, "models/arm.urdf.xacro")
     (found,) = session.diagnostics
-    assert (found.code, found.severity) == ("not-expanded", "warning")
+    assert (found.code, found.severity) == ("untrusted-macros", "warning")
     assert found.help is not None and f"plastron trust {folder}" in found.help
     source = session.workspace.robots["rover"].source
     assert source is not None and source.macros is not None

@@ -42,12 +42,12 @@ BLUE, RED = Material("blue", (0.0, 0.0, 1.0, 1.0)), Material("red", (1.0, 0.0, 0
 ODD = Tensor(0.3, 0.01, 0.0, 0.4, 0.0, 0.5)
 
 
-def size_of(uri: str) -> Vector | None:
-    return (2.0, 2.0, 2.0) if uri == MESH.uri else None
+def bounds_of(uri: str) -> tuple[Vector, Vector] | None:
+    return ((-1.0, -1.0, 0.0), (1.0, 1.0, 2.0)) if uri == MESH.uri else None
 
 
 def tensor(shape: Shape, mass: float) -> Tensor:
-    found = tensor_of(shape, mass, size_of(MESH.uri))
+    found = tensor_of(shape, mass, (2.0, 2.0, 2.0))
     assert found is not None
     return found
 
@@ -73,11 +73,11 @@ WHOLE = link(BOX, Pose(UP), Inertial(5.0, tensor(BOX, 5.0), Pose(UP)))
 
 
 def change(before: Link, **said: object) -> Changed:
-    return changed_link(before, LinkValues(**said), size_of)  # type: ignore[arg-type]
+    return changed_link(before, LinkValues(**said), bounds_of)  # type: ignore[arg-type]
 
 
 def test_a_new_link_is_seen_collides_and_weighs_alike() -> None:
-    found, notes = new_link("a", LinkValues(BOX, 5.0, BLUE, UP), size_of)
+    found, notes = new_link("a", LinkValues(BOX, 5.0, BLUE, UP), bounds_of)
     assert (found, notes) == (WHOLE, ())
 
 
@@ -93,7 +93,7 @@ def test_a_new_link_is_seen_collides_and_weighs_alike() -> None:
     ],
 )
 def test_what_is_told_of_a_new_link(values: LinkValues, notes: object) -> None:
-    assert new_link("a", values, size_of).notes == notes
+    assert new_link("a", values, bounds_of).notes == notes
 
 
 @pytest.mark.parametrize(
@@ -111,12 +111,12 @@ def test_what_is_told_of_a_new_link(values: LinkValues, notes: object) -> None:
         (
             WHOLE,
             {"position": (1.0, 2.0, 3.0)},
-            new_link("a", LinkValues(BOX, 5.0, BLUE, (1.0, 2.0, 3.0)), size_of).link,
+            new_link("a", LinkValues(BOX, 5.0, BLUE, (1.0, 2.0, 3.0)), bounds_of).link,
         ),
         (
             WHOLE,
             {"rotation": QUARTER},
-            new_link("a", LinkValues(BOX, 5.0, BLUE, UP, QUARTER), size_of).link,
+            new_link("a", LinkValues(BOX, 5.0, BLUE, UP, QUARTER), bounds_of).link,
         ),
         # An inertia of its own stays in proportion.
         (
@@ -235,6 +235,23 @@ def test_an_inertia_in_other_axes_follows_in_them() -> None:
     assert close(turned.inertial, Inertial(2.0, across))
 
 
+def test_a_mesh_weighs_in_the_middle_of_the_box_around_it() -> None:
+    scaled = Mesh(MESH.uri, (1.0, 2.0, -0.5))
+    made, _ = new_link("a", LinkValues(scaled, 6.0, None, UP, QUARTER), bounds_of)
+    box = Inertial(6.0, tensor(Box((2.0, 4.0, 1.0)), 6.0), Pose((0.0, 0.5, 1.0), QUARTER))
+    assert close(made.inertial, box)
+    # What followed goes along, and what did not stays.
+    moved, notes = change(made, position=(0.0, 0.0, 3.0))
+    assert (notes, close(moved.inertial, box._replace(pose=Pose((0.0, 0.5, 3.0), QUARTER)))) == (
+        (),
+        True,
+    )
+    turned, notes = change(made, rotation=(0.0, 0.0, 0.0))
+    assert (notes, close(turned.inertial, box._replace(pose=Pose((0.0, 0.0, 0.5))))) == ((), True)
+    other = made._replace(inertial=Inertial(6.0, ODD, box.pose))
+    assert change(other, position=(0.0, 0.0, 3.0)).notes == ((Note.APART, "position"),)
+
+
 _LENGTHS = st.sampled_from([0.05, 0.3, 1.0])
 _SHAPES = st.one_of(
     st.builds(Box, st.tuples(_LENGTHS, _LENGTHS, _LENGTHS)),
@@ -249,14 +266,14 @@ _SAID = st.builds(LinkValues, _SHAPES, _LENGTHS, st.sampled_from([BLUE, RED]), _
 def test_a_link_that_is_changed_wholly_is_as_if_it_were_made_so(
     one: LinkValues, other: LinkValues
 ) -> None:
-    made = new_link("a", one, size_of).link
-    found, notes = changed_link(made, other, size_of)
-    wanted = new_link("a", other, size_of).link
+    made = new_link("a", one, bounds_of).link
+    found, notes = changed_link(made, other, bounds_of)
+    wanted = new_link("a", other, bounds_of).link
     assert notes == ()
     assert found._replace(inertial=None) == wanted._replace(inertial=None)
     assert wanted.inertial is not None
     assert close(found.inertial, wanted.inertial)
-    assert changed_link(made, one, size_of).link == made
+    assert changed_link(made, one, bounds_of).link == made
 
 
 TURNING = Joint(

@@ -232,12 +232,20 @@ BROKEN_URDF = Code(
     "what is wrong counts as not said.",
 )
 
+UNTRUSTED_MACROS = Code(
+    "untrusted-macros",
+    "The macros of a robot's file (xacro) are expanded by running expressions that stand in it, so "
+    "that they are not until you trust the project with `plastron trust`. Links and joints are "
+    "missing from what is shown; what stands outside of macros can be changed all the same.",
+    severity=Severity.WARNING,
+)
+
 NOT_EXPANDED = Code(
     "not-expanded",
     "The macros of a robot's file (xacro) are not expanded, so that links and joints are missing "
-    "from what is shown: the folder is not trusted, and macros can do more than describe a robot; "
-    "the package `xacro` is not there; a file that is included is not there, or lies neither in "
-    "the project nor in an installed package; or they have a mistake, or take more time or memory "
-    "than a robot needs. What stands outside of macros can be changed all the same.",
+    "from what is shown: the package `xacro` is not there; a file that is included is not there, "
+    "or lies neither in the project nor in an installed package; or the macros have a mistake, or "
+    "take more time or memory than a robot needs. What stands outside of them can be changed all "
+    "the same.",
     severity=Severity.WARNING,
 )

@@ -9,15 +9,19 @@ from typing import NamedTuple
 
 from .description import Body, Inertial, Link, Material, Mesh, Pose, Shape, Tensor, Vector
 from .inertia import tensor_of, turned
-from .transforms import rotation_matrix, seen_from
+from .transforms import Transform, rotation_matrix, seen_from
 
-MeshSize = Callable[[str], Vector | None]
-"""Returns how large a mesh is along its axes, in the file's lengths; None where nobody knows."""
+MeshBounds = Callable[[str], "tuple[Vector, Vector] | None"]
+"""Returns the lowest and the highest corner of a mesh, in its own lengths; None where nobody
+knows them."""
 
 _CLOSE = 1e-2
 """How far an inertia may be from that of its shape, and still be meant to follow from it.
 
 People write two or three digits: 0.0417 for 5 / 120."""
+
+_SAME_PLACE = 1e-4
+"""Metres: how far the center of mass may be from the middle of the shape likewise."""
 
 
 class LinkValues(NamedTuple):
@@ -76,7 +80,7 @@ class Changed(NamedTuple):
     notes: tuple[tuple[Note, str], ...] = ()
 
 
-def new_link(name: str, values: LinkValues, mesh_size: MeshSize) -> Changed:
+def new_link(name: str, values: LinkValues, mesh_bounds: MeshBounds) -> Changed:
     """Return a link of which this is all that is known."""
     link = Link(name)
     if values.shape is None:
@@ -86,10 +90,10 @@ def new_link(name: str, values: LinkValues, mesh_size: MeshSize) -> Changed:
     link = Link(name, (body._replace(material=values.material),), (body,))
     if values.mass is None:
         return Changed(link)
-    return _with_inertia(link, values.mass, mesh_size)
+    return _with_inertia(link, values.mass, mesh_bounds)
 
 
-def changed_link(link: Link, values: LinkValues, mesh_size: MeshSize) -> Changed:
+def changed_link(link: Link, values: LinkValues, mesh_bounds: MeshBounds) -> Changed:
     """Return a link with what is said of it changed, and nothing else.
 
     What is seen and what collides get one shape, and are moved and turned alike where they were
@@ -100,12 +104,12 @@ def changed_link(link: Link, values: LinkValues, mesh_size: MeshSize) -> Changed
     if refusal is not None:
         return Changed(link, (refusal,))
     if not (link.visuals or link.collisions) and values.shape is not None:
-        bodies = new_link(link.name, values._replace(mass=None), mesh_size).link
+        bodies = new_link(link.name, values._replace(mass=None), mesh_bounds).link
         new = link._replace(visuals=bodies.visuals, collisions=bodies.collisions)
         notes: list[tuple[Note, str]] = []
     else:
         new, notes = _with_bodies(link, values)
-    changed = _with_inertial(link, new, values, mesh_size)
+    changed = _with_inertial(link, new, values, mesh_bounds)
     return Changed(changed.link, tuple(dict.fromkeys((*notes, *changed.notes))))
 
 
@@ -178,34 +182,46 @@ def _stays(pose: Pose, main: Pose, values: LinkValues) -> bool:
     return is_elsewhere or (values.rotation is not None and pose != main)
 
 
-def _with_inertial(old: Link, new: Link, values: LinkValues, mesh_size: MeshSize) -> Changed:
+def _with_inertial(old: Link, new: Link, values: LinkValues, mesh_bounds: MeshBounds) -> Changed:
     """Return a link with what it weighs after its bodies were changed."""
     inertial = old.inertial
     if inertial is None:
-        return Changed(new) if values.mass is None else _with_inertia(new, values.mass, mesh_size)
+        return Changed(new) if values.mass is None else _with_inertia(new, values.mass, mesh_bounds)
     pairs = list(zip(_bodies(old), _bodies(new), strict=False))
-    followed = [after for before, after in pairs if follows(inertial, before, mesh_size)]
+    followed = [each for each in pairs if follows(inertial, each[0], mesh_bounds)]
     if values.shape is not None and (followed or values.mass is not None):
         mass = inertial.mass if values.mass is None else values.mass
         # Its axes stay as they are where the file has some of its own.
-        rotation = None if not followed or inertial.pose == pairs[0][0].pose else inertial.pose[1]
-        return _with_inertia(new._replace(inertial=inertial), mass, mesh_size, rotation)
+        is_own = followed and inertial.pose.rotation != followed[0][0].pose.rotation
+        rotation = inertial.pose.rotation if is_own else None
+        return _with_inertia(new._replace(inertial=inertial), mass, mesh_bounds, rotation)
     notes = [] if values.shape is None else [(Note.INERTIA_STAYS, "shape")]
-    if pairs and values.shape is None:
+    if values.shape is None and followed:
+        inertial = _carried(inertial, *followed[0], mesh_bounds)
+    elif values.shape is None and pairs:
         main = pairs[0][0].pose
-        moved = inertial._replace(pose=_moved(inertial.pose, main, values))
-        if followed and inertial.pose != main:
-            tensor = _tensor(followed[0], inertial.mass, mesh_size, moved.pose.rotation)
-            inertial = moved if tensor is None else moved._replace(tensor=tensor)
-        elif _stays(inertial.pose, main, values):
+        if _stays(inertial.pose, main, values):
             notes.append((Note.APART, _first_said(values, ("position", "rotation"))))
-        inertial = inertial._replace(pose=moved.pose)
+        inertial = inertial._replace(pose=_moved(inertial.pose, main, values))
     if values.mass is not None:
         scaled = _scaled(inertial, values.mass)
         if scaled is None:
-            return _with_inertia(new._replace(inertial=inertial), values.mass, mesh_size)
+            return _with_inertia(new._replace(inertial=inertial), values.mass, mesh_bounds)
         inertial = scaled
     return Changed(new._replace(inertial=inertial), tuple(notes))
+
+
+def _carried(inertial: Inertial, before: Body, after: Body, mesh_bounds: MeshBounds) -> Inertial:
+    """Return the inertia that followed from a body, after the body was moved or turned."""
+    if before.pose == after.pose:
+        return inertial
+    position = _middle(after, mesh_bounds)
+    if inertial.pose.rotation == before.pose.rotation:
+        return inertial._replace(pose=Pose(position, after.pose.rotation))
+    # Its axes are those of the link, which is not turned.
+    tensor = _tensor(after, inertial.mass, mesh_bounds, inertial.pose.rotation)
+    pose = Pose(position, inertial.pose.rotation)
+    return Inertial(inertial.mass, tensor or inertial.tensor, pose)
 
 
 def _bodies(link: Link) -> tuple[Body, ...]:
@@ -221,22 +237,22 @@ def _scaled(inertial: Inertial, mass: float) -> Inertial | None:
 
 
 def _with_inertia(
-    link: Link, mass: float, mesh_size: MeshSize, rotation: Vector | None = None
+    link: Link, mass: float, mesh_bounds: MeshBounds, rotation: Vector | None = None
 ) -> Changed:
     """Return a link whose inertia follows from its shape and a mass.
 
     Args:
         link: the link; an inertia that it has stays where none follows.
         mass: what it weighs.
-        mesh_size: tells how large a mesh is.
+        mesh_bounds: tells where a mesh ends.
         rotation: how the axes are turned that the inertia is in; None for those of the shape.
     """
     # What collides is what a simulation moves.
     for body in (*link.collisions, *link.visuals):
-        tensor = _tensor(body, mass, mesh_size, rotation)
+        tensor = _tensor(body, mass, mesh_bounds, rotation)
         if tensor is not None:
             turned_ = body.pose.rotation if rotation is None else rotation
-            inertial = Inertial(mass, tensor, Pose(body.pose.position, turned_))
+            inertial = Inertial(mass, tensor, Pose(_middle(body, mesh_bounds), turned_))
             is_mesh = isinstance(body.shape, Mesh)
             notes = ((Note.BOX_INERTIA, "mass"),) if is_mesh else ()
             return Changed(link._replace(inertial=inertial), notes)
@@ -248,9 +264,9 @@ def _with_inertia(
     return Changed(link, ((note, "mass"),))
 
 
-def follows(inertial: Inertial, body: Body, mesh_size: MeshSize) -> bool:
+def follows(inertial: Inertial, body: Body, mesh_bounds: MeshBounds) -> bool:
     """Tell whether an inertia is that of a body, its mass and its place."""
-    tensor = _tensor(body, inertial.mass, mesh_size, inertial.pose.rotation)
+    tensor = _tensor(body, inertial.mass, mesh_bounds, inertial.pose.rotation)
     if tensor is None:
         return False
     slack = _CLOSE * max(map(abs, tensor))
@@ -258,13 +274,13 @@ def follows(inertial: Inertial, body: Body, mesh_size: MeshSize) -> bool:
         isclose(one, other, abs_tol=slack)
         for one, other in zip(inertial.tensor, tensor, strict=True)
     ) and all(
-        isclose(one, other, abs_tol=1e-6)
-        for one, other in zip(inertial.pose.position, body.pose.position, strict=True)
+        isclose(one, other, abs_tol=_SAME_PLACE)
+        for one, other in zip(inertial.pose.position, _middle(body, mesh_bounds), strict=True)
     )
 
 
 def _tensor(
-    body: Body, mass: float, mesh_size: MeshSize, rotation: Vector | None = None
+    body: Body, mass: float, mesh_bounds: MeshBounds, rotation: Vector | None = None
 ) -> Tensor | None:
     """Return the inertia of a body about its middle, in its axes or in those turned otherwise."""
     shape = body.shape
@@ -272,11 +288,32 @@ def _tensor(
         return None
     size = None
     if isinstance(shape, Mesh):
-        extent = mesh_size(shape.uri)
-        if extent is not None:
-            x, y, z = (abs(a * b) for a, b in zip(extent, shape.scale, strict=True))
-            size = x, y, z
+        box = _box(shape, mesh_bounds)
+        size = None if box is None else _vector(high - low for low, high in box)
     tensor = tensor_of(shape, mass, size)
     if tensor is None or rotation in (None, body.pose.rotation):
         return tensor
     return turned(tensor, seen_from(rotation_matrix(rotation), rotation_matrix(body.pose.rotation)))
+
+
+def _middle(body: Body, mesh_bounds: MeshBounds) -> Vector:
+    """Return where the middle of a body is: that of a mesh is the middle of the box around it."""
+    box = _box(body.shape, mesh_bounds) if isinstance(body.shape, Mesh) else None
+    if box is None:
+        return body.pose.position
+    return Transform().then(body.pose).point(_vector((low + high) / 2 for low, high in box))
+
+
+def _box(mesh: Mesh, mesh_bounds: MeshBounds) -> list[tuple[float, float]] | None:
+    """Return where a mesh ends along each of its axes, None where nobody knows."""
+    corners = mesh_bounds(mesh.uri)
+    if corners is None:
+        return None
+    ends = zip(*corners, mesh.scale, strict=True)
+    # A mesh with a scale that is negative is mirrored.
+    return [(min(a * scale, b * scale), max(a * scale, b * scale)) for a, b, scale in ends]
+
+
+def _vector(values: Iterable[float]) -> Vector:
+    x, y, z = values
+    return x, y, z

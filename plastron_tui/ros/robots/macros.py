@@ -136,5 +136,9 @@ class Macros(NamedTuple):
             (len(self.calls), "call"),
             (self.conditions, "condition"),
         )
-        told = [f"{count} {word}{'' if count == 1 else 's'}" for count, word in counts if count]
-        return ", ".join(told)
+        return ", ".join(counted(count, word) for count, word in counts if count)
+
+
+def counted(count: int, word: str) -> str:
+    """Return a number of things: `1 link`, `2 links`."""
+    return f"{count} {word}{'' if count == 1 else 's'}"

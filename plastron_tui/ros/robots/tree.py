@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 from typing import NamedTuple
 
 from .description import Description, Joint
@@ -64,20 +64,3 @@ def branches(robot: Description) -> Iterator[Branch]:
             for joint in reversed(children.get(branch.link, ()))
             if joint.child in robot.links
         ]
-
-
-def circle(robot: Description) -> list[Joint] | None:
-    """Return the joints of a circle, each holding the parent of the next; None where none is."""
-    up: Mapping[str, Joint] = holders(robot)
-    done: set[str] = set()
-    for start in robot.links:
-        path: dict[str, int] = {}
-        at = start
-        while at in up and at not in done:
-            if at in path:
-                around = list(path)[path[at] :]
-                return [up[link] for link in reversed(around)]
-            path[at] = len(path)
-            at = up[at].parent
-        done.update(path)
-    return None

@@ -72,8 +72,7 @@ def edited(
     except RefusedError as refused:
         return UrdfEdit(None, (refused.diagnostic,))
     if again.description is None or not same_robot(again.description, wanted):
-        message = "the robot would not be what was asked for"
-        return UrdfEdit(None, (_refused(message, read.document.root.name_span, path),))
+        return UrdfEdit(None, (_not_as_asked(read, again.description, wanted, path),))
     return UrdfEdit(changed, tuple(_still_named(read, wanted)))
 
 
@@ -205,6 +204,31 @@ def _dangling(document: XmlDocument, element: Element, name: str) -> Diagnostic:
     message = f"`<{element.name}>` in line {line} still names `{name}`, which is taken away"
     span, severity = element.name_span, Severity.WARNING
     return Diagnostic(codes.EDIT_REFUSED, message, span, document.file, severity=severity)
+
+
+def _not_as_asked(
+    read: UrdfRead, got: Description | None, wanted: Description, path: Path | None
+) -> Diagnostic:
+    """Say which part would not be as it is to be, and where it stands."""
+    kinds = (("link", "links"), ("joint", "joints"), ("material", "materials"))
+    for kind, field in kinds if got is not None else ():
+        has, shall = getattr(got, field), getattr(wanted, field)
+        for name in (*shall, *has):
+            if same(has.get(name), shall.get(name)):
+                continue
+            place = place_of(read.places, Part(kind, name))
+            message = (
+                f"the {kind} `{name}` would not be what was asked for: something else stands in "
+                "the file that is in the way; correct it first"
+            )
+            return _refused(message, _span(read, place), path)
+    return _refused("the robot would not be what was asked for", _span(read, None), path)
+
+
+def _span(read: UrdfRead, element: Element | None) -> Span:
+    if element is not None:
+        return element.name_span
+    return Span(0, 0) if read.document is None else read.document.root.name_span
 
 
 def _refused(message: str, span: Span, path: Path | None) -> Diagnostic:

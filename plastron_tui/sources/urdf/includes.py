@@ -16,6 +16,8 @@ from .macros import read_includes
 from .reach import Reach
 
 _MOST_FILES = 200
+_MOST_INCLUDES = 2_000
+_MOST_PROBLEMS = 20
 _MOST_BYTES = 16_000_000
 _PATTERN = frozenset("*?[")
 
@@ -46,10 +48,13 @@ def check_includes(document: XmlDocument, path: Path, reach: Reach) -> Included:
     found: list[Diagnostic] = []
     seen: dict[Path, None] = {path.resolve(): None}
     waiting = [(document, path)]
-    left = _MOST_BYTES
+    left, count = _MOST_BYTES, 0
     while waiting:
         inner, file = waiting.pop()
         for include, element in read_includes(inner):
+            count += 1
+            if count > _MOST_INCLUDES or len(found) >= _MOST_PROBLEMS:
+                return Included(tuple(seen), tuple(found))
             if not include.is_certain or _PATTERN.intersection(include.file):
                 continue
             place = reach.find(include.file, file.parent)

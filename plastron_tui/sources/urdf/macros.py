@@ -15,6 +15,8 @@ from plastron_tui.ros.robots.macros import (
 )
 from plastron_tui.sources.xml.document import Element, XmlDocument
 
+from .values import is_computed, is_xacro
+
 _PREFIX = "xacro:"
 _CONDITIONS = frozenset({"xacro:if", "xacro:unless"})
 _WORDS = _CONDITIONS | {
@@ -37,6 +39,17 @@ _WITH_DEFAULT = re.compile(
 _WITHOUT = re.compile(r"\s*(\S+)")
 _LONGEST_PARAMETERS = 10_000
 _MOST_PARAMETERS = 200
+
+
+def has_macros(document: XmlDocument) -> bool:
+    """Tell whether there is anything in a file that is to be expanded.
+
+    What xacro has expanded still names its namespace.
+    """
+    return is_xacro(document) and any(
+        element.name.startswith(_PREFIX) or any(is_computed(x.value) for x in element.attributes)
+        for element in document.root.walk()
+    )
 
 
 def read_macros(document: XmlDocument) -> Macros:

@@ -16,6 +16,7 @@ from pathlib import Path
 from typing import NamedTuple
 
 from plastron_tui.boundary import Boundary
+from plastron_tui.trust import real_path
 
 _DEBIAN_SHARE = Path("/usr/share")
 _PACKAGE = re.compile(
@@ -50,14 +51,16 @@ class Reach:
     Attributes:
         boundary: the project.
         packages: the folders of packages by their names: those of the project, and `developed`.
-        shares: the folders that have the files of installed packages, each in a folder of its name.
-        developed: the folders of packages that a sourced ROS 1 takes from where they are developed.
+        shares: the folders that have the files of installed packages, each in a folder of its
+            name, in the order in which they are searched; without symbolic links.
+        developed: the folders of packages that a sourced ROS 1 takes from where they are
+            developed, without symbolic links.
     """
 
     boundary: Boundary
     packages: Mapping[str, Path]
     shares: tuple[Path, ...]
-    developed: tuple[Path, ...] = ()
+    developed: frozenset[Path] = frozenset()
 
     def package(self, name: str) -> Path | None:
         """Return the folder of a package, None where it is not here."""
@@ -76,12 +79,11 @@ class Reach:
             return False
         if self.boundary.contains(Path(real)):
             return True
-        if any(_is_in(real, each) for each in self.developed):
-            return True
-        for share in self.shares:
-            root = os.path.realpath(share)
-            if _is_in(real, share) and real != root:
-                return _is_package(share / Path(real).relative_to(root).parts[0])
+        below = Path(real)
+        for folder in below.parents:
+            if folder in self.developed or (folder in self.shares and _is_package(below)):
+                return True
+            below = folder
         return False
 
     def find(self, name: str, folder: Path) -> Place:
@@ -146,8 +148,13 @@ def find_reach(boundary: Boundary, file: Path, environ: Mapping[str, str]) -> Re
     for folder in developed:
         if (name := package_name(folder)) is not None:
             packages.setdefault(name, folder)
-    shares = dict.fromkeys((*installed, Path(sys.prefix, "share"), _DEBIAN_SHARE))
-    return Reach(replace(boundary, trusts=_trusts_nothing), packages, tuple(shares), developed)
+    shares = (real_path(each) for each in (*installed, Path(sys.prefix, "share"), _DEBIAN_SHARE))
+    return Reach(
+        replace(boundary, trusts=_trusts_nothing),
+        packages,
+        tuple(dict.fromkeys(shares)),
+        frozenset(map(real_path, developed)),
+    )
 
 
 def _trusts_nothing(_: Path) -> bool:
@@ -157,11 +164,6 @@ def _trusts_nothing(_: Path) -> bool:
 
 def _is_package(folder: Path) -> bool:
     return os.path.isfile(folder / _MANIFEST)  # noqa: PTH113 - a path that is too long is none
-
-
-def _is_in(real: str, folder: Path) -> bool:
-    root = os.path.realpath(folder)
-    return real == root or real.startswith(root.rstrip(os.sep) + os.sep)
 
 
 def _no_package(name: str) -> str:

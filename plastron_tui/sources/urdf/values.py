@@ -15,6 +15,7 @@ from plastron_tui.sources.xml.document import Attribute, Element, XmlDocument
 _NUMBER = re.compile(r"[+-]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][+-]?[0-9]+)?")
 _BLANKS = " \t\r\n"
 _COMPUTED = ("${", "$(")
+_BROKEN = re.compile(rb"[^ \t\r\n][\t\r\n]")
 XACRO = "xacro:"
 """What the names of elements begin with that macros replace."""
 
@@ -28,7 +29,12 @@ def number_of(text: str) -> float | None:
 
 
 def is_xacro(document: XmlDocument) -> bool:
-    """Tell whether a file has macros, whose values are computed."""
+    """Tell whether a file has macros, whose values are computed.
+
+    What is only included by other files need not name their namespace.
+    """
+    if document.file is not None and document.file.suffix == ".xacro":
+        return True
     return any(
         each.name.startswith(XACRO) or any(one.name == "xmlns:xacro" for one in each.attributes)
         for each in document.root.walk()
@@ -137,6 +143,13 @@ class Values:
                 return None
             numbers.append(number)
         if len(numbers) == count:
+            start, end = found.value_span
+            if _BROKEN.search(self.document.text[start:end]):
+                # Cut at spaces only, by a parser that leaves them as they are (`split_string`).
+                message = f"`{found.name}` has a tab or a line break behind a number"
+                help_text = "urdfdom takes spaces only"
+                span, severity = found.value_span, Severity.WARNING
+                self.tell(message, span, help_text, severity=severity)
             return numbers
         message = f"`{found.name}` has {len(numbers)} numbers, and {count} are wanted"
         self.tell(message, found.value_span)

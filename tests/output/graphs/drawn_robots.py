@@ -52,7 +52,7 @@ class RobotMaker:
         self, name: str, shape: Shape | None = None, pose: Pose = _HERE, **more: object
     ) -> None:
         color, mass = more.get("color"), more.get("mass")
-        material = None if color is None else Material("paint", (*color, 1.0))  # type: ignore[misc]
+        material = None if color is None else Material(f"paint {color}", (*color, 1.0))  # type: ignore[misc]
         bodies = () if shape is None else (Body(shape, pose, material),)
         inertial = None
         if mass is not None:

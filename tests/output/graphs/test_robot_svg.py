@@ -167,8 +167,10 @@ def test_axes_are_arrows_or_point_at_who_looks(axis: Vector, signs: dict[str, st
             drawn = next(x for x in view.iter(f"{SVG}g") if x.get("class") == "joint-axis")
             kinds = [part.get("class") for part in drawn if part.tag != f"{SVG}title"]
             found[view.get("data-view")] = {
-                ("end", "tip"): "toward", ("end", "axis"): "away", ("axis", "tip", "tip"): "arrow",
-            }[tuple(kinds)]  # fmt: skip
+                ("end", "tip"): "toward",
+                ("end", "axis"): "away",
+                ("halo", "axis", "tip", "tip"): "arrow",
+            }[tuple(kinds)]
     assert found == signs
 
 

@@ -69,6 +69,32 @@ def robots(draw: st.DrawFn) -> Description:
     return Description(draw(st.sampled_from(("rover", "arm-2"))), links, joints, materials)
 
 
+@st.composite
+def variations(draw: st.DrawFn, robot: Description) -> Description:
+    """Return a robot in which each joint that stays holds what it held before."""
+    materials = {
+        name: Material(name, draw(_colors), draw(_textures)) if draw(st.booleans()) else material
+        for name, material in robot.materials.items()
+    }
+    links: dict[str, Link] = {}
+    joints: dict[str, Joint] = {}
+    held = {joint.child: joint for joint in robot.joints.values()}
+    for name, link in robot.links.items():
+        joint = held.get(name)
+        if joint is not None:
+            goes = draw(st.integers(0, 4)) == 0
+            if goes or joint.parent not in links:
+                continue
+            new = _joint(draw, joint.name, joint.parent, name, list(joints))
+            joints[joint.name] = new if draw(st.booleans()) else joint
+        links[name] = _link(draw, name, list(materials)) if draw(st.booleans()) else link
+    for name in draw(st.lists(st.sampled_from(("new", "more")), unique=True)):
+        parent = draw(st.sampled_from(list(links)))
+        joints[f"to_{name}"] = _joint(draw, f"to_{name}", parent, name, list(joints))
+        links[name] = _link(draw, name, list(materials))
+    return Description(robot.name, links, joints, materials)
+
+
 def _link(draw: st.DrawFn, name: str, materials: Sequence[str]) -> Link:
     names = st.sampled_from((None, *materials))
     visuals = []

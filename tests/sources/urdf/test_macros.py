@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import pytest
 
 from plastron_tui.ros.robots.description import Box
@@ -13,7 +15,7 @@ from plastron_tui.ros.robots.macros import (
     Macros,
     Parameter,
 )
-from plastron_tui.sources.urdf.macros import read_macros
+from plastron_tui.sources.urdf.macros import has_macros, read_macros
 from plastron_tui.sources.urdf.reader import read_urdf
 
 ROVER = b"""\
@@ -150,3 +152,27 @@ def test_parameters_are_read_as_xacro_reads_them(
 @pytest.mark.parametrize("params", ["a:=" + "b" * 9000 + "&apos;", "a" * 20000, "a=${" * 5000])
 def test_parameters_that_no_person_writes_end(params: str) -> None:
     assert len(in_robot(f'<xacro:macro name="m" params="{params}"/>').macros[0].parameters) <= 200
+
+
+@pytest.mark.parametrize(
+    ("text", "is_there"),
+    [
+        (ROVER, True),
+        (b'<robot xmlns:xacro="http://x"><link name="${a}"/></robot>', True),
+        (b'<robot><xacro:macro name="m"/></robot>', True),
+        # As xacro leaves it, and as no xacro is.
+        (b'<robot xmlns:xacro="http://x"><link name="a"/></robot>', False),
+        (b'<robot><link name="${a}"/></robot>', False),
+    ],
+)
+def test_what_is_expanded_has_no_macros_any_more(text: bytes, is_there: bool) -> None:
+    document = read_urdf(text).document
+    assert document is not None
+    assert has_macros(document) is is_there
+
+
+def test_what_is_only_included_need_not_name_the_namespace() -> None:
+    text = b'<robot><material name="blue"><color rgba="${a}"/></material></robot>'
+    assert not read_urdf(text, Path("materials.urdf.xacro")).diagnostics
+    # In others that is no colour, and a robot has a name.
+    assert len(read_urdf(text, Path("materials.urdf")).diagnostics) == 2

@@ -238,6 +238,16 @@ def test_a_definition_that_others_mean_stays_when_its_own_link_goes() -> None:
     assert again.description.links["b"].visuals[0].material == Material("m", (1, 0, 0, 1))
 
 
+def test_a_part_that_stands_there_twice_is_not_taken_away() -> None:
+    text = ROVER.replace("<link name='base' />", "<link name='base' /> <link name='base' />")
+    edit = make(text.encode(), lambda robot: replace(robot, links={}))
+    assert edit.text is None
+    assert edit.diagnostics[0].message.startswith("the link `base` would not be what")
+    span = edit.diagnostics[0].span
+    assert span is not None
+    assert text[span.start :].startswith("link name='base'")
+
+
 MACROS = """\
 <robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">
   <xacro:property name="h" value="1"/>

@@ -34,7 +34,7 @@ ROVER = """\
   <link name="base">
     <visual name="shell">
       <origin xyz="1 2 3"/>
-      <geometry><box size=" 1  2&#9;3 "/></geometry>
+      <geometry><box size=" 1  2 3 "/></geometry>
       <material name="blue"/>
     </visual>
     <visual>
@@ -195,6 +195,16 @@ TAKEN = (
 @pytest.mark.parametrize("inner", TAKEN)
 def test_what_urdfdom_takes_is_no_mistake(inner: str) -> None:
     assert read_urdf(f'<robot name="r">{inner}</robot>'.encode()).diagnostics == ()
+
+
+@pytest.mark.parametrize("blank", ["\t", "\n", "\r\n"])
+def test_blanks_that_only_other_tools_take_are_told(blank: str) -> None:
+    inner = seen(f"<origin xyz='0 1{blank}2'/>{SPHERE}")
+    read = read_urdf(f'<robot name="r">{inner}</robot>'.encode())
+    (found,) = read.diagnostics
+    assert found.message == "`xyz` has a tab or a line break behind a number"
+    assert read.description is not None
+    assert read.description.links["a"].visuals[0].pose.position == (0, 1, 2)
 
 
 def test_a_colour_that_does_not_count_is_told() -> None:

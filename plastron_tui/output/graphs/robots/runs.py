@@ -42,6 +42,8 @@ def text_of(line: RunLine) -> str:
 
 def fitted(line: RunLine, room: int, dots: str = "…") -> RunLine:
     """Return a line with just so many cells: cut off with dots, or filled up with blanks."""
+    if room <= 0:
+        return ()
     total = sum(width(run.text) for run in line)
     if total <= room:
         return (*line, Run(" " * (room - total))) if total < room else line

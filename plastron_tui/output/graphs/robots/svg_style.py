@@ -39,6 +39,7 @@ STYLE = f"""<style>
 .robot .moves{{stroke:#9a7ad6;stroke-width:2}}
 .robot .spot{{stroke:#5d6b7a;stroke-width:1}}
 .robot .none{{fill:none}}
+.robot .halo{{stroke:#fbfcfd;stroke-width:4.5;stroke-opacity:.6}}
 .robot .axis{{fill:none;stroke:#7a52c7;stroke-width:1.8}}
 .robot .tip{{fill:#7a52c7}}
 .robot .end{{fill:#fbfcfd;stroke:#7a52c7;stroke-width:1.5}}
@@ -60,7 +61,7 @@ STYLE = f"""<style>
 .robot .unknown{{fill:#161b22;stroke:#9dabba}}
 .robot .bone,.robot .rail{{stroke:#5d6b7a}} .robot .moves{{stroke:#8a6bc4}}
 .robot .spot{{stroke:#c3ced9}}
-.robot .axis{{stroke:#b08cf0}} .robot .tip{{fill:#b08cf0}}
+.robot .halo{{stroke:#161b22}} .robot .axis{{stroke:#b08cf0}} .robot .tip{{fill:#b08cf0}}
 .robot .end{{fill:#161b22;stroke:#b08cf0}} .robot .lead{{stroke:#b08cf0}}
 .robot .name{{fill:#d3c0fb}}
 .robot .name,.robot .xyz{{stroke:#161b22}}

@@ -181,7 +181,8 @@ class SvgView:
         half = _HEAD * 0.45
         one = Point(foot.x - down * half, foot.y + across * half)
         other = Point(foot.x + down * half, foot.y - across * half)
-        yield f'<path class="axis" d="M{_xy(at)}L{_xy(foot)}"/>'
+        line = f"M{_xy(at)}L{_xy(foot)}"
+        yield f'<path class="halo" d="{line}"/><path class="axis" d="{line}"/>'
         yield f'<path class="tip" d="M{_xy(tip)}L{_xy(one)}L{_xy(other)}z"/>'
         yield f'<circle class="tip" {place} r="2.4"/>'
         for part in (0.45, 0.75, 1.0):

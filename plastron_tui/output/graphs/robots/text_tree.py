@@ -19,11 +19,12 @@ _MOST_PADDED = 26
 
 
 def tree_width(robot: Description) -> int:
-    """Return how wide a tree has to be that nothing of it is cut off."""
+    """Return how wide a tree has to be that no row and no title is cut off."""
     rows = tree_rows(robot)
     pad = _padding(rows)
     lines = (_line(robot, row, pad, {}, "", ascii_only=False) for row in rows)
-    return max((sum(width(run.text) for run in line) for line in lines), default=0)
+    title = robot_text(robot.name, len(robot.links), len(robot.joints))
+    return max([width(title), *(sum(width(run.text) for run in line) for line in lines)])
 
 
 def draw_tree(
@@ -79,14 +80,18 @@ def _line(
     name = visible(row.link)
     lines = lead(row)
     blank = " " * max(0, pad - width(lines) - width(name))
-    role = "marked" if marked and _is_marked(row, marked) else "link"
+    role = _role(row.link, marked, "link")
     runs = [Run(lines, "quiet"), swatch, Run(f" {name}", role), Run(f"{blank}  ")]
     if row.joint is not None:
-        role = "marked" if marked == row.joint.name else "joint"
+        role = _role(row.joint.name, marked, "joint")
         runs += [Run(visible(row.joint.name), role), Run(f"  {joint_text(row.joint)}", "quiet")]
     else:
         runs.append(Run(link_text(robot.links[row.link]), "quiet"))
     return tuple(run for run in runs if run.text)
+
+
+def _role(name: str, marked: str, role: str) -> str:
+    return "marked" if marked and name == marked else role
 
 
 def _is_marked(row: TreeRow, marked: str) -> bool:
