@@ -106,7 +106,8 @@ class _Tree:
         source = robot.source
         parts = ["" if robot.variable == robot.name else robot.variable]
         parts.append("" if source is None else source.path.name)
-        parts.append(f"{len(description.links)} links" if description.links else "")
+        count = len(description.links)
+        parts.append(f"{count} link{'' if count == 1 else 's'}" if count else "")
         fault = self._faults.within(robot.span)
         warning = "" if is_written or source is not None else "not written"
         yield Entry(
