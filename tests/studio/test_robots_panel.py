@@ -91,7 +91,9 @@ def test_a_part_of_a_file_says_where_it_stands(tmp_path: Path) -> None:
     found = {each.text: each for each in entries(analysis)}
     assert found["turn"].span is None and found["turn"].elsewhere == "turn is in old.urdf, line 5"
     assert found["arm"].span is not None and found["arm"].detail == "sphere r 0.1"
-    assert found["arm"].statement == "old no_longer_has_link 'arm'"
+    assert found["arm"].statement == (
+        "old no_longer_has_joint 'turn'\nold no_longer_has_link 'arm'"
+    )
     refused = renamed(analysis, found["arm"], "other")
     assert (refused.edits, refused.files) == ((), ("old.urdf",))
 
@@ -226,7 +228,8 @@ async def test_a_robot_is_seen_while_it_is_typed(program: Path) -> None:
         await driver.press("v", "v", "v")
         assert panel.picture.text == before
         await driver.press("end", "d")
-        assert "rover no_longer_has_link 'mast'\ngenerate_robot rover\n" in driver.text
+        ended = "rover no_longer_has_joint 'lift'\nrover no_longer_has_link 'mast'\n"
+        assert f"{ended}generate_robot rover\n" in driver.text
         driver.main.editor.go_to(TEXT.index("0.4"))
         driver.main.editor.focus()
         await driver.press("delete", "1")
