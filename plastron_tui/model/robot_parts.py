@@ -44,19 +44,37 @@ class _Form(NamedTuple):
         optional: those that need not be there.
         make: makes it of them.
         example: how it is written.
+        others: what others call its values.
     """
 
     values: tuple[str, ...]
     make: Callable[..., Shape]
     example: str
     optional: tuple[str, ...] = ()
+    others: Mapping[str, str] = {}
 
 
 _SHAPES: Mapping[str, _Form] = {
-    "box": _Form(("x", "y", "z"), lambda x, y, z: Box((x, y, z)), "box 0.4, 0.3, 0.1"),
-    "cylinder": _Form(("radius", "length"), Cylinder, "cylinder 0.1, 0.05"),
-    "sphere": _Form(("radius",), Sphere, "sphere 0.1"),
-    "mesh": _Form(("uri", "scale"), Mesh, 'mesh "package://rover/meshes/base.stl"', ("scale",)),
+    "box": _Form(
+        ("x", "y", "z"),
+        lambda x, y, z: Box((x, y, z)),
+        "box 0.4, 0.3, 0.1",
+        others={"length": "x", "depth": "x", "width": "y", "height": "z"},
+    ),
+    "cylinder": _Form(
+        ("radius", "length"),
+        Cylinder,
+        "cylinder 0.1, 0.05",
+        others={"height": "length", "h": "length", "l": "length", "r": "radius"},
+    ),
+    "sphere": _Form(("radius",), Sphere, "sphere 0.1", others={"r": "radius"}),
+    "mesh": _Form(
+        ("uri", "scale"),
+        Mesh,
+        'mesh "package://rover/meshes/base.stl"',
+        ("scale",),
+        {"file": "uri", "filename": "uri", "path": "uri", "url": "uri"},
+    ),
 }
 
 
@@ -122,9 +140,15 @@ def _values(
             wrong.append(_bad_shape(f"a {statement.shape} has no more values", at, form))
             break
         if name not in form.values:
+            meant = form.others.get(name)
             help_text = did_you_mean(name, form.values)
             message = f"a {statement.shape} has no `{name}`"
-            wrong.append(_bad_shape(message, at, form, help_text))
+            unknown = _bad_shape(message, at, form, help_text)
+            if meant is not None:
+                where = Span(at.start, at.start + len(name.encode()))
+                fix = write(meant, where)
+                unknown = unknown._replace(span=where, help=fix.title, fix=fix)
+            wrong.append(unknown)
         elif name in found:
             wrong.append(_bad_shape(f"`{name}` is given twice", at, form))
         else:

@@ -40,6 +40,8 @@ MISTAKES: list[tuple[str, str, str, str]] = [
     ("r has_link 'd' shaped box (1, 2, .5)", "bad-shape", "(1, 2, .5)", "write `1, 2, .5`"),
     ("r has_link 'd' shaped box size=[1, 2, 3]", "bad-shape", "size=[1, 2, 3]", "`1, 2, 3`"),
     ("r has_link 'd' shaped cylinder \"1 2\"", "bad-shape", '"1 2"', "write `1, 2`"),
+    ("r has_link 'd' shaped box x=1, width=2, z=3", "bad-shape", "width", "write `y`"),
+    ("r has_link 'd' shaped cylinder 1, height=2", "bad-shape", "height", "write `length`"),
     ("r has_link 'd' shaped sphere 0", "bad-shape", "0", ""),
     ("r has_link 'd' shaped sphere 1e-9", "bad-shape", "1e-9", ""),
     ("r has_link 'd' shaped sphere True", "bad-shape", "True", ""),
