@@ -110,7 +110,8 @@ def _begun(
     document: XmlDocument, wanted: Description, first: Part, habits: Habits, path: Path | None
 ) -> bytes:
     """Return the text of a robot that had nothing, with all that it is to have."""
-    begun = insert_last(document, document.root, element_of(wanted, first), habits.style)
+    element = habits.styled(element_of(wanted, first))
+    begun = insert_last(document, document.root, element, habits.style)
     if begun.document is None:
         raise RefusedError(begun.diagnostics[0])
     text = begun.document.text

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections import Counter
 from collections.abc import Mapping, Sequence
 from enum import Enum
@@ -10,7 +11,9 @@ from itertools import pairwise
 
 from plastron_tui.sources.xml.document import Element, XmlDocument
 from plastron_tui.sources.xml.layout import Style, style_of
+from plastron_tui.sources.xml.new_element import NewElement
 
+from .new_elements import number
 from .values import number_of
 
 _CHILDREN: Mapping[str, tuple[str, ...]] = {
@@ -40,6 +43,15 @@ _DEFAULTS: Mapping[tuple[str, str], tuple[float, ...]] = {
     ("mimic", "multiplier"): (1,),
     ("mimic", "offset"): (0,),
 }
+_NUMBERS = frozenset(
+    (
+        *("xyz", "rpy", "size", "radius", "length", "scale", "rgba", "value"),
+        *("ixx", "ixy", "ixz", "iyy", "iyz", "izz", "lower", "upper", "effort", "velocity"),
+        *("damping", "friction", "multiplier", "offset"),
+    )
+)
+"""The attributes that have numbers."""
+_WHOLE = re.compile(r"[+-]?[0-9]+(\.0)?")
 _PARTS = ("material", "link", "joint")
 _MOST_BETWEEN = 3
 """The most empty lines that are kept up between parts."""
@@ -65,10 +77,20 @@ class Habits:
         self.style: Style = style_of(document)
         self._before: Counter[tuple[str, str, str]] = Counter()
         self._said_defaults: set[tuple[str, str]] = set()
+        self._points: Counter[str] = Counter()
         for element in document.root.walk():
             self._note_order(element.name, [child.name for child in element.children])
             self._note_order(f"@{element.name}", [one.name for one in element.attributes])
             self._note_defaults(element)
+            for one in element.attributes:
+                if one.name in _NUMBERS and ":" not in element.name:
+                    self._note_points(one.name, one.value)
+
+    def _note_points(self, name: str, value: str) -> None:
+        for word in value.split():
+            whole = _WHOLE.fullmatch(word)
+            if whole is not None:
+                self._points[name] += 1 if whole.group(1) else -1
 
     def _note_order(self, parent: str, names: Sequence[str]) -> None:
         known = _CHILDREN.get(parent) or _ATTRIBUTES.get(parent.removeprefix("@"), ())
@@ -89,6 +111,28 @@ class Habits:
             number_of(word) == 0 for one in element.attributes for word in one.value.split()
         ):
             self._said_defaults.add(("origin", "xyz"))
+
+    def number(self, attribute: str, value: float) -> str:
+        """Return a number as it is written in an attribute: `5`, or `5.0` if the author does so."""
+        text = number(value)
+        is_pointed = self._points[attribute] > 0 and _WHOLE.fullmatch(text) is not None
+        return f"{text}.0" if is_pointed else text
+
+    def styled(self, new: NewElement) -> NewElement:
+        """Return an element with its numbers as the author writes them."""
+        attributes = tuple(
+            (name, self._numbers(name, value) if name in _NUMBERS else value)
+            for name, value in new.attributes
+        )
+        return new._replace(
+            attributes=attributes, children=tuple(self.styled(each) for each in new.children)
+        )
+
+    def _numbers(self, name: str, value: str) -> str:
+        if self._points[name] <= 0:
+            return value
+        words = (f"{word}.0" if _WHOLE.fullmatch(word) else word for word in value.split())
+        return " ".join(words)
 
     def says_default(self, element: str, attribute: str) -> bool:
         """Tell whether the file says somewhere what would be so without being said."""

@@ -116,7 +116,7 @@ def _run(
     behind, ahead = around
     anchor = None if behind is None else place_of(places, behind)
     follower = None if ahead is None else place_of(places, ahead)
-    elements = [element_of(robot, part) for part in run]
+    elements = [habits.styled(element_of(robot, part)) for part in run]
     if anchor is not None:
         yield from _behind(document, anchor, elements, habits)
     elif follower is not None:
