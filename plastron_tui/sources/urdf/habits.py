@@ -119,14 +119,17 @@ class Habits:
         return f"{text}.0" if is_pointed else text
 
     def styled(self, new: NewElement) -> NewElement:
-        """Return an element with its numbers as the author writes them."""
-        attributes = tuple(
-            (name, self._numbers(name, value) if name in _NUMBERS else value)
-            for name, value in new.attributes
-        )
-        return new._replace(
-            attributes=attributes, children=tuple(self.styled(each) for each in new.children)
-        )
+        """Return an element as the author writes it: its numbers, and what comes first in it."""
+        attributes: list[tuple[str, str]] = []
+        for name, value in new.attributes:
+            said = self._numbers(name, value) if name in _NUMBERS else value
+            at = self._attribute_place(new.name, [each for each, _ in attributes], name)
+            attributes.insert(at, (name, said))
+        children: list[NewElement] = []
+        for child in new.children:
+            at = self._child_place(new.name, [each.name for each in children], child.name)
+            children.insert(at, self.styled(child))
+        return new._replace(attributes=tuple(attributes), children=tuple(children))
 
     def _numbers(self, name: str, value: str) -> str:
         if self._points[name] <= 0:
@@ -140,13 +143,18 @@ class Habits:
 
     def child_place(self, parent: Element, name: str) -> int:
         """Return how many children are before a new one of a name."""
-        names = [child.name for child in parent.children]
-        return self._place(parent.name, names, name, _CHILDREN.get(parent.name, ()))
+        return self._child_place(parent.name, [child.name for child in parent.children], name)
 
     def attribute_place(self, element: Element, name: str) -> int:
         """Return how many attributes are before a new one of a name."""
         names = [one.name for one in element.attributes]
-        return self._place(f"@{element.name}", names, name, _ATTRIBUTES.get(element.name, ()))
+        return self._attribute_place(element.name, names, name)
+
+    def _child_place(self, parent: str, names: Sequence[str], new: str) -> int:
+        return self._place(parent, names, new, _CHILDREN.get(parent, ()))
+
+    def _attribute_place(self, element: str, names: Sequence[str], new: str) -> int:
+        return self._place(f"@{element}", names, new, _ATTRIBUTES.get(element, ()))
 
     def _place(self, parent: str, names: Sequence[str], new: str, usual: Sequence[str]) -> int:
         last = [at for at, name in enumerate(names) if self._comes_before(parent, name, new, usual)]
@@ -194,8 +202,9 @@ class Habits:
         text = self._document.text
         for one, other in pairwise(self._document.root.children):
             between = text[one.span.end : other.span.start]
-            breaks = between.count(b"\n")
-            if one.name in _PARTS and other.name in _PARTS and breaks and not between.strip():
+            # What is before the first comment tells.
+            breaks = between[: len(between) - len(between.lstrip())].count(b"\n")
+            if one.name in _PARTS and other.name in _PARTS and breaks:
                 both = one.name == other.name == "material"
                 found[both][min(breaks - 1, _MOST_BETWEEN)] += 1
         return found

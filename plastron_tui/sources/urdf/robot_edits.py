@@ -22,6 +22,7 @@ from plastron_tui.sources.xml.places import after, before, removal
 from .habits import Habits, Order
 from .new_elements import joint_element, link_element, material_element
 from .reader import PartPlaces
+from .values import first
 
 
 class Part(NamedTuple):
@@ -125,7 +126,7 @@ def _run(
     follower = None if ahead is None else place_of(places, ahead)
     elements = [habits.styled(element_of(robot, part)) for part in run]
     if anchor is not None:
-        yield from _behind(document, anchor, elements, habits)
+        yield from _behind(document, _end_of_pair(document, anchor), elements, habits)
     elif follower is not None:
         yield from _ahead(document, follower, elements, habits)
     else:
@@ -135,6 +136,16 @@ def _run(
             yield from _ahead(document, document.root.children[0], elements, habits)
         else:
             yield from _behind(document, last, elements, habits)
+
+
+def _end_of_pair(document: XmlDocument, link: Element) -> Element:
+    """Return the joint that holds a link and stands right behind it, else the link."""
+    siblings = document.root.children
+    at = siblings.index(link) + 1
+    joint = siblings[at] if at < len(siblings) else link
+    child = first(joint, "child") if link.name == "link" and joint.name == "joint" else None
+    holds = child is not None and child.get("link") == link.get("name")
+    return joint if holds else link
 
 
 def _behind(

@@ -261,6 +261,28 @@ def test_numbers_are_written_as_the_author_writes_them() -> None:
     assert edited(edit.text, change(read), read).text == text.encode()
 
 
+def test_nothing_is_written_between_a_link_and_the_joint_that_holds_it() -> None:
+    def held(name: str, parent: str) -> str:
+        ends = f'<parent link="{parent}"/><child link="{name}"/>'
+        return f'<joint name="to_{name}" type="fixed">{ends}</joint>\n'
+
+    links = {name: f'<link name="{name}"/>\n' for name in ("a", "b", "c", "d")}
+    pairs = held("b", "a") + links["b"] + held("c", "b") + links["c"] + links["d"] + held("d", "a")
+    text = f'<robot name="r">\n{links["a"]}{pairs}</robot>\n'
+
+    def more(robot: Description) -> Description:
+        joint = Joint("to_e", JointType.FIXED, "a", "e")
+        return replace(
+            robot,
+            links={**robot.links, "e": Link("e")},
+            joints={**robot.joints, "to_e": joint},
+        )
+
+    edit = make(text.encode(), more)
+    assert edit.text is not None
+    assert edit.text.startswith(text.removesuffix("</robot>\n").encode())
+
+
 def test_a_part_that_stands_there_twice_is_not_taken_away() -> None:
     text = ROVER.replace("<link name='base' />", "<link name='base' /> <link name='base' />")
     edit = make(text.encode(), lambda robot: replace(robot, links={}))
