@@ -189,6 +189,18 @@ def test_a_mesh_is_a_diamond_or_the_box_around_it() -> None:
     assert "dashed is the box around a mesh, or what collides" in texts
 
 
+def test_a_mesh_whose_points_are_known_is_drawn_as_its_hull() -> None:
+    make = RobotMaker()
+    make.link("body", Mesh("a.stl", (2.0, 1.0, 1.0)), Pose((1, 0, 0)))
+    points = ((0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1), (0.2, 0.2, 0.2))
+    there = shown(make.robot, meshes={"a.stl": points})
+    top, side, front = (views(there)[key].bodies["body"] for key in ("top", "side", "front"))
+    for corners in (top, side, front):
+        assert len(corners) == 3
+    frame = frame_of(views(there)["side"], "body")
+    assert frame.width == pytest.approx(2 * frame.height, abs=2 * _CLOSE)
+
+
 def test_what_cannot_be_drawn_is_told() -> None:
     make = RobotMaker()
     make.link("base", Box((1, 1, 1)))

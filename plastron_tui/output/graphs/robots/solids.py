@@ -25,14 +25,21 @@ from plastron_tui.ros.robots.transforms import Transform, placed
 
 from .captions import bodies_of
 
-MeshBounds: TypeAlias = Callable[[str], "tuple[Vector, Vector] | None"]
-"""Returns the lowest and the highest corner of a mesh, by its URI, in its file's lengths.
+MeshBounds: TypeAlias = Callable[[str], "tuple[Vector, ...] | None"]
+"""Returns points that a mesh is between, by its URI, in its file's lengths.
 
-None where nobody knows.
+Two are corners of the box around it, more have about the convex hull that the mesh has. None
+where nobody knows.
 """
 
 _FARTHEST = 1e9
 """What is farther away than this, in metres, cannot be meant, and is not drawn."""
+
+
+class Hull(NamedTuple):
+    """A body that is around points."""
+
+    points: tuple[Vector, ...]
 
 
 class Solid(NamedTuple):
@@ -47,7 +54,7 @@ class Solid(NamedTuple):
     """
 
     link: str
-    shape: Box | Cylinder | Sphere | None
+    shape: Box | Cylinder | Sphere | Hull | None
     at: Transform
     rgba: Rgba | None = None
     is_rough: bool = False
@@ -163,14 +170,22 @@ def _solids(
             case None:
                 continue
             case Mesh() as mesh:
-                bounds = mesh_bounds(mesh.uri)
-                if bounds is None:
+                points = mesh_bounds(mesh.uri)
+                if not points:
                     yield Solid(link, None, here, rgba)
-                    continue
-                box, middle = _box_around(mesh, bounds)
-                yield Solid(link, box, here.then(Pose(middle)), rgba, is_rough=True)
+                elif len(points) == 2:
+                    low, high = points
+                    box, middle = _box_around(mesh, (low, high))
+                    yield Solid(link, box, here.then(Pose(middle)), rgba, is_rough=True)
+                else:
+                    yield Solid(link, Hull(_scaled(points, mesh.scale)), here, rgba)
             case shape:
                 yield Solid(link, shape, here, rgba)
+
+
+def _scaled(points: tuple[Vector, ...], scale: Vector) -> tuple[Vector, ...]:
+    a, b, c = scale
+    return tuple([(a * x, b * y, c * z) for x, y, z in points])
 
 
 def _box_around(mesh: Mesh, bounds: tuple[Vector, Vector]) -> tuple[Box, Vector]:
@@ -189,7 +204,7 @@ def _is_near(at: Transform) -> bool:
     return all(abs(value) < _FARTHEST for value in values)
 
 
-def _is_small(shape: Box | Cylinder | Sphere | None) -> bool:
+def _is_small(shape: Box | Cylinder | Sphere | Hull | None) -> bool:
     match shape:
         case None:
             return True
@@ -199,6 +214,8 @@ def _is_small(shape: Box | Cylinder | Sphere | None) -> bool:
             lengths = radius, length
         case Sphere(radius=radius):
             lengths = (radius,)
+        case Hull(points=points):
+            lengths = tuple(abs(length) for point in points for length in point)
     return all(0 <= length < _FARTHEST for length in lengths)
 
 

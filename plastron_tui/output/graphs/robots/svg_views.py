@@ -11,7 +11,7 @@ from plastron_tui.ros.robots.description import JointType
 
 from .labels import SIZE
 from .scales import ruler_length, ruler_text, seen_from_all
-from .solids import Scene
+from .solids import Hull, Scene
 from .svg_text import text
 from .svg_view import SvgView
 from .views import FRONT, SIDE, TOP, Frame
@@ -89,6 +89,8 @@ def _notes(scene: Scene) -> list[str]:
         notes.append("a diamond is a mesh whose size is not known")
     if any(solid.is_rough for solid in scene.solids):
         notes.append("dashed is the box around a mesh, or what collides")
+    if any(isinstance(solid.shape, Hull) for solid in scene.solids):
+        notes.append("meshes are drawn as their convex hulls")
     return notes
 
 
