@@ -11,6 +11,7 @@ import asyncio
 import os
 import re
 import shutil
+import subprocess
 import sys
 from collections.abc import Sequence
 from pathlib import Path
@@ -50,6 +51,15 @@ class Picture(NamedTuple):
     keys: Sequence[str] = ()
     theme: str = "textual-dark"
     seconds: float = 0.8
+
+
+class Drawing(NamedTuple):
+    """A picture of what a program describes: its file, its heading, what it shows, the example."""
+
+    name: str
+    title: str
+    about: str
+    program: str
 
 
 _OWN = "own_message.plastron"
@@ -146,6 +156,19 @@ PICTURES = (
         _OWN, (150, 40), ["ctrl+end", "up"],
     ),
     Picture(
+        "studio-robot", "A robot",
+        "Links and joints as a tree, and the robot from three sides, drawn at every key; the part "
+        "at the cursor stands out. It becomes a URDF file.",
+        "rover.plastron", (180, 40), ["alt+l", *["down"] * 6],
+    ),
+    Picture(
+        "studio-wizard-robot", "The wizard: a part of a robot",
+        "What it is like, and how large; the robot is drawn while one chooses.",
+        "rover.plastron", (120, 40),
+        ["ctrl+u", *["down"] * 6, "enter", "down", "down", "enter", "tab", "mast", "tab",
+         "down", "tab", "0.03", "tab", "0.4", "tab"],
+    ),
+    Picture(
         "studio-light", "Light",
         "The editor follows the theme, of which there are twenty.",
         "tour.plastron", (150, 40), ["down"] * 15, "catppuccin-latte",
@@ -154,6 +177,17 @@ PICTURES = (
         "studio-narrow", "In a window of 80 by 24",
         "One panel beside the text; F7 goes through them.",
         "tour.plastron", (80, 24), ["down"] * 5,
+    ),
+)  # fmt: skip
+
+DRAWINGS = (
+    Drawing(
+        "robot-rover", "A rover",
+        "Its links and joints, and how it looks from three sides, with the axes of what turns.",
+        "rover.plastron",
+    ),
+    Drawing(
+        "robot-arm", "An arm", "Two joints with limits.", "arm.plastron",
     ),
 )  # fmt: skip
 
@@ -194,12 +228,24 @@ async def press(pilot: Pilot[None], word: str) -> None:
     await pilot.pause(0.3)
 
 
+def draw(drawing: Drawing, folder: Path) -> None:
+    """Have a picture drawn by the command line."""
+    command = [sys.executable, "-m", "plastron_tui", "graph", "--format", "svg", drawing.program]
+    done = subprocess.run(command, check=True, capture_output=True)
+    (folder / f"{drawing.name}.svg").write_bytes(done.stdout)
+
+
 def page() -> str:
     """Return the gallery."""
     parts = ["# Gallery\n\nThe studio, as `plastron` opens it in a terminal.\n"]
     parts += [
         f"## {each.title}\n\n{each.about}\n\n![{each.title}](images/{each.name}.svg)\n"
         for each in PICTURES
+    ]
+    parts.append("# Drawings\n\nWhat `plastron graph --format svg` draws.\n")
+    parts += [
+        f"## {each.title}\n\n{each.about}\n\n![{each.title}](images/{each.name}.svg)\n"
+        for each in DRAWINGS
     ]
     return "\n".join(parts)
 
@@ -227,6 +273,11 @@ def main(names: Sequence[str]) -> None:
                 os.chdir(robot)
                 asyncio.run(take(picture, images, work))
                 print(picture.name)
+        os.chdir(EXAMPLES)
+        for drawing in DRAWINGS:
+            if not names or drawing.name in names:
+                draw(drawing, images)
+                print(drawing.name)
         os.chdir(ROOT)
     (DOCS / "gallery.md").write_text(page(), encoding="utf-8")
 

@@ -7,10 +7,12 @@ from pathlib import Path
 import pytest
 from studio_driver import studio
 
+from plastron_tui.language import Document
 from plastron_tui.language.expectations import expected_at
 from plastron_tui.session import Session
 from plastron_tui.studio.analysis import Analysis, analyse
 from plastron_tui.studio.editor.completion import candidates
+from plastron_tui.studio.editor.robot_names import part_at, wrong_part_name
 from plastron_tui.studio.editor.vocabulary import Vocabulary
 from plastron_tui.studio.panels.entry import Entry
 from plastron_tui.studio.panels.preview import previews_of
@@ -89,7 +91,9 @@ def test_a_part_of_a_file_says_where_it_stands(tmp_path: Path) -> None:
     found = {each.text: each for each in entries(analysis)}
     assert found["turn"].span is None and found["turn"].elsewhere == "turn is in old.urdf, line 5"
     assert found["arm"].span is not None and found["arm"].detail == "sphere r 0.1"
-    assert found["arm"].statement == "old no_longer_has_link 'arm'"
+    assert found["arm"].statement == (
+        "old no_longer_has_joint 'turn'\nold no_longer_has_link 'arm'"
+    )
     refused = renamed(analysis, found["arm"], "other")
     assert (refused.edits, refused.files) == ((), ("old.urdf",))
 
@@ -177,6 +181,29 @@ def test_another_name_is_put_everywhere(key: str, new: str, changed: list[str]) 
     assert all(each in text for each in changed)
 
 
+@pytest.mark.parametrize(
+    ("at", "definition", "count"),
+    [
+        ("from 'body' to 'wheel'", "body' shaped box", 4),
+        ("'turn'\nrover limits", "turn' of joint_type", 2),
+        ("'hold'", "hold' of joint_type", 1),
+    ],
+)
+def test_a_part_leads_to_where_it_is_made(at: str, definition: str, count: int) -> None:
+    document = Document(TEXT.encode())
+    offset = TEXT.index(at) + at.index("'") + 2
+    found = part_at(document, offset)
+    assert found is not None and found.definition is not None
+    assert TEXT[found.definition.start :].startswith(definition)
+    assert {TEXT[start:end] for start, end in found.places} == {found.name}
+    assert len(found.places) == count
+    assert wrong_part_name(document, offset, "new") is None
+    assert wrong_part_name(document, offset, "a b") is not None
+    loaded = Document(TEXT.replace("create_robot 'rover'", "load_robot 'r.urdf'").encode())
+    assert "file" in (wrong_part_name(loaded, offset - 1, "new") or "")
+    assert part_at(document, 3) is None
+
+
 def test_the_preview_has_the_file_of_the_robot_at_the_cursor(tmp_path: Path) -> None:
     analysis = analysis_of(TEXT, tmp_path / "x.plastron")
     (preview,) = previews_of(analysis, "rover")
@@ -201,7 +228,8 @@ async def test_a_robot_is_seen_while_it_is_typed(program: Path) -> None:
         await driver.press("v", "v", "v")
         assert panel.picture.text == before
         await driver.press("end", "d")
-        assert "rover no_longer_has_link 'mast'\ngenerate_robot rover\n" in driver.text
+        ended = "rover no_longer_has_joint 'lift'\nrover no_longer_has_link 'mast'\n"
+        assert f"{ended}generate_robot rover\n" in driver.text
         driver.main.editor.go_to(TEXT.index("0.4"))
         driver.main.editor.focus()
         await driver.press("delete", "1")

@@ -15,20 +15,22 @@ from plastron_tui.regular_files import reason
 
 from .external_editor import EditedElsewhere, external_editor, run_editor
 from .names import Variable, variable_at, wrong_name
+from .robot_names import part_at, wrong_part_name
 
 if TYPE_CHECKING:
     from .widget import ProgramEditor
 
 
 def _variable(editor: ProgramEditor) -> Variable | None:
-    variable = variable_at(editor.session.document, editor.cursor_offset)
+    document, offset = editor.session.document, editor.cursor_offset
+    variable = variable_at(document, offset) or part_at(document, offset)
     if variable is None:
-        editor.warn("no variable is under the cursor")
+        editor.warn("no variable, and no part of a robot, is under the cursor")
     return variable
 
 
 def go_to_definition(editor: ProgramEditor) -> None:
-    """Go to where the variable under the cursor is created or loaded."""
+    """Go to where the variable, or the part of a robot, under the cursor is made."""
     variable = _variable(editor)
     if variable is None:
         return
@@ -49,15 +51,18 @@ async def ask_name(editor: ProgramEditor) -> None:
 def rename(editor: ProgramEditor, name: str) -> None:
     """Give the variable under the cursor another name, everywhere, as one step to undo."""
     name = name.strip()
-    document = editor.session.document
-    variable = variable_at(document, editor.cursor_offset)
-    if variable is None or name == variable.name:
+    document, offset = editor.session.document, editor.cursor_offset
+    variable = variable_at(document, offset)
+    part = part_at(document, offset) if variable is None else None
+    found = variable or part
+    if found is None or name == found.name:
         return
-    problem = wrong_name(document, name)
+    is_part = part is not None
+    problem = wrong_part_name(document, offset, name) if is_part else wrong_name(document, name)
     if problem is not None:
         editor.warn(problem)
         return
-    editor.apply(Edit(span, name) for span in variable.places)
+    editor.apply(Edit(span, name) for span in found.places)
 
 
 def format_program(editor: ProgramEditor) -> None:

@@ -50,11 +50,11 @@ class EntryActions:
         self._screen.notify(text, timeout=seconds, markup=False)
 
     def _write(self, statement: str, owner: str | None, after: Span | None = None) -> None:
-        """Write a statement where it takes effect, and go there."""
+        """Write a statement, or a line each, where they take effect, and go there."""
         analysis = self._current()
         if analysis is None:
             return
-        edit = placed(analysis.ground, owner, [statement], after=after).edit
+        edit = placed(analysis.ground, owner, statement.split("\n"), after=after).edit
         self._program.editor.apply([edit])
         self._go_to(edit.span.start + edit.text.startswith("\n"))
 

@@ -92,7 +92,8 @@ class Entry(NamedTuple):
             a problem in another file that file and the line.
         edits: a fix that can be applied.
         is_branch: whether entries below belong to it.
-        ending: the statement that ends what it is about, where that is no endpoint.
+        ending: the statement that ends what it is about, where that is no endpoint; or several,
+            a line each.
         robot: the variable of the robot that it is a part of.
         place: where it is written, where that is another file.
     """

@@ -31,7 +31,7 @@ from plastron_tui.ros.robots.description import (
     Sphere,
     Vector,
 )
-from plastron_tui.ros.robots.tree import Branch, branches, held_by
+from plastron_tui.ros.robots.tree import Branch, branches, held_by, holders
 
 from .entry import SIGNS, Entries, Entry, Subject
 from .robot_places import place_of
@@ -98,6 +98,7 @@ class _Tree:
     def __init__(self, robot: Robot, faults: _Faults) -> None:
         self._robot = robot
         self._description = robot.shown
+        self._holders = holders(robot.shown)
         self._faults = faults
 
     def entries(self, is_written: bool) -> Iterator[Entry]:
@@ -106,7 +107,8 @@ class _Tree:
         source = robot.source
         parts = ["" if robot.variable == robot.name else robot.variable]
         parts.append("" if source is None else source.path.name)
-        parts.append(f"{len(description.links)} links" if description.links else "")
+        count = len(description.links)
+        parts.append(f"{count} link{'' if count == 1 else 's'}" if count else "")
         fault = self._faults.within(robot.span)
         warning = "" if is_written or source is not None else "not written"
         yield Entry(
@@ -164,8 +166,6 @@ class _Tree:
         robot = self._robot
         spans = () if places is None else (places.made, places.changed, places.limited)
         fault = self._faults.within(*spans)
-        ends = NoLongerHasLink if subject is Subject.LINK else NoLongerHasJoint
-        texts = {"robot": robot.variable, subject.value: name}
         source = robot.source
         return Entry(
             f"{subject.value} {robot.variable} {name}",
@@ -180,10 +180,22 @@ class _Tree:
             name=name,
             edits=fault.fix.edits if fault is not None and fault.fix is not None else (),
             is_branch=is_branch,
-            ending=sentence(DECLARATIONS[ends], texts),
+            ending=self._ending(subject, name),
             robot=robot.variable,
             place="" if source is None else place_of(source, subject, name),
         )
+
+    def _ending(self, subject: Subject, name: str) -> str:
+        """Return what takes a part away; a link goes along with the joint that holds it."""
+        if subject is Subject.JOINT:
+            texts = {"robot": self._robot.variable, "joint": name}
+            return sentence(DECLARATIONS[NoLongerHasJoint], texts)
+        texts = {"robot": self._robot.variable, "link": name}
+        ending = sentence(DECLARATIONS[NoLongerHasLink], texts)
+        holder = self._holders.get(name)
+        if holder is None:
+            return ending
+        return f"{self._ending(Subject.JOINT, holder.name)}\n{ending}"
 
 
 def _without_effect(robot: Robot, program: Program, faults: _Faults) -> Iterator[Entry]:

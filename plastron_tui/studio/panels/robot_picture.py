@@ -14,6 +14,8 @@ from .styles import Lines, Piece
 _ALL_COLUMNS, _ALL_ROWS = 46, 17
 """From this size on there is room for all views."""
 
+_NOTHING = "what has a shape is seen here"
+
 _CORNERS = 12
 """Of a circle that is seen at an angle: more are not told apart."""
 
@@ -22,7 +24,7 @@ _TONES = {
     "link": "primary",
     "joint": "success",
     "quiet": "quiet",
-    "axis": "accent",
+    "axis": "secondary",
     "marked": "warning",
 }
 """The tones of what is written into a picture."""
@@ -44,6 +46,8 @@ def picture_of(
     """
     session.robots.measure(robot)
     scene = scene_of(robot.shown, robot.meshes.get)
+    if not scene.solids:
+        return ((Piece(f" {_NOTHING}", "quiet"),),)
     sides = seen_from_all(scene, _CORNERS)
     found = next((side for side in sides if side.view.key == view), None)
     if found is None and columns >= _ALL_COLUMNS and rows >= _ALL_ROWS:

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 from plastron_tui.language import SlotKind
 from plastron_tui.language import statements as st
+from plastron_tui.language.declaration import Statement
 from plastron_tui.ros.robots.description import Description, Joint, JointType
 from plastron_tui.ros.robots.tree import holders, roots
 
@@ -18,7 +19,6 @@ from .context import free_name
 from .form import NEW, Cell
 from .goals import maker_of
 from .kind import OF_THE_LIST, Kind
-from .trials import closed_by, first_that_works
 
 if TYPE_CHECKING:
     from plastron_tui.model.robots import Robot
@@ -82,8 +82,9 @@ class RobotKind(Kind):
         if ask.form.declaration.writes_file:
             written = {each.robot.variable for each in ask.scene.workspace.written_robots}
             robots.sort(key=lambda name: name in written)
-        working = first_that_works(ask, robots)
-        return working or next(iter(robots), NEW if _can_make(ask) else "")
+        known = ask.scene.workspace.robots
+        fitting = (name for name in robots if _has_something(known[name], ask))
+        return next(fitting, None) or next(iter(robots), NEW if _can_make(ask) else "")
 
     def choices(self, ask: Ask, query: str) -> list[Choice]:
         """Return all, the last one first."""
@@ -102,6 +103,42 @@ class RobotKind(Kind):
 
 def _said(robot: Robot) -> str:
     return f"'{robot.name}'" if robot.source is None else robot.source.path.name
+
+
+def _has_something(robot: Robot, ask: Ask) -> bool:
+    """Tell whether a robot has what the statement is about."""
+    declaration = ask.form.declaration.type
+    if declaration is st.NoLongerHasLink:
+        return not all(links_in_use(robot).values())
+    if declaration in (st.NoLongerHasJoint, st.LimitsJoint):
+        return not all(_closed_joints(robot, declaration).values())
+    return True
+
+
+def links_in_use(robot: Robot) -> dict[str, str]:
+    """Return why the links of a robot cannot be taken away, "" where they can."""
+    found = dict.fromkeys(robot.description.links, "")
+    for joint in robot.description.joints.values():
+        found |= dict.fromkeys((joint.parent, joint.child), f"`{joint.name}` holds it")
+    return found
+
+
+def _closed_joints(robot: Robot, declaration: type[Statement]) -> dict[str, str]:
+    """Return why joints cannot be limited, or taken away; "" where they can."""
+    joints = robot.description.joints
+    if declaration is st.LimitsJoint:
+        types = {each for each in JointType if each.is_limited or each is JointType.CONTINUOUS}
+        moving = (name for name, joint in joints.items() if joint.type in types)
+        places = robot.joints
+        return {
+            name: "it is limited already" if name in places and places[name].limited else ""
+            for name in moving
+        }
+    found = dict.fromkeys(joints, "")
+    for joint in joints.values():
+        if joint.mimic is not None:
+            found[joint.mimic.joint] = f"`{joint.name}` follows it"
+    return found
 
 
 def _can_make(ask: Ask) -> bool:
@@ -131,8 +168,9 @@ class LinkKind(Kind):
         if ask.form.declaration.type is st.HasLink:
             return [Choice(name, "change it") for name in _untouched(ask, robot.links)]
         if ask.form.declaration.type is st.NoLongerHasLink:
-            reasons = closed_by(ask, list(robot.links))
-            return [Choice(name, closed=reasons.get(name, "")) for name in robot.links]
+            known = robot_of(ask)
+            used = {} if known is None else links_in_use(known)
+            return [Choice(name, closed=reason) for name, reason in used.items()]
         new = Choice(NEW, "", "a later screen asks what it is like", label="a new link")
         held = holders(robot)
         if ask.slot.name != "child":
@@ -223,12 +261,11 @@ class JointKind(Kind):
             return [Choice(each.name, each.type.value) for each in moving if each.name != own]
         if ask.form.declaration.type is st.HasJoint:
             return [Choice(name, "change it") for name in _untouched(ask, joints)]
-        names = list(joints)
-        if ask.form.declaration.type is st.LimitsJoint:
-            names = [each.name for each in moving]
-        reasons = closed_by(ask, names)
-        return [Choice(name, joints[name].type.value, closed=reasons.get(name, ""))
-                for name in names]  # fmt: skip
+        robot = robot_of(ask)
+        reasons = {} if robot is None else _closed_joints(robot, ask.form.declaration.type)
+        return [
+            Choice(name, joints[name].type.value, closed=reason) for name, reason in reasons.items()
+        ]
 
     def problem(self, ask: Ask, text: str) -> str | None:
         """Tell why a text cannot stand there."""

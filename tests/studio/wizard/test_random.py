@@ -9,13 +9,14 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from machine import mostly_long
-from wizard_courses import NODE_FILE, TWO_NODES, applied, formatted
+from wizard_courses import NODE_FILE, ROBOTS, TWO_NODES, applied, formatted
 
 from plastron_tui.language import SlotKind
 from plastron_tui.session import Session
 from plastron_tui.studio.wizard.context import Surroundings
 from plastron_tui.studio.wizard.flow import Course, Look, PageKind
 from plastron_tui.studio.wizard.form import NEW, Form
+from plastron_tui.studio.wizard.goals import Aim
 from plastron_tui.studio.wizard.menu import Offer
 from plastron_tui.studio.wizard.values import Entry
 from plastron_tui.studio.wizard.values import Path as Field
@@ -39,7 +40,8 @@ NASTY = (
     "LaserScan", "JointState", "SetBool", "Trigger", "AddTwoInts", "Goal", "Header", "std_msgs/",
     "0", "-1", "1e9", "1e999", "nan", "0.5", "10", "1_0", "٣", "rospy", "rclpy", "roscpp", "ros2",
     "on_chatter", "def", "x.py", "../x.py", "[1, 2]", "1, 2", "(1, 2)", "True, False", "x=1",
-    '"a", "b', "300", "-129", "1.5", "\\", "\t", "\0", "\ufeff", "🤖", NEW,
+    '"a", "b', "300", "-129", "1.5", "\\", "\t", "\0", "\ufeff", "🤖", NEW, "box", "mesh",
+    "revolute", "prismatic", "wheel", "mast_joint", "blue", "#f00", "0, 0, 1", "deg", "m",
 )  # fmt: skip
 
 texts = st.one_of(
@@ -61,6 +63,10 @@ def fill(it: Course, form: Form, data: st.DataObject) -> Look:
     for entry in [] if filled is None else filled.entries:
         if isinstance(entry, Entry) and data.draw(st.booleans(), "given"):
             form.values[entry.path] = data.draw(texts, entry.name)
+    for parts in {} if filled is None else filled.parts.values():
+        for part in parts:
+            if data.draw(st.booleans(), "given"):
+                form.values[part.path] = data.draw(texts, part.part.name)
     return it.look()
 
 
@@ -133,12 +139,18 @@ def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 
 def go_and_check(
-    data: st.DataObject, program: str, path: Path, taken: Counter[tuple[str, bool]]
+    data: st.DataObject,
+    program: str,
+    path: Path,
+    taken: Counter[tuple[str, bool]],
+    group: Aim | None = None,
 ) -> bool:
     """Go through the wizard; check what it writes, and tell whether it wrote anything."""
     session = Session(program.encode(), path, environ={})
     before = Counter(found.code for found in session.diagnostics)
     it = Course(session, Surroundings())
+    if group is not None:
+        it.choose_group(group)
     look = go_through(it, data, taken)
     if look is None:
         return False
@@ -169,3 +181,18 @@ def test_what_is_let_through_is_right(folder: Path, tried: int) -> None:
     assert through[True] > through[False]
     kept = sum(count for (_, is_kept), count in taken.items() if is_kept)
     assert kept > 0
+
+
+@pytest.mark.long
+def test_what_is_said_of_robots_is_right(folder: Path) -> None:
+    taken, through = Counter[tuple[str, bool]](), Counter[bool]()
+    programs = ("", ROBOTS, f"{ROBOTS}generate_robot rover\ngenerate_robot plate\n")
+
+    @settings(max_examples=60)
+    @given(data=st.data(), program=st.sampled_from(programs))
+    def go(data: st.DataObject, program: str) -> None:
+        path = folder / "program.plastron"
+        through[go_and_check(data, program, path, taken, Aim.ROBOT)] += 1
+
+    go()
+    assert through[True] > through[False]

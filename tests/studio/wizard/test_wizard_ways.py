@@ -112,7 +112,7 @@ async def test_the_file_may_be_left_out(here: Path) -> None:
         assert (
             closed["write the files"]
             == closed["run the nodes"]
-            == ("the program writes no node to a file yet")
+            == ("the program writes nothing to a file yet")
         )
 
 
