@@ -22,6 +22,7 @@ from plastron_tui.ros.robots.description import (
 )
 from plastron_tui.ros.robots.materials import defined_materials, meant
 from plastron_tui.ros.robots.transforms import Transform, placed
+from plastron_tui.ros.robots.tree import holders
 
 from .captions import bodies_of
 
@@ -90,7 +91,7 @@ class Scene(NamedTuple):
         solids: its bodies, in the order of the links.
         axes: its joints, in theirs.
         bones: what holds it together, where not all bodies can be drawn.
-        points: where its links are.
+        points: where those of its links are that are drawn, or move.
         links: the names of its links.
         missing: what cannot be drawn: links that hang on no root, or are too far away.
     """
@@ -124,20 +125,36 @@ def scene_of(robot: Description, mesh_bounds: MeshBounds = no_bounds) -> Scene:
         solids += near
     axes = []
     bones = []
+    # Of frames alone all are drawn.
+    carrying = _carrying(robot, {solid.link for solid in solids}) or set(where)
     for joint in robot.joints.values():
         at = where.get(joint.child)
         # A link that two joints hold is where the first one has it.
         if at is None or joint.parent not in where:
             continue
-        if at.translation != where[joint.parent].translation:
+        if joint.child in carrying and at.translation != where[joint.parent].translation:
             bones.append(Bone(where[joint.parent].translation, at.translation))
         along = _unit(at.direction(joint.axis or (1.0, 0.0, 0.0))) if joint.type.has_axis else None
         axes.append(Axis(joint.name, joint.type, at.translation, along))
-    points = tuple(at.translation for at in where.values())
-    if all(solid.shape is not None for solid in solids):
+    points = tuple(at.translation for name, at in where.items() if name in carrying)
+    if solids and all(solid.shape is not None for solid in solids):
         bones = []
     names = tuple(robot.links)
     return Scene(tuple(solids), tuple(axes), tuple(bones), points, names, tuple(missing))
+
+
+def _carrying(robot: Description, drawn: set[str]) -> set[str]:
+    """Return the links that are drawn, that move, or that hold such a link, however far away."""
+    found: set[str] = set()
+    up = holders(robot)
+    for name, joint in up.items():
+        at: str | None = name
+        if name not in drawn and joint.type is JointType.FIXED:
+            continue
+        while at is not None and at not in found:
+            found.add(at)
+            at = up[at].parent if at in up else None
+    return found
 
 
 def _drawn(

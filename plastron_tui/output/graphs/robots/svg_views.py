@@ -31,6 +31,8 @@ _WIDE = 1.16
 _FEW, _MANY = 10, 40
 _CORNER, _LINE = 24.0, 15.0
 _RULER = 110.0
+_SIGN, _APART = 16.0, 14.0
+_TOWARD, _AWAY = "an axis that points at you", "away"
 
 
 class SvgViews(NamedTuple):
@@ -59,7 +61,8 @@ def views_svg(scene: Scene, beside: float) -> SvgViews:
     )
     left = max(side.frame.width * scale + 2 * _PAD_X, _NARROWEST)
     notes = _notes(scene)
-    widest = max(text_width(note, SIZE) for note in notes) + _CORNER
+    signs = text_width(f"{_TOWARD}{_AWAY}", SIZE) + 2 * _SIGN + _APART
+    widest = max(signs, *(text_width(note, SIZE) for note in notes)) + _CORNER
     right = max(front.frame.width * scale + 2 * _PAD_X, _NARROWEST, widest)
     upper = max(top.frame.height * scale + 2 * _PAD_Y, _LOWEST)
     lower = max(side.frame.height * scale + 2 * _PAD_Y, _LOWEST)
@@ -94,6 +97,17 @@ def _notes(scene: Scene) -> list[str]:
     return notes
 
 
+def _signs(left: float, baseline: float) -> Iterator[str]:
+    """Yield what the ends of axes look like, and what they are."""
+    place = f'cx="{number(left + 5)}" cy="{number(baseline - 4)}"'
+    yield f'<circle class="end" {place} r="5"/><circle class="tip" {place} r="1.8"/>'
+    yield text("said", left + _SIGN, baseline, _TOWARD)
+    left += _SIGN + text_width(_TOWARD, SIZE) + _APART
+    yield f'<circle class="end" cx="{number(left + 5)}" cy="{number(baseline - 4)}" r="5"/>'
+    yield f'<path class="axis" d="M{number(left + 2)} {number(baseline - 7)}l6 6m0 -6l-6 6"/>'
+    yield text("said", left + _SIGN, baseline, _AWAY)
+
+
 def _corner(scene: Scene, notes: list[str], left: float, scale: float) -> Iterator[str]:
     """Yield what stands in the corner that no view has: the ruler and the notes."""
     length = ruler_length(_RULER / scale)
@@ -105,6 +119,9 @@ def _corner(scene: Scene, notes: list[str], left: float, scale: float) -> Iterat
     baseline = 32.0
     for note in notes:
         yield text("said", left, baseline, note)
+        baseline += _LINE
+    if any(axis.along is not None for axis in scene.axes):
+        yield from _signs(left, baseline)
         baseline += _LINE
     if scene.missing:
         count = len(scene.missing)
