@@ -15,6 +15,7 @@ from plastron_tui.studio.editor.completion import candidates
 from plastron_tui.studio.editor.robot_names import part_at, wrong_part_name
 from plastron_tui.studio.editor.vocabulary import Vocabulary
 from plastron_tui.studio.panels.entry import Entry
+from plastron_tui.studio.panels.packages import PACKAGES
 from plastron_tui.studio.panels.preview import previews_of
 from plastron_tui.studio.panels.robot_panel import ROBOTS, Looks, Shown
 from plastron_tui.studio.renaming import renamed, wrong_name
@@ -69,6 +70,16 @@ def test_the_tree_has_each_link_below_its_joint() -> None:
         "quiet",
     ]
     assert ROBOTS.count is not None and ROBOTS.count(analysis) == 1
+
+
+def test_a_package_shows_the_robot_that_it_contains() -> None:
+    text = "create_package 'demo' as demo\ndemo contains rover\ngenerate_package demo\n"
+    analysis = analysis_of(TEXT + text)
+    assert PACKAGES.make is not None
+    found = PACKAGES.make(analysis, None).all  # type: ignore[attr-defined]
+    assert [(each.sign, each.text) for each in found] == [("▣", "demo"), ("◈", "rover")]
+    assert found[1].statement == "demo no_longer_contains rover"
+    assert entries(analysis)[0].warning == ""
 
 
 def test_what_is_wrong_stands_beside_its_part_and_is_mended_there() -> None:
