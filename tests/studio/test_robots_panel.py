@@ -100,6 +100,11 @@ def test_a_part_of_a_file_says_where_it_stands(tmp_path: Path) -> None:
     analysis = analysis_of(text, tmp_path / "x.plastron")
     assert analysis.diagnostics == ()
     found = {each.text: each for each in entries(analysis)}
+    assert found["turn"].warning == ""
+    broken = (tmp_path / "old.urdf").read_text().replace("continuous", "revolute")
+    (tmp_path / "bad.urdf").write_text(broken)
+    bad = analysis_of(text.replace("old.urdf", "bad.urdf"), tmp_path / "x.plastron")
+    assert {each.text for each in entries(bad) if "<limit>" in each.warning} == {"turn"}
     assert found["turn"].span is None and found["turn"].elsewhere == "turn is in old.urdf, line 5"
     assert found["arm"].span is not None and found["arm"].detail == "sphere r 0.1"
     assert found["arm"].statement == (
