@@ -15,7 +15,7 @@ from robot_prose import ROBOTS
 
 from plastron_tui.diagnostics import Code
 from plastron_tui.diagnostics.codes import GROUPS
-from plastron_tui.language import DECLARATIONS, Declaration, SlotKind
+from plastron_tui.language import DECLARATIONS, Declaration, Slot
 from plastron_tui.language.keywords import KEYWORDS
 from plastron_tui.ros.qos_words import WORDS
 from plastron_tui.ros.robots.colors import NAMES
@@ -78,13 +78,13 @@ def _statement(declaration: Declaration) -> str:
         "```",
         "",
     ]
-    lines += [f"- {_placeholder(slot.kind)}: {slot.help}" for slot in declaration.slots]
+    lines += [f"- {_placeholder(slot)}: {slot.help}" for slot in declaration.slots]
     lines += ["", "```plastron", declaration.example, "```", ""]
     return "\n".join(lines)
 
 
-def _placeholder(kind: SlotKind) -> str:
-    return " or ".join(f"`{part}`" for part in kind.placeholder.split(" | "))
+def _placeholder(slot: Slot) -> str:
+    return " or ".join(f"`{part}`" for part in slot.placeholder.split(" | "))
 
 
 def diagnostics_page() -> str:

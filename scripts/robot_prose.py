@@ -33,7 +33,8 @@ is, seen from the link, and where the child of a joint is, seen from its parent.
 | `mesh` | `uri`, such as `"package://rover/meshes/base.stl"`; `scale`, 1 without it |
 
 A link with a shape is seen and collides; with a weight as well it has the inertia of that shape, as of one
-solid body. A mesh counts as the box around it, and a warning says so. A link without a shape is a place.
+solid body. A mesh counts as the box around it, and a warning says so; where its file is not there, the
+inertia is left out. A link without a shape is a place.
 
 | `joint_type` | how the child moves | limits |
 |---|---|---|

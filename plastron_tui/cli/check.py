@@ -38,7 +38,7 @@ def command(files: tuple[Path, ...], target: str | None, format_: str) -> None:
         diagnostics = session.diagnostics
         workspace = session.workspace
         if not (workspace.is_written or has_errors(diagnostics)):
-            diagnostics = (*diagnostics, nothing_to_generate())
+            diagnostics = (*diagnostics, nothing_to_generate(workspace))
         is_changing = any(each.node.source for each in workspace.generations)
         if (is_changing or workspace.has_more_than_nodes) and not has_errors(diagnostics):
             # What a file or a package that exists does not take shows when it is changed.

@@ -28,6 +28,7 @@ if TYPE_CHECKING:
     from click.shell_completion import CompletionItem
 
     from plastron_tui.diagnostics.render import Lines
+    from plastron_tui.model.workspace import Workspace
 
 STANDARD_INPUT = "-"
 
@@ -228,14 +229,13 @@ def open_sessions(
     return [session for session in sessions if session is not None]
 
 
-def nothing_to_generate() -> Diagnostic:
+def nothing_to_generate(workspace: Workspace) -> Diagnostic:
     """Return the warning for a program that makes no file."""
-    return Diagnostic(
-        codes.NOTHING_TO_GENERATE,
-        "the program generates nothing",
-        help="end it with `generate_node` and the variable of a node, or `generate_package`, say",
-        severity=Severity.WARNING,
-    )
+    help_ = "end it with `generate_node` and the variable of a node, or `generate_package`, say"
+    if workspace.robots and not workspace.nodes:
+        help_ = f"end it with `generate_robot {next(iter(workspace.robots))}`"
+    message = "the program generates nothing"
+    return Diagnostic(codes.NOTHING_TO_GENERATE, message, help=help_, severity=Severity.WARNING)
 
 
 def finish(report: Report) -> None:

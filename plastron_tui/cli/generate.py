@@ -89,7 +89,7 @@ def _plan(sessions: Sequence[Session], report: Report) -> list[FilePlan]:
         report.add(diagnostics, session.lines, session.path)
         is_idle = not (plan.files or session.workspace.is_written)
         if is_idle and not has_errors(diagnostics):
-            report.add((nothing_to_generate(),), session.lines, session.path)
+            report.add((nothing_to_generate(session.workspace),), session.lines, session.path)
         for file in plan.files:
             if texts.setdefault(file.path, file.text) != file.text:
                 report.add((_same_file(file.name),), session.lines, session.path)

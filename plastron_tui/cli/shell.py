@@ -221,7 +221,7 @@ def _show_help(words: list[str]) -> None:
         _echo(declaration.summary, "    ")
         if words:
             for slot in declaration.slots:
-                _echo(f"{slot.kind.placeholder}: {slot.help}", "    ")
+                _echo(f"{slot.placeholder}: {slot.help}", "    ")
             _echo(f"Example: {declaration.example}", "    ")
     if not chosen:
         known = [declaration.keyword for declaration in DECLARATIONS.values()]

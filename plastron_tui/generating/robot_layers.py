@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Hashable, Iterator
+from pathlib import Path
 
 from plastron_tui.ros.robots.facts import facts_of
 from plastron_tui.sources.urdf.reader import read_urdf
 
+from .robot_merges import merged_robot
 from .text_layers import Form
 
 
@@ -20,4 +22,8 @@ def _names(text: bytes) -> set[Hashable]:
     return set() if found is None else set(found)
 
 
-ROBOT_FORM = Form(_parts, _names)
+def _merged(path: Path, before: bytes, new: bytes, present: bytes) -> bytes | None:
+    return merged_robot(path, before, new, present).text
+
+
+ROBOT_FORM = Form(_parts, _names, _merged)

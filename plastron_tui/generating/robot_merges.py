@@ -17,7 +17,7 @@ class MergedRobot(NamedTuple):
 
 
 def merged_robot(
-    path: Path, before: bytes, new: bytes, present: bytes, by_lines: bytes | None
+    path: Path, before: bytes, new: bytes, present: bytes, by_lines: bytes | None = None
 ) -> MergedRobot:
     """Bring what a program changes in a robot into its file, value by value.
 

@@ -31,6 +31,10 @@ Manifests = Callable[[Path], Manifest]
 """Gives what is remembered of the files of a folder."""
 
 
+def _no_merge(path: Path, before: bytes, new: bytes, present: bytes) -> bytes | None:
+    """Know no other way than by lines."""
+
+
 class Form(NamedTuple):
     """What there is in the texts of a kind of file.
 
@@ -38,10 +42,14 @@ class Form(NamedTuple):
         parts: returns all that a text says, part by part; None for one that cannot be read.
         names: returns by what a program's work is known again in a text, which need not be
             readable.
+        merged: brings what became of a text on one side into what became of it on the other,
+            where lines do not fit; None where it cannot. It gets the file's path, the text, and
+            what became of it: by the program, and by hand.
     """
 
     parts: Callable[[bytes], Iterable[Hashable] | None]
     names: Callable[[bytes], set[Hashable]]
+    merged: Callable[[Path, bytes, bytes, bytes], bytes | None] = _no_merge
 
 
 class LoadedText(Protocol):
@@ -244,7 +252,9 @@ def _merged(
     """
     known, before = texts
     merged = merge_lines(known, pure.made, before)
-    if merged is not None and form.parts(merged) is not None:
+    if merged is None or form.parts(merged) is None:
+        merged = form.merged(source.path, known, pure.made, before)
+    if merged is not None:
         return merged
     return version.made if source.origin is None or source.origin.is_whole else None
 

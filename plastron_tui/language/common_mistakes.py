@@ -110,6 +110,24 @@ def _unclosed(place: Place, found: Diagnostic) -> Diagnostic | None:
     return found._replace(fix=Fix(f"close it with {quote}", (Edit(Span(end, end), quote),)))
 
 
+def _closed_late(place: Place, found: Diagnostic) -> Diagnostic | None:
+    """Recognise `'a of … 'b'`, where the next name's quote closes the one that is open."""
+    before, declaration = place.before, place.declaration
+    if before is None or declaration is None or before.kind not in QUOTED_KINDS:
+        return None
+    name, *rest = before.text[1:-1].split(" ")
+    if not name or not rest or rest[0] not in declaration.elements:
+        return None
+    end = before.start + 1 + len(name.encode())
+    return found._replace(
+        code=codes.UNCLOSED_QUOTE,
+        message="the quote is closed too late: '",
+        span=Span(before.start, before.start + 1),
+        help="close it with '",
+        fix=Fix("close it with '", (Edit(Span(end, end), "'"),)),
+    )
+
+
 def _mark(place: Place, found: Diagnostic) -> Diagnostic | None:
     """Recognise marks that other languages want, and this one does not."""
     token, before = place.token, place.tokens[place.at - 1]
@@ -278,6 +296,7 @@ _SLIPS: tuple[Callable[[Place, Diagnostic], Diagnostic | None], ...] = (
     _comment,
     _quotes,
     _unclosed,
+    _closed_late,
     _mark,
     _path,
     _hyphen,

@@ -32,11 +32,15 @@ else:
 
 @dataclass(frozen=True, slots=True)
 class Slot:
-    """A place in a sentence: the grammar's field, what fills it, and a line about it."""
+    """A place in a sentence: the grammar's field, what fills it, and a line about it.
+
+    `placeholder` is how it is written in a usage line.
+    """
 
     name: str
     kind: SlotKind
     help: str
+    placeholder: str
 
 
 @dataclass(frozen=True, slots=True)
@@ -125,8 +129,8 @@ def written(elements: Sequence[Element], show: Callable[[Element, str], str]) ->
 
     def text_of(element: Element) -> str:
         match element:
-            case Slot(kind=kind):
-                return show(element, kind.placeholder)
+            case Slot(placeholder=placeholder):
+                return show(element, placeholder)
             case Clause(elements=parts):
                 return show(element, written(parts, show))
             case word:
@@ -217,11 +221,8 @@ def statement(
 
     def declare(cls: type[S]) -> type[S]:
         made = dataclass(slots=True, eq=False)(cls)
-        slots = {
-            field.name: Slot(field.name, *field.metadata["slot"])
-            for field in dataclasses.fields(made)
-            if "slot" in field.metadata
-        }
+        fields = [each for each in dataclasses.fields(made) if "slot" in each.metadata]
+        slots = {each.name: _slot_of(each, fields) for each in fields}
         DECLARATIONS[made] = Declaration(
             made,
             kind,
@@ -237,6 +238,16 @@ def statement(
         return made
 
     return declare
+
+
+def _slot_of(made: Any, fields: Sequence[Any]) -> Slot:
+    """Return the slot of a field; of several that hold alike, each is shown by its own name."""
+    kind, text = made.metadata["slot"]
+    placeholder = kind.placeholder
+    is_one = sum(each.metadata["slot"][0] is kind for each in fields) == 1
+    if not is_one and re.fullmatch(r"'?[A-Z_]+'?", placeholder):
+        placeholder = re.sub("[A-Z_]+", made.name.upper(), placeholder)
+    return Slot(made.name, kind, text, placeholder)
 
 
 def _parse_sentence(sentence: str, slots: dict[str, Slot]) -> tuple[Element, ...]:

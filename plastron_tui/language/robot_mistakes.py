@@ -152,6 +152,13 @@ def limits_of_joint(place: Place, found: Diagnostic) -> Diagnostic | None:
         return None
     if place.token.text not in _LIMITING:
         return None
+    is_quoted = [token.kind in QUOTED_KINDS for token in place.tokens[place.at + 1 : place.at + 4]]
+    if is_quoted == [True, False, True] and place.text(place.at + 2) == "and":
+        parent, child = place.text(place.at + 1), place.text(place.at + 3)
+        span = place.span(place.at, place.at + 4)
+        return mended(
+            found, "a joint goes from one link to another", span, f"from {parent} to {child}"
+        )
     name = place.tokens[2].text if place.tokens[2].kind in QUOTED_KINDS else "'JOINT'"
     robot = place.tokens[0].text
     help_ = f"limits have a line of their own: `{robot} limits_joint {name} between …`"

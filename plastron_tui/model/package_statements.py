@@ -175,6 +175,12 @@ def check_item(run: Run, statement: st.Contains) -> Node | Launch | Robot:
 def check_executable(run: Run, statement: st.Contains) -> None:
     """Check what one starts a node of a package by: files are called by it."""
     node = run.workspace.nodes.get(statement.item)
+    robot = run.workspace.robots.get(statement.item)
+    if robot is not None and statement.executable is not None:
+        message = f"nobody starts a robot by a name; its files are called `{robot.stem}`"
+        where = statement.span_of("executable")
+        help_ = f"leave out `as '{statement.executable}'`"
+        raise Mistake(Diagnostic(codes.BAD_PACKAGE_FILE, message, where, help=help_))
     name = statement.executable or ("" if node is None else node.name)
     problem = check_file_name(name, "an executable") if name else None
     if problem is not None:

@@ -30,6 +30,7 @@ CODES: Mapping[FaultKind, Code] = {
     FaultKind.LONG: codes.UNIT_SLIP,
     FaultKind.HEAVY: codes.UNIT_SLIP,
     FaultKind.NAME: codes.BAD_ROBOT_NAME,
+    FaultKind.SHARED_NAME: codes.LINK_NAME_AGAIN,
 }
 """What each kind of fault is to a user."""
 
@@ -45,6 +46,7 @@ _OF_SEVERAL: Mapping[FaultKind, str] = {
     FaultKind.LONG: f"more than {LONGEST:,.0f} m is said of {{}}",
     FaultKind.HEAVY: f"more than {HEAVIEST:,.0f} kg is said of {{}}",
     FaultKind.NAME: "tf2 takes no such name: {}",
+    FaultKind.SHARED_NAME: "a link and a joint have one name: {}",
 }
 """What is said of all faults of a kind at once."""
 
@@ -100,6 +102,8 @@ def help_of(fault: Fault, robot: Robot) -> str | None:
             ends = "0 and 0.5 m" if is_sliding else "-90 and 90 deg"
             said = f"limits_joint '{part}' between {ends} with effort 10 and velocity 1"
             return f"say, for example, `{variable} {said}`"
+        case FaultKind.SHARED_NAME:
+            return f"call the joint `{part}_joint`"
         case FaultKind.ROOT_INERTIA:
             return f"let an empty link be the root, and hold `{part}` by a fixed joint"
         case _:

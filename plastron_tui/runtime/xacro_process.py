@@ -29,6 +29,7 @@ _LARGEST_FILE = 4 * 1024**2
 # What is imported as it is needed: nothing is, once files are guarded.
 _MODULES = ("xml.dom.expatbuilder", "xml.dom.minidom", "yaml", "encodings.latin_1")
 _VARIABLE = re.compile(r"environment variable '(\w+)' is not set")
+_ARGUMENT = re.compile(r"Undefined substitution argument (\w+)")
 _SUBSTITUTIONS = ("xacro.substitution_args", "roslaunch.substitution_args")
 
 
@@ -121,6 +122,13 @@ def _expanded(xacro: Any, request: Request, guard: FileGuard) -> bytes:
             raise _RefusedError(f"the package `{name}` is neither in the project nor installed")
         return os.fspath(folder)
 
+    named = xacro.abs_filename_spec
+
+    def abs_filename_spec(name: str) -> Any:
+        path = Path(named(name))
+        moved = None if path.exists() else request.reach.installed(path)
+        return os.fspath(path if moved is None else moved)
+
     extend = xacro.eval_extension
 
     def eval_extension(text: str) -> Any:
@@ -129,6 +137,7 @@ def _expanded(xacro: Any, request: Request, guard: FileGuard) -> bytes:
 
     xacro.parse = parse
     xacro.eval_extension = eval_extension
+    xacro.abs_filename_spec = abs_filename_spec
     for name in _SUBSTITUTIONS:
         module: Any = sys.modules.get(name)
         if module is not None:
@@ -174,6 +183,13 @@ def _reason(xacro: Any, error: BaseException, limits: Limits) -> str:
     variable = _VARIABLE.fullmatch(text)
     if variable is not None:
         return f"they ask for the environment variable `{variable.group(1)}`, and get none"
+    argument = _ARGUMENT.fullmatch(text)
+    if argument is not None:
+        name = argument.group(1)
+        example = f'<xacro:arg name="{name}" default="…"/>'
+        return f"the argument `{name}` has no value: give it a default, as in `{example}`"
     files = [each for each in getattr(xacro, "filestack", None) or () if isinstance(each, str)]
-    place = f" (in `{Path(files[-1]).name}`)" if len(files) > 1 else ""
-    return text[:_LONGEST_REASON] + place
+    macros = (each.body.getAttribute("name") for each in getattr(said, "macros", ()))
+    places = [f"in the macro `{each}`" for each in macros]
+    places += [f"in `{Path(files[-1]).name}`"] if len(files) > 1 else []
+    return text[:_LONGEST_REASON] + (f" ({', '.join(places[:2])})" if places else "")

@@ -91,3 +91,9 @@ def test_names_reach_no_terminal_raw(run: Run, here: Path) -> None:
     (here / "arm.urdf").write_text(ARM.replace("upper", "up\u009b2Jper"))
     for format_ in ("text", "json", "plastron"):
         assert "\u009b" not in run("inspect", "-f", format_, "arm.urdf").stdout.decode()
+
+
+@pytest.mark.parametrize("command", ["check", "generate"])
+def test_a_robot_that_is_not_written_is_told(run: Run, here: Path, command: str) -> None:
+    (here / "a.plastron").write_text("create_robot 'rover' as rover\nrover has_link 'base'\n")
+    assert b"`generate_robot rover`" in run(command, "a.plastron").stderr

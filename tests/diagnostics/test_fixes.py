@@ -26,6 +26,7 @@ WITHOUT = {
     "invalid-range", "nothing-received", "computed-type-mismatch",
     "robot-exists", "part-exists", "bad-shape", "bad-weight", "bad-unit", "bad-axis",
     "missing-limits", "bad-mimic", "bad-robot-number", "mesh-inertia", "no-tree",
+    "link-name-again",
 }  # fmt: skip
 
 MORE = [

@@ -10,6 +10,7 @@ from tree_sitter import Language, Parser, Query, QueryCursor
 
 from plastron_tui.language import DECLARATIONS, Declaration, SlotKind
 from plastron_tui.language.keywords import WORDS
+from plastron_tui.language.tokens import WORD_KINDS, leaves
 from plastron_tui.ros.qos_words import WORDS as QOS_WORDS
 
 from .statements import STATEMENTS
@@ -93,6 +94,15 @@ def test_every_variable_is_defined_or_referred_to(declaration: Declaration) -> N
     assert sorted(found.get("local.reference", [])) == sorted(variables[False])
     tags = captured(tree_sitter_plastron.TAGS_QUERY, declaration.example)["name"]
     assert set(tags) >= {*variables[True], *variables[False], *calls}
+
+
+def test_a_message_knows_each_word_for_a_word() -> None:
+    text = "\n".join(text for texts in STATEMENTS.values() for text in texts)
+    root = Parser(LANGUAGE).parse(text.encode()).root_node
+    words = {
+        each.node.type for each in leaves(root) if (each.node.text or b"").decode().isidentifier()
+    }
+    assert words <= WORD_KINDS
 
 
 @pytest.mark.parametrize("opening", ["(", "[", "x=(", "(1,"])

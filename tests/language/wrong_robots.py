@@ -116,6 +116,10 @@ _ENDS: dict[str, list[tuple[str, str, str, str | None]]] = {
         ("of joint_type fixed from a to 'b'", "a", "expected the name of a link, in single quotes",
          "write 'a'"),
         ("of joint_type fixed from 'a'", "", "expected `to` here", SENTENCE),
+        ("of joint_type fixed between 'a' and 'b'", "between 'a' and 'b'",
+         "a joint goes from one link to another", "write `from 'a' to 'b'`"),
+        ("of joint_type fixed from 'a to 'b'", "'", "the quote is closed too late: '",
+         "close it with '"),
     ],
     "r has_joint 'j' of joint_type fixed from 'a' to 'b' ": [
         ("with", "", "expected `axis` here", SENTENCE),
@@ -201,7 +205,7 @@ _ENDS: dict[str, list[tuple[str, str, str, str | None]]] = {
     ],
 }  # fmt: skip
 
-_CODES = {"the quote is not closed": "unclosed-quote", "`joint` starts": "unknown-statement",
+_CODES = {"the quote is ": "unclosed-quote", "`joint` starts": "unknown-statement",
           "`limit_joint` starts": "unknown-statement"}  # fmt: skip
 """How messages begin that are of another code than the rest."""
 

@@ -7,6 +7,7 @@ from pathlib import Path
 
 from workspaces import LIBRARIES, FakeReader, catalog
 
+from plastron_tui.diagnostics import Diagnostic
 from plastron_tui.language import Document, lower
 from plastron_tui.model.context import Setting
 from plastron_tui.model.interpreter import Interpretation, interpret
@@ -22,7 +23,6 @@ from plastron_tui.ros.robots.description import (
     Link,
     Material,
     Tensor,
-    Vector,
 )
 from plastron_tui.ros.robots.macros import Macros
 
@@ -71,14 +71,14 @@ def expanded() -> Description:
 
 
 def run(
-    text: str, loaded: RobotSource | None = None, mesh: tuple[Vector, Vector] | None = None
+    text: str, loaded: RobotSource | None = None, told: tuple[Diagnostic, ...] = ()
 ) -> Interpretation:
     setting = Setting(
         "rospy",
         LIBRARIES,
         catalog,
         FakeReader(),
-        read_robot=lambda _: LoadedRobot(loaded or source()),
+        read_robot=lambda _: LoadedRobot(loaded or source(), told),
     )
     return interpret(lower(Document(text.encode())), setting)
 

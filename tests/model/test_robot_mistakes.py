@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from pathlib import Path
 
 import pytest
 from robots_run import FILE, LOAD, MADE, expanded, run, source, with_macros
 from workspaces import marked
 
-from plastron_tui.diagnostics import Severity, Span, codes
+from plastron_tui.diagnostics import Diagnostic, Severity, Span, codes
 from plastron_tui.ros.robots.description import Joint, JointType, Link, Mimic
 
 BEFORE = f"""\
@@ -101,6 +102,7 @@ RIGHT = [
     "r has_link 'd' shaped box 50, 3, 3 at 0, 0, 99",
     "r has_link 'd' shaped sphere 1 turned 0, 0, 6.2832 rad",
     "r has_link 'd' shaped sphere 1 turned 0, 1.5, 2 deg",
+    "r has_link 'd' shaped sphere 1 turned 1.57, 0, 10 deg",
     f"{LIMIT} between -6.2832 and 12.6 rad with effort 1 and velocity 1",
     f"{LIMIT} between -3600 and 3600 deg with effort 1 and velocity 1",
     f"{LIMIT} with damping 1 and friction 0",
@@ -210,6 +212,18 @@ LOADED: list[tuple[str, list[tuple[str, str]]]] = [
     ),
     ("r has_link 'new'", [("no-tree", "'new'")]),
     (
+        "r limits_joint 'turn' between 0 and 1 rad\n"
+        "r has_joint 'turn' of joint_type revolute from 'base' to 'arm'\n"
+        "r limits_joint 'turn' between 0 and 1 rad",
+        [("part-exists", "'turn'")],
+    ),
+    (
+        "r no_longer_has_joint 'slide'\nr no_longer_has_link 'tip'\n"
+        "r has_joint 'hold' of joint_type fixed from 'base' to 'hand'\n"
+        "r no_longer_has_joint 'turn'\nr no_longer_has_link 'arm'",
+        [],
+    ),
+    (
         "r limits_joint 'turn' between 0 and 1 rad\nr limits_joint 'turn' between 0 and 1 rad",
         [("part-exists", "'turn'")],
     ),
@@ -221,6 +235,12 @@ def test_what_is_told_of_changes_to_a_loaded_robot(lines: str, told: list[tuple[
     text = f"{LOAD}{lines}\ngenerate_robot r\n"
     found = run(text).diagnostics
     assert [(each.code, marked(text, each)) for each in found] == told
+
+
+def test_what_is_broken_in_a_file_can_be_changed() -> None:
+    broken = Diagnostic(codes.BROKEN_URDF, "`x` is no number", Span(3, 4), Path("a.urdf"))
+    found = run(f"{LOAD}r has_link 'arm' painted red\n", told=(broken,))
+    assert found.diagnostics == (broken._replace(severity=Severity.WARNING),)
 
 
 def test_faults_of_a_file_are_warnings_and_stay_where_they_are() -> None:

@@ -2,10 +2,23 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from math import pi
 
 import pytest
-from robots_run import BODY, FILE, LOAD, MADE, TENSOR, expanded, robot, run, with_macros
+from robots_run import (
+    BODY,
+    BOX,
+    FILE,
+    LOAD,
+    MADE,
+    TENSOR,
+    expanded,
+    robot,
+    run,
+    source,
+    with_macros,
+)
 
 from plastron_tui.ros.robots.description import (
     Body,
@@ -195,6 +208,13 @@ def test_a_mimic_keeps_what_is_not_said() -> None:
     assert kept.joints["turn"].mimic == Mimic("slide", 2.0, 0.5)
     times = robot(f"{LOAD}{line} times 3\n", loaded._replace(description=changed)).description
     assert times.joints["turn"].mimic == Mimic("slide", 3.0, 0.5)
+
+
+def test_a_colour_is_what_the_file_means_by_its_name() -> None:
+    red = Material("red", (0.5, 0.0, 0.0, 1.0))
+    painted = replace(FILE, links={**FILE.links, "base": whole(BOX, material=red)})
+    found = robot(f"{LOAD}r has_link 'arm' painted red\n", source(painted))
+    assert found.description.links["arm"].visuals[0].material == red
 
 
 def test_what_is_generated_is_the_robot_as_it_was_then() -> None:

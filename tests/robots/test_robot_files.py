@@ -236,5 +236,24 @@ def test_what_is_laid_out_otherwise_is_the_programs_still(tmp_path: Path) -> Non
         line, '<limit velocity="1" effort="10" upper="2" lower="-2"/>'
     )
     file.write_text(by_hand)
-    assert codes(run(LOAD + WRITE, tmp_path, in_place=True)) == ["file-conflict"]
-    assert file.read_text() == by_hand
+    assert codes(run(LOAD + WRITE, tmp_path, in_place=True)) == ["merged-by-hand"]
+    back = by_hand.replace('upper="2" lower="-2"', 'upper="1" lower="-1"')
+    assert file.read_text() == back
+
+
+@pytest.mark.parametrize(
+    "name", ["../evil", "a/b", "", ".", "..", ".hidden", "a\\b", "a b", "x" * 300, "a\x1b[2J", "-o"]
+)
+def test_no_name_leads_elsewhere(name: str, tmp_path: Path) -> None:
+    program = f"create_robot '{name}' as rover\nrover has_link 'a'\ngenerate_robot rover\n"
+    assert has_errors(run(program, tmp_path / "project"))
+    assert list(tmp_path.rglob("*")) == []
+
+
+def test_the_name_in_a_loaded_file_is_no_path(tmp_path: Path) -> None:
+    (tmp_path / "arm.urdf").write_text('<robot name="../../evil"><link name="a"/></robot>\n')
+    program = "load_robot 'arm.urdf' as arm\narm has_link 'a' painted red\ngenerate_robot arm\n"
+    run(program, tmp_path)
+    run("load_robot 'arm.urdf' as arm\ngenerate_robot arm\n", tmp_path)
+    written = [x.relative_to(tmp_path).as_posix() for x in tmp_path.rglob("*.urdf")]
+    assert sorted(written) == ["arm.urdf", "output/arm.urdf"]

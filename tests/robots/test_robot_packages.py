@@ -324,3 +324,19 @@ def test_a_robot_of_a_package_is_not_written_beside_it(tmp_path: Path) -> None:
     program = ROBOT.format(type="fixed") + "generate_robot rover\n" + PACKAGE + END
     made(program, tmp_path, "rospy")
     assert not (tmp_path / "output/rover.urdf").exists()
+
+
+def test_a_robot_is_started_by_no_name_of_its_own(tmp_path: Path) -> None:
+    program = ROBOT.format(type="fixed") + PACKAGE + "demo contains rover as 'other'\n"
+    [told] = run(program, tmp_path, "rospy")
+    assert told.code == "bad-package-file"
+    assert told.help == "leave out `as 'other'`"
+
+
+def test_what_a_robot_leaves_in_its_package_is_told(tmp_path: Path) -> None:
+    program = ROBOT.format(type="fixed") + PACKAGE
+    package = made(program + END, tmp_path, "rclpy")
+    told = run(f"{program}generate_package demo\n", tmp_path, "rclpy")
+    left = {each.file.name for each in told if each.code == "file-stays" and each.file}
+    assert left == {"rover.launch.xml", "rover.urdf"}
+    assert "urdf" not in (package / "CMakeLists.txt").read_text()

@@ -137,6 +137,15 @@ def test_what_is_told_of_a_new_link(values: LinkValues, notes: object) -> None:
             link(inertial=Inertial(4.0, tensor(BOX, 4.0))),
         ),
         (link(), {"mass": 4.0}, link(inertial=Inertial(4.0, tensor(BOX, 4.0)))),
+        # What collides is what weighs.
+        (
+            Link("a", (Body(BOX),), (Body(OTHER, Pose(UP)),)),
+            {"mass": 4.0},
+            Link(
+                *("a", (Body(BOX),), (Body(OTHER, Pose(UP)),)),
+                Inertial(4.0, tensor(OTHER, 4.0), Pose(UP)),
+            ),
+        ),
         # A link that was a place only becomes whole.
         (Link("a"), {"shape": BOX, "mass": 5.0, "material": BLUE, "position": UP}, WHOLE),
         # What is only seen is only seen.

@@ -143,6 +143,7 @@ CASES: list[tuple[Description, list[Fault]]] = [
         [Fault(FaultKind.LONG, "j")],
     ),
     (Description("r", {"/a": Link("/a")}), [Fault(FaultKind.NAME, "/a")]),
+    (robot("ab", held("b", "a", "b")), [Fault(FaultKind.SHARED_NAME, "b")]),
 ]
 
 

@@ -103,7 +103,8 @@ def test_what_a_robot_needs_is_there(folder: Path) -> None:
         ('<xacro:include filename="large.xacro"/>', "larger than 4 MB"),
         # Mistakes.
         ('<link name="${x}"/>', "name 'x' is not defined when evaluating expression 'x'"),
-        ('<link name="$(arg x)"/>', "Undefined substitution argument x"),
+        ('<link name="$(arg x)"/>', "the argument `x` has no value: give it a default"),
+        ('<xacro:macro name="m" params=""/><xacro:m x="1"/>', 'parameter "x" (in the macro `m`)'),
         ('<xacro:include filename="broken.xacro"/>', "(in `broken.xacro`)"),
         ('<xacro:include filename="none.xacro"/>', "none.xacro"),
         # What breaks out of the expressions.
@@ -150,6 +151,34 @@ def test_a_robot_is_expanded_as_xacro_does_it(folder: Path) -> None:
     assert description is not None
     assert len(description.links) == 4
     assert found.files == (folder / "leaf.xacro",)
+
+
+@pytest.mark.long
+def test_what_only_an_installed_package_has_is_found_there(folder: Path) -> None:
+    share = folder.parent / "ros" / "share" / "parts"
+    share.mkdir(parents=True)
+    for each in (share, folder / "parts"):
+        each.mkdir(exist_ok=True)
+        (each / "package.xml").write_text("<package><name>parts</name></package>")
+    (folder / "parts" / "both.xacro").write_text(ROBOT.format('<link name="source"/>'))
+    for name in ("both", "only"):
+        (share / f"{name}.xacro").write_text(ROBOT.format(f'<link name="{name}"/>'))
+    (share / "sizes.yaml").write_text("a: b")
+    path = folder / "robot.xacro"
+    environ = {"AMENT_PREFIX_PATH": str(folder.parent / "ros")}
+    reach = find_reach(Boundary(folder.resolve()), path, environ)
+    text = ROBOT.format(
+        '<xacro:include filename="$(find parts)/both.xacro"/>'
+        '<xacro:include filename="$(find parts)/only.xacro"/>'
+        "<link name=\"${xacro.load_yaml('$(find parts)/sizes.yaml')['a']}\"/>"
+    )
+    modules = find_xacro({})
+    assert modules is not None
+    found = expand(path, text.encode(), reach, modules)
+    assert found.text is not None, found.reason
+    description = read_urdf(found.text).description
+    assert description is not None
+    assert list(description.links) == ["source", "only", "b"]
 
 
 def test_where_the_package_comes_from(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

@@ -183,6 +183,15 @@ MESH_INERTIA = Code(
     good=_WHOLE,
 )
 
+LINK_NAME_AGAIN = Code(
+    "link-name-again",
+    "A link and a joint of a robot have one name. URDF takes that, and Gazebo does not: in its own "
+    "format both are parts of one model, which have names of their own.",
+    severity=Severity.WARNING,
+    bad=f"{_BODY}rover has_joint 'body' of joint_type fixed from 'base' to 'body'\n{_END}",
+    good=_WHOLE,
+)
+
 UNKNOWN_JOINT_NAME = Code(
     "unknown-joint-name",
     "A message of `JointState` or `JointTrajectory` names a joint that the program's robot does "

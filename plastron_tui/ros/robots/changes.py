@@ -305,13 +305,14 @@ def _middle(body: Body, mesh_bounds: MeshBounds) -> Vector:
 
 
 def _box(mesh: Mesh, mesh_bounds: MeshBounds) -> list[tuple[float, float]] | None:
-    """Return where a mesh ends along each of its axes, None where nobody knows."""
+    """Return where a mesh begins and ends along each of its axes, None where nobody knows.
+
+    One with a negative scale is mirrored, and ends before it begins.
+    """
     corners = mesh_bounds(mesh.uri)
     if corners is None:
         return None
-    ends = zip(*corners, mesh.scale, strict=True)
-    # A mesh with a scale that is negative is mirrored.
-    return [(min(a * scale, b * scale), max(a * scale, b * scale)) for a, b, scale in ends]
+    return [(a * scale, b * scale) for a, b, scale in zip(*corners, mesh.scale, strict=True)]
 
 
 def _vector(values: Iterable[float]) -> Vector:

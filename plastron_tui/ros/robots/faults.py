@@ -52,6 +52,9 @@ class FaultKind(Enum):
     NAME = auto()
     """The name of a link or a joint is one that tf2 does not take: empty, or with a slash first."""
 
+    SHARED_NAME = auto()
+    """A joint is called like a link, which Gazebo refuses (sdformat: names of siblings)."""
+
     @property
     def is_of_joint(self) -> bool:
         """Whether the part is a joint."""
@@ -67,7 +70,7 @@ _OF_JOINTS = frozenset(
     {
         *(FaultKind.CIRCLE, FaultKind.HELD_TWICE, FaultKind.NO_PARENT, FaultKind.NO_CHILD),
         *(FaultKind.NO_LIMITS, FaultKind.NO_RANGE, FaultKind.MIMICS_NOTHING),
-        *(FaultKind.MIMICS_FIXED, FaultKind.MIMIC_CIRCLE),
+        *(FaultKind.MIMICS_FIXED, FaultKind.MIMIC_CIRCLE, FaultKind.SHARED_NAME),
     }
 )
 
@@ -102,6 +105,8 @@ def faults(robot: Description) -> Iterator[Fault]:
     for joint in robot.joints.values():
         if any(abs(each) > LONGEST for each in joint.pose.position):
             yield Fault(FaultKind.LONG, joint.name)
+        if joint.name in robot.links:
+            yield Fault(FaultKind.SHARED_NAME, joint.name)
     for name in (*robot.links, *robot.joints):
         if not name.strip() or name.startswith("/"):
             yield Fault(FaultKind.NAME, name)

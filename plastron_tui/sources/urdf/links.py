@@ -90,21 +90,23 @@ def shape_of(element: Element, values: Values) -> Shape | None:
 
 
 def material_of(element: Element, values: Values, *, is_shared: bool = False) -> Material | None:
-    """Return a material, None for one without a name.
+    """Return a material; of those that all links may mean, None for one without a name.
 
-    An empty name is that of a material that nobody else means, as some exporters write it.
+    Within a link, an empty name is that of a material that nobody else means, as some exporters
+    write it.
     """
     name = element.get("name")
     if name is None:
         values.tell("the material has no name", element.name_span)
-        return None
+        if is_shared:
+            return None
     color, texture = first(element, "color"), first(element, "texture")
     rgba = None if color is None else values.rgba(color)
     picture = None if texture is None else texture.get("filename")
     if is_shared and color is None and picture is None:
         message = f"the material `{name}` has neither a colour nor a texture"
         values.tell(message, element.name_span)
-    return Material(name, rgba, picture)
+    return Material(name or "", rgba, picture)
 
 
 def inertial_of(element: Element, values: Values) -> Inertial | None:

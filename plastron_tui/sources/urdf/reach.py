@@ -10,7 +10,7 @@ from __future__ import annotations
 import os
 import re
 import sys
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import NamedTuple
@@ -64,12 +64,27 @@ class Reach:
 
     def package(self, name: str) -> Path | None:
         """Return the folder of a package, None where it is not here."""
+        return next(self._folders(name), None)
+
+    def _folders(self, name: str) -> Iterator[Path]:
+        """Yield where a package is: the project's own sources first, then what is installed."""
         if name in self.packages:
-            return self.packages[name]
+            yield self.packages[name]
         if not name or name in (".", "..") or any(each in name for each in "/\\\0"):
-            return None
-        found = (share / name for share in self.shares)
-        return next((each for each in found if _is_package(each)), None)
+            return
+        yield from (share / name for share in self.shares if _is_package(share / name))
+
+    def installed(self, path: Path) -> Path | None:
+        """Return where an installed package has a file that is not in its sources.
+
+        A package may install a file elsewhere than its sources have it.
+        """
+        for name, folder in self.packages.items():
+            if path.is_relative_to(folder):
+                inner = path.relative_to(folder)
+                found = (each / inner for each in self._folders(name) if each != folder)
+                return next((each for each in found if os.path.isfile(each)), None)  # noqa: PTH113
+        return None
 
     def allows(self, path: Path | str) -> bool:
         """Tell whether a file, where its path ends, is in the project or an installed package."""
@@ -112,13 +127,13 @@ class Reach:
             return Place(None, "is of a kind of URI that is not looked for")
         if "${" in rest or "$(" in rest:
             return Place(None, "is computed", is_computed=True)
-        path = folder / rest
-        if not self.allows(path):
-            return Place(None, "is neither in the project nor in an installed package")
+        path: Path | None = folder / rest
         # A path that is too long is not there.
-        if not os.path.isfile(path):  # noqa: PTH113
-            return Place(None, "is not there", is_absent=True)
-        return Place(path)
+        if not os.path.isfile(folder / rest):  # noqa: PTH113
+            path = self.installed(folder / rest)
+        if not self.allows(path or folder / rest):
+            return Place(None, "is neither in the project nor in an installed package")
+        return Place(None, "is not there", is_absent=True) if path is None else Place(path)
 
 
 def find_reach(boundary: Boundary, file: Path, environ: Mapping[str, str]) -> Reach:

@@ -33,6 +33,9 @@ def above(tmp_path_factory: pytest.TempPathFactory) -> Path:
     (root / ".git" / "config.xacro").touch()
     parts = package(above / "ros" / "share" / "parts", "parts")
     (parts / "urdf" / "arm.xacro").write_text(XACRO.format(""))
+    built = package(above / "ros" / "share" / "rover_description", "rover_description")
+    (built / "config").mkdir()
+    (built / "config" / "joints.xacro").touch()
     (above / "ros" / "share" / "no_package").mkdir()
     (above / "ros" / "share" / "no_package" / "x.xacro").touch()
     (above / "ros" / "share" / "loose.xacro").touch()
@@ -69,6 +72,9 @@ NO_PACKAGE = "is of the package `{}`, which is neither in the project nor instal
         ("file://{root}/rover_description/urdf/wheel.stl", ""),
         ("{root}/rover_description/urdf/wheel.stl", ""),
         ("package://parts/urdf/arm.xacro", ""),
+        # The sources of an installed package have it elsewhere.
+        ("package://rover_description/config/joints.xacro", ""),
+        ("$(find rover_description)/config/../../../../secret.xacro", OUTSIDE),
         ("{above}/ros/share/parts/urdf/arm.xacro", ""),
         ("none.xacro", "is not there"),
         ("", "is not there"),

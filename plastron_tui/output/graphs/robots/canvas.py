@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from math import ceil, floor, sqrt
 
-from .polygons import stretches
+from .polygons import middles, stretches
 from .runs import Run, RunLines
 from .shades import contrast
 from .views import Point
@@ -32,10 +32,11 @@ class Canvas:
 
     def is_free(self, column: int, row: int, length: int, *, over_pixels: bool) -> bool:
         """Tell whether there is room for a text."""
-        if not (0 <= row < self.rows and column >= 0 and column + length <= self.columns):
+        if not 0 <= row < self.rows:
             return False
-        cells = range(column, column + length)
-        if any(at in self._written[row] for at in cells):
+        cells = range(max(column, 0), min(column + length, self.columns))
+        written = self._written[row]
+        if written and not written.keys().isdisjoint(cells):
             return False
         return over_pixels or not any(any(self._pair(at, row)) for at in cells)
 
@@ -47,10 +48,10 @@ class Canvas:
                 color = contrast(behind) if behind else ""
                 self._written[row][at] = Run(char, role, color, behind)
 
-    def fill(self, points: Sequence[Point], color: str) -> None:
+    def fill(self, points: Sequence[tuple[float, float]], color: str) -> None:
         """Fill a convex polygon: pixels whose middles are in it, at least one in each row."""
         if self.ascii_only:
-            points = [Point(x, y / 2) for x, y in points]
+            points = [(x, y / 2) for x, y in points]
         for row, left, right in stretches(points, len(self._pixels)):
             self._fill_row(row, left, right, color)
 
@@ -69,15 +70,19 @@ class Canvas:
     def fill_circle(self, middle: Point, radius: float, color: str) -> None:
         """Fill a circle."""
         flat = 2 if self.ascii_only else 1
-        low, high = (middle.y - radius) / flat, (middle.y + radius) / flat
-        for row in range(max(0, floor(low)), min(len(self._pixels), ceil(high) or 1)):
-            at = min(max(row + 0.5, low), high) * flat
-            half = sqrt(max(0.0, radius**2 - (at - middle.y) ** 2))
+        for row, at in middles(
+            (middle.y - radius) / flat, (middle.y + radius) / flat, len(self._pixels)
+        ):
+            half = sqrt(max(0.0, radius**2 - (at * flat - middle.y) ** 2))
             self._fill_row(row, middle.x - half, middle.x + half, color)
 
     def _fill_row(self, row: int, left: float, right: float, color: str) -> None:
-        start = max(0, round(left))
-        end = min(self.columns, max(round(right), start + 1))
+        start, end = ceil(left - 0.5), floor(right + 0.5)
+        if start >= end:
+            # It is thinner than a pixel.
+            start = floor((left + right) / 2)
+            end = start + 1
+        start, end = max(start, 0), min(end, self.columns)
         if 0 <= row < len(self._pixels) and end > start:
             self._pixels[row][start:end] = [color] * (end - start)
 

@@ -92,7 +92,7 @@ class Sheet:
 
     def cover(self, points: Sequence[Point]) -> None:
         """Say where a body is: names stand beside bodies where they can."""
-        scaled = [Point(x / _CELL, y / _CELL) for x, y in points]
+        scaled = [(x / _CELL, y / _CELL) for x, y in points]
         most = int(self._whole.right / _CELL)
         for row, left, right in stretches(scaled, self._rows):
             self._covered.update(

@@ -21,6 +21,7 @@ _TWO_WIDTH, _TWO_HEIGHT = 60, 14
 _VIEWS_WIDTH, _VIEWS_HEIGHT = 64, 22
 """From this size on there is room for all views."""
 
+_TREE_WIDTH = 36
 _GAP = 2
 
 _CORNERS = 12
@@ -73,7 +74,7 @@ def render_text(
     for side in sides:
         if side.view.key == view:
             return TextPicture(how.side(side, width, height), ("",) * height, view)
-    wide = min(tree_width(robot), width * 2 // 5)
+    wide = min(tree_width(robot), max(width * 2 // 5, min(width // 2, _TREE_WIDTH)))
     if width >= _ALL_WIDTH and height >= _ALL_HEIGHT:
         lines, links = how.tree(wide, height)
         views = draw_views(scene, sides, width - wide - _GAP, height, marked, ascii_only)

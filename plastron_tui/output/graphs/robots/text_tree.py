@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from math import inf
 
 from plastron_tui.diagnostics.terminal import visible, width
 from plastron_tui.ros.robots.description import Description
@@ -17,12 +18,15 @@ from .text_marks import fill_chars, in_ascii
 _MOST_PADDED = 26
 """One long name does not push everybody's caption away."""
 
+_NARROW = 26
+"""With fewer columns beside the links only the types of joints are told."""
+
 
 def tree_width(robot: Description) -> int:
     """Return how wide a tree has to be that no row and no title is cut off."""
     rows = tree_rows(robot)
     pad = _padding(rows)
-    lines = (_line(robot, row, pad, {}, "", ascii_only=False) for row in rows)
+    lines = (_line(robot, row, pad, {}, "", False, inf) for row in rows)
     title = robot_text(robot.name, len(robot.links), len(robot.joints))
     return max([width(title), *(sum(width(run.text) for run in line) for line in lines)])
 
@@ -44,7 +48,7 @@ def draw_tree(
     title = robot_text(robot.name, len(robot.links), len(robot.joints))
     head: list[tuple[RunLine, str]] = [((Run(title, "title"),), "")]
     colors = fill_chars(scene.links) if ascii_only else _colors(scene)
-    body = [(_line(robot, row, pad, colors, marked, ascii_only), row.link) for row in rows]
+    body = [(_line(robot, row, pad, colors, marked, ascii_only, columns), row.link) for row in rows]
     lost = unheld(robot, rows)
     body += [((Run(f"{visible(name)}  held by nothing", "quiet"),), name) for name in lost]
     at = next((n for n, row in enumerate(rows) if _is_marked(row, marked)), 0)
@@ -74,6 +78,7 @@ def _line(
     colors: dict[str, str],
     marked: str,
     ascii_only: bool,
+    room: float,
 ) -> RunLine:
     sign = colors.get(row.link, " ") if ascii_only else "■"
     swatch = Run(sign, "link", "" if ascii_only else colors.get(row.link, ""))
@@ -84,7 +89,10 @@ def _line(
     runs = [Run(lines, "quiet"), swatch, Run(f" {name}", role), Run(f"{blank}  ")]
     if row.joint is not None:
         role = _role(row.joint.name, marked, "joint")
-        runs += [Run(visible(row.joint.name), role), Run(f"  {joint_text(row.joint)}", "quiet")]
+        if room - pad < _NARROW:
+            runs.append(Run(row.joint.type.value, role))
+        else:
+            runs += [Run(visible(row.joint.name), role), Run(f"  {joint_text(row.joint)}", "quiet")]
     else:
         runs.append(Run(link_text(robot.links[row.link]), "quiet"))
     return tuple(run for run in runs if run.text)

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from typing import NamedTuple, TypeAlias
+from collections.abc import Iterable
+from typing import NamedTuple
 
 from plastron_tui.diagnostics.terminal import visible, width
 from plastron_tui.ros.robots.description import JointType
@@ -30,7 +30,21 @@ _THICK = 6.0
 """A body that is so many pixels wide and high has an edge."""
 
 
-_Pixel: TypeAlias = Callable[[Point], Point]
+class _Pixels(NamedTuple):
+    """Where on the canvas a view is: its origin in pixels, and how many pixels a metre has."""
+
+    x: float
+    y: float
+    scale: float
+
+    def at(self, point: Point) -> Point:
+        """Return the pixel of a point."""
+        return Point(self.x + point.x * self.scale, self.y - point.y * self.scale)
+
+    def of(self, points: Iterable[Point]) -> list[tuple[float, float]]:
+        """Return the pixels of points."""
+        left, top, scale = self
+        return [(left + x * scale, top - y * scale) for x, y in points]
 
 
 class _Place(NamedTuple):
@@ -109,23 +123,23 @@ class _Drawing:
         left = place.column + (place.columns - frame.width * scale) / 2
         top = 2 * place.row + (2 * place.rows - frame.height * scale) / 2
 
-        def pixel(at: Point) -> Point:
-            return Point(left + (at.x - frame.left) * scale, top + (frame.high - at.y) * scale)
-
+        # The origin is between two pixels: what is the same on both sides of it looks the same.
+        x, y = round(left - frame.left * scale), round(top + frame.high * scale)
+        pixels = _Pixels(x, y, scale)
         for bone in self.scene.bones:
-            start, end = (pixel(seen.view.point(at)) for at in bone)
+            start, end = (pixels.at(seen.view.point(at)) for at in bone)
             self.canvas.line(start, end, "." if self.canvas.ascii_only else _BONE)
         for outline in self._ordered(seen.outlines):
-            self._body(outline, pixel, scale)
+            self._body(outline, pixels)
         across, up = seen.view.axes
         signs = f"{across}→ {up}↑"
         self._write(place.column, place.row - 1, seen.view.name, "title")
         self._write(place.column + len(seen.view.name) + 2, place.row - 1, signs, "quiet")
-        self._unknown(seen.outlines, pixel)
-        self._axes(seen, pixel)
+        self._unknown(seen.outlines, pixels)
+        self._axes(seen, pixels, place)
 
     def ruler(self, column: int, row: int, columns: int, scale: float) -> None:
-        """Draw a ruler, and how long it is; and of what is not drawn how many there are."""
+        """Draw a ruler, and how long it is."""
         length = ruler_length(max(columns * 0.6, 4) / scale)
         cells = max(round(length * scale), 1)
         bar = "├" + "─" * max(cells - 2, 0) + "┤" if cells > 1 else "│"
@@ -138,27 +152,27 @@ class _Drawing:
         """Return the bodies as they are drawn: what is pointed out comes last."""
         return sorted(outlines, key=lambda each: each.solid.link == self.stands_out)
 
-    def _body(self, outline: Outline, pixel: _Pixel, scale: float) -> None:
+    def _body(self, outline: Outline, pixels: _Pixels) -> None:
         solid = outline.solid
         if solid.shape is None:
             return
         fill = self._fill(outline, outline.facing)
         edge = self.fills.get(solid.link) or self._dimmed(edge_of(solid.rgba), solid.link)
-        points = [pixel(point) for point in outline.points]
-        frame = outline.frame
-        thick = min(frame.width, frame.height) * scale >= _THICK
         if outline.radius:
-            radius = outline.radius * scale
-            self.canvas.fill_circle(points[0], radius, edge if thick else fill)
+            middle, radius = pixels.at(outline.points[0]), outline.radius * pixels.scale
+            thick = 2 * radius >= _THICK
+            self.canvas.fill_circle(middle, radius, edge if thick else fill)
             if thick:
-                self.canvas.fill_circle(points[0], radius - 1, fill)
+                self.canvas.fill_circle(middle, radius - 1, fill)
             return
+        points = pixels.of(outline.points)
+        xs, ys = [x for x, _ in points], [y for _, y in points]
+        thick = min(max(xs) - min(xs), max(ys) - min(ys)) >= _THICK
         self.canvas.fill(points, edge if thick else fill)
         if thick:
             self.canvas.fill(_shrunk(points), fill)
         for face in outline.faces if thick else ():
-            corners = [pixel(point) for point in face.points]
-            self.canvas.fill(_shrunk(corners), self._fill(outline, face.facing))
+            self.canvas.fill(_shrunk(pixels.of(face.points)), self._fill(outline, face.facing))
 
     def _fill(self, outline: Outline, facing: float) -> str:
         solid = outline.solid
@@ -168,21 +182,21 @@ class _Drawing:
     def _dimmed(self, color: str, link: str) -> str:
         return dimmed(color) if self.stands_out not in ("", link) else color
 
-    def _unknown(self, outlines: tuple[Outline, ...], pixel: _Pixel) -> None:
+    def _unknown(self, outlines: tuple[Outline, ...], pixels: _Pixels) -> None:
         """Show where meshes are of which nobody knows how large they are."""
         for outline in outlines:
             if outline.solid.shape is None:
-                at = pixel(outline.points[0])
+                at = pixels.at(outline.points[0])
                 role = "marked" if outline.solid.link == self.marked else "link"
                 self._write(int(at.x), int(at.y / 2), UNKNOWN, role)
 
-    def _axes(self, seen: Seen, pixel: _Pixel) -> None:
+    def _axes(self, seen: Seen, pixels: _Pixels, place: _Place) -> None:
         """Draw the axes of what moves, then as many of their names as there is room for."""
         moving = [axis for axis in self.scene.axes if axis.type is not JointType.FIXED]
         moving.sort(key=lambda axis: axis.joint != self.marked)
         places = []
         for axis in moving:
-            at = pixel(seen.view.point(axis.at))
+            at = pixels.at(seen.view.point(axis.at))
             sign = MIDDLE
             if axis.along is not None:
                 sign = axis_sign(seen.view.point(axis.along), seen.view.depth(axis.along))
@@ -191,11 +205,14 @@ class _Drawing:
             places.append((axis.joint, role, cell))
             self._write(*cell, sign, role)
         for joint, role, cell in places:
-            self._name(visible(joint), role, cell, over=len(moving) <= _FEW or role == "marked")
+            may_hide = len(moving) <= _FEW or role == "marked"
+            self._name(visible(joint), role, cell, place, may_hide=may_hide)
 
-    def _name(self, name: str, role: str, cell: tuple[int, int], *, over: bool) -> None:
+    def _name(
+        self, name: str, role: str, sign: tuple[int, int], place: _Place, *, may_hide: bool
+    ) -> None:
         """Write a name beside, above or below a sign, where it hides as little as can be."""
-        column, row = cell
+        column, row = sign
         length = width(name)
         if length != len(name):
             return
@@ -204,7 +221,14 @@ class _Drawing:
             (column + 1, row + 1), (column - length, row - 1), (column - length, row + 1),
             (column - length // 2, row - 2), (column - length // 2, row + 2),
         ]  # fmt: skip
-        for over_pixels in (False, True) if over else (False,):
+        places = [
+            (at, line)
+            for at, line in places
+            if place.row <= line < place.row + place.rows
+            and place.column <= at
+            and at + length <= place.column + place.columns
+        ]
+        for over_pixels in (False, True) if may_hide else (False,):
             for at, line in places:
                 # A blank on either side keeps names apart.
                 if self.canvas.is_free(at - 1, line, length + 2, over_pixels=over_pixels):
@@ -215,11 +239,11 @@ class _Drawing:
         self.canvas.write(column, row, in_ascii(text) if self.canvas.ascii_only else text, role)
 
 
-def _shrunk(points: list[Point]) -> list[Point]:
+def _shrunk(points: list[tuple[float, float]]) -> list[tuple[float, float]]:
     """Return a convex polygon a pixel smaller on each side."""
     xs, ys = [x for x, _ in points], [y for _, y in points]
     left, right, high, low = min(xs), max(xs), min(ys), max(ys)
     across = max(0.0, 1 - 2 / (right - left)) if right > left else 0.0
     down = max(0.0, 1 - 2 / (low - high)) if low > high else 0.0
     x, y = (left + right) / 2, (high + low) / 2
-    return [Point(x + (each.x - x) * across, y + (each.y - y) * down) for each in points]
+    return [(x + (one - x) * across, y + (other - y) * down) for one, other in points]
