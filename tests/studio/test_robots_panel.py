@@ -232,6 +232,8 @@ def test_the_preview_has_the_file_of_the_robot_at_the_cursor(tmp_path: Path) -> 
 async def test_a_robot_is_seen_while_it_is_typed(program: Path) -> None:
     program.write_text(TEXT)
     async with studio(program, (120, 40)) as driver:
+        # A program of robots alone begins with them.
+        assert driver.main.dock_layout.is_in_sight("robots")
         await driver.press("down", "down")
         await driver.press("alt+l")
         panel = driver.main.panels["robots"]
