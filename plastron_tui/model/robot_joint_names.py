@@ -14,14 +14,16 @@ from plastron_tui.language.lowering import Program
 from .workspace import Workspace
 
 _FIELDS = {
-    "JointState": "name",
-    "JointTrajectory": "joint_names",
-    "FollowJointTrajectory": "joint_names",
-    "MultiDOFJointState": "joint_names",
-    "MultiDOFJointTrajectory": "joint_names",
+    "sensor_msgs/JointState": "name",
+    "sensor_msgs/MultiDOFJointState": "joint_names",
+    "trajectory_msgs/JointTrajectory": "joint_names",
+    "trajectory_msgs/MultiDOFJointTrajectory": "joint_names",
+    "control_msgs/FollowJointTrajectory": "joint_names",
 }
-"""The fields with names of joints, by the type that has them in it (`sensor_msgs`,
-`trajectory_msgs` and `control_msgs`); they are those types' only lists of strings."""
+"""The fields with names of joints, by the type that has them in it; they are those types' only
+lists of strings."""
+
+_BY_NAME = {type_.rpartition("/")[2]: field for type_, field in _FIELDS.items()}
 
 
 def check_joint_names(program: Program, workspace: Workspace) -> Iterator[Diagnostic]:
@@ -37,9 +39,18 @@ def check_joint_names(program: Program, workspace: Workspace) -> Iterator[Diagno
         return
     for statement in program.statements:
         if isinstance(statement, (st.CreateMessage, st.SendsGoal)):
-            field = _FIELDS.get(statement.type.rpartition("/")[2])
+            field = _field(statement.type, workspace)
             if field is not None:
                 yield from _unknown(statement, field, whole.joints, robot.span)
+
+
+def _field(type_: str, workspace: Workspace) -> str | None:
+    """Return the field with names of joints that a type has, as a program names it."""
+    if type_ in workspace.types:
+        return None
+    parts = type_.split("/")
+    full = f"{parts[0]}/{parts[-1]}"
+    return _BY_NAME.get(type_) if len(parts) == 1 else _FIELDS.get(full)
 
 
 def _unknown(

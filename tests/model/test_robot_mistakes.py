@@ -340,6 +340,15 @@ def test_joints_that_messages_name_are_joints_of_the_robot(line: str, words: lis
         found = run(text).diagnostics
         assert [marked(text, each) for each in found] == words
         assert {each.code for each in found} <= {codes.UNKNOWN_JOINT_NAME}
+    full = message.replace("JointState", "sensor_msgs/msg/JointState")
+    assert [each.code for each in run(f"{LOAD}{full}").diagnostics] == [each.code for each in found]
     # Of two robots nobody knows which is meant.
     assert run(f"{LOAD}{message}create_robot 'other' as s\n").diagnostics == ()
     assert run(f"{LOAD}{message}", with_macros(None)).diagnostics == ()
+
+
+def test_a_type_of_ones_own_names_what_it_likes() -> None:
+    own = "create_message_type JointState with string[] name\n"
+    line = 'create_message m of message_type JointState and input name=["x"]\n'
+    found = run(f"{LOAD}{own}{line}").diagnostics
+    assert [each.code for each in found] == [codes.TYPE_HIDDEN]
