@@ -201,6 +201,15 @@ LOADED: list[tuple[str, list[tuple[str, str]]]] = [
     ("r has_link 'arm' shaped mesh \"a.stl\"", [("mesh-inertia", "mesh")]),
     ("r has_link 'base' shaped sphere 1 weighing 1", [("root-inertia", "1")]),
     ("r no_longer_has_joint 'slide'", [("no-tree", "'slide'")]),
+    (
+        "r no_longer_has_joint 'turn'\nr has_link 'base' painted red shaped sphere 1\n"
+        "r has_link 'arm' weighing 2",
+        [("no-tree", "'turn'")],
+    ),
+    (
+        "r no_longer_has_joint 'slide'\nr has_link 'tip' shaped sphere 1",
+        [("no-tree", "'slide'")],
+    ),
     ("r no_longer_has_joint 'slide'\nr no_longer_has_link 'tip'", []),
     (
         "r has_joint 'turn' of joint_type prismatic from 'base' to 'arm'",
@@ -268,6 +277,13 @@ def test_faults_of_a_file_are_warnings_and_stay_where_they_are() -> None:
         assert {marked(text, each) for each in found} == {"'a.urdf'"}
     text = f"{LOAD}r has_link 'more'\ngenerate_robot r\n"
     *_, added = run(text, source(broken)).diagnostics
+    # What hangs on the other root now is more.
+    held = "".join(
+        f"r has_link 'l{at}'\nr has_joint 'j{at}' of joint_type fixed from 'lost' to 'l{at}'\n"
+        for at in range(5)
+    )
+    grown = run(f"{LOAD}{held}generate_robot r\n", source(broken)).diagnostics
+    assert {each.severity for each in grown} == {Severity.WARNING}
     assert (added.code, added.severity, marked(text, added)) == ("no-tree", "error", "'more'")
 
 
