@@ -114,6 +114,18 @@ def test_a_part_of_a_file_says_where_it_stands(tmp_path: Path) -> None:
     assert (refused.edits, refused.files) == ((), ("old.urdf",))
 
 
+def test_macros_that_are_not_expanded_stand_for_what_they_make(tmp_path: Path) -> None:
+    (tmp_path / "old.xacro").write_text(
+        '<robot name="old" xmlns:xacro="http://www.ros.org/wiki/xacro">\n  <link name="base"/>\n'
+        '  <xacro:wheel side="left"/>\n</robot>\n'
+    )
+    analysis = analysis_of("load_robot 'old.xacro' as old\n", tmp_path / "x.plastron")
+    robot, base, wheel = entries(analysis)
+    assert "not trusted" in robot.warning
+    assert (base.text, wheel.text, wheel.detail) == ("base", "wheel", 'side="left"')
+    assert wheel.place == "old.xacro, line 3"
+
+
 def test_the_part_at_the_cursor_stands_out_in_the_picture() -> None:
     analysis = analysis_of(TEXT)
     plain, marked = (

@@ -21,7 +21,7 @@ from .joint_edits import change_joint
 from .link_edits import change_link, change_material
 from .part_edits import PartEdits, RefusedError
 from .reader import UrdfRead, read_urdf
-from .robot_edits import Part, additions, element_of, place_of, removals
+from .robot_edits import KINDS, Part, additions, element_of, parts_of, place_of, removals
 from .three_way import ConflictError, merged
 from .values import is_computed, is_xacro
 
@@ -110,7 +110,8 @@ def _begun(
     document: XmlDocument, wanted: Description, first: Part, habits: Habits, path: Path | None
 ) -> bytes:
     """Return the text of a robot that had nothing, with all that it is to have."""
-    begun = insert_last(document, document.root, element_of(wanted, first), habits.style)
+    element = habits.styled(element_of(wanted, first))
+    begun = insert_last(document, document.root, element, habits.style)
     if begun.document is None:
         raise RefusedError(begun.diagnostics[0])
     text = begun.document.text
@@ -140,18 +141,12 @@ def _named(text: bytes, name: str, path: Path | None) -> bytes:
 
 
 def _parts(robot: Description, wanted: Callable[[Part], bool]) -> Iterator[Part]:
-    kinds = (("material", robot.materials), ("link", robot.links), ("joint", robot.joints))
-    for kind, parts in kinds:
-        yield from filter(wanted, (Part(kind, name) for name in parts))
+    for kind in KINDS:
+        yield from filter(wanted, (Part(kind, name) for name in parts_of(robot, kind)))
 
 
 def _has(robot: Description, part: Part) -> bool:
-    kinds: Mapping[str, Mapping[str, object]] = {
-        "link": robot.links,
-        "joint": robot.joints,
-        "material": robot.materials,
-    }
-    return part.name in kinds[part.kind]
+    return part.name in parts_of(robot, part.kind)
 
 
 def _changed(before: Mapping[str, T], after: Mapping[str, T]) -> Iterator[tuple[str, T, T]]:
@@ -210,9 +205,10 @@ def _not_as_asked(
     read: UrdfRead, got: Description | None, wanted: Description, path: Path | None
 ) -> Diagnostic:
     """Say which part would not be as it is to be, and where it stands."""
-    kinds = (("link", "links"), ("joint", "joints"), ("material", "materials"))
-    for kind, field in kinds if got is not None else ():
-        has, shall = getattr(got, field), getattr(wanted, field)
+    if got is None:
+        return _refused("the robot could not be read again", _span(read, None), path)
+    for kind in KINDS:
+        has, shall = parts_of(got, kind), parts_of(wanted, kind)
         for name in (*shall, *has):
             if same(has.get(name), shall.get(name)):
                 continue

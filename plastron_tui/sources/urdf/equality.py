@@ -6,7 +6,7 @@ from collections.abc import Mapping
 
 from plastron_tui.ros.robots.description import Description
 
-from .new_elements import number
+from .new_elements import rounded
 
 
 def same(one: object, other: object) -> bool:
@@ -14,7 +14,7 @@ def same(one: object, other: object) -> bool:
     if one is other:
         return True
     if isinstance(one, (int, float)) and isinstance(other, (int, float)):
-        return one == other or number(one) == number(other)
+        return one == other or rounded(one) == rounded(other)
     if type(one) is not type(other):
         return False
     if isinstance(one, tuple) and isinstance(other, tuple):

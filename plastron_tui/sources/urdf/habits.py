@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections import Counter
 from collections.abc import Mapping, Sequence
 from enum import Enum
@@ -10,7 +11,9 @@ from itertools import pairwise
 
 from plastron_tui.sources.xml.document import Element, XmlDocument
 from plastron_tui.sources.xml.layout import Style, style_of
+from plastron_tui.sources.xml.new_element import NewElement
 
+from .new_elements import number
 from .values import number_of
 
 _CHILDREN: Mapping[str, tuple[str, ...]] = {
@@ -40,6 +43,15 @@ _DEFAULTS: Mapping[tuple[str, str], tuple[float, ...]] = {
     ("mimic", "multiplier"): (1,),
     ("mimic", "offset"): (0,),
 }
+_NUMBERS = frozenset(
+    (
+        *("xyz", "rpy", "size", "radius", "length", "scale", "rgba", "value"),
+        *("ixx", "ixy", "ixz", "iyy", "iyz", "izz", "lower", "upper", "effort", "velocity"),
+        *("damping", "friction", "multiplier", "offset"),
+    )
+)
+"""The attributes that have numbers."""
+_WHOLE = re.compile(r"[+-]?[0-9]+(\.0)?")
 _PARTS = ("material", "link", "joint")
 _MOST_BETWEEN = 3
 """The most empty lines that are kept up between parts."""
@@ -65,10 +77,20 @@ class Habits:
         self.style: Style = style_of(document)
         self._before: Counter[tuple[str, str, str]] = Counter()
         self._said_defaults: set[tuple[str, str]] = set()
+        self._points: Counter[str] = Counter()
         for element in document.root.walk():
             self._note_order(element.name, [child.name for child in element.children])
             self._note_order(f"@{element.name}", [one.name for one in element.attributes])
             self._note_defaults(element)
+            for one in element.attributes:
+                if one.name in _NUMBERS and ":" not in element.name:
+                    self._note_points(one.name, one.value)
+
+    def _note_points(self, name: str, value: str) -> None:
+        for word in value.split():
+            whole = _WHOLE.fullmatch(word)
+            if whole is not None:
+                self._points[name] += 1 if whole.group(1) else -1
 
     def _note_order(self, parent: str, names: Sequence[str]) -> None:
         known = _CHILDREN.get(parent) or _ATTRIBUTES.get(parent.removeprefix("@"), ())
@@ -90,19 +112,49 @@ class Habits:
         ):
             self._said_defaults.add(("origin", "xyz"))
 
+    def number(self, attribute: str, value: float) -> str:
+        """Return a number as it is written in an attribute: `5`, or `5.0` if the author does so."""
+        text = number(value)
+        is_pointed = self._points[attribute] > 0 and _WHOLE.fullmatch(text) is not None
+        return f"{text}.0" if is_pointed else text
+
+    def styled(self, new: NewElement) -> NewElement:
+        """Return an element as the author writes it: its numbers, and what comes first in it."""
+        attributes: list[tuple[str, str]] = []
+        for name, value in new.attributes:
+            said = self._numbers(name, value) if name in _NUMBERS else value
+            at = self._attribute_place(new.name, [each for each, _ in attributes], name)
+            attributes.insert(at, (name, said))
+        children: list[NewElement] = []
+        for child in new.children:
+            at = self._child_place(new.name, [each.name for each in children], child.name)
+            children.insert(at, self.styled(child))
+        return new._replace(attributes=tuple(attributes), children=tuple(children))
+
+    def _numbers(self, name: str, value: str) -> str:
+        if self._points[name] <= 0:
+            return value
+        words = (f"{word}.0" if _WHOLE.fullmatch(word) else word for word in value.split())
+        return " ".join(words)
+
     def says_default(self, element: str, attribute: str) -> bool:
         """Tell whether the file says somewhere what would be so without being said."""
         return (element, attribute) in self._said_defaults
 
     def child_place(self, parent: Element, name: str) -> int:
         """Return how many children are before a new one of a name."""
-        names = [child.name for child in parent.children]
-        return self._place(parent.name, names, name, _CHILDREN.get(parent.name, ()))
+        return self._child_place(parent.name, [child.name for child in parent.children], name)
 
     def attribute_place(self, element: Element, name: str) -> int:
         """Return how many attributes are before a new one of a name."""
         names = [one.name for one in element.attributes]
-        return self._place(f"@{element.name}", names, name, _ATTRIBUTES.get(element.name, ()))
+        return self._attribute_place(element.name, names, name)
+
+    def _child_place(self, parent: str, names: Sequence[str], new: str) -> int:
+        return self._place(parent, names, new, _CHILDREN.get(parent, ()))
+
+    def _attribute_place(self, element: str, names: Sequence[str], new: str) -> int:
+        return self._place(f"@{element}", names, new, _ATTRIBUTES.get(element, ()))
 
     def _place(self, parent: str, names: Sequence[str], new: str, usual: Sequence[str]) -> int:
         last = [at for at, name in enumerate(names) if self._comes_before(parent, name, new, usual)]
@@ -150,8 +202,9 @@ class Habits:
         text = self._document.text
         for one, other in pairwise(self._document.root.children):
             between = text[one.span.end : other.span.start]
-            breaks = between.count(b"\n")
-            if one.name in _PARTS and other.name in _PARTS and breaks and not between.strip():
+            # What is before the first comment tells.
+            breaks = between[: len(between) - len(between.lstrip())].count(b"\n")
+            if one.name in _PARTS and other.name in _PARTS and breaks:
                 both = one.name == other.name == "material"
                 found[both][min(breaks - 1, _MOST_BETWEEN)] += 1
         return found

@@ -6,7 +6,7 @@ from plastron_tui.ros.robots.description import Dynamics, Joint, Mimic
 
 from .equality import same
 from .link_edits import change_pose, put, set_or_drop
-from .new_elements import axis_element, dynamics_element, limit_element, mimic_element, number
+from .new_elements import axis_element, dynamics_element, limit_element, mimic_element
 from .part_edits import PartEdits, Path
 
 
@@ -52,7 +52,7 @@ def _change_limit(part: PartEdits, old: Joint, new: Joint) -> None:
         limit = part.find(path)
         is_there = limit is not None and limit.attribute(name) is not None
         if starts and not is_there:
-            part.set_text(path, name, number(value))
+            part.set_text(path, name, part.habits.number(name, value))
         elif not new.type.is_limited and value == 0 and (ends or was != 0):
             # What has no range does not say one.
             part.drop(path, name)

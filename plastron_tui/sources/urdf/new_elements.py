@@ -28,10 +28,22 @@ from plastron_tui.sources.xml.new_element import NewElement
 _DIGITS = 10
 """Beyond what anybody measures, and short enough for an angle of a third of a turn to be read."""
 
+_WRITTEN_DIGITS = 12
+"""So many digits people write, as in 1.57079632679; what is computed has more."""
+
 
 def number(value: float) -> str:
     """Return a number as people write it: `0.1`, `5`, `1.570796327`."""
-    text = f"{value:.{_DIGITS}g}"
+    text = f"{value:.{_WRITTEN_DIGITS}g}"
+    return _shown(text) if float(text) == value else rounded(value)
+
+
+def rounded(value: float) -> str:
+    """Return a number with the digits that count."""
+    return _shown(f"{value:.{_DIGITS}g}")
+
+
+def _shown(text: str) -> str:
     return "0" if text == "-0" else text
 
 

@@ -23,7 +23,6 @@ from plastron_tui.sources.xml.new_element import NewElement
 
 from .equality import same
 from .habits import Habits
-from .new_elements import number, numbers
 from .values import XACRO, is_computed, number_of
 
 Path: TypeAlias = tuple[tuple[str, int], ...]
@@ -123,15 +122,15 @@ class PartEdits:
         found = self._needed(path).attribute(name)
         if found is None:
             if not (default and same(tuple(values), tuple(default))):
-                self.set_text(path, name, numbers(values))
+                self.set_text(path, name, self._numbers(name, values))
             return
         words = found.value.split()
         if len(words) != len(values):
-            self.set_text(path, name, numbers(values))
+            self.set_text(path, name, self._numbers(name, values))
             return
         has = [number_of(word) for word in words]
         kept = [
-            word if was is not None and same(was, value) else number(value)
+            word if was is not None and same(was, value) else self.habits.number(name, value)
             for word, was, value in zip(words, has, values, strict=True)
         ]
         if kept != words:
@@ -150,6 +149,7 @@ class PartEdits:
         if self._is_xacro and macro is not None:
             message = f"`<{macro.name}>` may write a `<{new.name}>` here: add it where that is"
             raise self.refusal(message, self._in_file(macro.name_span))
+        new = self.habits.styled(new)
         named, style = holder.named(new.name), self.habits.style
         if index and index <= len(named):
             self._take(insert_after(self._document, named[index - 1], new, style))
@@ -169,6 +169,7 @@ class PartEdits:
         """Write an element in the place of another one."""
         element = self._needed(path)
         self._check_subtree(element)
+        new = self.habits.styled(new)
         self._take(replace_element(self._document, element, new, self.habits.style))
 
     def remove(self, path: Path) -> None:
@@ -176,6 +177,9 @@ class PartEdits:
         element = self._needed(path)
         self._check_subtree(element)
         self._take(remove_element(self._document, element, style=self.habits.style))
+
+    def _numbers(self, name: str, values: Sequence[float]) -> str:
+        return " ".join(self.habits.number(name, value) for value in values)
 
     def _needed(self, path: Path) -> Element:
         found = self.find(path)

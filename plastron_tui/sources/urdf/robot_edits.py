@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
-from typing import NamedTuple
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from typing import Any, NamedTuple
 
-from plastron_tui.diagnostics import Span
 from plastron_tui.ros.robots.description import Description
 from plastron_tui.ros.robots.tree import branches
 from plastron_tui.sources.splices import Splice, indent_of, line_end, line_start
@@ -23,6 +22,7 @@ from plastron_tui.sources.xml.places import after, before, removal
 from .habits import Habits, Order
 from .new_elements import joint_element, link_element, material_element
 from .reader import PartPlaces
+from .values import first
 
 
 class Part(NamedTuple):
@@ -32,21 +32,29 @@ class Part(NamedTuple):
     name: str
 
 
+KINDS = ("material", "link", "joint")
+_ELEMENTS: Mapping[str, Callable[[Any], NewElement]] = {
+    "material": material_element,
+    "link": link_element,
+    "joint": joint_element,
+}
+
+
+def parts_of(robot: Description, kind: str) -> Mapping[str, Any]:
+    """Return the parts of a kind by their names."""
+    parts: Mapping[str, Any] = getattr(robot, f"{kind}s")
+    return parts
+
+
 def place_of(places: PartPlaces, part: Part) -> Element | None:
     """Return where a part stands."""
-    kinds = {"link": places.links, "joint": places.joints, "material": places.materials}
-    return kinds[part.kind].get(part.name)
+    elements: Mapping[str, Element] = getattr(places, f"{part.kind}s")
+    return elements.get(part.name)
 
 
 def element_of(robot: Description, part: Part) -> NewElement:
     """Return a part as it is written."""
-    match part.kind:
-        case "link":
-            return link_element(robot.links[part.name])
-        case "joint":
-            return joint_element(robot.joints[part.name])
-        case _:
-            return material_element(robot.materials[part.name])
+    return _ELEMENTS[part.kind](parts_of(robot, part.kind)[part.name])
 
 
 def additions(
@@ -116,9 +124,9 @@ def _run(
     behind, ahead = around
     anchor = None if behind is None else place_of(places, behind)
     follower = None if ahead is None else place_of(places, ahead)
-    elements = [element_of(robot, part) for part in run]
+    elements = [habits.styled(element_of(robot, part)) for part in run]
     if anchor is not None:
-        yield from _behind(document, anchor, elements, habits)
+        yield from _behind(document, _end_of_pair(document, anchor), elements, habits)
     elif follower is not None:
         yield from _ahead(document, follower, elements, habits)
     else:
@@ -128,6 +136,16 @@ def _run(
             yield from _ahead(document, document.root.children[0], elements, habits)
         else:
             yield from _behind(document, last, elements, habits)
+
+
+def _end_of_pair(document: XmlDocument, link: Element) -> Element:
+    """Return the joint that holds a link and stands right behind it, else the link."""
+    siblings = document.root.children
+    at = siblings.index(link) + 1
+    joint = siblings[at] if at < len(siblings) else link
+    child = first(joint, "child") if link.name == "link" and joint.name == "joint" else None
+    holds = child is not None and child.get("link") == link.get("name")
+    return joint if holds else link
 
 
 def _behind(
@@ -227,8 +245,3 @@ def _is_end(document: XmlDocument, offset: int, element: Element) -> bool:
     end = behind_comments(document, element.span.end)
     broken = line_break(document.text, skip_blanks(document.text, end))
     return broken is not None and broken.end == offset
-
-
-def line_of(document: XmlDocument, span: Span) -> int:
-    """Return the line of something, from 1."""
-    return document.text.count(b"\n", 0, span.start) + 1

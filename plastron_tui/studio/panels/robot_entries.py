@@ -16,6 +16,7 @@ from plastron_tui.language.statements import (
     NoLongerHasJoint,
     NoLongerHasLink,
 )
+from plastron_tui.model.robot_macros import call_words
 from plastron_tui.ros.robots.description import (
     Body,
     Box,
@@ -44,6 +45,9 @@ if TYPE_CHECKING:
 
 _EMPTY = "no robots yet\ncreate_robot 'rover' as rover"
 _BETWEEN = " · "
+_CALL = "⋯"
+"""The sign of a call of a macro that is not expanded."""
+
 _PLACE_ONLY = "□"
 """The sign of a link that has no shape."""
 
@@ -139,6 +143,23 @@ class _Tree:
         for joint in description.joints.values():
             if joint.name not in joints:
                 yield self._joint(joint, 1)
+        yield from self._calls()
+
+    def _calls(self) -> Iterator[Entry]:
+        """Yield the calls of macros that are not expanded, in the place of what they make."""
+        source = self._robot.source
+        if source is None or source.macros is None or source.expanded is not None:
+            return
+        for number, call in enumerate(source.macros.calls):
+            yield Entry(
+                f"call {self._robot.variable} {number}",
+                call.macro,
+                call_words(call),
+                _CALL,
+                depth=1,
+                robot=self._robot.variable,
+                place=f"{source.path.name}, line {call.line}",
+            )
 
     def _link(self, branch: Branch, is_branch: bool) -> Entry:
         link = self._description.links[branch.link]

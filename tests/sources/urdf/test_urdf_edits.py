@@ -238,6 +238,51 @@ def test_a_definition_that_others_mean_stays_when_its_own_link_goes() -> None:
     assert again.description.links["b"].visuals[0].material == Material("m", (1, 0, 0, 1))
 
 
+def test_numbers_are_written_as_the_author_writes_them() -> None:
+    text = (
+        '<robot name="r"><link name="a"/><link name="b"/><joint name="j" type="continuous">'
+        '<origin xyz="0.0 1.0 2.5" rpy="0 0 1"/><parent link="a"/><child link="b"/>'
+        '<limit effort="28.0" velocity="6.28318530718"/></joint></robot>'
+    )
+
+    def change(robot: Description) -> Description:
+        old = robot.joints["j"]
+        assert old.limit is not None
+        limit = old.limit._replace(effort=12)
+        new = old._replace(pose=Pose((3, 1, 2.5), (0, 2, 1)), limit=limit)
+        return replace(robot, joints={"j": new})
+
+    edit = make(text.encode(), change)
+    assert edit.text is not None
+    expected = text.replace("0.0 1.0 2.5", "3.0 1.0 2.5").replace("0 0 1", "0 2 1")
+    assert edit.text.decode() == expected.replace("28.0", "12.0")
+    read = read_urdf(text.encode()).description
+    assert read is not None
+    assert edited(edit.text, change(read), read).text == text.encode()
+
+
+def test_nothing_is_written_between_a_link_and_the_joint_that_holds_it() -> None:
+    def held(name: str, parent: str) -> str:
+        ends = f'<parent link="{parent}"/><child link="{name}"/>'
+        return f'<joint name="to_{name}" type="fixed">{ends}</joint>\n'
+
+    links = {name: f'<link name="{name}"/>\n' for name in ("a", "b", "c", "d")}
+    pairs = held("b", "a") + links["b"] + held("c", "b") + links["c"] + links["d"] + held("d", "a")
+    text = f'<robot name="r">\n{links["a"]}{pairs}</robot>\n'
+
+    def more(robot: Description) -> Description:
+        joint = Joint("to_e", JointType.FIXED, "a", "e")
+        return replace(
+            robot,
+            links={**robot.links, "e": Link("e")},
+            joints={**robot.joints, "to_e": joint},
+        )
+
+    edit = make(text.encode(), more)
+    assert edit.text is not None
+    assert edit.text.startswith(text.removesuffix("</robot>\n").encode())
+
+
 def test_a_part_that_stands_there_twice_is_not_taken_away() -> None:
     text = ROVER.replace("<link name='base' />", "<link name='base' /> <link name='base' />")
     edit = make(text.encode(), lambda robot: replace(robot, links={}))
