@@ -70,7 +70,8 @@ which the launch file starts too unless another one of the program does, or, whe
 of the program says it, from joint_state_publisher. A node that has a parameter `joint_names` (`string_list`) or `base_frame`
 (`string`) gets the names of the joints that move, or of the root. package.xml names what all of that needs.
 Another launch file takes it in with `includes 'PACKAGE/rover.launch'`, in ROS 2 with
-`'PACKAGE/rover.launch.xml'`, and `plastron run FILE rover` starts it.
+`'PACKAGE/rover.launch.xml'`, and `plastron run FILE rover` starts it. Where nodes in C++ make the output
+folder a package, `generate_robot` puts the same there.
 
 `load_robot 'urdf/rover.urdf' as rover` reads a description that exists. `has_link`, `has_joint` and
 `limits_joint` of a name that it has change just what they say, and every other byte of the file stays.

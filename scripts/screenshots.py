@@ -157,9 +157,14 @@ PICTURES = (
     ),
     Picture(
         "studio-robot", "A robot",
-        "Links and joints as a tree, and the robot from three sides, drawn at every key; the part "
+        "Links and joints as a tree, and how the robot looks, drawn at every key; the part "
         "at the cursor stands out. It becomes a URDF file.",
-        "rover.plastron", (180, 40), ["alt+l", *["down"] * 6],
+        "rover.plastron", (120, 40), ["alt+l", *["down"] * 6],
+    ),
+    Picture(
+        "studio-robot-wide", "A robot in a wide window",
+        "Where there is room, all three views, in one scale.",
+        "arm.plastron", (180, 40), ["alt+l", *["down"] * 4],
     ),
     Picture(
         "studio-wizard-robot", "The wizard: a part of a robot",

@@ -54,7 +54,8 @@ def show_robot(file: Path, text: bytes, format_: str, report: Report, *, is_one:
         told = robot_json(robot, file, source.macros) | {"faults": as_json(found, lines, file)}
         click.echo(json.dumps(told, indent=2 if is_one else None))
     elif format_ == "plastron":
-        print_text(program_of_robot(robot, file_stem(file.name)))
+        program = program_of_robot(robot, file_stem(file.name), lambda x: Session(x).diagnostics)
+        print_text(program)
     else:
         is_whole = source.expanded is not None
         print_text(robot_text(robot, file, None if is_whole else source.macros))

@@ -28,12 +28,12 @@ if TYPE_CHECKING:
 def find_launch(session: Session, names: Sequence[str]) -> Launch | Robot | None:
     """Return what is started by a launch file and is named, None where the names are of nodes.
 
-    That is a launch file of the program, or a robot in a package, which has one. A node goes
+    That is a launch file of the program, or a robot, which has one in a package. A node goes
     before a launch file of its name.
     """
     workspace = session.workspace
     nodes = {word for each in workspace.nodes.values() for word in (each.name, each.variable)}
-    robots = [each for each in workspace.robots.values() if each.home]
+    robots = workspace.robots.values()
     items: list[Launch | Robot] = [*workspace.launches.values(), *robots]
     for item in items:
         if any(name in (_stem(item), item.variable) and name not in nodes for name in names):
@@ -83,6 +83,9 @@ def run_launch_of(
             remedy = "generate the package that has it"
             if isinstance(launch, Launch):
                 remedy = f"add `generate_launch {launch.variable}`, or {remedy}"
+            elif not launch.home:
+                message = f"`{stem}` is in no package, which would have what starts it"
+                remedy = f"put it into one: `PACKAGE contains {launch.variable}`"
             found = Diagnostic(codes.NOTHING_TO_GENERATE, message, launch.span, help=remedy)
             report.add([found], session.lines, session.path)
         if not report.status and file is not None:

@@ -102,14 +102,15 @@ class ProgramPackages:
 
     def made(self) -> Made:
         """Make the files."""
-        files: dict[str, PackageFile] = dict(self.robots.alone())
+        own = list(own_specs(self._made, self._generations, self._libraries))
+        files: dict[str, PackageFile] = {} if own else dict(self.robots.alone())
         diagnostics: list[Diagnostic] = []
         if self._default is None:
             return Made(files)
         last = {each.package.variable: each.package for each in self._workspace.written_packages}
         for part in (
             *(self._package(each) for each in last.values() if each.source is None),
-            *self._own_packages(),
+            *self._own_packages(own),
             *self._definitions_alone(),
         ):
             files.update(part.files)
@@ -170,10 +171,11 @@ class ProgramPackages:
             }
         return Made(files, tuple(found))
 
-    def _own_packages(self) -> Iterator[Made]:
+    def _own_packages(self, specs: Sequence[tuple[str, PackageSpec]]) -> Iterator[Made]:
         """Make the packages of nodes that have to be built, and are in none that is named.
 
-        They install the launch files of their generation that are in no other package.
+        They install the robots, and the launch files of their generation, that are in no other
+        package.
         """
         alone = list(self.launches.alone())
         places = own_places(self._generations, self._libraries)
@@ -183,10 +185,11 @@ class ProgramPackages:
             else:
                 folder = f"{places[version]}launch/" if version in places else ""
                 yield Made({f"{folder}{written.name}": PackageFile(written.text)})
-        for folder, spec in own_specs(self._made, self._generations, self._libraries):
+        for folder, spec in specs:
             launches = (each for version, each in alone if version == spec.ros_version)
             held = (each for each in launches if isinstance(each, PackagedLaunch))
-            spec = replace(spec, launches=tuple(held))
+            robots = self.robots.of_own(spec)
+            spec = replace(spec, launches=(*held, *robots.launches), robots=robots.files)
             rendered = render_package(spec)
             nodes = {path for each in spec.nodes for path in node_paths(spec, each)}
             files = {
@@ -194,7 +197,7 @@ class ProgramPackages:
                 for path, file in (rendered.files or {}).items()
                 if path not in nodes
             }
-            yield Made(files, rendered.diagnostics)
+            yield Made(files, (*robots.diagnostics, *rendered.diagnostics))
 
     def _types_alone(self, spec: PackageSpec) -> Made:
         """Make a package that the program creates for nothing but types."""

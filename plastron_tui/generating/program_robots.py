@@ -6,6 +6,7 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING, NamedTuple
 
 from plastron_tui.diagnostics import Diagnostic, codes
+from plastron_tui.model.packages import Contained, Package
 from plastron_tui.model.robots import Robot, RobotGeneration
 from plastron_tui.model.workspace import Workspace
 from plastron_tui.ros.robots.description import Description, Mesh
@@ -13,7 +14,12 @@ from plastron_tui.ros.robots.macros import Macros
 from plastron_tui.sources.launch.new_elements import CannotWriteError
 from plastron_tui.targets.launch.program import request_of
 from plastron_tui.targets.packages.rendering import URDF_FOLDER
-from plastron_tui.targets.packages.spec import PackagedFile, PackagedLaunch, PackageFile
+from plastron_tui.targets.packages.spec import (
+    PackagedFile,
+    PackagedLaunch,
+    PackageFile,
+    PackageSpec,
+)
 from plastron_tui.targets.robots.launch import DescribedRobot, with_description
 
 from .launch_files import needs_of_launch
@@ -23,7 +29,6 @@ from .robot_launches import robot_starts
 
 if TYPE_CHECKING:
     from plastron_tui.diagnostics import Span
-    from plastron_tui.model.packages import Package
     from plastron_tui.output.plan import OutputFile
 
     from .destination import Writing
@@ -65,13 +70,31 @@ class ProgramRobots:
 
     def alone(self) -> Iterator[tuple[str, PackageFile]]:
         """Yield the robots that the program creates and writes for their own sake, by file."""
+        for robot, _ in self._alone():
+            written = robot_text(robot)
+            assert written.text is not None, "what is created is written as it is"
+            yield written.name, PackageFile(written.text)
+
+    def _alone(self) -> Iterator[RobotGeneration]:
         held = held_variables(self._workspace)
-        last = {each.robot.variable: each.robot for each in self._workspace.written_robots}
-        for variable, robot in last.items():
-            if variable not in held and robot.source is None:
-                written = robot_text(robot)
-                assert written.text is not None, "what is created is written as it is"
-                yield written.name, PackageFile(written.text)
+        last = {each.robot.variable: each for each in self._workspace.written_robots}
+        for variable, each in last.items():
+            if variable not in held and each.robot.source is None:
+                yield each
+
+    def of_own(self, spec: PackageSpec) -> PackagedRobots:
+        """Return the same for a package of the program's own, each with what starts it."""
+        nodes = {each.node.variable: Contained(each.node, None, each.node.span)
+                 for each in spec.nodes}  # fmt: skip
+        robots: dict[str, PackagedRobot] = {}
+        found: list[Diagnostic] = []
+        for robot, span in self._alone():
+            package = Package(spec.name, "", span, contents=nodes)
+            made = self._packaged(robot, package, spec.ros_version, spec.for_distribution, span)
+            found += made.diagnostics
+            if made.robot is not None:
+                robots[robot.variable] = made.robot
+        return PackagedRobots(robots, tuple(found))
 
     def loaded(self, folder: Folder, writing: Writing) -> tuple[list[OutputFile], list[Diagnostic]]:
         """Return the robots that the program loads and writes, as it changes them.

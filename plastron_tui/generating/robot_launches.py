@@ -71,7 +71,8 @@ def robot_starts(
     for variable, node in tellers.items():
         if variable in package.contents and variable not in started:
             _add(launch, _own(node, span, tuple(_wired(node, robot.shown, joints))))
-    alone = (node for node in tellers.values() if node.home is None)
+    apart = (node for name, node in tellers.items() if name not in package.contents)
+    alone = (node for node in apart if node.home is None)
     return RobotStarts(launch, tuple(_in_no_package(each, robot, span) for each in alone))
 
 

@@ -13,11 +13,13 @@ from .mistake_place import Place, mended
 from .number_mistakes import NUMBER_SLIPS
 from .statements.robots import HasJoint, HasLink, LimitsJoint
 from .tokens import QUOTED_KINDS, UNKNOWN, WORD_KINDS, is_glued, token_at
+from .written_numbers import span_from, written_from
 
 _COLOR_CODE = re.compile(rb"#[0-9a-fA-F]{3,8}\b")
 _URI = re.compile(r"[\w.+~$-]+(?::/)?(?:/[\w.+~$-]+)+|[\w-]+\.\w+")
 _ONE_WORD = "a colour is one word"
 _JOINERS = frozenset({",", "and", "with", "of", "&", "its"})
+_MOST_URI = 300
 _SHAPES = ("box", "cylinder", "sphere", "mesh")
 _SIGNS = {"x": "1, 0, 0", "y": "0, 1, 0", "z": "0, 0, 1"}
 
@@ -86,10 +88,10 @@ def shape(place: Place, found: Diagnostic) -> Diagnostic | None:
         return None
     first = max(index for index in place.slots if index <= at)
     token = place.token
-    start = place.tokens[first].start
-    text = place.source[start : start + 200].partition(b"\n")[0].decode("utf-8", "ignore")
-    if place.text(first - 1) == "mesh" and (uri := _URI.match(text)):
-        span = Span(start, start + len(uri[0].encode()))
+    text = written_from(place, place.tokens[first])
+    uri = _URI.match(text) if place.text(first - 1) == "mesh" else None
+    if uri is not None and len(uri[0]) < _MOST_URI:
+        span = span_from(place.tokens[first], uri[0])
         return mended(found, "a mesh is named in double quotes", span, f'"{uri[0]}"')
     if at == first and token.text == ",":
         return mended(found, "no comma stands behind the shape", token.span, "")
@@ -150,7 +152,7 @@ def limits_of_joint(place: Place, found: Diagnostic) -> Diagnostic | None:
     """Recognise limits in the sentence that makes a joint."""
     if place.declaration is None or place.declaration.type is not HasJoint:
         return None
-    if place.token.text not in _LIMITING:
+    if place.token.text not in _LIMITING or place.at < FIRST_CLAUSE:
         return None
     is_quoted = [token.kind in QUOTED_KINDS for token in place.tokens[place.at + 1 : place.at + 4]]
     if is_quoted == [True, False, True] and place.text(place.at + 2) == "and":
@@ -179,12 +181,15 @@ def pair_word(place: Place, found: Diagnostic) -> Diagnostic | None:
 
 def type_word(place: Place, found: Diagnostic) -> Diagnostic | None:
     """Recognise `of type fixed`, and `of fixed`."""
-    if place.declaration is None or place.text(place.at - 1) != "of":
+    if place.declaration is None or place.declaration.type is not HasJoint:
         return None
-    if place.token.text != "type" or place.declaration.type is not HasJoint:
+    token = place.token
+    if place.text(place.at - 1) != "of" or not place.is_name(place.at):
         return None
-    fix = write("joint_type", place.token.span)
-    return found._replace(help="did you mean `joint_type`?", fix=fix)
+    if token.text != "type" and place.text(place.at + 1) != "from":
+        return None
+    right = "joint_type" if token.text == "type" else f"joint_type {token.text}"
+    return found._replace(help=f"write `{right}`", fix=write(right, token.span))
 
 
 ROBOT_SLIPS: tuple[Callable[[Place, Diagnostic], Diagnostic | None], ...] = (

@@ -28,6 +28,11 @@ _OF_PI = re.compile(rf"([+-]?)(?:({_UNSIGNED})\s*\*\s*)?[a-zA-Z_.]*(?:pi|PI|π)(
 _DECIMAL = r"[+-]?\d+(?:,\d+)?"
 _DECIMALS = re.compile(rf"{_DECIMAL}(?:(?:,|\s*;)\s+{_DECIMAL})*")
 
+_SIGNED = rf"[+-]?{_UNSIGNED}"
+_ENCLOSED = re.compile(
+    rf"""(?:size\s*=\s*)?[(\["]\s*({_SIGNED}(?:(?:\s*,\s*|\s+){_SIGNED})*)\s*[)\]"]"""
+)
+
 METRES = {"m": 1, "cm": 0.01, "mm": 0.001}
 """How many metres a unit is."""
 
@@ -88,9 +93,18 @@ def with_points(text: str) -> str | None:
 
     None for numbers that have none.
     """
-    if not re.search(r"\d,\d", text) or not _DECIMALS.fullmatch(text):
+    if len(text) > _MOST or not re.search(r"\d,\d", text) or not _DECIMALS.fullmatch(text):
         return None
     return ", ".join(each.replace(",", ".") for each in re.findall(_DECIMAL, text))
+
+
+def without_enclosure(text: str) -> str | None:
+    """Return numbers that stand in brackets, or in quotes as in URDF, as the language has them.
+
+    None for numbers that do not.
+    """
+    found = _ENCLOSED.fullmatch(text) if len(text) <= _MOST else None
+    return None if found is None else ", ".join(found[1].replace(",", " ").split())
 
 
 def written_from(place: Place, token: Token) -> str:

@@ -59,8 +59,8 @@ class GraphRobot(NamedTuple):
         span: the statement that created or loaded it.
         description: what there is to see of it.
         has_macros: whether its file has macros that are not expanded: there is more of it then.
-        meshes: the lowest and the highest corner of its meshes, by their URIs, in the lengths of
-            their files; only those that somebody measured.
+        meshes: points that its meshes are between, by their URIs, in the lengths of their files:
+            two for the box around a mesh, more for the hull; only those that somebody measured.
     """
 
     name: str
@@ -70,7 +70,7 @@ class GraphRobot(NamedTuple):
     span: Span
     description: Description
     has_macros: bool = False
-    meshes: Mapping[str, tuple[Vector, Vector]] = {}
+    meshes: Mapping[str, tuple[Vector, ...]] = {}
 
 
 class Sending(NamedTuple):

@@ -9,7 +9,7 @@ from plastron_tui.diagnostics import Diagnostic, Edit, Fix, Label, Span
 from plastron_tui.language import statements as st
 from plastron_tui.language.declaration import Statement
 from plastron_tui.language.lowering import Program
-from plastron_tui.ros.robots.faults import Fault, FaultKind, faults
+from plastron_tui.ros.robots.faults import Fault, FaultKind, faults, main_root
 
 from .robot_faults import CODES, help_of, message_of
 from .robots import Robot
@@ -62,13 +62,14 @@ class _Said(NamedTuple):
     writing: Mapping[str, Statement]
 
 
-_PARTS: tuple[tuple[type[Statement], str], ...] = (
-    (st.HasLink, "link"),
-    (st.NoLongerHasLink, "link"),
-    (st.HasJoint, "joint"),
-    (st.NoLongerHasJoint, "joint"),
-    (st.LimitsJoint, "joint"),
-)
+_PARTS: Mapping[type[Statement], str] = {
+    st.HasLink: "link",
+    st.NoLongerHasLink: "link",
+    st.HasJoint: "joint",
+    st.NoLongerHasJoint: "joint",
+    st.LimitsJoint: "joint",
+}
+"""The slots of the parts that statements are about."""
 
 
 def check_robots(program: Program, workspace: Workspace) -> Iterator[Diagnostic]:
@@ -85,21 +86,16 @@ def check_robots(program: Program, workspace: Workspace) -> Iterator[Diagnostic]
         robot = written.get(variable, workspace.robots[variable])
         if robot.source is not None and robot.description == robot.source.description:
             continue
-        before = set(_before(robot))
-        whole = robot.whole
-        for fault in faults(robot.description if whole is None else whole):
+        whole, source = robot.whole, robot.source
+        start = None if source is None else source.whole or source.description
+        before = set() if start is None else {(each.kind, each.part) for each in faults(start)}
+        root = None if start is None else main_root(start)
+        for fault in faults(robot.description if whole is None else whole, root):
             is_lack = fault.kind.is_lack and variable not in written
             is_open = whole is None and fault.kind in _OF_THE_WHOLE
             is_old = (fault.kind, fault.part) in before
             if not (is_lack or is_open or is_old or fault.kind in _SAID):
                 yield _told(fault, robot, said)
-
-
-def _before(robot: Robot) -> Iterator[tuple[FaultKind, str]]:
-    """Yield the faults that a loaded robot had."""
-    if robot.source is not None:
-        before = robot.source.whole or robot.source.description
-        yield from ((each.kind, each.part) for each in faults(before))
 
 
 def _written(workspace: Workspace) -> dict[str, Robot]:
@@ -116,10 +112,9 @@ def _said(program: Program) -> _Said:
     of_parts: dict[_Key, Statement] = {}
     last: dict[str, Statement] = {}
     writing: dict[str, Statement] = {}
-    slots: dict[Any, str] = dict(_PARTS)
     for statement in program.statements:
         type_: Any = type(statement)  # which mypy takes for not hashable
-        slot = slots.get(type_)
+        slot = _PARTS.get(type_)
         of: Any = statement
         if isinstance(statement, st.GenerateRobot):
             writing[statement.robot] = statement
@@ -156,9 +151,8 @@ def _place(fault: Fault, robot: Robot, said: _Said) -> tuple[Span, Statement | N
     what = "joint" if fault.kind.is_of_joint else "link"
     keys = ["limits", what] if fault.kind is FaultKind.NO_RANGE else [what]
     found = [said.of_parts.get((robot.variable, key, fault.part)) for key in keys]
-    statement = next((each for each in found if each is not None), None)
-    if statement is None:
-        statement = _cause(fault, robot, said)
+    of_part = next((each for each in found if each is not None), None)
+    statement = _lost_hold(fault, robot, said) or of_part or _cause(fault, robot, said)
     if statement is None:
         return robot.span, None
     slot = _SLOTS.get(fault.kind, what)
@@ -169,14 +163,17 @@ def _place(fault: Fault, robot: Robot, said: _Said) -> tuple[Span, Statement | N
     return statement.span_of(word), statement
 
 
-def _cause(fault: Fault, robot: Robot, said: _Said) -> Statement | None:
-    """Return the statement about another part that a fault of a loaded robot comes from."""
+def _lost_hold(fault: Fault, robot: Robot, said: _Said) -> Statement | None:
+    """Return the statement about the joint of a file that held what nothing holds any more."""
     if fault.kind is FaultKind.LOOSE and robot.source is not None:
         for joint in robot.source.description.joints.values():
             if joint.child == fault.part:
-                found = said.of_parts.get((robot.variable, "joint", joint.name))
-                if found is not None:
-                    return found
+                return said.of_parts.get((robot.variable, "joint", joint.name))
+    return None
+
+
+def _cause(fault: Fault, robot: Robot, said: _Said) -> Statement | None:
+    """Return the statement about another part that a fault comes from, if that is known."""
     others = [*_others(fault, robot, said)]
     return others[-1] if others else said.last.get(robot.variable)
 
@@ -192,7 +189,7 @@ def _others(fault: Fault, robot: Robot, said: _Said) -> Iterator[Statement]:
 
 def _with_root(link: str, robot: Robot, statement: st.HasLink) -> Fix:
     """Return the remedy that gives a robot an empty root."""
-    names = robot.description
+    names = robot.shown
     root = next(each for each in numbered("root") if each not in names.links)
     joint = next(each for each in numbered("root_joint") if each not in names.joints)
     variable, span = robot.variable, statement.span

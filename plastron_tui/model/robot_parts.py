@@ -18,7 +18,7 @@ from plastron_tui.diagnostics import (
 )
 from plastron_tui.language import statements as st
 from plastron_tui.language.inputs import Literal, NamedArgument, NestedValue
-from plastron_tui.language.written_numbers import with_points
+from plastron_tui.language.written_numbers import with_points, without_enclosure
 from plastron_tui.ros.robots.colors import NAMES, material_name, rgba_of
 from plastron_tui.ros.robots.description import (
     Box,
@@ -44,19 +44,37 @@ class _Form(NamedTuple):
         optional: those that need not be there.
         make: makes it of them.
         example: how it is written.
+        others: what others call its values.
     """
 
     values: tuple[str, ...]
     make: Callable[..., Shape]
     example: str
     optional: tuple[str, ...] = ()
+    others: Mapping[str, str] = {}
 
 
 _SHAPES: Mapping[str, _Form] = {
-    "box": _Form(("x", "y", "z"), lambda x, y, z: Box((x, y, z)), "box 0.4, 0.3, 0.1"),
-    "cylinder": _Form(("radius", "length"), Cylinder, "cylinder 0.1, 0.05"),
-    "sphere": _Form(("radius",), Sphere, "sphere 0.1"),
-    "mesh": _Form(("uri", "scale"), Mesh, 'mesh "package://rover/meshes/base.stl"', ("scale",)),
+    "box": _Form(
+        ("x", "y", "z"),
+        lambda x, y, z: Box((x, y, z)),
+        "box 0.4, 0.3, 0.1",
+        others={"length": "x", "depth": "x", "width": "y", "height": "z"},
+    ),
+    "cylinder": _Form(
+        ("radius", "length"),
+        Cylinder,
+        "cylinder 0.1, 0.05",
+        others={"height": "length", "h": "length", "l": "length", "r": "radius"},
+    ),
+    "sphere": _Form(("radius",), Sphere, "sphere 0.1", others={"r": "radius"}),
+    "mesh": _Form(
+        ("uri", "scale"),
+        Mesh,
+        'mesh "package://rover/meshes/base.stl"',
+        ("scale",),
+        {"file": "uri", "filename": "uri", "path": "uri", "url": "uri"},
+    ),
 }
 
 
@@ -75,7 +93,8 @@ def shape_of(statement: st.HasLink) -> Shape | None:
         message = f"`{statement.shape}` is no shape"
         help_text = near or "it is `box`, `cylinder`, `sphere` or `mesh`"
         raise Mistake(Diagnostic(codes.BAD_SHAPE, message, where, help=help_text, fix=fix))
-    _check_points(statement, form)
+    if statement.shape != "mesh":
+        _check_writing(statement, form)
     given, wrong = _values(statement, form)
     made: dict[str, Any] = {}
     for name, (value, at) in given.items():
@@ -89,14 +108,18 @@ def shape_of(statement: st.HasLink) -> Shape | None:
     return form.make(**made)
 
 
-def _check_points(statement: st.HasLink, form: _Form) -> None:
-    """Raise a mistake where sizes have commas for their points: `box 0,4, 0,3, 0,1`."""
+def _check_writing(statement: st.HasLink, form: _Form) -> None:
+    """Raise a mistake where sizes are written in another way: `box 0,4, 0,3, 0,1`, `box (1, 2)`."""
     size = statement.syntax.child_by_field_name("size")
-    right = None if size is None or size.text is None else with_points(size.text.decode())
+    if size is None or size.text is None:
+        return
+    text, message = size.text.decode(), "a fraction has a point, not a comma"
+    right = with_points(text)
+    if right is None:
+        right, message = without_enclosure(text), "sizes stand without brackets, quotes and a name"
     if right is None or len(right.split(",")) != len(form.values) - len(form.optional):
         return
     where = statement.span_of("size")
-    message = "a fraction has a point, not a comma"
     fix = write(right, where)
     raise Mistake(Diagnostic(codes.BAD_SHAPE, message, where, help=fix.title, fix=fix))
 
@@ -117,9 +140,15 @@ def _values(
             wrong.append(_bad_shape(f"a {statement.shape} has no more values", at, form))
             break
         if name not in form.values:
+            meant = form.others.get(name)
             help_text = did_you_mean(name, form.values)
             message = f"a {statement.shape} has no `{name}`"
-            wrong.append(_bad_shape(message, at, form, help_text))
+            unknown = _bad_shape(message, at, form, help_text)
+            if meant is not None:
+                where = Span(at.start, at.start + len(name.encode()))
+                fix = write(meant, where)
+                unknown = unknown._replace(span=where, help=fix.title, fix=fix)
+            wrong.append(unknown)
         elif name in found:
             wrong.append(_bad_shape(f"`{name}` is given twice", at, form))
         else:

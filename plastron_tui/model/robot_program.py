@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Callable, Iterable, Iterator
 from math import isclose
 from typing import Any
 
+from plastron_tui.diagnostics import Diagnostic, Severity, codes
 from plastron_tui.language.declaration import DECLARATIONS
 from plastron_tui.language.sentence import sentence
 from plastron_tui.language.statements import (
@@ -22,6 +23,7 @@ from plastron_tui.ros.robots.description import (
     Description,
     Inertial,
     Joint,
+    JointType,
     Limit,
     Link,
     Mesh,
@@ -37,15 +39,52 @@ _CLOSE = 1e-3
 """How far an inertia may be from that of its shape and still follow from it."""
 
 
-def program_of_robot(robot: Description, stem: str) -> str:
+_OF_THE_WHOLE = (codes.NO_TREE, codes.MISSING_LIMITS)
+"""What is wrong with a robot, and no better without one of its statements."""
+
+_MOST_TURNS = 10
+
+Check = Callable[[bytes], Iterable[Diagnostic]]
+"""Returns what is wrong with a program."""
+
+
+def _right(_: bytes) -> Iterable[Diagnostic]:
+    return ()
+
+
+def program_of_robot(robot: Description, stem: str, check: Check = _right) -> str:
     """Return a program that describes a robot.
 
-    What a statement can say becomes one, and the rest a comment.
+    What a statement can say becomes one, and the rest a comment. So does a statement that is
+    wrong, such as a box without height.
 
     Args:
         robot: the robot.
         stem: what a robot is called that has no name that a program may give it.
+        check: returns what is wrong with a program.
     """
+    program = _program(robot, stem)
+    # What names a part that is not there is found when that is a comment.
+    for _ in range(_MOST_TURNS):
+        wrong: dict[int, str] = {}
+        text = program.encode()
+        for each in check(text):
+            if each.severity is Severity.ERROR and each.span and each.code not in _OF_THE_WHOLE:
+                wrong.setdefault(text.count(b"\n", 0, each.span.start), each.message)
+        if not wrong:
+            break
+        lines = enumerate(program.split("\n"))
+        program = "\n".join(
+            _left_out(line, wrong[at]) if at in wrong else line for at, line in lines
+        )
+    return program
+
+
+def _left_out(line: str, message: str) -> str:
+    return f"// {' '.join(message.split())}\n// {line}"
+
+
+def _program(robot: Description, stem: str) -> str:
     lines: list[str] = []
     name = robot.name
     if not _NAME.fullmatch(name):
@@ -59,7 +98,7 @@ def program_of_robot(robot: Description, stem: str) -> str:
     # A joint follows one that is there.
     joints = sorted(robot.joints.values(), key=lambda each: each.mimic is not None)
     for joint in joints:
-        lines += _joint(variable, joint)
+        lines += _joint(variable, joint, robot)
     lines.append(_sentence(GenerateRobot, {"robot": variable}))
     return "\n".join(lines) + "\n"
 
@@ -132,7 +171,7 @@ def _follows(inertial: Inertial, body: Body) -> bool:
     return all(isclose(one, other, rel_tol=_CLOSE, abs_tol=near) for one, other in pairs)
 
 
-def _joint(variable: str, joint: Joint) -> Iterator[str]:
+def _joint(variable: str, joint: Joint, robot: Description) -> Iterator[str]:
     names = (joint.name, joint.parent, joint.child)
     strange = next((each for each in names if not _NAME.fullmatch(each)), None)
     if strange is not None:
@@ -148,7 +187,10 @@ def _joint(variable: str, joint: Joint) -> Iterator[str]:
     }
     if joint.axis is not None and joint.type.has_axis and any(joint.axis):
         slots["axis"] = numbers(joint.axis)
-    if joint.mimic is not None:
+    followed = None if joint.mimic is None else robot.joints.get(joint.mimic.joint)
+    if joint.mimic is not None and (followed is None or followed.type is JointType.FIXED):
+        yield f"// {joint.name}: it follows {_shown(joint.mimic.joint)}, which does not move"
+    elif joint.mimic is not None:
         slots["mimicked"] = joint.mimic.joint
         if joint.mimic.multiplier != 1:
             slots["factor"] = number(joint.mimic.multiplier)
@@ -170,7 +212,7 @@ def _limits(joint: Joint) -> Iterator[tuple[str, str]]:
     if joint.limit is not None and (joint.type.is_limited or joint.type.turns):
         yield "effort", number(limit.effort)
         yield "velocity", number(limit.velocity)
-    if dynamics is not None:
+    if dynamics is not None and joint.type.has_axis:
         yield "damping", number(dynamics.damping)
         yield "friction", number(dynamics.friction)
 

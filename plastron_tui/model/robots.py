@@ -96,8 +96,8 @@ class Robot:
         joints: where it speaks of its joints, by name.
         home: the package that the program puts it into, "" for none.
         own_materials: the materials that a loaded one has, those too that stand in its links.
-        meshes: the lowest and the highest corner of its meshes, by their URIs, where somebody
-            has measured them.
+        meshes: points that its meshes are between, by their URIs, where somebody has measured
+            them: two for the box around a mesh, more for the hull around it.
     """
 
     variable: str
@@ -108,7 +108,7 @@ class Robot:
     joints: dict[str, Places] = field(default_factory=dict)
     home: str = ""
     own_materials: Mapping[str, Material] = field(default_factory=dict)
-    meshes: Mapping[str, tuple[Vector, Vector]] = field(default_factory=dict)
+    meshes: Mapping[str, tuple[Vector, ...]] = field(default_factory=dict)
     # Its own, so that a statement changes one entry of them, not all.
     _links: dict[str, Link] = field(init=False, repr=False)
     _joints: dict[str, Joint] = field(init=False, repr=False)

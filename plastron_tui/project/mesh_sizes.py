@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 from itertools import islice
 from pathlib import Path
@@ -72,20 +72,24 @@ class MeshSizes:
         found = self._measured([uri])[uri]
         return None if found.reason else (found.least, found.most)
 
-    def bounds_of(self, uris: Iterable[str]) -> dict[str, tuple[Vector, Vector]]:
-        """Return the corners of meshes, as far as they are known; at once, as that is quicker."""
-        measured = self._measured(list(dict.fromkeys(uris)))
-        return {uri: (x.least, x.most) for uri, x in measured.items() if not x.reason}
+    def outermost(self, robot: Description) -> dict[str, tuple[Vector, ...]]:
+        """Return points of a robot's meshes whose hulls are about theirs, as far as known.
 
-    def corners(self, robot: Description) -> dict[str, tuple[Vector, Vector]]:
-        """Return the lowest and the highest corners of a robot's meshes, as far as known."""
+        They are the lowest and the highest corner where no more is known. All are measured at
+        once, as that is quicker.
+        """
         shapes = (
             body.shape
             for link in robot.links.values()
             for body in (*link.visuals, *link.collisions)
         )
         uris = dict.fromkeys(each.uri for each in shapes if isinstance(each, Mesh))
-        return self.bounds_of(islice(uris, _MOST_DRAWN))
+        measured = self._measured(list(islice(uris, _MOST_DRAWN)))
+        return {
+            uri: each.points or (each.least, each.most)
+            for uri, each in measured.items()
+            if not each.reason
+        }
 
     def problem(self, uri: str) -> tuple[str, str | None]:
         """Say why nobody knows how large a mesh is, "" where that is known, and what to do."""

@@ -53,4 +53,4 @@ class RobotFiles:
         """Measure the meshes of a robot, for its picture; it may take a second."""
         if robot.source is not None:
             self.sizes.add_folder(robot.source.path.parent)
-        robot.meshes = self.sizes.corners(robot.shown)
+        robot.meshes = self.sizes.outermost(robot.shown)

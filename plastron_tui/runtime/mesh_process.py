@@ -9,6 +9,7 @@ import os
 import pickle
 import sys
 from collections.abc import Callable
+from math import cos, pi, sin, sqrt
 from pathlib import Path
 from typing import Any, NamedTuple
 from xml.parsers import expat
@@ -19,6 +20,8 @@ from plastron_tui.regular_files import read_regular
 from .file_guard import guard_files, leave_network
 
 _LONGEST_REASON = 300
+_SPREAD = 48
+_DIGITS = 6
 
 
 class Request(NamedTuple):
@@ -63,7 +66,7 @@ def _answer(request: Request) -> list[dict[str, Any]]:
             answers.append({"missing": True})
             continue
         try:
-            answers.append({"bounds": _bounds(trimesh, path, request.largest)})
+            answers.append(_measured(trimesh, path, request.largest))
         except MemoryError:
             most = request.limits.memory // 1024**2
             answers.append({"reason": f"it needs more than {most} MB of memory"})
@@ -78,8 +81,8 @@ def _kind(path: Path) -> str:
     return path.suffix.lower().removeprefix(".")
 
 
-def _bounds(trimesh: Any, path: Path, largest: int) -> list[list[float]]:
-    """Return the least and the greatest corner of a mesh, in metres where it has a unit.
+def _measured(trimesh: Any, path: Path, largest: int) -> dict[str, Any]:
+    """Return the corners of a mesh and points of its hull, in metres where it has a unit.
 
     Raises:
         Exception: whatever is raised for what is no mesh.
@@ -90,7 +93,45 @@ def _bounds(trimesh: Any, path: Path, largest: int) -> list[list[float]]:
     scene = trimesh.load(io.BytesIO(text), file_type=_kind(path), force="scene", process=False)
     if scene.bounds is None:
         raise ValueError("it has no surface")
-    return [[metres * float(each) for each in corner] for corner in scene.bounds]
+    return {
+        "bounds": [[metres * float(each) for each in corner] for corner in scene.bounds],
+        "points": [
+            [float(f"{metres * float(each):.{_DIGITS}g}") for each in point]
+            for point in _outermost(scene)
+        ],
+    }
+
+
+def _outermost(scene: Any) -> list[Any]:
+    """Return the points of a mesh that are farthest in each of many directions.
+
+    Their hull is about that of all points, and says from each side about what one sees of it.
+    """
+    numpy = importlib.import_module("numpy")
+    found: dict[tuple[float, ...], Any] = {}
+    for name in scene.graph.nodes_geometry:
+        placed, geometry = scene.graph[name]
+        points = numpy.asarray(scene.geometry[geometry].vertices)
+        points = points @ placed[:3, :3].T + placed[:3, 3]
+        for direction in _directions():
+            point = points[(points @ numpy.array(direction)).argmax()]
+            found[tuple(point)] = point
+    # Each part has its own; of all of them fewer are outermost.
+    points = numpy.array(list(found.values()))
+    numbers = {int((points @ numpy.array(each)).argmax()): None for each in _directions()}
+    return [points[number] for number in numbers]
+
+
+def _directions() -> list[tuple[float, float, float]]:
+    """Return directions all around: along the axes and between them, and spread evenly."""
+    steps = (-1.0, 0.0, 1.0)
+    found = [(x, y, z) for x in steps for y in steps for z in steps if x or y or z]
+    for at in range(_SPREAD):
+        # Fibonacci's sphere: a spiral whose turns are the golden angle.
+        height, angle = 1 - (2 * at + 1) / _SPREAD, at * pi * (3 - sqrt(5))
+        across = sqrt(1 - height**2)
+        found.append((across * cos(angle), across * sin(angle), height))
+    return found
 
 
 def _allowed(paths: tuple[Path, ...]) -> Callable[[str], bool]:

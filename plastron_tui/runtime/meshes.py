@@ -19,7 +19,7 @@ KINDS = (".stl", ".dae", ".obj")
 
 REMEDY = "install what measures meshes with `pip install 'plastron-tui[meshes]'`"
 
-_LIMITS = Limits(work=20, wait=60, memory=1024**3, reply=200_000, processes=0)
+_LIMITS = Limits(work=20, wait=60, memory=1024**3, reply=1_000_000, processes=0)
 _LARGEST = 128 * 1024**2
 _START = starting("plastron_tui.runtime.mesh_process")
 
@@ -30,12 +30,14 @@ class Bounds(NamedTuple):
     Attributes:
         least: the least x, y and z in it, in metres where the file says what its unit is.
         most: the greatest likewise.
+        points: points of it whose convex hull is about that of the whole mesh.
         reason: why it is not known, to stand behind a colon.
         is_unable: whether that is because what measures meshes is not installed.
     """
 
     least: Vector = (0.0, 0.0, 0.0)
     most: Vector = (0.0, 0.0, 0.0)
+    points: tuple[Vector, ...] = ()
     reason: str = ""
     is_unable: bool = False
 
@@ -104,6 +106,7 @@ def _bounds(said: Any) -> Bounds:
     if "reason" in said:
         return Bounds(reason=str(said["reason"]))
     (a, b, c), (d, e, f) = (map(float, corner) for corner in said["bounds"])
-    if not all(map(isfinite, (a, b, c, d, e, f))):
+    points = tuple((float(x), float(y), float(z)) for x, y, z in said.get("points", ()))
+    if not all(isfinite(each) for point in ((a, b, c), (d, e, f), *points) for each in point):
         return Bounds(reason="it goes on without end")
-    return Bounds((a, b, c), (d, e, f))
+    return Bounds((a, b, c), (d, e, f), points)

@@ -106,7 +106,9 @@ _ENDS: dict[str, list[tuple[str, str, str, str | None]]] = {
     ],
     "r has_joint 'j' ": [
         ("of type revolute from 'a' to 'b'", "type", "expected `joint_type`, not `type`",
-         "did you mean `joint_type`?"),
+         "write `joint_type`"),
+        ("of fixed from 'a' to 'b'", "fixed", "expected `joint_type`, not `fixed`",
+         "write `joint_type fixed`"),
         ("of joint type fixed from 'a' to 'b'", "joint type", "`joint_type` is written as one word",
          "write `joint_type`"),
         ("of joint_type 'fixed' from 'a' to 'b'", "'fixed'", "a joint type has no quotes",

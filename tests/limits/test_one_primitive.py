@@ -17,6 +17,8 @@ _OTHERS = {
     "regular_files.py": "it is the one function, and reads what a shell hands over",
     "cli/streams.py": "it opens the null device",
     "runtime/console.py": "it opens the null device",
+    "runtime/mesh_process.py": "it opens the null device",
+    "runtime/xacro_process.py": "it opens the null device",
     "output/file_calls.py": "it makes files, and digests regular ones piece by piece",
     "output/locks.py": "it opens folders",
     "ros/catalog/data.py": "it reads Plastron's own data",

@@ -37,6 +37,11 @@ MISTAKES: list[tuple[str, str, str, str]] = [
     ("r has_link 'd' shaped cylinder radus=1, length=1", "bad-shape", "radus=1", "`radius`"),
     ("r has_link 'd' shaped box 0,4, 1, 0,05", "bad-shape", "0,4, 1, 0,05", "`0.4, 1, 0.05`"),
     ("r has_link 'd' shaped sphere 0,1", "bad-shape", "0,1", "write `0.1`"),
+    ("r has_link 'd' shaped box (1, 2, .5)", "bad-shape", "(1, 2, .5)", "write `1, 2, .5`"),
+    ("r has_link 'd' shaped box size=[1, 2, 3]", "bad-shape", "size=[1, 2, 3]", "`1, 2, 3`"),
+    ("r has_link 'd' shaped cylinder \"1 2\"", "bad-shape", '"1 2"', "write `1, 2`"),
+    ("r has_link 'd' shaped box x=1, width=2, z=3", "bad-shape", "width", "write `y`"),
+    ("r has_link 'd' shaped cylinder 1, height=2", "bad-shape", "height", "write `length`"),
     ("r has_link 'd' shaped sphere 0", "bad-shape", "0", ""),
     ("r has_link 'd' shaped sphere 1e-9", "bad-shape", "1e-9", ""),
     ("r has_link 'd' shaped sphere True", "bad-shape", "True", ""),
@@ -196,6 +201,15 @@ LOADED: list[tuple[str, list[tuple[str, str]]]] = [
     ("r has_link 'arm' shaped mesh \"a.stl\"", [("mesh-inertia", "mesh")]),
     ("r has_link 'base' shaped sphere 1 weighing 1", [("root-inertia", "1")]),
     ("r no_longer_has_joint 'slide'", [("no-tree", "'slide'")]),
+    (
+        "r no_longer_has_joint 'turn'\nr has_link 'base' painted red shaped sphere 1\n"
+        "r has_link 'arm' weighing 2",
+        [("no-tree", "'turn'")],
+    ),
+    (
+        "r no_longer_has_joint 'slide'\nr has_link 'tip' shaped sphere 1",
+        [("no-tree", "'slide'")],
+    ),
     ("r no_longer_has_joint 'slide'\nr no_longer_has_link 'tip'", []),
     (
         "r has_joint 'turn' of joint_type prismatic from 'base' to 'arm'",
@@ -263,6 +277,13 @@ def test_faults_of_a_file_are_warnings_and_stay_where_they_are() -> None:
         assert {marked(text, each) for each in found} == {"'a.urdf'"}
     text = f"{LOAD}r has_link 'more'\ngenerate_robot r\n"
     *_, added = run(text, source(broken)).diagnostics
+    # What hangs on the other root now is more.
+    held = "".join(
+        f"r has_link 'l{at}'\nr has_joint 'j{at}' of joint_type fixed from 'lost' to 'l{at}'\n"
+        for at in range(5)
+    )
+    grown = run(f"{LOAD}{held}generate_robot r\n", source(broken)).diagnostics
+    assert {each.severity for each in grown} == {Severity.WARNING}
     assert (added.code, added.severity, marked(text, added)) == ("no-tree", "error", "'more'")
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import pickle
 from collections.abc import Sequence
+from math import hypot
 from pathlib import Path
 
 import pytest
@@ -12,6 +13,7 @@ import pytest
 from plastron_tui.boundary import find_boundary
 from plastron_tui.limited_process import Limits, Reply
 from plastron_tui.project.mesh_sizes import KnownMeshes, MeshSizes
+from plastron_tui.ros.robots.description import Body, Description, Link, Mesh
 from plastron_tui.runtime import meshes
 from plastron_tui.runtime.meshes import Bounds, measure
 
@@ -70,7 +72,9 @@ def test_meshes_are_found_and_measured_once(project: Path, monkeypatch: pytest.M
 
     uris = ["package://rover/wheel.stl", "beside.stl", "here.stl", "file://../beyond.stl"]
     corners = CUBE.least, CUBE.most
-    assert sizes().bounds_of([*uris, *uris]) == dict.fromkeys(uris[:3], corners)
+    bodies = tuple(Body(Mesh(uri)) for uri in uris)
+    robot = Description("rover", {"base": Link("base", bodies, bodies)})
+    assert sizes().outermost(robot) == dict.fromkeys(uris[:3], corners)
     assert sizes()("here.stl") == (1.0, 2.0, 3.0)
     assert sizes().bounds("beside.stl") == corners
     assert asked == ["wheel.stl", "beside.stl", "here.stl"]
@@ -102,6 +106,21 @@ def test_what_measures_meshes_may_come_later(
 
 
 @pytest.mark.long
+def test_what_is_outermost_of_a_mesh_is_measured(tmp_path: Path) -> None:
+    """A ball of many points has about as many of them as there are directions."""
+    trimesh = pytest.importorskip("trimesh")
+    ball = trimesh.creation.icosphere(4, 0.5)
+    inside = trimesh.creation.box((0.4, 0.4, 0.4))
+    trimesh.util.concatenate([ball, inside]).export(tmp_path / "ball.stl")
+    [found] = measure([tmp_path / "ball.stl"])
+    assert 60 < len(found.points) < 80
+    assert {round(hypot(*point), 2) for point in found.points} == {0.5}
+    for axis in range(3):
+        assert min(point[axis] for point in found.points) == pytest.approx(found.least[axis])
+        assert max(point[axis] for point in found.points) == pytest.approx(found.most[axis])
+
+
+@pytest.mark.long
 def test_meshes_of_strangers_are_measured_or_refused(tmp_path: Path) -> None:
     bomb = '<!DOCTYPE r [<!ENTITY a "aa"><!ENTITY b "&a;&a;">]><COLLADA>&b;</COLLADA>'
     right = {
@@ -128,6 +147,7 @@ def test_meshes_of_strangers_are_measured_or_refused(tmp_path: Path) -> None:
     found = dict(zip(names, measure([tmp_path / name for name in names]), strict=True))
     for name in right:
         assert found[name].size == pytest.approx((1, 2, 3)), (name, found[name].reason)
+        assert sorted(found[name].points) == [(0, 0, 0), (0, 2, 3), (1, 0, 0)]
     for name, (_, reason) in wrong.items():
         assert found[name].size is None, name
         assert reason in found[name].reason, found[name].reason

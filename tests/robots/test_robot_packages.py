@@ -326,6 +326,20 @@ def test_a_robot_of_a_package_is_not_written_beside_it(tmp_path: Path) -> None:
     assert not (tmp_path / "output/rover.urdf").exists()
 
 
+@pytest.mark.parametrize("library", ["roscpp", "rclcpp"])
+def test_a_package_for_what_is_built_has_the_robot_too(library: str, tmp_path: Path) -> None:
+    program = ROBOT.format(type="continuous") + driver() + NAMES
+    assert run(f"{program}generate_node driver\ngenerate_robot rover\n", tmp_path, library) == ()
+    package = tmp_path / "output"
+    assert (package / "urdf/rover.urdf").is_file()
+    assert not (package / "rover.urdf").exists()
+    nodes = started(package, "rospy" if library == "roscpp" else "rclpy")
+    assert set(nodes) == {"robot_state_publisher", "driver_pub"}
+    assert settings(nodes["driver_pub"])["joint_names"] == ("wheel_joint",)
+    assert "urdf" in (package / "CMakeLists.txt").read_text()
+    assert depends(package) >= {"robot_state_publisher"}
+
+
 def test_a_robot_is_started_by_no_name_of_its_own(tmp_path: Path) -> None:
     program = ROBOT.format(type="fixed") + PACKAGE + "demo contains rover as 'other'\n"
     [told] = run(program, tmp_path, "rospy")

@@ -112,6 +112,8 @@ def test_what_a_robot_needs_is_there(folder: Path) -> None:
         (f"<link name=\"${{{OS}['fork']()}}\"/>", "they ask for `os.fork`"),
         (f"<link name=\"${{{OS}['open']('out', 577)}}\"/>", "they write to `out`"),
         (f"<link name=\"${{{OS}['listdir']('/')}}\"/>", OUTSIDE),
+        (f"<link name=\"${{{OS}['__builtins__']['__import__']('socket')}}\"/>",
+         "they ask for the module `socket`"),
         (f"<link name=\"${{{OS}['_exit'](0)}}\"/>", "expanding them fails"),
         (f"<link name=\"${{{OS}['kill'](0, 0)}}\"/>", "they ask for `os.kill`"),
     ],

@@ -15,6 +15,7 @@ from plastron_tui.studio.editor.completion import candidates
 from plastron_tui.studio.editor.robot_names import part_at, wrong_part_name
 from plastron_tui.studio.editor.vocabulary import Vocabulary
 from plastron_tui.studio.panels.entry import Entry
+from plastron_tui.studio.panels.packages import PACKAGES
 from plastron_tui.studio.panels.preview import previews_of
 from plastron_tui.studio.panels.robot_panel import ROBOTS, Looks, Shown
 from plastron_tui.studio.renaming import renamed, wrong_name
@@ -71,6 +72,16 @@ def test_the_tree_has_each_link_below_its_joint() -> None:
     assert ROBOTS.count is not None and ROBOTS.count(analysis) == 1
 
 
+def test_a_package_shows_the_robot_that_it_contains() -> None:
+    text = "create_package 'demo' as demo\ndemo contains rover\ngenerate_package demo\n"
+    analysis = analysis_of(TEXT + text)
+    assert PACKAGES.make is not None
+    found = PACKAGES.make(analysis, None).all  # type: ignore[attr-defined]
+    assert [(each.sign, each.text) for each in found] == [("▣", "demo"), ("◈", "rover")]
+    assert found[1].statement == "demo no_longer_contains rover"
+    assert entries(analysis)[0].warning == ""
+
+
 def test_what_is_wrong_stands_beside_its_part_and_is_mended_there() -> None:
     text = TEXT.replace("shaped box", "shaped bx").replace("generate_robot rover\n", "")
     found = {each.text: each for each in entries(analysis_of(text))}
@@ -89,6 +100,11 @@ def test_a_part_of_a_file_says_where_it_stands(tmp_path: Path) -> None:
     analysis = analysis_of(text, tmp_path / "x.plastron")
     assert analysis.diagnostics == ()
     found = {each.text: each for each in entries(analysis)}
+    assert found["turn"].warning == ""
+    broken = (tmp_path / "old.urdf").read_text().replace("continuous", "revolute")
+    (tmp_path / "bad.urdf").write_text(broken)
+    bad = analysis_of(text.replace("old.urdf", "bad.urdf"), tmp_path / "x.plastron")
+    assert {each.text for each in entries(bad) if "<limit>" in each.warning} == {"turn"}
     assert found["turn"].span is None and found["turn"].elsewhere == "turn is in old.urdf, line 5"
     assert found["arm"].span is not None and found["arm"].detail == "sphere r 0.1"
     assert found["arm"].statement == (
@@ -96,6 +112,18 @@ def test_a_part_of_a_file_says_where_it_stands(tmp_path: Path) -> None:
     )
     refused = renamed(analysis, found["arm"], "other")
     assert (refused.edits, refused.files) == ((), ("old.urdf",))
+
+
+def test_macros_that_are_not_expanded_stand_for_what_they_make(tmp_path: Path) -> None:
+    (tmp_path / "old.xacro").write_text(
+        '<robot name="old" xmlns:xacro="http://www.ros.org/wiki/xacro">\n  <link name="base"/>\n'
+        '  <xacro:wheel side="left"/>\n</robot>\n'
+    )
+    analysis = analysis_of("load_robot 'old.xacro' as old\n", tmp_path / "x.plastron")
+    robot, base, wheel = entries(analysis)
+    assert "not trusted" in robot.warning
+    assert (base.text, wheel.text, wheel.detail) == ("base", "wheel", 'side="left"')
+    assert wheel.place == "old.xacro, line 3"
 
 
 def test_the_part_at_the_cursor_stands_out_in_the_picture() -> None:
@@ -216,12 +244,16 @@ def test_the_preview_has_the_file_of_the_robot_at_the_cursor(tmp_path: Path) -> 
 async def test_a_robot_is_seen_while_it_is_typed(program: Path) -> None:
     program.write_text(TEXT)
     async with studio(program, (120, 40)) as driver:
+        # A program of robots alone begins with them.
+        assert driver.main.dock_layout.is_in_sight("robots")
         await driver.press("down", "down")
         await driver.press("alt+l")
         panel = driver.main.panels["robots"]
         tree = panel.parts
         assert tree.has_focus and tree.current.text == "body"
         assert "v View" in driver.main.query_one("KeyBar").text
+        main = driver.main
+        assert panel.request(main.open.analysis, main.editor.cursor_offset).marked == "body"
         before = panel.picture.text
         await driver.press("v")
         assert panel.picture.text.startswith("top")

@@ -93,11 +93,17 @@ class Fault(NamedTuple):
     others: tuple[str, ...] = ()
 
 
-def faults(robot: Description) -> Iterator[Fault]:
-    """Yield all that is wrong with a robot as a whole, each once."""
+def faults(robot: Description, root: str | None = None) -> Iterator[Fault]:
+    """Yield all that is wrong with a robot as a whole, each once.
+
+    Args:
+        robot: the robot.
+        root: the link that is meant to be the root; None, or one that a joint holds, leaves that
+            to what hangs on each.
+    """
     if not robot.links:
         yield Fault(FaultKind.NO_LINKS, robot.name)
-    yield from _tree_faults(robot)
+    yield from _tree_faults(robot, root)
     yield from _limit_faults(robot)
     yield from _mimic_faults(robot)
     for link in robot.links.values():
@@ -112,7 +118,23 @@ def faults(robot: Description) -> Iterator[Fault]:
             yield Fault(FaultKind.NAME, name)
 
 
-def _tree_faults(robot: Description) -> Iterator[Fault]:
+def main_root(robot: Description) -> str | None:
+    """Return the root that most hangs on, the first of several; None where there is no root."""
+    sizes = _root_sizes(robot)
+    return max(sizes, key=sizes.__getitem__) if sizes else None
+
+
+def _root_sizes(robot: Description) -> dict[str, int]:
+    """Return how many links hang on each root, itself among them."""
+    sizes: dict[str, int] = {}
+    root = ""
+    for branch in branches(robot):
+        root = branch.link if branch.joint is None else root
+        sizes[root] = sizes.get(root, 0) + 1
+    return sizes
+
+
+def _tree_faults(robot: Description, root: str | None) -> Iterator[Fault]:
     held = holders(robot)
     for joint in robot.joints.values():
         if joint.parent not in robot.links:
@@ -124,14 +146,10 @@ def _tree_faults(robot: Description) -> Iterator[Fault]:
             yield Fault(FaultKind.HELD_TWICE, joint.name, others)
     above = {joint.name: held[joint.parent].name for joint in held.values() if joint.parent in held}
     yield from _circles(FaultKind.CIRCLE, robot, above)
-    sizes: dict[str, int] = {}
-    root = ""
-    for branch in branches(robot):
-        root = branch.link if branch.joint is None else root
-        sizes[root] = sizes.get(root, 0) + 1
+    sizes = _root_sizes(robot)
     if not sizes:
         return
-    main = max(sizes, key=sizes.__getitem__)
+    main = root if root in sizes else max(sizes, key=sizes.__getitem__)
     yield from (Fault(FaultKind.LOOSE, each, (main,)) for each in sizes if each != main)
     if robot.links[main].inertial is not None:
         yield Fault(FaultKind.ROOT_INERTIA, main)

@@ -17,12 +17,13 @@ class Candidate:
     """Something that completion offers.
 
     `text` is what is written, `after` what follows it where the line ends there, `detail` what is
-    said beside it.
+    said beside it, `swatch` the colour that it stands for, as `#3060ff`.
     """
 
     text: str
     detail: str = ""
     after: str = ""
+    swatch: str = ""
 
 
 Offer: TypeAlias = "Callable[[Expectation, Vocabulary], Iterator[Candidate]]"

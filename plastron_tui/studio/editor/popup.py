@@ -9,6 +9,7 @@ from collections.abc import Callable, Sequence
 
 from rich.cells import cell_len, set_cell_size
 from rich.segment import Segment
+from rich.style import Style
 from textual.geometry import Offset, Region, Size
 from textual.strip import Strip
 
@@ -19,6 +20,7 @@ _MOST_ROWS = 8
 _WIDEST = 72
 _NARROWEST = 16
 _SEEN_TO_MEASURE = 40
+_SWATCH = "■ "
 
 
 class Popup:
@@ -65,7 +67,10 @@ class Popup:
         self.is_chosen = False
         seen = candidates[:_SEEN_TO_MEASURE]
         self._label_width = max(cell_len(candidate.text) for candidate in seen)
-        details = max(cell_len(detail(candidate)) for candidate in candidates[:rows])
+        details = max(
+            cell_len(detail(each)) + (cell_len(_SWATCH) if each.swatch else 0)
+            for each in candidates[:rows]
+        )
         wanted = self._label_width + (details + 4 if details else 2)
         width = min(max(wanted, _NARROWEST), _WIDEST, view.width)
         x = max(0, min(word.x - 1, view.width - width))
@@ -118,8 +123,13 @@ class Popup:
         room = width - cell_len(label) - 4
         detail = _fitted(self._detail(candidate), room) if room > 0 else ""
         text = f" {label}  " if room > 0 else f" {label} "
-        rest = set_cell_size(detail, max(0, width - cell_len(text)))
-        return Strip([Segment(text, style), Segment(rest, quiet)]).adjust_cell_length(width, style)
+        room = max(0, width - cell_len(text))
+        segments = [Segment(text, style)]
+        if candidate.swatch and room > cell_len(_SWATCH):
+            room -= cell_len(_SWATCH)
+            segments.append(Segment(_SWATCH, quiet + Style(color=candidate.swatch)))
+        segments.append(Segment(set_cell_size(detail, room), quiet))
+        return Strip(segments).adjust_cell_length(width, style)
 
 
 def _fitted(text: str, width: int) -> str:

@@ -97,7 +97,7 @@ def _sizes(expected: Expectation, vocabulary: Vocabulary) -> Iterator[Candidate]
 def _colors(expected: Expectation, vocabulary: Vocabulary) -> Iterator[Candidate]:
     own = _robot(expected, vocabulary).materials
     yield from (Candidate(name, "of this robot") for name in own if name not in NAMES)
-    yield from (Candidate(name, code) for name, code in NAMES.items())
+    yield from (Candidate(name, code, swatch=code) for name, code in NAMES.items())
 
 
 def _axes(expected: Expectation, vocabulary: Vocabulary) -> Iterator[Candidate]:

@@ -11,6 +11,7 @@ from textual.widget import Widget
 from ..analysis_worker import AnalysisWorker
 from ..delay import Delay
 from ..panels.panel import Panel, ProgramView, Request
+from ..panels.robot_panel import ROBOTS
 from .active_program import ActiveProgram
 from .dock_layout import DockLayout
 
@@ -93,8 +94,11 @@ class PanelFeed:
         open_ = self._program.open
         if analysis.text != open_.text:
             return False
-        is_new = analysis is not open_.analysis
+        before = open_.analysis
+        is_new = analysis is not before
         open_.analysis = analysis
+        if _has_first_robot(before, analysis) and self._layout.focused_dock is None:
+            self._layout.bring(ROBOTS.name)
         if is_new:
             meaning = (analysis.program, analysis.workspace)
             self._program.editor.set_diagnostics(analysis.diagnostics, meaning)
@@ -123,3 +127,9 @@ class PanelFeed:
         for view in self._views.values():
             view.show(None)
         self._layout.show_counts({})
+
+
+def _has_first_robot(before: Analysis | None, now: Analysis) -> bool:
+    """Tell whether a program begins to describe a robot, and has nothing else to show."""
+    known = before is not None and bool(before.workspace.robots)
+    return bool(now.workspace.robots) and not known and not now.workspace.nodes

@@ -253,9 +253,16 @@ def _distance(here: Place, there: Place, right: int, down: int) -> float | None:
 
 def _picture(analysis: Analysis, size: Size) -> Picture:
     """Lay the graph out, once, and draw it so that it fits, once for each size."""
-    picture = analysis.once("picture", lambda: picture_of(analysis.graph))
+    picture = analysis.once("picture", lambda: _laid_out(analysis))
     picture.fitted(size)
     return picture
+
+
+def _laid_out(analysis: Analysis) -> Picture:
+    workspace = analysis.workspace
+    if workspace.robots and not workspace.nodes:
+        return Picture(note="no nodes to draw; the panel of robots draws those")
+    return picture_of(analysis.graph)
 
 
 GRAPH = Panel(

@@ -16,6 +16,7 @@ from plastron_tui.language.statements import (
     NoLongerHasJoint,
     NoLongerHasLink,
 )
+from plastron_tui.model.robot_macros import call_words
 from plastron_tui.ros.robots.description import (
     Body,
     Box,
@@ -34,7 +35,7 @@ from plastron_tui.ros.robots.description import (
 from plastron_tui.ros.robots.tree import Branch, branches, held_by, holders
 
 from .entry import SIGNS, Entries, Entry, Subject
-from .robot_places import place_of
+from .robot_places import faults_in, place_of
 
 if TYPE_CHECKING:
     from plastron_tui.language import Program
@@ -44,6 +45,9 @@ if TYPE_CHECKING:
 
 _EMPTY = "no robots yet\ncreate_robot 'rover' as rover"
 _BETWEEN = " · "
+_CALL = "⋯"
+"""The sign of a call of a macro that is not expanded."""
+
 _PLACE_ONLY = "□"
 """The sign of a link that has no shape."""
 
@@ -79,7 +83,8 @@ class _Faults:
     """What is wrong, by where it is."""
 
     def __init__(self, diagnostics: Iterable[Diagnostic]) -> None:
-        own = [each for each in diagnostics if each.file is None and each.span is not None]
+        self.all = tuple(diagnostics)
+        own = [each for each in self.all if each.file is None and each.span is not None]
         self._found = sorted(own, key=lambda each: each.span or (0, 0))
         self._starts = [each.span.start for each in self._found if each.span is not None]
 
@@ -100,6 +105,8 @@ class _Tree:
         self._description = robot.shown
         self._holders = holders(robot.shown)
         self._faults = faults
+        source = robot.source
+        self._in_file = {} if source is None else faults_in(source, faults.all)
 
     def entries(self, is_written: bool) -> Iterator[Entry]:
         """Yield the robot, and its links in the order of the tree; then what is in none."""
@@ -136,6 +143,23 @@ class _Tree:
         for joint in description.joints.values():
             if joint.name not in joints:
                 yield self._joint(joint, 1)
+        yield from self._calls()
+
+    def _calls(self) -> Iterator[Entry]:
+        """Yield the calls of macros that are not expanded, in the place of what they make."""
+        source = self._robot.source
+        if source is None or source.macros is None or source.expanded is not None:
+            return
+        for number, call in enumerate(source.macros.calls):
+            yield Entry(
+                f"call {self._robot.variable} {number}",
+                call.macro,
+                call_words(call),
+                _CALL,
+                depth=1,
+                robot=self._robot.variable,
+                place=f"{source.path.name}, line {call.line}",
+            )
 
     def _link(self, branch: Branch, is_branch: bool) -> Entry:
         link = self._description.links[branch.link]
@@ -173,7 +197,7 @@ class _Tree:
             detail,
             sign,
             tone,
-            warning=fault.message if fault is not None else "",
+            warning=fault.message if fault is not None else self._in_file.get((subject, name), ""),
             depth=depth,
             span=next((each for each in spans if each is not None), None),
             subject=subject,
@@ -182,7 +206,7 @@ class _Tree:
             is_branch=is_branch,
             ending=self._ending(subject, name),
             robot=robot.variable,
-            place="" if source is None else place_of(source, subject, name),
+            place="" if source is None else place_of(source, (subject, name)),
         )
 
     def _ending(self, subject: Subject, name: str) -> str:

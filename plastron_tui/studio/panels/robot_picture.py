@@ -3,21 +3,14 @@
 from __future__ import annotations
 
 from plastron_tui.model.robots import Robot
+from plastron_tui.output.graphs.robots.captions import bodies_of
 from plastron_tui.output.graphs.robots.runs import Run, RunLines
-from plastron_tui.output.graphs.robots.scales import seen_from_all
-from plastron_tui.output.graphs.robots.solids import scene_of
-from plastron_tui.output.graphs.robots.text_views import draw_view, draw_views
+from plastron_tui.output.graphs.robots.text import render_views
 from plastron_tui.session import Session
 
 from .styles import Lines, Piece
 
-_ALL_COLUMNS, _ALL_ROWS = 46, 17
-"""From this size on there is room for all views."""
-
 _NOTHING = "what has a shape is seen here"
-
-_CORNERS = 12
-"""Of a circle that is seen at an angle: more are not told apart."""
 
 _TONES = {
     "title": "strong",
@@ -45,15 +38,11 @@ def picture_of(
         marked: the link or joint that stands out, "" for none.
     """
     session.robots.measure(robot)
-    scene = scene_of(robot.shown, robot.meshes.get)
-    if not scene.solids:
+    if not any(map(bodies_of, robot.shown.links.values())):
         return ((Piece(f" {_NOTHING}", "quiet"),),)
-    sides = seen_from_all(scene, _CORNERS)
-    found = next((side for side in sides if side.view.key == view), None)
-    if found is None and columns >= _ALL_COLUMNS and rows >= _ALL_ROWS:
-        return _lines(draw_views(scene, sides, columns, rows, marked, ascii_only=False))
-    most = max(sides, key=lambda side: side.frame.width * side.frame.height)
-    return _lines(draw_view(scene, found or most, columns, rows, marked, ascii_only=False))
+    bounds = robot.meshes.get
+    drawn = render_views(robot.shown, columns, rows, view=view, marked=marked, mesh_bounds=bounds)
+    return _lines(drawn)
 
 
 def _lines(drawn: RunLines) -> Lines:

@@ -9,6 +9,7 @@ from hypothesis import HealthCheck, given, settings
 from machine import examples
 from random_robots import robots
 
+from plastron_tui.diagnostics import Diagnostic
 from plastron_tui.language import Document, lower
 from plastron_tui.model.robot_program import program_of_robot
 from plastron_tui.ros.robots.description import (
@@ -99,6 +100,36 @@ def test_what_a_program_can_say_comes_back(wanted: Description, tmp_path: Path) 
 def test_what_no_program_says_is_a_comment(link: Link, told: str) -> None:
     comments = [x for x in program_of_robot(robot(link), "r").splitlines() if x.startswith("//")]
     assert any(told in each for each in comments), comments
+
+
+@pytest.mark.parametrize(
+    ("wanted", "told"),
+    [
+        (robot(Link("a", (Body(Box((0.1, 0, 0.1))),))), "a length is more than 0"),
+        (
+            robot(
+                Link("a"),
+                Joint("j", JointType.CONTINUOUS, "a", "b", limit=Limit(0, 0, -1, 1)),
+            ),
+            "`effort` is a number from 0",
+        ),
+        (
+            robot(Link("a"), Joint("j", JointType.FIXED, "x", "b")),
+            "has no link `x`",
+        ),
+        (
+            robot(Link("a"), Joint("j", JointType.CONTINUOUS, "a", "b", mimic=Mimic("none"))),
+            "it follows `none`, which does not move",
+        ),
+    ],
+)
+def test_what_is_wrong_in_a_file_is_a_comment(wanted: Description, told: str) -> None:
+    def errors(text: bytes) -> list[Diagnostic]:
+        return [each for each in Session(text, environ={}).diagnostics if each.severity == "error"]
+
+    program = program_of_robot(wanted, "r", errors)
+    assert any(told in line for line in program.splitlines() if line.startswith("//"))
+    assert {each.code for each in errors(program.encode())} <= {"no-tree"}
 
 
 @settings(max_examples=examples(60), deadline=None, suppress_health_check=list(HealthCheck))

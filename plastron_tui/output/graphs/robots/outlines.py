@@ -11,7 +11,7 @@ from typing import NamedTuple
 from plastron_tui.ros.robots.description import Box, Cylinder, Sphere, Vector
 from plastron_tui.ros.robots.transforms import Transform
 
-from .solids import Solid
+from .solids import Hull, Solid
 from .views import Frame, Point, View, cross, dot, hull
 
 CORNERS = 32
@@ -89,6 +89,10 @@ def outline(solid: Solid, view: View, corners: int = CORNERS) -> Outline:
             middle = at.translation
             nearest = view.depth(middle) + radius
             return Outline(solid, (view.point(middle),), radius, (), 1.0, nearest)
+        case Hull(points=points):
+            placed = [at.point(point) for point in points]
+            nearest = max(map(view.depth, placed))
+            return Outline(solid, hull(map(view.point, placed)), 0.0, (), 1.0, nearest)
         case None:
             middle = at.translation
             return Outline(solid, (view.point(middle),), 0.0, (), 1.0, view.depth(middle))

@@ -31,6 +31,7 @@ def edge_of(rgba: Rgba | None) -> str:
 
 
 _DARK = 0.25
+_DARK_GREY = 0.2
 
 
 @lru_cache(maxsize=4096)
@@ -38,6 +39,16 @@ def dimmed(color: str) -> str:
     """Return a colour that stands back."""
     grey = luma(color) * 0.5 + 0.15
     return _code(*(value * 0.25 + grey * 0.75 for value in _parts(color)))
+
+
+@lru_cache(maxsize=4096)
+def lifted(color: str) -> str:
+    """Return a colour that is seen on black: what is darker than that becomes dark grey."""
+    bright = luma(color)
+    if bright >= _DARK_GREY:
+        return color
+    more = _DARK_GREY - bright
+    return _code(*(value + more for value in _parts(color)))
 
 
 @lru_cache(maxsize=4096)

@@ -22,17 +22,25 @@ from plastron_tui.ros.robots.description import (
 )
 from plastron_tui.ros.robots.materials import defined_materials, meant
 from plastron_tui.ros.robots.transforms import Transform, placed
+from plastron_tui.ros.robots.tree import holders
 
 from .captions import bodies_of
 
-MeshBounds: TypeAlias = Callable[[str], "tuple[Vector, Vector] | None"]
-"""Returns the lowest and the highest corner of a mesh, by its URI, in its file's lengths.
+MeshBounds: TypeAlias = Callable[[str], "tuple[Vector, ...] | None"]
+"""Returns points that a mesh is between, by its URI, in its file's lengths.
 
-None where nobody knows.
+Two are corners of the box around it, more have about the convex hull that the mesh has. None
+where nobody knows.
 """
 
 _FARTHEST = 1e9
 """What is farther away than this, in metres, cannot be meant, and is not drawn."""
+
+
+class Hull(NamedTuple):
+    """A body that is around points."""
+
+    points: tuple[Vector, ...]
 
 
 class Solid(NamedTuple):
@@ -47,7 +55,7 @@ class Solid(NamedTuple):
     """
 
     link: str
-    shape: Box | Cylinder | Sphere | None
+    shape: Box | Cylinder | Sphere | Hull | None
     at: Transform
     rgba: Rgba | None = None
     is_rough: bool = False
@@ -83,7 +91,7 @@ class Scene(NamedTuple):
         solids: its bodies, in the order of the links.
         axes: its joints, in theirs.
         bones: what holds it together, where not all bodies can be drawn.
-        points: where its links are.
+        points: where those of its links are that are drawn, or move.
         links: the names of its links.
         missing: what cannot be drawn: links that hang on no root, or are too far away.
     """
@@ -117,20 +125,36 @@ def scene_of(robot: Description, mesh_bounds: MeshBounds = no_bounds) -> Scene:
         solids += near
     axes = []
     bones = []
+    # Of frames alone all are drawn.
+    carrying = _carrying(robot, {solid.link for solid in solids}) or set(where)
     for joint in robot.joints.values():
         at = where.get(joint.child)
         # A link that two joints hold is where the first one has it.
         if at is None or joint.parent not in where:
             continue
-        if at.translation != where[joint.parent].translation:
+        if joint.child in carrying and at.translation != where[joint.parent].translation:
             bones.append(Bone(where[joint.parent].translation, at.translation))
         along = _unit(at.direction(joint.axis or (1.0, 0.0, 0.0))) if joint.type.has_axis else None
         axes.append(Axis(joint.name, joint.type, at.translation, along))
-    points = tuple(at.translation for at in where.values())
-    if all(solid.shape is not None for solid in solids):
+    points = tuple(at.translation for name, at in where.items() if name in carrying)
+    if solids and all(solid.shape is not None for solid in solids):
         bones = []
     names = tuple(robot.links)
     return Scene(tuple(solids), tuple(axes), tuple(bones), points, names, tuple(missing))
+
+
+def _carrying(robot: Description, drawn: set[str]) -> set[str]:
+    """Return the links that are drawn, that move, or that hold such a link, however far away."""
+    found: set[str] = set()
+    up = holders(robot)
+    for name, joint in up.items():
+        at: str | None = name
+        if name not in drawn and joint.type is JointType.FIXED:
+            continue
+        while at is not None and at not in found:
+            found.add(at)
+            at = up[at].parent if at in up else None
+    return found
 
 
 def _drawn(
@@ -163,14 +187,22 @@ def _solids(
             case None:
                 continue
             case Mesh() as mesh:
-                bounds = mesh_bounds(mesh.uri)
-                if bounds is None:
+                points = mesh_bounds(mesh.uri)
+                if not points:
                     yield Solid(link, None, here, rgba)
-                    continue
-                box, middle = _box_around(mesh, bounds)
-                yield Solid(link, box, here.then(Pose(middle)), rgba, is_rough=True)
+                elif len(points) == 2:
+                    low, high = points
+                    box, middle = _box_around(mesh, (low, high))
+                    yield Solid(link, box, here.then(Pose(middle)), rgba, is_rough=True)
+                else:
+                    yield Solid(link, Hull(_scaled(points, mesh.scale)), here, rgba)
             case shape:
                 yield Solid(link, shape, here, rgba)
+
+
+def _scaled(points: tuple[Vector, ...], scale: Vector) -> tuple[Vector, ...]:
+    a, b, c = scale
+    return tuple([(a * x, b * y, c * z) for x, y, z in points])
 
 
 def _box_around(mesh: Mesh, bounds: tuple[Vector, Vector]) -> tuple[Box, Vector]:
@@ -189,7 +221,7 @@ def _is_near(at: Transform) -> bool:
     return all(abs(value) < _FARTHEST for value in values)
 
 
-def _is_small(shape: Box | Cylinder | Sphere | None) -> bool:
+def _is_small(shape: Box | Cylinder | Sphere | Hull | None) -> bool:
     match shape:
         case None:
             return True
@@ -199,6 +231,8 @@ def _is_small(shape: Box | Cylinder | Sphere | None) -> bool:
             lengths = radius, length
         case Sphere(radius=radius):
             lengths = (radius,)
+        case Hull(points=points):
+            lengths = tuple(abs(length) for point in points for length in point)
     return all(0 <= length < _FARTHEST for length in lengths)
 
 

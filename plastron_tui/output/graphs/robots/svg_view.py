@@ -29,6 +29,9 @@ _LONGEST_NAME = 190.0
 _CLEAREST = 0.2
 """A body that is clearer than this is drawn as if it were so: one has to see that it is there."""
 
+_MOST_NAMES = 30
+"""With more names than this only joints have theirs."""
+
 _ENOUGH = 20
 """When so many names, one after the other, find no room, there is none for more."""
 
@@ -82,7 +85,8 @@ class SvgView:
             yield from self._axis(axis)
             named.append((axis.joint, axis.joint, self._pixel(view.point(axis.at))))
         unknown = [each for each in self._seen.outlines if each.solid.shape is None]
-        named += [(each.solid.link, "", self._pixel(each.points[0])) for each in unknown]
+        if len(named) + len(unknown) <= _MOST_NAMES:
+            named += [(each.solid.link, "", self._pixel(each.points[0])) for each in unknown]
         yield from self._names(named)
         yield "</g>"
 

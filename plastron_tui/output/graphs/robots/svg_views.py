@@ -11,7 +11,7 @@ from plastron_tui.ros.robots.description import JointType
 
 from .labels import SIZE
 from .scales import ruler_length, ruler_text, seen_from_all
-from .solids import Scene
+from .solids import Hull, Scene
 from .svg_text import text
 from .svg_view import SvgView
 from .views import FRONT, SIDE, TOP, Frame
@@ -31,6 +31,8 @@ _WIDE = 1.16
 _FEW, _MANY = 10, 40
 _CORNER, _LINE = 24.0, 15.0
 _RULER = 110.0
+_SIGN, _APART = 16.0, 14.0
+_TOWARD, _AWAY = "an axis that points at you", "away"
 
 
 class SvgViews(NamedTuple):
@@ -59,7 +61,8 @@ def views_svg(scene: Scene, beside: float) -> SvgViews:
     )
     left = max(side.frame.width * scale + 2 * _PAD_X, _NARROWEST)
     notes = _notes(scene)
-    widest = max(text_width(note, SIZE) for note in notes) + _CORNER
+    signs = text_width(f"{_TOWARD}{_AWAY}", SIZE) + 2 * _SIGN + _APART
+    widest = max(signs, *(text_width(note, SIZE) for note in notes)) + _CORNER
     right = max(front.frame.width * scale + 2 * _PAD_X, _NARROWEST, widest)
     upper = max(top.frame.height * scale + 2 * _PAD_Y, _LOWEST)
     lower = max(side.frame.height * scale + 2 * _PAD_Y, _LOWEST)
@@ -89,7 +92,20 @@ def _notes(scene: Scene) -> list[str]:
         notes.append("a diamond is a mesh whose size is not known")
     if any(solid.is_rough for solid in scene.solids):
         notes.append("dashed is the box around a mesh, or what collides")
+    if any(isinstance(solid.shape, Hull) for solid in scene.solids):
+        notes.append("meshes are drawn as their convex hulls")
     return notes
+
+
+def _signs(left: float, baseline: float) -> Iterator[str]:
+    """Yield what the ends of axes look like, and what they are."""
+    place = f'cx="{number(left + 5)}" cy="{number(baseline - 4)}"'
+    yield f'<circle class="end" {place} r="5"/><circle class="tip" {place} r="1.8"/>'
+    yield text("said", left + _SIGN, baseline, _TOWARD)
+    left += _SIGN + text_width(_TOWARD, SIZE) + _APART
+    yield f'<circle class="end" cx="{number(left + 5)}" cy="{number(baseline - 4)}" r="5"/>'
+    yield f'<path class="axis" d="M{number(left + 2)} {number(baseline - 7)}l6 6m0 -6l-6 6"/>'
+    yield text("said", left + _SIGN, baseline, _AWAY)
 
 
 def _corner(scene: Scene, notes: list[str], left: float, scale: float) -> Iterator[str]:
@@ -103,6 +119,9 @@ def _corner(scene: Scene, notes: list[str], left: float, scale: float) -> Iterat
     baseline = 32.0
     for note in notes:
         yield text("said", left, baseline, note)
+        baseline += _LINE
+    if any(axis.along is not None for axis in scene.axes):
+        yield from _signs(left, baseline)
         baseline += _LINE
     if scene.missing:
         count = len(scene.missing)

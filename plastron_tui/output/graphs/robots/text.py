@@ -18,7 +18,7 @@ _ALL_WIDTH, _ALL_HEIGHT = 110, 28
 _TWO_WIDTH, _TWO_HEIGHT = 60, 14
 """From one of these on there is room for the tree and one view, beside or below each other."""
 
-_VIEWS_WIDTH, _VIEWS_HEIGHT = 64, 22
+_VIEWS_WIDTH, _VIEWS_HEIGHT = 46, 17
 """From this size on there is room for all views."""
 
 _TREE_WIDTH = 36
@@ -109,7 +109,7 @@ def render_views(
         width: how many columns there are.
         height: how many lines.
         view: the `key` of one of `VIEWS`, to have that alone; "" for all of them if there is room,
-            which is from 64 by 22 on, and else for the one that shows most.
+            which is from 46 by 17 on, and else for the one that shows most.
         marked: the link or joint to point out.
         mesh_bounds: tells how large meshes are.
         ascii_only: whether there is nothing but ASCII, and no colours.

@@ -11,7 +11,7 @@ from plastron_tui.ros.robots.description import Description
 from .captions import joint_text, link_text, robot_text
 from .rows import TreeRow, lead, tree_rows, unheld
 from .runs import Run, RunLine, RunLines, fitted
-from .shades import color_of
+from .shades import color_of, lifted
 from .solids import Scene
 from .text_marks import fill_chars, in_ascii
 
@@ -109,7 +109,7 @@ def _is_marked(row: TreeRow, marked: str) -> bool:
 def _colors(scene: Scene) -> dict[str, str]:
     found: dict[str, str] = {}
     for solid in scene.solids:
-        found.setdefault(solid.link, color_of(solid.rgba))
+        found.setdefault(solid.link, lifted(color_of(solid.rgba)))
     return found
 
 

@@ -12,7 +12,7 @@ from .canvas import Canvas
 from .outlines import Outline
 from .runs import RunLines
 from .scales import Seen, ruler_length, ruler_text
-from .shades import color_of, dimmed, edge_of
+from .shades import color_of, dimmed, edge_of, lifted
 from .solids import Scene
 from .text_marks import MIDDLE, UNKNOWN, axis_sign, fill_chars, in_ascii
 from .views import FRONT, SIDE, TOP, Point
@@ -177,7 +177,7 @@ class _Drawing:
     def _fill(self, outline: Outline, facing: float) -> str:
         solid = outline.solid
         char = self.fills.get(solid.link)
-        return char or self._dimmed(color_of(solid.rgba, facing), solid.link)
+        return char or self._dimmed(lifted(color_of(solid.rgba, facing)), solid.link)
 
     def _dimmed(self, color: str, link: str) -> str:
         return dimmed(color) if self.stands_out not in ("", link) else color

@@ -1,4 +1,4 @@
-"""`plastron inspect` of the descriptions of robots."""
+"""`plastron inspect` of the descriptions of robots, and other commands with robots."""
 
 from __future__ import annotations
 
@@ -97,3 +97,12 @@ def test_names_reach_no_terminal_raw(run: Run, here: Path) -> None:
 def test_a_robot_that_is_not_written_is_told(run: Run, here: Path, command: str) -> None:
     (here / "a.plastron").write_text("create_robot 'rover' as rover\nrover has_link 'base'\n")
     assert b"`generate_robot rover`" in run(command, "a.plastron").stderr
+
+
+def test_a_robot_is_run_by_what_its_package_has(run: Run, here: Path) -> None:
+    (here / "a.plastron").write_text(
+        "create_robot 'rover' as rover\nrover has_link 'base'\ngenerate_robot rover\n"
+    )
+    told = run("run", "a.plastron", "rover")
+    assert told.returncode == 1
+    assert b"put it into one: `PACKAGE contains rover`" in told.stderr
