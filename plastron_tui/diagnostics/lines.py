@@ -29,10 +29,14 @@ class LineIndex:
     def __len__(self) -> int:
         return len(self._starts)
 
+    def line_at(self, offset: int) -> int:
+        """Return the number of the line of a byte offset, from 1; however long the line is."""
+        return bisect_right(self._starts, min(max(offset, 0), len(self._text)))
+
     def position(self, offset: int) -> Position:
         """Resolve a byte offset; one beyond the end counts as the end."""
         offset = min(max(offset, 0), len(self._text))
-        row = bisect_right(self._starts, offset) - 1
+        row = self.line_at(offset) - 1
         before = self._text[self._starts[row] : offset]
         return Position(row + 1, len(before.decode("utf-8", "replace")) + 1)
 

@@ -100,6 +100,9 @@ class _Reader:
         robot = Description(name.value if name else "", self.links, self.joints, self.materials)
         places = PartPlaces(*(self.places[each] for each in ("link", "joint", "material")))
         diagnostics = sorted(self.values.diagnostics, key=lambda each: each.span or Span(0, 0))
+        if self.values.untold:
+            message = f"there are {self.values.untold} mistakes more in the file"
+            diagnostics.append(Diagnostic(codes.BROKEN_URDF, message, file=document.file))
         return UrdfRead(document, robot, places, tuple(diagnostics))
 
     def _is_part_without_name(self, root: Element) -> bool:

@@ -20,6 +20,10 @@ XACRO = "xacro:"
 """What the names of elements begin with that macros replace."""
 
 
+MOST_TOLD = 100
+"""The most mistakes of a file that are told one by one."""
+
+
 def number_of(text: str) -> float | None:
     """Return a number as a stream of C++ reads it in the locale "C"; None for what is none."""
     if not _NUMBER.fullmatch(text):
@@ -56,11 +60,13 @@ class Values:
         document: the file.
         is_xacro: whether it has macros.
         diagnostics: what was wrong so far.
+        untold: how many mistakes there are besides.
     """
 
     document: XmlDocument
     is_xacro: bool
     diagnostics: list[Diagnostic] = field(default_factory=list)
+    untold: int = 0
 
     def tell(
         self,
@@ -71,7 +77,10 @@ class Values:
         labels: tuple[Label, ...] = (),
         severity: Severity | None = None,
     ) -> None:
-        """Note a mistake."""
+        """Note a mistake, or that there are more than anybody reads."""
+        if len(self.diagnostics) >= MOST_TOLD:
+            self.untold += 1
+            return
         file = self.document.file
         found = Diagnostic(
             codes.BROKEN_URDF, message, span, file, help_text, labels=labels, severity=severity

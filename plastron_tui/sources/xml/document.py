@@ -247,7 +247,7 @@ def _element(
         _span(name),
         _span(start),
         None if end is None else _span(end),
-        lines.position(start.start_byte).line,
+        lines.line_at(start.start_byte),
     )
 
 

@@ -72,3 +72,9 @@ def test_a_number_of_many_digits_is_read() -> None:
     assert read.description is not None
     assert any("is no number" in each.message for each in read.diagnostics)
     assert all(len(each.message) < 10_000 for each in read.diagnostics)
+
+
+def test_mistakes_without_end_are_counted() -> None:
+    read = read_urdf(b"<robot name='r'>" + b"<link/>" * 1_000 + b"</robot>")
+    assert len(read.diagnostics) == 101
+    assert read.diagnostics[-1].message == "there are 900 mistakes more in the file"
