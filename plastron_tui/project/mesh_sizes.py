@@ -63,12 +63,11 @@ class MeshSizes:
         if folder not in self._folders and len(self._folders) < _MOST_FOLDERS:
             self._folders.insert(0, folder)
 
-    def __call__(self, uri: str) -> Vector | None:
-        """Return how large a mesh is along its axes, in metres; None where nobody knows."""
-        return self._measured([uri])[uri].size
-
     def bounds(self, uri: str) -> tuple[Vector, Vector] | None:
-        """Return the lowest and the highest corner of a mesh, None where nobody knows them."""
+        """Return the lowest and the highest corner of a mesh, None where nobody knows them.
+
+        They are in metres where the file says what its unit is, else in its lengths.
+        """
         found = self._measured([uri])[uri]
         return None if found.reason else (found.least, found.most)
 

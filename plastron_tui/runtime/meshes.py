@@ -41,14 +41,6 @@ class Bounds(NamedTuple):
     reason: str = ""
     is_unable: bool = False
 
-    @property
-    def size(self) -> Vector | None:
-        """How large it is along its axes, None where that is not known."""
-        if self.reason:
-            return None
-        x, y, z = (most - least for least, most in zip(self.least, self.most, strict=True))
-        return x, y, z
-
 
 _OTHER = Bounds(reason=f"it ends in none of {', '.join(f'`{each}`' for each in KINDS)}")
 _UNABLE = Bounds(reason="what measures meshes is not installed", is_unable=True)
