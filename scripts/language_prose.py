@@ -8,7 +8,7 @@ LANGUAGE_HEAD = f"""\
 # The language on one page
 
 A program is text, one statement a line, in a file that ends in `.plastron`. It describes ROS nodes,
-the topics and services that join them, and the messages that they send. Statements run from top to
+the topics and services that join them, the messages that they send, and robots. Statements run from top to
 bottom.
 
 ```plastron

@@ -129,22 +129,23 @@ class _Matcher:
         """Match the first ones of some clauses, in any order; the others are for who called."""
         mine = left[:own]
         outer = left[own:]
-        passed: set[Sequence[Element]] = set()
+        used: set[Sequence[Element]] = set()
         while True:
             self._may_follow((*mine, *outer))
             first, second = (text_at(self._tokens, self._at + offset) for offset in (0, 1))
             fitting = [each for each in mine if each.keyword == first]
+            # Two clauses may begin with the same word: the second one tells them apart.
             exact = [each for each in fitting if each.elements[1:2] == (second,)]
-            if not fitting:
-                return True
-            if not exact and (first, second) in passed:
+            if not exact and (first, second) in used:
                 self._optional = {
                     start: each for start, each in self._optional.items() if each.keyword != first
                 }
                 return True
+            if not fitting:
+                return True
             clause, *others = exact or fitting
+            used.add(clause.elements[:2])
             self._passed.update(each.keyword for each in mine if each.bracket == clause.bracket)
-            passed.add(clause.elements[:2])
             mine = [each for each in mine if each.bracket != clause.bracket]
             after = self._at + 1
             if not self.sequence(clause.elements, (*mine, *outer)):
@@ -154,7 +155,6 @@ class _Matcher:
                 return False
 
     def _may_follow(self, clauses: Iterable[Clause]) -> None:
-        # Two clauses may begin with the same word.
         self._optional.update((each.elements[:2], each) for each in clauses)
 
     def _part(self, part: str | Slot, left: Sequence[Clause], after: Element | None) -> bool:
@@ -166,7 +166,7 @@ class _Matcher:
         elif text and part.kind.form is _VECTOR:
             end = self._end_of_vector({each.keyword for each in left})
         elif part.kind in _UNITS and any(each.keyword == text for each in left):
-            end = None
+            end = None  # it is left out, and the next clause begins
         elif text and part.kind.form.is_open:
             words = {each.keyword for each in left}
             end = self._end_of_open(part, {*words, after} if isinstance(after, str) else words)

@@ -93,7 +93,7 @@ def with_points(text: str) -> str | None:
 
     None for numbers that have none.
     """
-    if not re.search(r"\d,\d", text) or not _DECIMALS.fullmatch(text):
+    if len(text) > _MOST or not re.search(r"\d,\d", text) or not _DECIMALS.fullmatch(text):
         return None
     return ", ".join(each.replace(",", ".") for each in re.findall(_DECIMAL, text))
 
@@ -103,7 +103,7 @@ def without_enclosure(text: str) -> str | None:
 
     None for numbers that do not.
     """
-    found = _ENCLOSED.fullmatch(text)
+    found = _ENCLOSED.fullmatch(text) if len(text) <= _MOST else None
     return None if found is None else ", ".join(found[1].replace(",", " ").split())
 
 

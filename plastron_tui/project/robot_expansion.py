@@ -106,7 +106,7 @@ def _read(text: bytes) -> Expansion:
     from plastron_tui.sources.urdf.reader import read_urdf
 
     read = read_urdf(text)
-    found = [
+    found = dict.fromkeys(
         each._replace(
             message=f"in the expanded file, {each.message}",
             span=None,
@@ -114,9 +114,9 @@ def _read(text: bytes) -> Expansion:
             fix=None,
             severity=Severity.WARNING,
         )
-        for each in read.diagnostics[:_MOST_MISTAKES]
-    ]
-    return Expansion(read.description, tuple(found))
+        for each in read.diagnostics
+    )
+    return Expansion(read.description, tuple(found)[:_MOST_MISTAKES])
 
 
 def _refused(message: str, remedy: str | None = None) -> Expansion:

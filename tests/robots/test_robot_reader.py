@@ -175,13 +175,15 @@ def test_what_is_in_the_way_of_expanding_is_told(
 def test_mistakes_of_the_expanded_file_are_warnings_without_a_place(
     folder: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    text = b"<robot name='r'><link name='base'/>" + b"<link/>" * 10 + b"</robot>"
+    text = b"<robot name='r'><link name='base'/>" + b"<link/>" * 2
+    text += b"".join(b"<joint name='j%d' type='x'/>" % number for number in range(9)) + b"</robot>"
     monkeypatch.setattr(xacro, "expand", lambda *_: Expanded(text))
     TrustStore().add(folder)
     found = loading(folder, "models/arm.urdf.xacro").diagnostics
     assert len(found) == robot_expansion._MOST_MISTAKES
     assert {each.severity for each in found} == {"warning"}
     assert found[0].message == "in the expanded file, `<link>` has no `name`"
+    assert len(set(found)) == len(found)
 
 
 @pytest.mark.long

@@ -153,7 +153,7 @@ def test_what_is_wrong(described: Description, wrong: list[Fault]) -> None:
 
 
 def test_a_chain_of_any_length_is_looked_at() -> None:
-    count = 5_000
+    count = 2_000
     links = {f"l{at}": Link(f"l{at}") for at in range(count)}
     joints = {
         f"j{at}": held(f"j{at}", f"l{at - 1}", f"l{at}", TURNING, mimic=Mimic(f"j{at - 1}"))

@@ -252,6 +252,8 @@ async def test_a_robot_is_seen_while_it_is_typed(program: Path) -> None:
         tree = panel.parts
         assert tree.has_focus and tree.current.text == "body"
         assert "v View" in driver.main.query_one("KeyBar").text
+        main = driver.main
+        assert panel.request(main.open.analysis, main.editor.cursor_offset).marked == "body"
         before = panel.picture.text
         await driver.press("v")
         assert panel.picture.text.startswith("top")

@@ -61,7 +61,7 @@ def check_includes(document: XmlDocument, path: Path, reach: Reach) -> Included:
             if place.path is None:
                 is_fine = place.is_computed or (include.is_optional and place.is_absent)
                 if not is_fine:
-                    found.append(_problem(include, element, file, place.problem))
+                    found.append(_problem(include, element, file, place.problem, place.remedy))
                 continue
             real = place.path.resolve()
             if real in seen or len(seen) >= _MOST_FILES or left <= 0:
@@ -81,8 +81,10 @@ def check_includes(document: XmlDocument, path: Path, reach: Reach) -> Included:
     return Included(tuple(seen), tuple(found))
 
 
-def _problem(include: Include, element: Element, file: Path, problem: str) -> Diagnostic:
+def _problem(
+    include: Include, element: Element, file: Path, problem: str, remedy: str | None = None
+) -> Diagnostic:
     attribute = element.attribute("filename")
     span = element.name_span if attribute is None else attribute.value_span
     message = f"the macros are not expanded: `{include.file}` {problem}"
-    return Diagnostic(codes.NOT_EXPANDED, message, span, file)
+    return Diagnostic(codes.NOT_EXPANDED, message, span, file, remedy)

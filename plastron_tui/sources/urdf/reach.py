@@ -27,6 +27,9 @@ _FILE = "file://"
 _SCHEME = re.compile(r"[A-Za-z][A-Za-z0-9+.-]*://")
 _MANIFEST = "package.xml"
 
+_SOURCE = "source the ROS, or the workspace, that has the package"
+_BUILD = "if building the package puts it there, build it, and source the workspace"
+
 
 class Place(NamedTuple):
     """Where a file is; without a path, why nobody knows, or may know.
@@ -36,12 +39,14 @@ class Place(NamedTuple):
         problem: what stands behind the name of the file: `is not there`.
         is_computed: whether only expanding tells where it is.
         is_absent: whether it may be there, and is not.
+        remedy: what to do, None for what everybody knows.
     """
 
     path: Path | None
     problem: str = ""
     is_computed: bool = False
     is_absent: bool = False
+    remedy: str | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -115,7 +120,7 @@ class Reach:
         if package is not None:
             place = self.package(package.group(1))
             if place is None:
-                return Place(None, _no_package(package.group(1)))
+                return Place(None, _no_package(package.group(1)), remedy=_SOURCE)
             folder, rest = place, package.group(2) or ""
         elif name.startswith(_FOLDER):
             rest = name.removeprefix(_FOLDER)
@@ -133,7 +138,9 @@ class Reach:
             path = self.installed(folder / rest)
         if not self.allows(path or folder / rest):
             return Place(None, "is neither in the project nor in an installed package")
-        return Place(None, "is not there", is_absent=True) if path is None else Place(path)
+        if path is None:
+            return Place(None, "is not there", is_absent=True, remedy=_BUILD if package else None)
+        return Place(path)
 
 
 def find_reach(boundary: Boundary, file: Path, environ: Mapping[str, str]) -> Reach:

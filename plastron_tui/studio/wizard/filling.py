@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 
 from plastron_tui.language import Slot, SlotKind
@@ -115,13 +115,7 @@ def filled_of(form: Form, filled: Sequence[Filled]) -> Filled | None:
 class Filler:
     """Fills forms; it remembers what came of the choices that were tried out."""
 
-    def __init__(self, followed: Callable[[Filled], list[Placed]]) -> None:
-        """Remember nothing yet.
-
-        Args:
-            followed: returns the statements of a form, with what may follow them.
-        """
-        self._followed = followed
+    def __init__(self) -> None:
         self._tried: dict[object, Trial] = {}
 
     def fill(
@@ -306,9 +300,6 @@ class Filler:
         if problems:
             return Trial(problems[0].message, scene.lonely, _needing(problems[0], form))
         outcome = check(scene.session, filled.written)
-        if outcome.findings:
-            # What follows it may be what it lacks.
-            outcome = check(scene.session, self._followed(filled))
         lonely = Scene(outcome.session).lonely
         if not outcome.findings:
             return Trial(None, lonely)

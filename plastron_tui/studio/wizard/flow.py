@@ -15,7 +15,7 @@ from .ask import Choice
 from .context import Scene, Surroundings
 from .extra import Extra
 from .filling import Filled, Filler, filled_of
-from .followers import chosen, extras_of, followed
+from .followers import chosen, extras_of
 from .form import Form
 from .goals import Aim, aim_of, answering
 from .helps import helps_of
@@ -110,7 +110,7 @@ class Course:
         self.group: Aim | None = None
         self._is_recipes = False
         self._forms: dict[tuple[Declaration | None, Declaration], Form] = {}
-        self._filler = Filler(followed)
+        self._filler = Filler()
 
     @property
     def scene(self) -> Scene:

@@ -32,7 +32,6 @@ from plastron_tui.model.interpreter import HANDLERS
 from plastron_tui.session import Options, Session
 from plastron_tui.studio.wizard.filling import Filler
 from plastron_tui.studio.wizard.flow import PageKind
-from plastron_tui.studio.wizard.followers import followed
 from plastron_tui.studio.wizard.form import Form
 from plastron_tui.studio.wizard.form_page import _specs
 from plastron_tui.studio.wizard.goals import Aim, aim_of, declarations_of
@@ -219,7 +218,7 @@ def test_a_statement_about_nodes_alone_is_something_that_a_node_does(watch: Decl
     it = course(TWO_NODES)
     choose(it, MORE)
     assert "let a node watch another one" in [each.title for each in it.purpose_offers()]
-    filled = Filler(followed).fill(Form(watch), it.scene)
+    filled = Filler().fill(Form(watch), it.scene)
     assert filled.text == "watch listener with talker"
     assert [spec.label for spec in _specs(filled)] == ["node", "other"]
 
@@ -244,7 +243,7 @@ def relay() -> Iterator[Declaration]:
 
 
 def test_two_slots_of_a_kind_are_not_filled_alike(relay: Declaration) -> None:
-    filled = Filler(followed).fill(Form(relay), course(TWO_NODES).scene)
+    filled = Filler().fill(Form(relay), course(TWO_NODES).scene)
     topics = [filled.cells[name].text for name in ("topic", "other")]
     assert len(set(topics)) == 2 and all(topics)
 
@@ -263,7 +262,7 @@ def test_a_statement_that_is_added_has_its_form(whistle: Declaration) -> None:
     it = course(TWO_NODES)
     choose(it, MORE)
     assert "let a node whistle a message" in [each.title for each in it.purpose_offers()]
-    filled = Filler(followed).fill(Form(whistle), it.scene)
+    filled = Filler().fill(Form(whistle), it.scene)
     assert filled.text == (
         "listener whistle chatter_2_message to 'chatter_2' of message_type String at 10 hz"
     )
