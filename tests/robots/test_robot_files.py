@@ -160,7 +160,7 @@ def test_the_output_folder_gets_a_changed_copy(tmp_path: Path) -> None:
         assert run(LOAD + WIDER + WRITE, tmp_path) == ()
         assert file.read_text() == LOADED
         assert copy.read_text() == LOADED.replace('"-1"', '"-2"').replace(
-            'upper="1.0"', 'upper="2"'
+            'upper="1.0"', 'upper="2.0"'
         )
     assert run(LOAD + WRITE, tmp_path) == ()
     assert copy.read_text() == LOADED
@@ -230,14 +230,14 @@ def test_what_is_laid_out_otherwise_is_the_programs_still(tmp_path: Path) -> Non
     file = tmp_path / "arm.urdf"
     file.write_text(LOADED)
     run(LOAD + WIDER + WRITE, tmp_path, in_place=True)
-    line = '<limit lower="-2" upper="2" effort="10" velocity="1"/>'
+    line = '<limit lower="-2" upper="2.0" effort="10" velocity="1"/>'
     assert line in file.read_text()
     by_hand = file.read_text().replace(
-        line, '<limit velocity="1" effort="10" upper="2" lower="-2"/>'
+        line, '<limit velocity="1" effort="10" upper="2.0" lower="-2"/>'
     )
     file.write_text(by_hand)
     assert codes(run(LOAD + WRITE, tmp_path, in_place=True)) == ["merged-by-hand"]
-    back = by_hand.replace('upper="2" lower="-2"', 'upper="1" lower="-1"')
+    back = by_hand.replace('upper="2.0" lower="-2"', 'upper="1.0" lower="-1"')
     assert file.read_text() == back
 
 
