@@ -111,6 +111,11 @@ class Process:
             )
 
     @property
+    def pid(self) -> int:
+        """Its number."""
+        return self._popen.pid
+
+    @property
     def output(self) -> str:
         """What the process has printed."""
         return self._log.read_text(encoding="utf-8", errors="replace")

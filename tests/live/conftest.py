@@ -8,6 +8,7 @@ import sys
 from collections.abc import Iterator, Mapping
 from dataclasses import replace
 from pathlib import Path
+from typing import Any
 from xmlrpc.client import ServerProxy
 
 import pytest
@@ -114,6 +115,23 @@ def _parameters(master: ServerProxy) -> set[str]:
     return set(found)
 
 
+def _forget_nodes(master: Any) -> None:
+    """Take off a master what nodes left there that were killed, as `rosnode cleanup` does."""
+    publishers, subscriptions, services = master.getSystemState("/test")[2]
+    for entries, forget in (
+        (publishers, master.unregisterPublisher),
+        (subscriptions, master.unregisterSubscriber),
+    ):
+        for topic, nodes in entries:
+            for node in nodes:
+                if node != "/rosout":
+                    forget(node, topic, master.lookupNode("/test", node)[2])
+    for service, nodes in services:
+        for node in nodes:
+            if node != "/rosout":
+                master.unregisterService(node, service, master.lookupService("/test", service)[2])
+
+
 @pytest.fixture
 def ros1(ros1_env: dict[str, str], tmp_path: Path) -> Iterator[Graph]:
     logs = tmp_path / "ros1-logs"
@@ -126,6 +144,7 @@ def ros1(ros1_env: dict[str, str], tmp_path: Path) -> Iterator[Graph]:
     # The master goes on, and what it keeps would be that of the next test's nodes.
     for name in _parameters(master) - before:
         master.deleteParam("/test", f"/{name}")
+    _forget_nodes(master)
 
 
 ROS2_INSTALL = (

@@ -87,8 +87,11 @@ def describe(node):
     """
     master = ServerProxy(rosgraph.get_master_uri())
     _, _, (publishers, subscribers, services) = master.getSystemState("/probe")
-    asked = ServerProxy(master.lookupNode("/probe", "/" + node)[2])
-    types = dict(asked.getSubscriptions("/probe")[2] + asked.getPublications("/probe")[2])
+    try:
+        asked = ServerProxy(master.lookupNode("/probe", "/" + node)[2])
+        types = dict(asked.getSubscriptions("/probe")[2] + asked.getPublications("/probe")[2])
+    except OSError:  # the address is that of one that was killed
+        types, publishers, subscribers, services = {}, (), (), ()
 
     def topics(entries):
         return {
