@@ -17,6 +17,7 @@ from plastron_tui.model.workspace import Workspace
 from plastron_tui.output.graphs import FORMATS, render
 from plastron_tui.project.run_setup import RunSetup, run_node
 from plastron_tui.ros.launch_names import launch_language
+from plastron_tui.ros.robots.names import FILE_ENDINGS
 from plastron_tui.ros.run_names import Remap, RunNames
 from plastron_tui.session import Options, Session
 from plastron_tui.targets import ros_version
@@ -30,7 +31,6 @@ from .common import (
     programs_argument,
     target_option,
 )
-from .inspect_robot import ROBOT_SUFFIXES
 from .run_options import namespace_option, refuse, remap_option, unknown_nodes
 
 _DRAWN = ("svg",)
@@ -66,7 +66,7 @@ def command(
         _show_launch_files(launches, arguments, format_, report)
         finish(report)
         return
-    robots = [each for each in files if each.suffix in ROBOT_SUFFIXES]
+    robots = [each for each in files if each.suffix in FILE_ENDINGS]
     programs = tuple(each for each in files if each not in robots)
     if not programs:
         refuse(_names_without_programs(remaps, namespace, "a robot has none of these names"))

@@ -14,10 +14,11 @@ from plastron_tui.model.source import LARGEST_FILE, SourceUnit
 from plastron_tui.output.own_files import settled
 from plastron_tui.project.loader import read_node, with_others
 from plastron_tui.regular_files import read_named, reason
+from plastron_tui.ros.robots.names import FILE_ENDINGS
 from plastron_tui.targets import ros_version
 
 from .common import Report, finish, format_option, print_text
-from .inspect_robot import ROBOT_SUFFIXES, show_robot
+from .inspect_robot import show_robot
 from .other_files import other_file
 
 
@@ -37,7 +38,7 @@ def command(files: tuple[Path, ...], format_: str) -> None:
         text = _text(file, report)
         if text is None:
             continue
-        if file.suffix in ROBOT_SUFFIXES:
+        if file.suffix in FILE_ENDINGS:
             show_robot(file, text, format_, report, is_one=len(files) == 1)
             continue
         source = _read(file, text, report)

@@ -11,8 +11,6 @@ from plastron_tui.diagnostics import Diagnostic, LineIndex, Span
 
 from .common import Report, print_text
 
-ROBOT_SUFFIXES = (".urdf", ".xacro")
-
 
 def show_robot(file: Path, text: bytes, format_: str, report: Report, *, is_one: bool) -> None:
     """Print what there is in a robot's file, and what is wrong with it.

@@ -132,9 +132,7 @@ def _prepare(
         return []
     made = session.generated()
     chosen = [generated for generated in made if _is_chosen(generated, names)]
-    workspace = session.workspace
-    launches = [each.name for each in workspace.launches.values()]
-    launches += [each.stem for each in workspace.robots.values() if each.home]
+    launches = _launch_names(session)
     unknown = _unknown_names(made, (*names, *setup.nodes), launches)
     if not unknown:
         setup = _checked(session, setup, chosen, report)
@@ -167,11 +165,16 @@ def _prepare(
     return [] if report.status else [*built, *nodes]
 
 
-def _hint(session: Session) -> None:
-    """Say how a launch file of the program is started: nodes alone do not need it."""
+def _launch_names(session: Session) -> list[str]:
+    """Return what the program's launch files are called, those of robots in packages too."""
     workspace = session.workspace
     names = [each.name for each in workspace.launches.values()]
-    names += [each.stem for each in workspace.robots.values() if each.home]
+    return names + [each.stem for each in workspace.robots.values() if each.home]
+
+
+def _hint(session: Session) -> None:
+    """Say how a launch file of the program is started: nodes alone do not need it."""
+    names = _launch_names(session)
     if names and session.path is not None:
         _tell(f"`plastron run {session.path.name} {names[0]}` starts the launch file")
 

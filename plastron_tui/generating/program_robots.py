@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from typing import TYPE_CHECKING, NamedTuple
 
 from plastron_tui.diagnostics import Diagnostic, codes
@@ -114,8 +114,7 @@ class ProgramRobots:
             if robot.source is None or (variable in held and variable not in homes):
                 continue
             written = robot_text(robot)
-            found += (each if each.file else each._replace(span=each.span or span)
-                      for each in written.diagnostics)  # fmt: skip
+            found += _told_at(span, written.diagnostics)
             if written.text is None:
                 continue
             home = homes.get(variable)
@@ -143,9 +142,7 @@ class ProgramRobots:
     ) -> _Packaged:
         written = robot_text(robot)
         if written.text is None:
-            found = tuple(each if each.file else each._replace(span=each.span or span)
-                          for each in written.diagnostics)  # fmt: skip
-            return _Packaged(None, found)
+            return _Packaged(None, tuple(_told_at(span, written.diagnostics)))
         is_there = is_within(package, robot)
         path = f"{URDF_FOLDER}/{written.name}"
         if is_there:
@@ -181,6 +178,11 @@ class ProgramRobots:
 class _Packaged(NamedTuple):
     robot: PackagedRobot | None
     diagnostics: tuple[Diagnostic, ...]
+
+
+def _told_at(span: Span, found: Iterable[Diagnostic]) -> Iterator[Diagnostic]:
+    """Yield diagnostics; what stands in no file is told at a statement."""
+    yield from (each if each.file else each._replace(span=each.span or span) for each in found)
 
 
 def _left_behind(macros: Macros, name: str, span: Span) -> Iterator[Diagnostic]:

@@ -23,7 +23,8 @@ def _names(text: bytes) -> set[Hashable]:
 
 
 def _merged(path: Path, before: bytes, new: bytes, present: bytes) -> bytes | None:
-    return merged_robot(path, before, new, present).text
+    merged = merged_robot(path, before, new, present)
+    return None if merged is None else merged.text
 
 
 ROBOT_FORM = Form(_parts, _names, _merged)

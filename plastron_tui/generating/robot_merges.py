@@ -16,23 +16,21 @@ class MergedRobot(NamedTuple):
     reason: str = ""
 
 
-def merged_robot(
-    path: Path, before: bytes, new: bytes, present: bytes, by_lines: bytes | None = None
-) -> MergedRobot:
+def merged_robot(path: Path, before: bytes, new: bytes, present: bytes) -> MergedRobot | None:
     """Bring what a program changes in a robot into its file, value by value.
-
-    Lines count where one of the texts is no robot.
 
     Args:
         path: the file.
         before: what the program made it as.
         new: what it makes it as now.
         present: what it holds.
-        by_lines: what became of its lines, None where both changed the same.
+
+    Returns:
+        None where one of the texts is no robot.
     """
     first, last = read_urdf(before).description, read_urdf(new).description
     if first is None or last is None or read_urdf(present).description is None:
-        return MergedRobot(by_lines, "the program changed the same lines")
+        return None
     changed = edited(present, first, last, path)
     reason = "; ".join(each.message for each in changed.diagnostics)
     return MergedRobot(changed.text, reason)

@@ -163,13 +163,14 @@ def _text_file(name: str, file: PackageFile, folder: Folder) -> tuple[OutputFile
 
 def _merged(path: Path, before: bytes, new: bytes, present: bytes) -> tuple[bytes | None, str]:
     """Bring a file's handwork and its program together; None with the reason."""
-    is_list = path.name in _LISTS
-    merged = merge_lines(before, new, present, is_list=is_list)
     if path.suffix == _ROBOT:
         from .robot_merges import merged_robot
 
-        return merged_robot(path, before, new, present, merged)
-    return merged, _SAME_LINES
+        robot = merged_robot(path, before, new, present)
+        if robot is not None:
+            return robot
+    is_list = path.name in _LISTS
+    return merge_lines(before, new, present, is_list=is_list), _SAME_LINES
 
 
 def changed_files(source: PackageSource, texts: Mapping[str, bytes]) -> list[OutputFile]:

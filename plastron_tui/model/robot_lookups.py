@@ -9,6 +9,7 @@ from typing import Any, Generic, NamedTuple, TypeVar
 
 from plastron_tui.diagnostics import Code, Diagnostic, Label, Span, codes, guess, listed, write
 from plastron_tui.ros.robots.description import Description, Joint, Link
+from plastron_tui.ros.robots.names import NAME_RULE, is_name
 
 from .mistake import Mistake
 from .robots import Places, Robot
@@ -16,7 +17,6 @@ from .run import Run
 
 T = TypeVar("T")
 
-_NAME = re.compile(r"[A-Za-z_][\w.-]*", re.ASCII)
 _OTHERS = re.compile(r"[^\w.-]+", re.ASCII)
 
 
@@ -152,12 +152,11 @@ def _remedy(variable: str, what: str, name: str, parts: Iterable[str]) -> str:
 
 def check_name(what: str, name: str, where: Span) -> None:
     """Check that a robot, a link or a joint may have a name."""
-    if not _NAME.fullmatch(name):
+    if not is_name(name):
         message = f"`{name}` cannot be the name of a {what}"
-        help_text = "a name has letters, digits, `_`, `-` and dots, and starts with a letter or `_`"
         right = _OTHERS.sub("_", name).lstrip("0123456789.-")
         fix = write(f"'{right}'", where) if right.strip("_") else None
-        raise Mistake(Diagnostic(codes.BAD_ROBOT_NAME, message, where, help=help_text, fix=fix))
+        raise Mistake(Diagnostic(codes.BAD_ROBOT_NAME, message, where, help=NAME_RULE, fix=fix))
 
 
 def check_new(places: Mapping[str, Places], name: str, what: str, where: Span) -> None:

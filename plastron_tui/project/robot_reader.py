@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, NamedTuple
 from plastron_tui.diagnostics import Diagnostic, Span, codes
 from plastron_tui.model.robots import LoadedRobot, RobotSource
 from plastron_tui.ros.robots.description import Description
+from plastron_tui.ros.robots.names import FILE_ENDINGS
 
 from .named_texts import NamedTexts
 
@@ -17,15 +18,10 @@ if TYPE_CHECKING:
     from plastron_tui.sources.urdf.reader import PartPlaces, UrdfRead
     from plastron_tui.sources.xml.document import XmlDocument
 
-_ENDINGS = (".urdf", ".xacro")
-
 _EXPORT = "export it as URDF from what it was made with"
 _OTHER_ROOTS = {
-    "sdf": ("a model of Gazebo (SDF), not URDF", "export it as URDF from what it was made with"),
-    "mujoco": (
-        "a model of MuJoCo (MJCF), not URDF",
-        "export it as URDF from what it was made with",
-    ),
+    "sdf": ("a model of Gazebo (SDF), not URDF", _EXPORT),
+    "mujoco": ("a model of MuJoCo (MJCF), not URDF", _EXPORT),
     "launch": ("a launch file", "`load_launch` changes it"),
     "package": ("the manifest of a package", "`load_package` and its folder change the package"),
     "COLLADA": ("a mesh", 'a link has it as `shaped mesh "URI"`'),
@@ -63,7 +59,7 @@ class RobotReader:
 
     def __call__(self, source: str) -> LoadedRobot:
         """Read the file that a `load_robot` asks for."""
-        path = self._texts.find(source, lambda each: each.suffix in _ENDINGS)
+        path = self._texts.find(source, lambda each: each.suffix in FILE_ENDINGS)
         if isinstance(path, Diagnostic):
             return LoadedRobot(None, (path,))
         text = self._texts.read(source, path)

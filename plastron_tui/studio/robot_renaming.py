@@ -8,7 +8,7 @@ from plastron_tui.diagnostics import Edit
 from plastron_tui.language import DECLARATIONS, Program, SlotKind
 from plastron_tui.model.workspace import Workspace
 from plastron_tui.ros.robots.description import Description
-from plastron_tui.ros.robots.names import is_name
+from plastron_tui.ros.robots.names import NAME_RULE, is_name
 
 from .panels.entry import Entry, Subject
 
@@ -51,6 +51,4 @@ def parts_of(description: Description, entry: Entry) -> Collection[str]:
 
 def wrong_robot_name(new: str) -> str | None:
     """Return why nothing of a robot can have a name, None when it can."""
-    if is_name(new):
-        return None
-    return "a name has letters, digits, `_`, `-` and dots, and starts with a letter"
+    return None if is_name(new) else NAME_RULE

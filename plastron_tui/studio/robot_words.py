@@ -5,9 +5,6 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import NamedTuple
 
-ROBOT_SUFFIXES = frozenset({".urdf", ".xacro"})
-"""What the names of robots' files end in."""
-
 
 class Shape(NamedTuple):
     """A shape.

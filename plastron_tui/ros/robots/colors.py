@@ -1,4 +1,8 @@
-"""Colours by their names, as CSS has them, and by codes."""
+"""Colours by names and by codes.
+
+The names mean what they mean in CSS (CSS Color, "Named Colors"), but for `dark_gray`, which is
+lighter than `gray` there.
+"""
 
 from __future__ import annotations
 

@@ -51,7 +51,6 @@ class FaultKind(Enum):
     """A link is so heavy that its mass may be in grams."""
     NAME = auto()
     """The name of a link or a joint is one that tf2 does not take: empty, or with a slash first."""
-
     SHARED_NAME = auto()
     """A joint is called like a link, which Gazebo refuses (sdformat: names of siblings)."""
 

@@ -130,8 +130,8 @@ class PartEdits:
             return
         has = [number_of(word) for word in words]
         kept = [
-            word if was is not None and same(was, value) else self.habits.number(name, value)
-            for word, was, value in zip(words, has, values, strict=True)
+            word if said is not None and same(said, value) else self.habits.number(name, value)
+            for word, said, value in zip(words, has, values, strict=True)
         ]
         if kept != words:
             self.set_text(path, name, _filled(found.value, kept))

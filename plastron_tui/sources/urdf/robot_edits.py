@@ -106,10 +106,12 @@ def _sequences(robot: Description, order: Order) -> list[list[Part]]:
 
 def _pairs(robot: Description, order: Order) -> Iterator[Part]:
     for branch in branches(robot):
-        pair = [Part("link", branch.link)]
-        if branch.joint is not None:
-            pair.insert(len(pair) * (order is Order.LINK_FIRST), Part("joint", branch.joint.name))
-        yield from pair
+        link = Part("link", branch.link)
+        if branch.joint is None:
+            yield link
+            continue
+        joint = Part("joint", branch.joint.name)
+        yield from (link, joint) if order is Order.LINK_FIRST else (joint, link)
 
 
 def _run(

@@ -16,11 +16,11 @@ from plastron_tui.model.rename import RENAMED
 from plastron_tui.ros.interfaces import Interface, InterfaceKind
 from plastron_tui.ros.parameters import ParameterType
 from plastron_tui.ros.qos_words import offered_words
+from plastron_tui.ros.robots.names import FILE_ENDINGS
 from plastron_tui.session import Session
 from plastron_tui.targets import LIBRARIES, languages, ros_version
 
 from ..folder_files import found_files, path_text
-from ..robot_words import ROBOT_SUFFIXES
 from .candidate import Candidate
 from .packaging_completion import OFFERS
 from .value_completion import conditions, default_values, rates, resolver, values
@@ -166,7 +166,7 @@ def _of_slot(
             yield from _files(session)
         case SlotKind.ROBOT_FILE:
             folder = session.folder
-            found = found_files(ROBOT_SUFFIXES, folder, levels=1)
+            found = found_files(FILE_ENDINGS, folder, levels=1)
             yield from (Candidate(f"'{path_text(path, folder)}'") for path in found)
         case SlotKind.INPUT | SlotKind.ANSWER:
             yield from values(expected, vocabulary, _catalog(expected, vocabulary, session))

@@ -8,7 +8,7 @@ from tree_sitter import Node
 
 from plastron_tui.diagnostics import Span
 from plastron_tui.language import Document
-from plastron_tui.ros.robots.names import is_name
+from plastron_tui.ros.robots.names import NAME_RULE, is_name
 
 from .names import Variable
 
@@ -77,7 +77,7 @@ def _within(node: Node) -> Span:
 def wrong_part_name(document: Document, offset: int, new: str) -> str | None:
     """Return why the part of a robot at an offset cannot have a name, None when it can."""
     if not is_name(new):
-        return f"`{new}` has to have letters, digits, `_`, `-` and dots, and a letter first"
+        return f"`{new}` cannot be one: {NAME_RULE}"
     root = document.tree.root_node
     for start in (offset, offset - 1):
         node = root.descendant_for_byte_range(max(start, 0), max(start, 0) + 1)

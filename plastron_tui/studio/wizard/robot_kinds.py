@@ -10,10 +10,11 @@ from plastron_tui.language import SlotKind
 from plastron_tui.language import statements as st
 from plastron_tui.language.declaration import Statement
 from plastron_tui.ros.robots.description import Description, Joint, JointType
+from plastron_tui.ros.robots.names import FILE_ENDINGS
 from plastron_tui.ros.robots.tree import holders, roots
 
 from ..folder_files import found_files, path_text
-from ..robot_words import JOINT_TYPES, ROBOT_SUFFIXES
+from ..robot_words import JOINT_TYPES
 from .ask import Ask, Choice
 from .context import free_name
 from .form import NEW, Cell
@@ -55,7 +56,7 @@ class RobotFileKind(Kind):
     def choices(self, ask: Ask, query: str) -> list[Choice]:
         """Return those below the program's folder."""
         folder = ask.scene.session.folder
-        found = ask.scene.surroundings.once("robots", lambda: found_files(ROBOT_SUFFIXES, folder))
+        found = ask.scene.surroundings.once("robots", lambda: found_files(FILE_ENDINGS, folder))
         robots = ask.scene.workspace.robots.values()
         loaded = {each.source.path for each in robots if each.source is not None}
         return [
