@@ -20,7 +20,7 @@ from plastron_tui.ros.robots.description import (
     Sphere,
     Tensor,
 )
-from plastron_tui.ros.robots.faults import Fault, FaultKind, faults
+from plastron_tui.ros.robots.faults import Fault, FaultKind, faults, main_root
 
 FIXED, TURNING, LIMITED = JointType.FIXED, JointType.CONTINUOUS, JointType.REVOLUTE
 FINE = Tensor(1.0, 0.0, 0.0, 1.0, 0.0, 1.0)
@@ -134,6 +134,7 @@ CASES: list[tuple[Description, list[Fault]]] = [
     (robot("", a=Link("a", inertial=Inertial(1.0, FINE))), [Fault(FaultKind.ROOT_INERTIA, "a")]),
     (seen(Box((1.0, 0.0, 1.0))), [Fault(FaultKind.SIZE, "b")]),
     (seen(Sphere(-1.0)), [Fault(FaultKind.SIZE, "b")]),
+    (seen(Sphere(float("nan"))), [Fault(FaultKind.SIZE, "b")]),
     (seen(Cylinder(1.0, 0.0)), [Fault(FaultKind.SIZE, "b")]),
     (seen(Mesh("a.stl", (0.0, 1.0, 1.0))), []),
     (seen(Box((1.0, 1.0, 400.0))), [Fault(FaultKind.LONG, "b")]),
@@ -143,6 +144,7 @@ CASES: list[tuple[Description, list[Fault]]] = [
         [Fault(FaultKind.LONG, "j")],
     ),
     (Description("r", {"/a": Link("/a")}), [Fault(FaultKind.NAME, "/a")]),
+    (Description("r", {" ": Link(" ")}), [Fault(FaultKind.NAME, " ")]),
     (robot("ab", held("b", "a", "b")), [Fault(FaultKind.SHARED_NAME, "b")]),
 ]
 
@@ -150,6 +152,26 @@ CASES: list[tuple[Description, list[Fault]]] = [
 @pytest.mark.parametrize(("described", "wrong"), CASES)
 def test_what_is_wrong(described: Description, wrong: list[Fault]) -> None:
     assert list(faults(described)) == wrong
+
+
+@pytest.mark.parametrize(
+    ("root", "loose"),
+    [
+        (None, [("a", ("b",))]),
+        ("a", [("b", ("a",))]),
+        # A link that is held, and one that is not there, is no root.
+        ("c", [("a", ("b",))]),
+        ("z", [("a", ("b",))]),
+    ],
+)
+def test_a_root_that_is_meant_counts(
+    root: str | None, loose: list[tuple[str, tuple[str, ...]]]
+) -> None:
+    described = robot("abc", held("j", "b", "c"))
+    found = list(faults(described, root))
+    assert found == [Fault(FaultKind.LOOSE, *each) for each in loose]
+    assert main_root(described) == "b"
+    assert main_root(robot("")) is None
 
 
 def test_a_chain_of_any_length_is_looked_at() -> None:
