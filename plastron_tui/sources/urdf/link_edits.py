@@ -23,6 +23,7 @@ from plastron_tui.ros.robots.description import (
 from plastron_tui.sources.xml.new_element import NewElement
 
 from .equality import same
+from .links import QUATERNION
 from .new_elements import (
     body_element,
     inertial_element,
@@ -62,8 +63,16 @@ def change_pose(part: PartEdits, path: Path, before: Pose, after: Pose) -> None:
         return
     origin = (*path, ("origin", 0))
     written = next(origin_elements(after), None)
+    there = part.find(origin)
+    if there is not None and there.attribute(QUATERNION) is not None:
+        if not same(before.rotation, after.rotation):
+            message = f"`{QUATERNION}` says how this is turned; write `rpy` there first"
+            raise part.refusal(message, there.name_span)
+        # It may not go, though all that is read of it is what it would be without.
+        part.set_numbers(origin, "xyz", before.position, after.position, ORIGIN)
+        return
     says_none = any(part.habits.says_default("origin", each) for each in ("xyz", "rpy"))
-    if part.find(origin) is None or (written is None and not says_none):
+    if there is None or (written is None and not says_none):
         put(part, origin, written, was_there=True)
         return
     part.set_numbers(origin, "xyz", before.position, after.position, ORIGIN)

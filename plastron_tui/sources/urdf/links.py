@@ -20,6 +20,9 @@ from plastron_tui.sources.xml.document import Element
 
 from .values import Values, first, or_else
 
+QUATERNION = "quat_xyzw"
+"""How newer files say in an `origin` what is turned, instead of by `rpy` (urdfdom_headers)."""
+
 _SHAPES = ("box", "cylinder", "sphere", "mesh")
 
 
@@ -50,6 +53,11 @@ def pose_of(element: Element, values: Values) -> Pose:
     origin = first(element, "origin")
     if origin is None:
         return Pose()
+    quaternion = origin.attribute(QUATERNION)
+    if quaternion is not None:
+        message = f"`{QUATERNION}` is not read: this counts as turned by its `rpy` alone"
+        span, severity = quaternion.span, Severity.WARNING
+        values.tell(message, span, "write its angles as `rpy`", severity=severity)
     return Pose(or_else(values.vector(origin, "xyz")), or_else(values.vector(origin, "rpy")))
 
 

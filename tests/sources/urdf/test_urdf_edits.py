@@ -351,3 +351,16 @@ def test_a_robot_of_nothing_gets_all(text: bytes) -> None:
     again = read_urdf(edit.text).description
     assert again is not None
     assert same_robot(again, wanted)
+
+
+def test_a_quaternion_is_told_and_stays() -> None:
+    quaternion = "quat_xyzw='0 0 1 0'"
+    text = ROVER.replace("rpy='0 0 0'", quaternion)
+    (told,) = read_urdf(text.encode()).diagnostics
+    assert "`quat_xyzw` is not read" in told.message
+    for position, written in (((0, 0, 1), "0 0 1"), ((0, 0, 0), "0 0 0")):
+        edit = make(text.encode(), joint(pose=Pose(position)))
+        assert edit.text == text.replace("0 0 0.050", written).encode()
+    edit = make(text.encode(), joint(pose=Pose((0, 0, 0.05), (0, 0, 1))))
+    assert edit.text is None
+    assert "`quat_xyzw` says how this is turned" in edit.diagnostics[0].message
