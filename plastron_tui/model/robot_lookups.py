@@ -167,7 +167,7 @@ def check_new(places: Mapping[str, Places], name: str, what: str, where: Span) -
         message = f"the program has a {what} `{name}` already"
         if earlier.made is None:
             message = f"the program changes the {what} `{name}` already"
-        help_text = "say all of it in one sentence"
+        help_text = f"say all of it in one sentence, or give the other {what} its own name"
         raise twice(codes.PART_EXISTS, message, where, span, help_text)
 
 

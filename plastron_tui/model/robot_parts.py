@@ -350,6 +350,8 @@ def bad_unit(statement: Any, unit: str, right: tuple[str, ...]) -> Mistake:
     """Return the mistake of a unit that is not one of those that are right."""
     where = statement.span_of("unit")
     near, fix = guess(unit, right, where)
+    if near is None and unit == "m" and isinstance(statement, st.LimitsJoint):
+        near = "a joint that slides, and is in `m`, is `prismatic`"
     words = " or ".join(f"`{each}`" for each in right)
     message = f"`{unit}` is no unit of this; it is in {words}"
     return Mistake(Diagnostic(codes.BAD_UNIT, message, where, help=near, fix=fix))
