@@ -113,7 +113,7 @@ def describe_ros1(uri: str) -> Described:
     kept = [
         replace(node, by_kind=with_actions(node.by_kind), parameters=own.get(name, {}))
         for name, node in nodes.items()
-        if name not in gone
+        if told[name] is not None
     ]
     return Described(_shown(kept), tuple(_gone(name) for name in gone))
 

@@ -28,9 +28,13 @@ def send(action, type_name, fields, cancel_at, second_at):
     done = threading.Event()
     ended = []
 
+    def index_of(handle):
+        # What is heard of a goal may come before it is known that it was sent.
+        return goals.index(handle) if handle in goals else len(goals)
+
     def on_transition(handle):
         state = handle.get_comm_state()
-        index = goals.index(handle) if handle in goals else len(goals)
+        index = index_of(handle)
         if state == actionlib.CommState.ACTIVE:
             tell("accepted", goal=index)
         elif state == actionlib.CommState.DONE:
@@ -44,7 +48,7 @@ def send(action, type_name, fields, cancel_at, second_at):
     heard = {}
 
     def on_feedback(handle, feedback):
-        index = goals.index(handle)
+        index = index_of(handle)
         heard[index] = heard.get(index, 0) + 1
         tell("feedback", goal=index, feedback=plain(feedback))
         if index == 0 and heard[0] == cancel_at:
