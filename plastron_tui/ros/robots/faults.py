@@ -148,10 +148,20 @@ def _tree_faults(robot: Description, root: str | None) -> Iterator[Fault]:
     sizes = _root_sizes(robot)
     if not sizes:
         return
-    main = root if root in sizes else max(sizes, key=sizes.__getitem__)
+    main = root if root in sizes else _meant_root(robot, sizes)
     yield from (Fault(FaultKind.LOOSE, each, (main,)) for each in sizes if each != main)
     if robot.links[main].inertial is not None:
         yield Fault(FaultKind.ROOT_INERTIA, main)
+
+
+def _meant_root(robot: Description, sizes: Mapping[str, int]) -> str:
+    """Return which of several roots is meant to be the one.
+
+    It is the first link, where that is a mere place, as a root should be; else what most hangs on.
+    """
+    first = next(iter(robot.links.values()))
+    is_place = first.inertial is None and not first.visuals and not first.collisions
+    return first.name if first.name in sizes and is_place else max(sizes, key=sizes.__getitem__)
 
 
 def _circles(kind: FaultKind, robot: Description, after: Mapping[str, str]) -> Iterator[Fault]:
