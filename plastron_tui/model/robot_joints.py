@@ -84,7 +84,8 @@ def mimic_of(run: Run, statement: st.HasJoint) -> Mimic | None:
     robot, where = find_robot(run, statement), statement.span_of("mimicked")
     if statement.mimicked == statement.joint:
         message = f"`{statement.joint}` cannot follow itself"
-        raise Mistake(Diagnostic(codes.BAD_MIMIC, message, where))
+        help_text = "name the joint that it follows"
+        raise Mistake(Diagnostic(codes.BAD_MIMIC, message, where, help=help_text))
     followed = find_joint(run, robot, statement.mimicked, where)
     if followed is not None and followed.type is JointType.FIXED:
         message = f"`{followed.name}` is fixed: nothing follows it"
@@ -117,6 +118,9 @@ def no_longer_has_joint(run: Run, statement: st.NoLongerHasJoint) -> None:
         made = robot.joints.get(following.name, Places()).made
         labels = () if made is None else (Label(made, "here"),)
         message = f"`{following.name}` still follows `{name}`"
-        help_text = "take that one away first"
+        help_text = (
+            f"take that one away first, `{robot.variable} no_longer_has_joint '{following.name}'`, "
+            "or let it follow another"
+        )
         raise Mistake(Diagnostic(codes.PART_IN_USE, message, where, help=help_text, labels=labels))
     robot.take_joint(name)

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from typing import Any, Generic, NamedTuple, TypeVar
 
 from plastron_tui.diagnostics import Code, Diagnostic, Label, Span, codes, guess, listed, write
+from plastron_tui.ros.packages import LONGEST_FILE_NAME
 from plastron_tui.ros.robots.description import Description, Joint, Link
 from plastron_tui.ros.robots.names import NAME_RULE, is_name
 
@@ -17,6 +18,9 @@ from .robots import Places, Robot
 from .run import Run
 
 T = TypeVar("T")
+
+LONGEST_NAME = LONGEST_FILE_NAME - len(".urdf")
+"""Characters: a robot's file is called as the robot is, and its parts have no longer names."""
 
 _OTHERS = re.compile(r"[^\w.-]+", re.ASCII)
 
@@ -146,7 +150,9 @@ def _remedy(variable: str, what: str, name: str, parts: Iterable[str]) -> str:
     if what == "link":
         return f"make it first: `{variable} has_link '{name}'`"
     names = [f"`{each}`" for each in parts]
-    return f"it has {listed(names)}" if names else "it has none"
+    if not names:
+        return "it has no joint so far: make that one first"
+    return f"so far, it has {listed(names)}"
 
 
 def check_name(what: str, name: str, where: Span) -> None:
@@ -156,6 +162,9 @@ def check_name(what: str, name: str, where: Span) -> None:
         right = _OTHERS.sub("_", name).lstrip("0123456789.-")
         fix = write(f"'{right}'", where) if right.strip("_") else None
         raise Mistake(Diagnostic(codes.BAD_ROBOT_NAME, message, where, help=NAME_RULE, fix=fix))
+    if len(name) > LONGEST_NAME:
+        message = f"the name of a {what} has at most {LONGEST_NAME} characters"
+        raise Mistake(Diagnostic(codes.BAD_ROBOT_NAME, message, where, help="choose a shorter one"))
 
 
 def check_new(places: Mapping[str, Places], name: str, what: str, where: Span) -> None:

@@ -220,9 +220,11 @@ def weight_of(statement: st.HasLink) -> float | None:
     weight = as_float(statement.weight)
     if not LIGHTEST <= weight <= HEAVIEST:
         message = "a weight is more than 0 kg"
+        help_text = None if weight > 0 else "leave it out for a link without a mass"
         if weight > 0:
             message = f"a weight is between {LIGHTEST:.6f} and {HEAVIEST:,.0f} kg"
-        raise Mistake(Diagnostic(codes.BAD_WEIGHT, message, statement.span_of("weight")))
+        where = statement.span_of("weight")
+        raise Mistake(Diagnostic(codes.BAD_WEIGHT, message, where, help=help_text))
     return weight
 
 
@@ -357,5 +359,6 @@ def bad_unit(statement: Any, unit: str, right: tuple[str, ...]) -> Mistake:
     if near is None and unit == "m" and isinstance(statement, st.LimitsJoint):
         near = "a joint that slides, and is in `m`, is `prismatic`"
     words = " or ".join(f"`{each}`" for each in right)
-    message = f"`{unit}` is no unit of this; it is in {words}"
+    what = "the limits of this joint are" if isinstance(statement, st.LimitsJoint) else "a turn is"
+    message = f"{what} in {words}, not in `{unit}`"
     return Mistake(Diagnostic(codes.BAD_UNIT, message, where, help=near, fix=fix))

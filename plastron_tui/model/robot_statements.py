@@ -5,10 +5,9 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any
 
-from plastron_tui.diagnostics import Diagnostic, Severity, codes
+from plastron_tui.diagnostics import Severity, codes
 from plastron_tui.language import statements as st
 from plastron_tui.language.declaration import Statement
-from plastron_tui.ros.packages import LONGEST_FILE_NAME
 from plastron_tui.ros.robots.description import Description
 from plastron_tui.ros.robots.materials import defined_materials
 
@@ -20,8 +19,6 @@ from .robot_links import has_link, no_longer_has_link
 from .robot_lookups import check_name, find_robot, twice
 from .robots import Robot, RobotGeneration
 from .run import Run
-
-_LONGEST_NAME = LONGEST_FILE_NAME - len(".urdf")
 
 
 def create_robot(run: Run, statement: st.CreateRobot) -> None:
@@ -37,9 +34,6 @@ def check_robot_named(run: Run, statement: st.CreateRobot) -> None:
     """Check that a robot may have its name, and that no other has it."""
     where = statement.span_of("name")
     check_name("robot", statement.name, where)
-    if len(statement.name) > _LONGEST_NAME:
-        message = f"the name of a robot has at most {_LONGEST_NAME} characters"
-        raise Mistake(Diagnostic(codes.BAD_ROBOT_NAME, message, where, help="choose a shorter one"))
     for other in run.workspace.robots.values():
         if other.name == statement.name:
             message = f"a robot `{statement.name}` exists already"

@@ -19,6 +19,7 @@ r has_link 'c'
 r has_joint 'j' of joint_type revolute from 'a' to 'b'
 r has_joint 'f' of joint_type fixed from 'b' to 'c'
 """
+LONG = "d" * 196
 LIMIT = "r limits_joint 'j'"
 JOINT = "r has_joint 'k' of joint_type"
 
@@ -26,6 +27,13 @@ JOINT = "r has_joint 'k' of joint_type"
 MISTAKES: list[tuple[str, str, str, str]] = [
     ("x has_link 'd'", "unknown-robot", "x", "make it first"),
     ("r has_link '1d'", "bad-robot-name", "'1d'", "starts with a letter"),
+    (f"r has_link '{LONG}'", "bad-robot-name", f"'{LONG}'", "a shorter one"),
+    (
+        f"{JOINT.replace('k', LONG)} fixed from 'a' to 'c'",
+        "bad-robot-name",
+        f"'{LONG}'",
+        "a shorter one",
+    ),
     ("r has_link 'a'", "part-exists", "'a'", "one sentence"),
     ("r has_link 'd' weighing 5", "bad-shape", "5", "say `shaped …`"),
     ("r has_link 'd' painted red", "bad-shape", "red", "say `shaped …`"),
@@ -49,7 +57,7 @@ MISTAKES: list[tuple[str, str, str, str]] = [
     ("r has_link 'd' shaped sphere True", "bad-shape", "True", ""),
     ("r has_link 'd' shaped mesh \"\"", "bad-shape", '""', "package://"),
     ("r has_link 'd' shaped mesh \"a\", scale=0", "bad-shape", "scale=0", ""),
-    ("r has_link 'd' shaped sphere 1 weighing -1", "bad-weight", "-1", ""),
+    ("r has_link 'd' shaped sphere 1 weighing -1", "bad-weight", "-1", "leave it out"),
     ("r has_link 'd' shaped sphere 1 painted rde", "unknown-color", "rde", "did you mean `red`?"),
     ("r has_link 'd' shaped sphere 1 painted \"#12\"", "unknown-color", '"#12"', "#3060ff"),
     ("r has_link 'd' shaped sphere 1 at 0, 1e999, 0", "bad-robot-number", "1e999", ""),
@@ -63,7 +71,8 @@ MISTAKES: list[tuple[str, str, str, str]] = [
     (f"{JOINT} planar from 'a' to 'c' with axis 0, 0, 0", "bad-axis", "0, 0, 0", "points up"),
     (f"{JOINT} fixed from 'a' to 'c' mimicking 'j'", "bad-mimic", "'j'", ""),
     (f"{JOINT} planar from 'a' to 'c' mimicking 'f'", "bad-mimic", "'f'", ""),
-    (f"{JOINT} planar from 'a' to 'c' mimicking 'g'", "unknown-joint", "'g'", "it has `j`, `f`"),
+    (f"{JOINT} planar from 'a' to 'c' mimicking 'k'", "bad-mimic", "'k'", "that it follows"),
+    (f"{JOINT} planar from 'a' to 'c' mimicking 'g'", "unknown-joint", "'g'", "so far, it has `j`"),
     (f"{JOINT} planar from 'a' to 'c' mimicking 'j' times 0", "bad-mimic", "0", ""),
     ("r no_longer_has_joint 'x'", "unknown-joint", "'x'", "it has `j`, `f`"),
     (f"{LIMIT}", "bad-limits", "'j'", "between"),
