@@ -16,7 +16,7 @@ from .robots import Robot
 from .unique_names import numbered
 from .workspace import Workspace
 
-_SAID = frozenset({FaultKind.LONG, FaultKind.HEAVY, FaultKind.NAME})
+_SAID = frozenset({FaultKind.LONG, FaultKind.HEAVY, FaultKind.NAME, FaultKind.NO_VELOCITY})
 """What is told of the statement that says it, whatever else the robot is."""
 
 _OF_THE_WHOLE = frozenset(

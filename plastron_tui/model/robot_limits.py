@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from plastron_tui.diagnostics import Diagnostic, codes
+from plastron_tui.diagnostics import Diagnostic, Severity, codes
 from plastron_tui.language import statements as st
 from plastron_tui.ros.robots.description import Dynamics, Joint, JointType, Limit
 
@@ -36,6 +36,13 @@ def limits_joint(run: Run, statement: st.LimitsJoint) -> None:
     if statement.damping is not None and statement.friction is not None:
         dynamics = Dynamics(as_float(statement.damping), as_float(statement.friction))
         joint = joint._replace(dynamics=dynamics)
+    if joint.type.is_limited and statement.velocity is not None and not limit.velocity:
+        message = f"with a velocity of 0, no planner moves `{joint.name}`"
+        where, help_text = statement.span_of("velocity"), "say how fast it may be at most"
+        still = Diagnostic(
+            codes.BAD_LIMITS, message, where, help=help_text, severity=Severity.WARNING
+        )
+        run.report(statement, still)
     for each in limit_slips(statement):
         run.report(statement, each)
     robot.put_joint(joint)

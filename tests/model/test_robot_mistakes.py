@@ -85,6 +85,7 @@ MISTAKES: list[tuple[str, str, str, str]] = [
     (f"{LIMIT} between 9 and 9 deg with effort 1 and velocity 1", "bad-limits", "9 and 9", "fixed"),
     (f"{LIMIT} between 0 and 1 m with effort 1 and velocity 1", "bad-unit", "m", ""),
     (f"{LIMIT} between 0 and 1 rad with effort -1 and velocity 1", "bad-limits", "-1", ""),
+    (f"{LIMIT} between 0 and 1 rad with effort 0 and velocity 0", "bad-limits", "0", "how fast"),
     (f"{LIMIT} with damping 1 and friction 1e999", "bad-limits", "1e999", ""),
     (f"{LIMIT} with effort 1 and velocity 1", "missing-limits", "'j'", "between"),
     (f"{LIMIT} between 0 and 1 rad", "missing-limits", "'j'", "with effort"),

@@ -106,7 +106,11 @@ CASES: list[tuple[Description, list[Fault]]] = [
         robot("ab", held("j", "a", "b", LIMITED, limit=Limit(2.0, 1.0))),
         [Fault(FaultKind.NO_RANGE, "j")],
     ),
-    (robot("ab", held("j", "a", "b", LIMITED, limit=Limit(-1.0, 1.0))), []),
+    (robot("ab", held("j", "a", "b", LIMITED, limit=Limit(-1.0, 1.0, 0.0, 1.0))), []),
+    (
+        robot("ab", held("j", "a", "b", LIMITED, limit=Limit(-1.0, 1.0, 1.0, 0.0))),
+        [Fault(FaultKind.NO_VELOCITY, "j")],
+    ),
     (robot("ab", held("j", "a", "b", TURNING, limit=Limit())), []),
     (robot("ab", follower("j", "b", "z")), [Fault(FaultKind.MIMICS_NOTHING, "j", ("z",))]),
     (

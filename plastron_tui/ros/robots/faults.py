@@ -31,6 +31,8 @@ class FaultKind(Enum):
     """A joint lacks the limits that URDF wants (urdfdom: `parseJoint`)."""
     NO_RANGE = auto()
     """A joint with limits moves nowhere between them."""
+    NO_VELOCITY = auto()
+    """A joint with limits has a velocity of 0, at which nothing that plans moves it."""
     MIMICS_NOTHING = auto()
     """A joint follows one that is not there; others: that one."""
     MIMICS_FIXED = auto()
@@ -68,8 +70,13 @@ class FaultKind(Enum):
 _OF_JOINTS = frozenset(
     {
         *(FaultKind.CIRCLE, FaultKind.HELD_TWICE, FaultKind.NO_PARENT, FaultKind.NO_CHILD),
-        *(FaultKind.NO_LIMITS, FaultKind.NO_RANGE, FaultKind.MIMICS_NOTHING),
-        *(FaultKind.MIMICS_FIXED, FaultKind.MIMIC_CIRCLE, FaultKind.SHARED_NAME),
+        *(FaultKind.NO_LIMITS, FaultKind.NO_RANGE, FaultKind.NO_VELOCITY),
+        *(
+            FaultKind.MIMICS_NOTHING,
+            FaultKind.MIMICS_FIXED,
+            FaultKind.MIMIC_CIRCLE,
+            FaultKind.SHARED_NAME,
+        ),
     }
 )
 
@@ -190,6 +197,8 @@ def _limit_faults(robot: Description) -> Iterator[Fault]:
             yield Fault(FaultKind.NO_LIMITS, joint.name)
         elif not joint.limit.lower < joint.limit.upper:
             yield Fault(FaultKind.NO_RANGE, joint.name)
+        elif joint.limit.velocity == 0:
+            yield Fault(FaultKind.NO_VELOCITY, joint.name)
 
 
 def _mimic_faults(robot: Description) -> Iterator[Fault]:
