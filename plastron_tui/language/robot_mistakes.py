@@ -62,6 +62,17 @@ def color(place: Place, found: Diagnostic) -> Diagnostic | None:
     return mended(found, _ONE_WORD, place.span(place.at - 1, place.at + 1), right)
 
 
+def second_color(place: Place, found: Diagnostic) -> Diagnostic | None:
+    """Say that a link has one colour, at `painted red, green` and `painted red and green`."""
+    before = place.slots.get(place.at - 1)
+    is_joined = before is SlotKind.COLOR and place.token.text in (",", "and", "/")
+    word = place.text(place.at + 1)
+    if not is_joined or not place.is_name(place.at + 1) or word in _CLAUSE_WORDS:
+        return None
+    help_ = "a link has one colour; another part may have another"
+    return found._replace(span=place.span(place.at, place.at + 2), help=help_, fix=None)
+
+
 def axis(place: Place, found: Diagnostic) -> Diagnostic | None:
     """Recognise `with axis z`, and `axis 0, 0, 1` without its `with`."""
     at, text = place.at, place.token.text
@@ -180,10 +191,14 @@ def pair_word(place: Place, found: Diagnostic) -> Diagnostic | None:
 
 
 def type_word(place: Place, found: Diagnostic) -> Diagnostic | None:
-    """Recognise `of type fixed`, and `of fixed`."""
+    """Recognise `of type fixed`, `of fixed`, and `fixed`."""
     if place.declaration is None or place.declaration.type is not HasJoint:
         return None
     token = place.token
+    is_first = place.at == FIRST_CLAUSE and place.text(place.at + 1) == "from"
+    if is_first and place.is_name(place.at):
+        right = f"of joint_type {token.text}"
+        return found._replace(help=f"write `{right}`", fix=write(right, token.span))
     if place.text(place.at - 1) != "of" or not place.is_name(place.at):
         return None
     if token.text != "type" and place.text(place.at + 1) != "from":
@@ -194,6 +209,7 @@ def type_word(place: Place, found: Diagnostic) -> Diagnostic | None:
 
 ROBOT_SLIPS: tuple[Callable[[Place, Diagnostic], Diagnostic | None], ...] = (
     color,
+    second_color,
     axis,
     *NUMBER_SLIPS,
     *LIMIT_SLIPS,

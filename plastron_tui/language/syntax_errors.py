@@ -54,7 +54,8 @@ def _names(tokens: Sequence[Token]) -> Iterator[str]:
     for token in tokens:
         if token.kind in WORD_KINDS:
             yield token.text
-        elif token.kind in QUOTED_KINDS:
+        elif token.kind in QUOTED_KINDS or token.kind == "string":
+            # A name that stands in the wrong quotes is named all the same.
             yield token.text[1:-1]
 
 

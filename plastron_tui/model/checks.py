@@ -25,6 +25,7 @@ from .kinds import MADE_BY, EndpointKind, callback_of
 from .kinds.needs import users_of
 from .libraries import default_library
 from .mistake import Mistake, function_conflict
+from .other_things import another
 from .workspace import Node, Workspace
 
 _VERSIONS = {"ros1": 1, "ros2": 2, **DISTRIBUTIONS}
@@ -100,9 +101,7 @@ class Checks:
             raise Mistake
         where = statement.span_of("node")
         remedy, fix = guess(variable, self._workspace.nodes, where)
-        other = self._workspace.what(variable)
-        if other is not None:
-            remedy, fix = f"`{variable}` is a {other[0]}", None
+        remedy, fix = another(self._workspace, statement, variable) or (remedy, fix)
         if remedy is None:
             remedy = f"make it first: `create_node '{variable}' as {variable}`"
         if fix is not None:

@@ -13,6 +13,7 @@ from plastron_tui.ros.parameters import Setting
 
 from .launches import Launch
 from .mistake import Mistake
+from .other_things import another
 from .robots import Robot
 from .run import Run
 from .workspace import Node
@@ -29,10 +30,10 @@ def find_launch(run: Run, statement: Any) -> Launch:
     where = statement.span_of("launch")
     remedy = f"make it first: `create_launch '{variable}' as {variable}`"
     others = run.workspace.launches
-    raise _unknown(run, codes.UNKNOWN_LAUNCH, "launch file", variable, where, others, remedy)
+    raise _unknown(run, statement, codes.UNKNOWN_LAUNCH, variable, where, others, remedy)
 
 
-def find_node(run: Run, variable: str, where: Span) -> Node:
+def find_node(run: Run, statement: Any, variable: str, where: Span) -> Node:
     """Return the node that a launch file is to start."""
     node = run.workspace.nodes.get(variable)
     if node is not None:
@@ -42,7 +43,7 @@ def find_node(run: Run, variable: str, where: Span) -> Node:
         raise _started_by_its_file(run, robot, where)
     remedy = f"make it first: `create_node '{variable}' as {variable}`"
     others = run.workspace.nodes
-    raise _unknown(run, codes.UNKNOWN_NODE, "node", variable, where, others, remedy)
+    raise _unknown(run, statement, codes.UNKNOWN_NODE, variable, where, others, remedy)
 
 
 def _started_by_its_file(run: Run, robot: Robot, where: Span) -> Mistake:
@@ -58,8 +59,8 @@ def _started_by_its_file(run: Run, robot: Robot, where: Span) -> Mistake:
 
 def _unknown(
     run: Run,
+    statement: Any,
     code: Code,
-    word: str,
     variable: str,
     where: Span,
     others: Iterable[str],
@@ -67,10 +68,8 @@ def _unknown(
 ) -> Mistake:
     if run.consequences.declares(variable):
         return Mistake()
-    other = run.workspace.what(variable)
-    near, fix = guess(variable, others, where)
-    if other is not None:
-        near, fix = f"`{variable}` is a {other[0]}", None
+    near, fix = another(run.workspace, statement, variable) or guess(variable, others, where)
+    word = "launch file" if code is codes.UNKNOWN_LAUNCH else "node"
     message = f"no {word} `{variable}`"
     return Mistake(Diagnostic(code, message, where, help=near or remedy, fix=fix))
 

@@ -76,7 +76,7 @@ def _start(run: Run, launch: Launch, statement: st.Starts) -> Start:
             help_text = "write the package and the executable: `starts 'demo/talker'`"
             raise bad_name(f"`{started[1:-1]}` names no executable of a package", where, help_text)
     else:
-        node = find_node(run, started, where)
+        node = find_node(run, statement, started, where)
         version = run.checks.version_of(node)
     _check_names(run, launch, statement, version)
     container = None

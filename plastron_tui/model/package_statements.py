@@ -22,6 +22,7 @@ from plastron_tui.ros.packages import (
 from .launches import Launch
 from .load_package import home_in, is_built
 from .mistake import Mistake
+from .other_things import another
 from .packages import SCRIPTS_FOLDER, Contained, Package, PackageGeneration, nodes_folder
 from .robots import Robot
 from .run import Run
@@ -355,10 +356,8 @@ def check_package_there(run: Run, statement: Any) -> Package:
     if run.consequences.declares(variable):
         raise Mistake
     where = statement.span_of("package")
-    other = run.workspace.what(variable)
-    remedy, fix = guess(variable, run.workspace.packages, where)
-    if other is not None:
-        remedy, fix = f"`{variable}` is a {other[0]}", None
+    near = guess(variable, run.workspace.packages, where)
+    remedy, fix = another(run.workspace, statement, variable) or near
     remedy = remedy or f"make it first: `create_package '{variable}' as {variable}`"
     message = f"no package `{variable}`"
     raise Mistake(Diagnostic(codes.UNKNOWN_PACKAGE, message, where, help=remedy, fix=fix))

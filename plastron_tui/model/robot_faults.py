@@ -105,9 +105,13 @@ def help_of(fault: Fault, robot: Robot) -> str | None:
         case FaultKind.SHARED_NAME:
             return f"call the joint `{part}_joint`"
         case FaultKind.ROOT_INERTIA:
-            return f"let an empty link be the root, and hold `{part}` by a fixed joint"
+            return _empty_root(part)
         case _:
             return None
+
+
+def _empty_root(root: str) -> str:
+    return f"let an empty link be the root, and hold `{root}` by a fixed joint"
 
 
 def faults_of_file(source: RobotSource, where: Span) -> Iterator[Diagnostic]:
@@ -130,7 +134,8 @@ def faults_of_file(source: RobotSource, where: Span) -> Iterator[Diagnostic]:
             span = source.spans.get(key) if source.origin is None else None
             file = None if span is None else source.path
             at = where if span is None else span
-            yield Diagnostic(CODES[kind], message, at, file, severity=Severity.WARNING)
+            help_ = _empty_root(part) if kind is FaultKind.ROOT_INERTIA else None
+            yield Diagnostic(CODES[kind], message, at, file, help_, severity=Severity.WARNING)
 
 
 def _is_told_by_reader(fault: Fault, robot: Description) -> bool:

@@ -12,6 +12,7 @@ from plastron_tui.ros.robots.description import Description, Joint, Link
 from plastron_tui.ros.robots.names import NAME_RULE, is_name
 
 from .mistake import Mistake
+from .other_things import another
 from .robots import Places, Robot
 from .run import Run
 
@@ -30,9 +31,7 @@ def find_robot(run: Run, statement: Any) -> Robot:
     if run.consequences.declares(variable):
         raise Mistake
     near, fix = guess(variable, run.workspace.robots, where)
-    other = run.workspace.what(variable)
-    if other is not None:
-        near, fix = f"`{variable}` is a {other[0]}", None
+    near, fix = another(run.workspace, statement, variable) or (near, fix)
     remedy = f"make it first: `create_robot '{variable}' as {variable}`"
     message = f"no robot `{variable}`"
     raise Mistake(Diagnostic(codes.UNKNOWN_ROBOT, message, where, help=near or remedy, fix=fix))

@@ -99,8 +99,8 @@ def shape_of(statement: st.HasLink) -> Shape | None:
     made: dict[str, Any] = {}
     for name, (value, at) in given.items():
         try:
-            make: Callable[[Any, Span], Any] = _MADE_OF.get(name, _length)
-            made[name] = make(value, at)
+            make = _MADE_OF.get(name)
+            made[name] = _length(name, value, at) if make is None else make(value, at)
         except Mistake as mistake:  # noqa: PERF203 - each value has its own
             wrong += mistake.diagnostics
     if wrong:
@@ -166,17 +166,21 @@ def _bad_shape(message: str, where: Span, form: _Form, help_text: str | None = N
     return Diagnostic(codes.BAD_SHAPE, message, where, help=help_text)
 
 
-def _length(value: Any, where: Span) -> float:
+def _length(name: str, value: Any, where: Span) -> float:
     number = _number(value)
-    if number is None:
-        message = "a length is a number of metres"
-        raise Mistake(Diagnostic(codes.BAD_SHAPE, message, where))
-    if not SHORTEST <= number <= FARTHEST:
-        message = "a length is more than 0"
+    if number is not None and SHORTEST <= number <= FARTHEST:
+        return number
+    help_text = fix = None
+    message = f"`{name}` is a number of metres"
+    if number is not None:
+        message = f"`{name}` is more than 0"
         if number > 0:
-            message = f"a length is between {SHORTEST:.6f} and {FARTHEST:,.0f} m"
-        raise Mistake(Diagnostic(codes.BAD_SHAPE, message, where))
-    return number
+            message = f"`{name}` is between {SHORTEST:.6f} and {FARTHEST:,.0f} m"
+        elif SHORTEST <= -number <= FARTHEST:
+            written = value.syntax.end_byte - value.syntax.start_byte
+            fix = write(f"{-number:.12g}", Span(where.end - written, where.end))
+            help_text = f"{fix.title}; a part is turned by `turned`, and moved by `at`"
+    raise Mistake(Diagnostic(codes.BAD_SHAPE, message, where, help=help_text, fix=fix))
 
 
 def _scale(value: Any, where: Span) -> Vector:

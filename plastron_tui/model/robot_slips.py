@@ -45,7 +45,7 @@ def limit_slips(statement: st.LimitsJoint) -> Iterator[Diagnostic]:
         yield from _long([each for slot in slots for each in numbers(statement, slot)])
     elif statement.unit == "rad" and any(map(is_too_far_a_limit, ends)):
         most = max(ends, key=abs)
-        yield _other_unit(statement, f"{most:.12g} rad are several turns", "deg")
+        yield _other_unit(statement, f"{most:.12g} rad is several turns", "deg")
     elif statement.unit == "deg":
         yield from _in_radians(statement, ends)
 

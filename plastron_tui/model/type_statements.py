@@ -34,6 +34,7 @@ from plastron_tui.ros.packages import LONGEST_PACKAGE_NAME
 
 from .field_lines import field_line
 from .mistake import Mistake
+from .other_things import another
 from .own_type_changes import Make, in_use, settle, users_of
 from .own_types import SECTIONS, Definition, DefinitionSource, OwnType
 from .run import Run
@@ -350,10 +351,8 @@ def _own_type(run: Run, statement: Any) -> OwnType:
     if run.consequences.declares(variable):
         raise Mistake
     where = statement.span_of("type")
-    other = run.workspace.what(variable)
-    remedy, fix = guess(variable, run.workspace.types, where)
-    if other is not None:
-        remedy, fix = f"`{variable}` is a {other[0]}", None
+    near = guess(variable, run.workspace.types, where)
+    remedy, fix = another(run.workspace, statement, variable) or near
     remedy = remedy or f"make it first: `create_message_type {variable} with …`"
     message = f"the program has no type `{variable}` of its own"
     raise Mistake(Diagnostic(codes.UNKNOWN_OWN_TYPE, message, where, help=remedy, fix=fix))

@@ -74,6 +74,7 @@ _ENDS: dict[str, list[tuple[str, str, str, str | None]]] = {
         ('painted "#ff', '"', 'the quote is not closed on this line: "', 'close it with "'),
         ("painted light blue", "light blue", "a colour is one word", "write `light_blue`"),
         ("painted blue red", "red", "unexpected `red`", "a colour is one word"),
+        ("painted red, green", ", green", "unexpected `,`", "a link has one colour"),
         ("painted blue painted red", "painted", "`painted` cannot stand here any more", SENTENCE),
         ("shaped", "", f"expected {SHAPES} here", SENTENCE),
         ("shaped box", "", "expected sizes in metres, such as `0.4, 0.3, 0.1` here", SENTENCE),
@@ -105,6 +106,8 @@ _ENDS: dict[str, list[tuple[str, str, str, str | None]]] = {
         ("rotated 0, 0, 90 deg", "rotated", "this clause begins with `turned`", "write `turned`"),
     ],
     "r has_joint 'j' ": [
+        ("fixed from 'a' to 'b'", "fixed", "expected `of`, not `fixed`",
+         "write `of joint_type fixed`"),
         ("of type revolute from 'a' to 'b'", "type", "expected `joint_type`, not `type`",
          "write `joint_type`"),
         ("of fixed from 'a' to 'b'", "fixed", "expected `joint_type`, not `fixed`",

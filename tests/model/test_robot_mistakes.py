@@ -43,6 +43,8 @@ MISTAKES: list[tuple[str, str, str, str]] = [
     ("r has_link 'd' shaped box x=1, width=2, z=3", "bad-shape", "width", "write `y`"),
     ("r has_link 'd' shaped cylinder 1, height=2", "bad-shape", "height", "write `length`"),
     ("r has_link 'd' shaped sphere 0", "bad-shape", "0", ""),
+    ("r has_link 'd' shaped cylinder 1, length=-2", "bad-shape", "length=-2", "write `2`"),
+    ("generate_node r", "unknown-node", "r", "is a robot: write `generate_robot`"),
     ("r has_link 'd' shaped sphere 1e-9", "bad-shape", "1e-9", ""),
     ("r has_link 'd' shaped sphere True", "bad-shape", "True", ""),
     ("r has_link 'd' shaped mesh \"\"", "bad-shape", '""', "package://"),

@@ -57,6 +57,10 @@ CASES: list[tuple[Description, list[Fault]]] = [
     (robot("ab"), [Fault(FaultKind.LOOSE, "b", ("a",))]),
     (robot("abc", held("j", "b", "c")), [Fault(FaultKind.LOOSE, "a", ("b",))]),
     (
+        robot("a", held("j", "b", "c"), b=Link("b", inertial=Inertial(1.0, FINE)), c=Link("c")),
+        [Fault(FaultKind.LOOSE, "b", ("a",))],
+    ),
+    (
         robot("abcd", held("j", "a", "b")),
         [Fault(FaultKind.LOOSE, "c", ("a",)), Fault(FaultKind.LOOSE, "d", ("a",))],
     ),
@@ -123,8 +127,8 @@ CASES: list[tuple[Description, list[Fault]]] = [
     ),
     (heavy(1.0), []),
     (heavy(0.0), [Fault(FaultKind.MASS, "b")]),
-    # What has no mass has no inertia either: one fault.
-    (heavy(0.0, NONE), [Fault(FaultKind.MASS, "b")]),
+    # What has no mass has no inertia either: one fault, and a mere place where zeros say both.
+    (heavy(0.0, NONE), []),
     (heavy(-1.0, NONE), [Fault(FaultKind.MASS, "b")]),
     (heavy(1.0, NONE), [Fault(FaultKind.INERTIA, "b")]),
     (heavy(1.0, FINE._replace(ixx=3.0)), [Fault(FaultKind.INERTIA, "b")]),
@@ -133,6 +137,7 @@ CASES: list[tuple[Description, list[Fault]]] = [
     (heavy(float("nan")), [Fault(FaultKind.MASS, "b")]),
     (robot("", a=Link("a", inertial=Inertial(1.0, FINE))), [Fault(FaultKind.ROOT_INERTIA, "a")]),
     (seen(Box((1.0, 0.0, 1.0))), [Fault(FaultKind.SIZE, "b")]),
+    (seen(Sphere(0.0)), []),
     (seen(Sphere(-1.0)), [Fault(FaultKind.SIZE, "b")]),
     (seen(Sphere(float("nan"))), [Fault(FaultKind.SIZE, "b")]),
     (seen(Cylinder(1.0, 0.0)), [Fault(FaultKind.SIZE, "b")]),

@@ -148,10 +148,21 @@ def _tree_faults(robot: Description, root: str | None) -> Iterator[Fault]:
     sizes = _root_sizes(robot)
     if not sizes:
         return
-    main = root if root in sizes else max(sizes, key=sizes.__getitem__)
+    main = root if root in sizes else _meant_root(robot, sizes)
     yield from (Fault(FaultKind.LOOSE, each, (main,)) for each in sizes if each != main)
     if robot.links[main].inertial is not None:
         yield Fault(FaultKind.ROOT_INERTIA, main)
+
+
+def _meant_root(robot: Description, sizes: Mapping[str, int]) -> str:
+    """Return which of several roots is meant to be the one.
+
+    That is what most hangs on; but where it has a weight, the first link, if that is a mere place.
+    """
+    first, most = next(iter(robot.links.values())), max(sizes, key=sizes.__getitem__)
+    is_place = first.inertial is None and not first.visuals and not first.collisions
+    is_meant = first.name in sizes and is_place and robot.links[most].inertial is not None
+    return first.name if is_meant else most
 
 
 def _circles(kind: FaultKind, robot: Description, after: Mapping[str, str]) -> Iterator[Fault]:
@@ -199,7 +210,9 @@ def _mimic_faults(robot: Description) -> Iterator[Fault]:
 def _link_faults(link: Link) -> Iterator[Fault]:
     bodies = (*link.visuals, *link.collisions)
     lengths = [length for body in bodies for length in _lengths(body.shape)]
-    if not all(each > 0 for each in lengths):
+    # A sphere of no size touches in a point: walking robots are described so.
+    points = [each for each in bodies if isinstance(each.shape, Sphere) and not each.shape.radius]
+    if sum(each > 0 for each in lengths) + len(points) < len(lengths):
         yield Fault(FaultKind.SIZE, link.name)
     places = [each for body in bodies for each in body.pose.position]
     if any(abs(each) > LONGEST for each in (*lengths, *places)):
@@ -209,6 +222,9 @@ def _link_faults(link: Link) -> Iterator[Fault]:
     if link.inertial.mass > HEAVIEST:
         yield Fault(FaultKind.HEAVY, link.name)
     if not link.inertial.mass > 0:
+        # A mere place, said with zeros.
+        if link.inertial.mass == 0 and not any(link.inertial.tensor):
+            return
         yield Fault(FaultKind.MASS, link.name)
         if not any(link.inertial.tensor):
             return

@@ -105,7 +105,7 @@ def test_what_no_program_says_is_a_comment(link: Link, told: str) -> None:
 @pytest.mark.parametrize(
     ("wanted", "told"),
     [
-        (robot(Link("a", (Body(Box((0.1, 0, 0.1))),))), "a length is more than 0"),
+        (robot(Link("a", (Body(Box((0.1, 0, 0.1))),))), "`y` is more than 0"),
         (
             robot(
                 Link("a"),
