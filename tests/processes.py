@@ -37,10 +37,19 @@ BROKEN_OFF = re.compile(
     re.MULTILINE,
 )
 
+# rclpy asks whether a context is shut down and then shuts it down, while the thread that it keeps
+# for signals does the same (`rclpy.context`, `try_shutdown`).
+SHUT_DOWN_TWICE = re.compile(
+    r"^Traceback .*\n(?: .*\n)+.*RCLError: failed to shutdown: rcl_shutdown already called.*\n",
+    re.MULTILINE,
+)
+
 
 def own_tracebacks(output: str) -> list[str]:
     """Return the lines that begin a traceback which is not rospy's or rclpy's own."""
-    left = BROKEN_OFF.sub("", CLOSED_BY_ROSPY.sub("", output))
+    left = CLOSED_BY_ROSPY.sub("", output)
+    for pattern in (BROKEN_OFF, SHUT_DOWN_TWICE):
+        left = pattern.sub("", left)
     return [line for line in left.splitlines() if "Traceback" in line]
 
 

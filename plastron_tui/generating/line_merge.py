@@ -102,6 +102,21 @@ def restored_lines(sides: Sides, original: FileSet) -> Counter[bytes] | None:
     return found
 
 
+def kept_by_both(sides: Sides, merged: FileSet) -> str | None:
+    """Return a line that program and hands keep, and a merge does not; None where there is none."""
+    for name, text in sides.mine.texts:
+        before, after = (_said(each.get(name) or b"") for each in (sides.before, merged))
+        gone = next(iter((_said(text) & before) - after), None)
+        if gone is not None:
+            return gone.decode("utf-8", "replace")
+    return None
+
+
+def _said(text: bytes) -> Counter[bytes]:
+    """Return the lines of a text that say something, wherever they stand."""
+    return Counter(line.strip() for line in split_lines(text) if _NAME.search(line))
+
+
 def tell_rewritten(merged: Merged, restored: Counter[bytes], path: Path) -> Merged:
     """Add a warning where lines that a program puts back are written otherwise than they were."""
     if merged.files is None:
@@ -110,8 +125,10 @@ def tell_rewritten(merged: Merged, restored: Counter[bytes], path: Path) -> Merg
     lost = [line.strip() for line in (restored - there) if len(line.strip()) > 1]
     if not lost:
         return merged
-    shown = lost[0].decode("utf-8", "replace")
-    message = f"what was taken out of `{path.name}` is written anew, not as it was: `{shown}`"
+    shown = f"`{lost[0].decode('utf-8', 'replace')}`"
+    if len(lost) > 1:
+        shown += f" and {len(lost) - 1} other line{'' if len(lost) == 2 else 's'}"
+    message = f"what was taken out of `{path.name}` is written anew, not as it was: {shown}"
     help_ = "lines beside it were changed by hand; write again what it did besides"
     told = Diagnostic(codes.MERGED_BY_HAND, message, file=path, help=help_)
     return merged._replace(lost=(*merged.lost, told))

@@ -59,6 +59,9 @@ _NOWHERE = Span(0, 0)
 def remember(node: Node, library: str, program: str) -> Base:
     """Return what the manifest shall remember of a node.
 
+    Timers that were in a loaded file before are not remembered: no sentence asks for them, and one
+    goes with what it sends.
+
     Args:
         node: the node, as the program has it.
         library: the client library that its file is for.
@@ -66,16 +69,22 @@ def remember(node: Node, library: str, program: str) -> Base:
     """
     used = {
         kind.value: {
-            name: _remembered(each, is_read=node.source is not None and each.span is None)
+            name: _remembered(each, is_read=_is_read(node, each))
             for name, each in found.items()
+            if not (kind is EndpointKind.TIMER and _is_read(node, each))
         }
         for kind, found in node.by_kind.items()
-        if found
     }
     label = None if node.source is None else node.source.label
     named = {} if label is None else {"label": label}
     managed = {"managed": True} if node.is_managed else {}
-    return {"node": node.name, **named, "library": library, "program": program, **managed, **used}
+    known = {"node": node.name, **named, "library": library, "program": program, **managed}
+    return {**known, **{kind: found for kind, found in used.items() if found}}
+
+
+def _is_read(node: Node, endpoint: Endpoint) -> bool:
+    """Tell whether a loaded file alone says that a node has an endpoint."""
+    return node.source is not None and endpoint.span is None
 
 
 def remember_all(nodes: Sequence[Node], library: str, program: str) -> Base:

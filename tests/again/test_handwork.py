@@ -300,3 +300,20 @@ def test_a_callback_renamed_by_hand_is_not_taken_for_the_programs(hand: Hand) ->
         states, _ = hand.generate(PUBLISH, SUBSCRIBE)
         assert states == ["identical"]
         assert hand.bench.files() == settled
+
+
+def test_what_program_and_hands_keep_stays(tmp_path: Path) -> None:
+    """The timer of the original was not the program's, though it sends through what goes."""
+    bench = Bench(tmp_path, "rclpy")
+    original = bench.put("robot.py").read_text()
+    changes = (
+        "n publish hello to 'chatter' of message_type String\nn stop_publishing to 'status'\n"
+        "n publish five to 'numbers' of message_type Int32 at 2 hz\n"
+    )
+    assert bench.generate(f"load robot as n\n{changes}generate_node n\n").states == ["create"]
+    bench.edit("output/robot.py", "from std_msgs", "# mine\nfrom std_msgs")
+    bench.edit("output/robot.py", "    def tick", "    # mine as well\n    def tick")
+    outcome = bench.generate("load robot as n\ngenerate_node n\n")
+    assert outcome.conflicts == []
+    now = (bench.path / "output/robot.py").read_text()
+    assert [line for line in now.split("\n") if "# mine" not in line] == original.split("\n")

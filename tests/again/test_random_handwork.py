@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections import Counter
 from pathlib import Path
 
@@ -11,6 +12,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from machine import examples
 from test_generate_again import programs
+
+NOT_KEPT = re.compile(r"line \d+.* was written by hand, and is not kept: `(.*)`")
 
 LISTENING = {
     "rospy": ('    rospy.Service("reset"', '    rospy.Subscriber("{}", String, print)'),
@@ -80,7 +83,11 @@ def test_random_programs_over_handwork(
             continue
         now = file.read_text()
         compile(now, written, "exec")
-        assert writer.lines - Counter(now.split("\n")) == Counter()
+        # A comment in a function that the program wrote goes with the function, and is told.
+        lost = writer.lines - Counter(now.split("\n"))
+        told = {each[1] for each in map(NOT_KEPT.search, outcome.warnings) if each}
+        assert {line.strip() for line in lost} <= {each for each in told if each.startswith("#")}
+        writer.lines -= lost
         expected = shown(fresh.path / written)
         expected.update(("subscriptions", topic) for topic in writer.topics)
         assert shown(file) == expected, now

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import cache
 from pathlib import Path
 
 import pytest
@@ -20,11 +21,12 @@ PLAIN = sorted(WORDS - KEYWORDS)
 FUNCTIONS = (SlotKind.FUNCTION, SlotKind.TIMER)
 
 
-def named(program: Program) -> list[tuple[int, int, str]]:
-    """Return where the names of variables and functions stand, and each."""
+@cache
+def named(text: str) -> list[tuple[int, int, str]]:
+    """Return where the names of a program's variables and functions stand, and each."""
     return sorted(
         (*statement.span_of(slot.name), getattr(statement, slot.name))
-        for statement in program.statements
+        for statement in read(text).statements
         for slot in DECLARATIONS[type(statement)].slots
         if slot.kind.is_variable or slot.kind in FUNCTIONS
         if getattr(statement, slot.name) is not None
@@ -33,7 +35,7 @@ def named(program: Program) -> list[tuple[int, int, str]]:
 
 def renamed(text: str, words: list[str]) -> tuple[str, dict[str, str]]:
     """Return a program with other names, and the name that each has got."""
-    found = named(read(text))
+    found = named(text)
     names = dict(zip(dict.fromkeys(name for *_, name in found), words, strict=False))
     source = text.encode()
     for start, end, name in reversed(found):
@@ -65,11 +67,12 @@ def test_the_words_are_those_that_came_later() -> None:
 @pytest.mark.parametrize("word", PLAIN)
 @pytest.mark.parametrize("text", PROGRAMS, ids=range(len(PROGRAMS)))
 def test_a_program_means_the_same_with_one_word_for_a_name(text: str, word: str) -> None:
-    for at in range(len({name for *_, name in named(read(text))})):
+    for at in range(len({name for *_, name in named(text)})):
         words = [f"name_{index}" for index in range(at)]
         other, names = renamed(text, [*words, word])
-        assert read(other).diagnostics == ()
-        assert shape(read(other)) == with_names(read(text), names)
+        program = read(other)
+        assert program.diagnostics == ()
+        assert shape(program) == with_names(read(text), names)
 
 
 @settings(max_examples=examples(100), deadline=None)
@@ -79,8 +82,9 @@ def test_a_program_means_the_same_with_one_word_for_a_name(text: str, word: str)
 )
 def test_a_program_means_the_same_with_any_names(text: str, words: list[str]) -> None:
     other, names = renamed(text, words)
-    assert read(other).diagnostics == ()
-    assert shape(read(other)) == with_names(read(text), names)
+    program = read(other)
+    assert program.diagnostics == ()
+    assert shape(program) == with_names(read(text), names)
 
 
 @pytest.mark.parametrize("word", PLAIN)

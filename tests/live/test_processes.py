@@ -16,6 +16,10 @@ CALL = """\
 """
 TRACEBACK = "Traceback (most recent call last):\n" + CALL
 CLOSED = "rospy.exceptions.ROSException: publish() to a closed topic\n"
+TWICE = (
+    "rclpy._rclpy_pybind11.RCLError: failed to shutdown: rcl_shutdown already called on the given "
+    "context, at ./src/rcl/init.c:333\n"
+)
 
 BROKEN_OFF = (
     "Exception ignored in: <function Future.__del__ at 0x7f00>\n"
@@ -32,6 +36,11 @@ OUTPUTS = {
     "a destructor's own": (BROKEN_OFF.format("ValueError"), 1),
     "the node's own behind a destructor's": (
         BROKEN_OFF.format("KeyboardInterrupt") + TRACEBACK + "ValueError: 3\n",
+        1,
+    ),
+    "a context that is shut down twice": (TRACEBACK + TWICE, 0),
+    "the node's own before it is shut down twice": (
+        TRACEBACK + "ValueError: 3\n" + TRACEBACK + TWICE,
         1,
     ),
     "nothing": ("ready\n", 0),

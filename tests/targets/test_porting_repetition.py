@@ -38,6 +38,7 @@ TIMES = [
     ("def go(time):\n    rospy.sleep(1)\n", "    time_module.sleep(1)\n"),
     ("from time import time\nrospy.sleep(1)\n", "\ntime_module.sleep(1)\n"),
     ("import time\nrospy.sleep(1)\n", "\ntime.sleep(1)\n"),
+    ("import time\nrospy.rostime.wallsleep(1)\n", "\ntime.sleep(1)\n"),
 ]
 
 

@@ -18,7 +18,7 @@ from .references import Reference, identifiers, statement_of
 from .scopes import Scope
 from .splices import delete_item
 from .syntax import parts_of
-from .written_functions import END_GOALS, EXECUTING, HELPERS, SENDING, WARN_UNHEARD, is_one_of
+from .written_functions import ENDING, EXECUTING, HELPERS, SENDING, WARN_UNHEARD, is_one_of
 
 _GOAL = re.compile(r"\.(\w+) = goal_handle\b")
 # The first value of the attribute that holds a repeated call, and its two places in the function.
@@ -109,7 +109,7 @@ def remove_ending(analysis: Analysis, reference: Reference, removal: Removal) ->
         servers = servers.parent
     if function is None or servers is None or servers.type != "list":
         return False
-    if not is_one_of(analysis, function, (END_GOALS,)):
+    if not is_one_of(analysis, function, ENDING):
         return False
     items = parts_of(servers)
     if len(items) > 1:

@@ -19,6 +19,7 @@ from .scopes import Scope
 from .syntax import parts_of
 
 STEP = "# The work of one step goes here."
+UNSENT = "# rospy sends in the background, and closes what is unsent."
 
 SEND_ASYNC = (
     "if not {client}.server_is_ready():",
@@ -120,8 +121,13 @@ END_GOALS = (
     "\tserver.action_server.started = False",
     "\tif server.is_active():",
     '\t\tserver.set_aborted(text="the node ends")',
+    f"\t\t{UNSENT}",
+    "\t\trospy.rostime.wallsleep(0.1)",
 )
 """Ends the goals of all servers in such a node."""
+
+END_GOALS_UNSENT = END_GOALS[:-2]
+"""The same as it was written before it waited until what it says is sent."""
 
 WARN_UNHEARD = (
     '"""Warn as long as nobody listens to {label}."""',
@@ -132,6 +138,7 @@ WARN_UNHEARD = (
 """Tells in rospy that nobody hears what was sent once."""
 
 SENDING = (SEND_ASYNC, SEND_AND_WAIT)
+ENDING = (END_GOALS, END_GOALS_UNSENT)
 EXECUTING = (EXECUTE_ASYNC, EXECUTE, EXECUTE_OWN)
 HELPERS = (AWAIT_RESULT, ACCEPT_CANCEL, SLEEP)
 
@@ -147,7 +154,7 @@ def filled(function: tuple[str, ...], **values: str) -> list[str]:
 def is_one_of(analysis: Analysis, function: Scope, functions: tuple[tuple[str, ...], ...]) -> bool:
     """Whether a function of a file is one of some, and nobody has been at work in it."""
     comments = {analysis.syntax.slice(each) for each in _comments(function.node)}
-    if not comments <= {STEP}:
+    if not comments <= {STEP, UNSENT}:
         return False
     whole = parts_of(function.node.child_by_field_name("body"))
     documented, bare = (list(_statements(analysis, each)) for each in (whole, body_of(function)))
@@ -157,7 +164,7 @@ def is_one_of(analysis: Analysis, function: Scope, functions: tuple[tuple[str, .
 
 
 def _is_alike(found: list[str], function: tuple[str, ...]) -> bool:
-    lines = [line for line in function if STEP not in line]
+    lines = [line for line in function if STEP not in line and UNSENT not in line]
     return len(found) == len(lines) and all(
         re.fullmatch(_pattern(line), text) for line, text in zip(lines, found, strict=True)
     )

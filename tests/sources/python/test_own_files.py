@@ -51,6 +51,16 @@ def written(library: str) -> str:
     return plan.files[0].text.decode()
 
 
+def test_an_older_version_s_way_to_end_goals_goes_too(tmp_path: Path) -> None:
+    older, waits = re.subn(r" +# rospy sends in .*\n.*wallsleep.*\n", "", written("rospy"))
+    assert waits == 1
+    (tmp_path / "own.py").write_text(older)
+    program = "load own as n\nn stop_action 'dock'\nn stop_action 'trn'\ngenerate_node n\n"
+    session = Session(program.encode(), tmp_path / "p.plastron", Options("rospy"), environ={})
+    plan, diagnostics = session.plan()
+    assert (diagnostics, b"end_goals" in plan.files[0].text) == ((), False)
+
+
 @pytest.mark.parametrize("library", ["rospy", "rclpy"])
 @pytest.mark.parametrize("ends", ENDS)
 def test_what_goes_leaves_no_trace(tmp_path: Path, ends: str, library: str) -> None:

@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 from machine import mostly_long
 from studio_driver import Driver
-from wizard_courses import ALL, PACKAGED, TWO_NODES, put_beside
+from wizard_courses import ALL, PACKAGED, ROBOTS, TWO_NODES, put_beside
 from wizard_driver import WizardDriver, way_to, wizard, wizard_from_welcome
 
 from plastron_tui.language import Declaration
@@ -50,6 +50,8 @@ def program_for(declaration: Declaration, file: Path) -> str:
         text = text.replace("generate_node", "// generate_node") + TAKEN_BACK
     if aim_of(declaration) in (Aim.TYPE, Aim.PACKAGE, Aim.LAUNCH):
         text += PACKAGED
+    if aim_of(declaration) is Aim.ROBOT:
+        text += ROBOTS
     if aim_of(declaration) is Aim.WRITE:
         text = text.replace("generate_node listener\n", "")
     file.write_text(text)

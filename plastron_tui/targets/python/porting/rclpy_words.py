@@ -53,7 +53,7 @@ def port_words(work: Work, node: str) -> None:
         log, _, often = name.partition("_")
         if log in LOGS and often in ("", "once", "throttle") and has_node(work, call):
             _port_log(work, call, callee, f"{node}.get_logger().{LOGS[log]}", often)
-        elif name == "rospy.sleep":
+        elif name in ("rospy.sleep", "rospy.wallsleep"):
             _port_sleep(work, call)
         elif name == _ARGUMENTS:
             _port_arguments(work, call, callee)
