@@ -317,3 +317,23 @@ def test_what_program_and_hands_keep_stays(tmp_path: Path) -> None:
     assert outcome.conflicts == []
     now = (bench.path / "output/robot.py").read_text()
     assert [line for line in now.split("\n") if "# mine" not in line] == original.split("\n")
+
+
+def test_a_timer_that_goes_with_what_it_sends_was_not_taken_out_by_hand(tmp_path: Path) -> None:
+    bench = Bench(tmp_path, "rclpy")
+    bench.put("robot.py")
+    changes = (
+        "subscribe n to 'more' of message_type String calling hear\nn stop_publishing to 'status'\n"
+    )
+    assert bench.generate(f"load robot as n\n{changes}generate_node n\n").states == ["create"]
+    mine = '        self.create_subscription(String, "mine", print, 10)\n'
+    bench.edit(
+        "output/robot.py", "        self.create_service", f"{mine}        self.create_service"
+    )
+    outcome = bench.generate("load robot as n\ngenerate_node n\n")
+    assert (outcome.states, outcome.conflicts) == (["changed"], [])
+    assert not [each for each in outcome.warnings if "by hand, and stays out" in each]
+    assert any("and 3 other lines" in each for each in outcome.warnings), outcome.warnings
+    before = bench.files()
+    assert bench.generate("load robot as n\ngenerate_node n\n").states == ["identical"]
+    assert bench.files() == before
