@@ -102,21 +102,6 @@ def restored_lines(sides: Sides, original: FileSet) -> Counter[bytes] | None:
     return found
 
 
-def kept_by_both(sides: Sides, merged: FileSet) -> str | None:
-    """Return a line that program and hands keep, and a merge does not; None where there is none."""
-    for name, text in sides.mine.texts:
-        before, after = (_said(each.get(name) or b"") for each in (sides.before, merged))
-        gone = next(iter((_said(text) & before) - after), None)
-        if gone is not None:
-            return gone.decode("utf-8", "replace")
-    return None
-
-
-def _said(text: bytes) -> Counter[bytes]:
-    """Return the lines of a text that say something, wherever they stand."""
-    return Counter(line.strip() for line in split_lines(text) if _NAME.search(line))
-
-
 def tell_rewritten(merged: Merged, restored: Counter[bytes], path: Path) -> Merged:
     """Add a warning where lines that a program puts back are written otherwise than they were."""
     if merged.files is None:

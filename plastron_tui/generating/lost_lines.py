@@ -49,6 +49,27 @@ def lost_lines(written: FileSet, present: FileSet, merged: FileSet) -> list[Lost
     return lost
 
 
+def dropped_line(mine: FileSet, present: FileSet, merged: FileSet) -> str | None:
+    """Return a line that program and hands both keep, and a merge does not; None without one.
+
+    Args:
+        mine: what the program makes.
+        present: what the files hold, with what was changed by hand.
+        merged: what is made of both.
+    """
+    for name, text in mine.texts:
+        before, after = (_telling(each.get(name) or b"") for each in (present, merged))
+        dropped = next(iter((_telling(text) & before) - after), None)
+        if dropped is not None:
+            return dropped.decode("utf-8", "replace")
+    return None
+
+
+def _telling(text: bytes) -> Counter[bytes]:
+    """Return the lines of a text that have a word, wherever they stand."""
+    return Counter(line.strip() for line in split_lines(text) if _WORD.search(line))
+
+
 def _lost_in(name: str, written: bytes, present: bytes, merged: bytes) -> Iterator[LostLine]:
     base, lines, result = (split_lines(text) for text in (written, present, merged))
     new = Counter(each.strip() for each in result)

@@ -20,14 +20,8 @@ from plastron_tui.output.patch_stack import Layer, Layers, digest_of
 
 from .apply_changes import Adaptation
 from .destination import Place, Writing, find_place, found_by
-from .line_merge import (
-    Sides,
-    kept_by_both,
-    merge_lines,
-    restored_lines,
-    tell_lost_in,
-    tell_rewritten,
-)
+from .line_merge import Sides, merge_lines, restored_lines, tell_lost_in, tell_rewritten
+from .lost_lines import dropped_line
 from .merged import Merged
 from .node_files import NodeFiles, are_recorded
 from .user_edits import cover, kept_handwork, of_other_program, unmergeable
@@ -238,11 +232,11 @@ class Derivation:
             made = merge(read.only(node.source.label), base, node, target, catalog)
             told = () if made.files is None else made.all_notes
             merged = Merged(made.files, made.reason, (*merged.notes, *told))
-        gone = None if merged.files is None else kept_by_both(sides, merged.files)
-        if gone is not None:
+        dropped = None if merged.files is None else dropped_line(mine, before, merged.files)
+        if dropped is not None:
             # Endpoint by endpoint, more goes than program and hands ask for.
             files = merge_lines(sides, nodes, target, side_by_side=True)
-            reason = f"it has changes beside what the program changes, and would lose `{gone}`"
+            reason = f"it has changes beside what the program changes, and would lose `{dropped}`"
             return Merged(files, notes=notes) if files is not None else Merged(None, reason)
         merged = tell_lost_in(merged, sides, target)
         if restored:

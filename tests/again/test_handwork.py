@@ -337,3 +337,23 @@ def test_a_timer_that_goes_with_what_it_sends_was_not_taken_out_by_hand(tmp_path
     before = bench.files()
     assert bench.generate("load robot as n\ngenerate_node n\n").states == ["identical"]
     assert bench.files() == before
+
+
+def test_what_program_and_hands_keep_is_not_dropped(tmp_path: Path) -> None:
+    """No merge by lines, and endpoint by endpoint the original's timer would go: a conflict."""
+    bench = Bench(tmp_path, "rclpy")
+    bench.put("robot.py")
+    changes = (
+        "n publish hello to 'chatter' of message_type String\nn stop_publishing to 'status'\n"
+        "n publish five to 'numbers' of message_type Int32 at 2 hz\n"
+        "subscribe n to 'more' of message_type String calling hear\n"
+    )
+    assert bench.generate(f"load robot as n\n{changes}generate_node n\n").states == ["create"]
+    mine = '        self.create_subscription(String, "mine", print, 10)\n'
+    bench.edit(
+        "output/robot.py", "        self.create_service", f"{mine}        self.create_service"
+    )
+    before = bench.files()
+    outcome = bench.generate("load robot as n\ngenerate_node n\n")
+    assert any("would lose `" in each for each in outcome.conflicts), outcome
+    assert bench.files() == before

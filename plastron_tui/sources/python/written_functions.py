@@ -20,6 +20,8 @@ from .syntax import parts_of
 
 STEP = "# The work of one step goes here."
 UNSENT = "# rospy sends in the background, and closes what is unsent."
+COMMENTS = frozenset({STEP, UNSENT})
+"""The comments in what Plastron writes; others are somebody's own."""
 
 SEND_ASYNC = (
     "if not {client}.server_is_ready():",
@@ -126,8 +128,8 @@ END_GOALS = (
 )
 """Ends the goals of all servers in such a node."""
 
-END_GOALS_UNSENT = END_GOALS[:-2]
-"""The same as it was written before it waited until what it says is sent."""
+EARLIER_END_GOALS = END_GOALS[:-2]
+"""The same in the files of versions that did not wait until it is sent."""
 
 WARN_UNHEARD = (
     '"""Warn as long as nobody listens to {label}."""',
@@ -138,7 +140,7 @@ WARN_UNHEARD = (
 """Tells in rospy that nobody hears what was sent once."""
 
 SENDING = (SEND_ASYNC, SEND_AND_WAIT)
-ENDING = (END_GOALS, END_GOALS_UNSENT)
+ENDING = (END_GOALS, EARLIER_END_GOALS)
 EXECUTING = (EXECUTE_ASYNC, EXECUTE, EXECUTE_OWN)
 HELPERS = (AWAIT_RESULT, ACCEPT_CANCEL, SLEEP)
 
@@ -154,7 +156,7 @@ def filled(function: tuple[str, ...], **values: str) -> list[str]:
 def is_one_of(analysis: Analysis, function: Scope, functions: tuple[tuple[str, ...], ...]) -> bool:
     """Whether a function of a file is one of some, and nobody has been at work in it."""
     comments = {analysis.syntax.slice(each) for each in _comments(function.node)}
-    if not comments <= {STEP, UNSENT}:
+    if not comments <= COMMENTS:
         return False
     whole = parts_of(function.node.child_by_field_name("body"))
     documented, bare = (list(_statements(analysis, each)) for each in (whole, body_of(function)))
@@ -164,7 +166,7 @@ def is_one_of(analysis: Analysis, function: Scope, functions: tuple[tuple[str, .
 
 
 def _is_alike(found: list[str], function: tuple[str, ...]) -> bool:
-    lines = [line for line in function if STEP not in line and UNSENT not in line]
+    lines = [line for line in function if line.strip() not in COMMENTS]
     return len(found) == len(lines) and all(
         re.fullmatch(_pattern(line), text) for line, text in zip(lines, found, strict=True)
     )

@@ -61,6 +61,15 @@ def test_an_older_version_s_way_to_end_goals_goes_too(tmp_path: Path) -> None:
     assert (diagnostics, b"end_goals" in plan.files[0].text) == ((), False)
 
 
+def test_a_function_with_somebody_s_comment_is_nobody_else_s(tmp_path: Path) -> None:
+    commented = written("rospy").replace("# rospy sends in", "# mine: rospy sends in")
+    (tmp_path / "own.py").write_text(commented)
+    program = "load own as n\nn stop_action 'dock'\nn stop_action 'trn'\ngenerate_node n\n"
+    session = Session(program.encode(), tmp_path / "p.plastron", Options("rospy"), environ={})
+    plan, diagnostics = session.plan()
+    assert ([each.code for each in diagnostics], plan.files) == (["endpoint-in-use"], ())
+
+
 @pytest.mark.parametrize("library", ["rospy", "rclpy"])
 @pytest.mark.parametrize("ends", ENDS)
 def test_what_goes_leaves_no_trace(tmp_path: Path, ends: str, library: str) -> None:
