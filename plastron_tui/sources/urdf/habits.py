@@ -15,28 +15,8 @@ from plastron_tui.sources.xml.new_element import NewElement
 
 from .new_elements import number
 from .values import number_of
+from .vocabulary import ATTRIBUTES, CHILDREN
 
-_CHILDREN: Mapping[str, tuple[str, ...]] = {
-    "link": ("visual", "collision", "inertial"),
-    "visual": ("origin", "geometry", "material"),
-    "collision": ("origin", "geometry"),
-    "material": ("color", "texture"),
-    "inertial": ("origin", "mass", "inertia"),
-    "joint": ("origin", "parent", "child", "axis", "limit", "dynamics", "mimic"),
-}
-_ATTRIBUTES: Mapping[str, tuple[str, ...]] = {
-    "link": ("name",),
-    "joint": ("name", "type"),
-    "visual": ("name",),
-    "collision": ("name",),
-    "origin": ("xyz", "rpy"),
-    "mesh": ("filename", "scale"),
-    "cylinder": ("radius", "length"),
-    "inertia": ("ixx", "ixy", "ixz", "iyy", "iyz", "izz"),
-    "limit": ("lower", "upper", "effort", "velocity"),
-    "dynamics": ("damping", "friction"),
-    "mimic": ("joint", "multiplier", "offset"),
-}
 _DEFAULTS: Mapping[tuple[str, str], tuple[float, ...]] = {
     ("origin", "rpy"): (0, 0, 0),
     ("mesh", "scale"): (1, 1, 1),
@@ -93,7 +73,7 @@ class Habits:
                 self._points[name] += 1 if whole.group(1) else -1
 
     def _note_order(self, parent: str, names: Sequence[str]) -> None:
-        known = _CHILDREN.get(parent) or _ATTRIBUTES.get(parent.removeprefix("@"), ())
+        known = CHILDREN.get(parent) or ATTRIBUTES.get(parent.removeprefix("@"), ())
         seen = [name for name in dict.fromkeys(names) if name in known]
         for at, name in enumerate(seen):
             for other in seen[at + 1 :]:
@@ -151,10 +131,10 @@ class Habits:
         return self._attribute_place(element.name, names, name)
 
     def _child_place(self, parent: str, names: Sequence[str], new: str) -> int:
-        return self._place(parent, names, new, _CHILDREN.get(parent, ()))
+        return self._place(parent, names, new, CHILDREN.get(parent, ()))
 
     def _attribute_place(self, element: str, names: Sequence[str], new: str) -> int:
-        return self._place(f"@{element}", names, new, _ATTRIBUTES.get(element, ()))
+        return self._place(f"@{element}", names, new, ATTRIBUTES.get(element, ()))
 
     def _place(self, parent: str, names: Sequence[str], new: str, usual: Sequence[str]) -> int:
         last = [at for at, name in enumerate(names) if self._comes_before(parent, name, new, usual)]

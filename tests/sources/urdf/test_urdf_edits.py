@@ -287,10 +287,10 @@ def test_a_part_that_stands_there_twice_is_not_taken_away() -> None:
     text = ROVER.replace("<link name='base' />", "<link name='base' /> <link name='base' />")
     edit = make(text.encode(), lambda robot: replace(robot, links={}))
     assert edit.text is None
-    assert edit.diagnostics[0].message.startswith("the link `base` would not be what")
+    assert "stands here a second time" in edit.diagnostics[0].message
     span = edit.diagnostics[0].span
     assert span is not None
-    assert text[span.start :].startswith("link name='base'")
+    assert span.start == text.rindex("link name='base'")
 
 
 MACROS = """\
@@ -351,16 +351,3 @@ def test_a_robot_of_nothing_gets_all(text: bytes) -> None:
     again = read_urdf(edit.text).description
     assert again is not None
     assert same_robot(again, wanted)
-
-
-def test_a_quaternion_is_told_and_stays() -> None:
-    quaternion = "quat_xyzw='0 0 1 0'"
-    text = ROVER.replace("rpy='0 0 0'", quaternion)
-    (told,) = read_urdf(text.encode()).diagnostics
-    assert "`quat_xyzw` is not read" in told.message
-    for position, written in (((0, 0, 1), "0 0 1"), ((0, 0, 0), "0 0 0")):
-        edit = make(text.encode(), joint(pose=Pose(position)))
-        assert edit.text == text.replace("0 0 0.050", written).encode()
-    edit = make(text.encode(), joint(pose=Pose((0, 0, 0.05), (0, 0, 1))))
-    assert edit.text is None
-    assert "`quat_xyzw` says how this is turned" in edit.diagnostics[0].message
