@@ -73,6 +73,26 @@ def kept_apart(before: Description, after: Description) -> Description:
     return _with_bodies(before, apart, handed_on)
 
 
+def said_once(before: Description, after: Description) -> Description:
+    """Return a changed robot in which a link that is painted says its new colour once.
+
+    What else of it has the same colour means it by its name.
+    """
+    links: dict[str, Link] = {}
+    for name, link in after.links.items():
+        was, said = _visuals(before, name), set[Material]()
+        visuals = []
+        for body in link.visuals:
+            material = body.material
+            if material is not None and material.name and is_defined(material):
+                if material in said and body not in was:
+                    body = body._replace(material=Material(material.name))
+                said.add(material)
+            visuals.append(body)
+        links[name] = link._replace(visuals=tuple(visuals))
+    return replace(after, links=links)
+
+
 def _with_bodies(
     before: Description, after: Description, change: Callable[[Body, bool], Body]
 ) -> Description:
