@@ -58,10 +58,13 @@ class Habits:
         self._before: Counter[tuple[str, str, str]] = Counter()
         self._said_defaults: set[tuple[str, str]] = set()
         self._points: Counter[str] = Counter()
+        self._turned = 0
         for element in document.root.walk():
             self._note_order(element.name, [child.name for child in element.children])
             self._note_order(f"@{element.name}", [one.name for one in element.attributes])
             self._note_defaults(element)
+            if element.name == "origin":
+                self._turned += 1 if element.attribute("rpy") is not None else -1
             for one in element.attributes:
                 if one.name in _NUMBERS and ":" not in element.name:
                     self._note_points(one.name, one.value)
@@ -101,7 +104,11 @@ class Habits:
     def styled(self, new: NewElement) -> NewElement:
         """Return an element as the author writes it: its numbers, and what comes first in it."""
         attributes: list[tuple[str, str]] = []
-        for name, value in new.attributes:
+        said_besides: tuple[tuple[str, str], ...] = ()
+        if new.name == "origin" and self._turned > 0 and len(new.attributes) == 1:
+            # Its author says of each origin how it is turned.
+            said_besides = (("rpy", "0 0 0"),)
+        for name, value in (*new.attributes, *said_besides):
             said = self._numbers(name, value) if name in _NUMBERS else value
             at = self._attribute_place(new.name, [each for each, _ in attributes], name)
             attributes.insert(at, (name, said))

@@ -116,7 +116,7 @@ CHANGES: dict[str, tuple[Change, str]] = {
     ),
     "an origin that was not there": (
         seen(pose=Pose((0, 0, 1))),
-        "+            <origin xyz='0 0 1' />\n",
+        "+            <origin xyz='0 0 1' rpy='0 0 0' />\n",
     ),
     "an origin that says what is so unsaid": (
         joint(pose=Pose()),
