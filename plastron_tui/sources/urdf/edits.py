@@ -10,7 +10,7 @@ from typing import NamedTuple, TypeVar
 from plastron_tui.diagnostics import Diagnostic, Span, codes
 from plastron_tui.diagnostics.severity import Severity
 from plastron_tui.ros.robots.description import Description
-from plastron_tui.ros.robots.materials import kept_apart, said_once
+from plastron_tui.ros.robots.materials import kept_apart, said_as_before
 from plastron_tui.sources.splices import Splice, apply
 from plastron_tui.sources.xml.document import Element, XmlDocument
 from plastron_tui.sources.xml.edits import insert_last, set_attribute
@@ -57,7 +57,7 @@ def edited(
     present = read.description
     try:
         wanted = after if same_robot(before, present) else merged(before, after, present)
-        wanted = said_once(present, kept_apart(present, wanted))
+        wanted = said_as_before(present, kept_apart(present, wanted))
         if same_robot(present, wanted):
             return UrdfEdit(text)
         told: list[Diagnostic] = []

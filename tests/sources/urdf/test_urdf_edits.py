@@ -144,17 +144,19 @@ CHANGES: dict[str, tuple[Change, str]] = {
     ),
     "a colour of its own": (
         seen(material=Material("red", (1, 0, 0, 1))),
+        "+    </material>\n"
+        "+    <material name='red'>\n"
+        "+        <color rgba='1 0 0 1' />\n"
         "-            <material name='blue' />\n"
-        "+            <material name='red'>\n"
-        "+                <color rgba='1 0 0 1' />\n"
-        "+            </material>\n",
+        "+            <material name='red' />\n",
     ),
     "a colour of a name that means another one": (
         seen(material=Material("blue", (1, 0, 0, 1))),
+        "+    </material>\n"
+        "+    <material name='blue_2'>\n"
+        "+        <color rgba='1 0 0 1' />\n"
         "-            <material name='blue' />\n"
-        "+            <material name='blue_2'>\n"
-        "+                <color rgba='1 0 0 1' />\n"
-        "+            </material>\n",
+        "+            <material name='blue_2' />\n",
     ),
     "a joint that moves": (
         joint(
