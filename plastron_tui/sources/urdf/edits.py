@@ -11,10 +11,11 @@ from plastron_tui.diagnostics import Diagnostic, Span, codes
 from plastron_tui.diagnostics.severity import Severity
 from plastron_tui.ros.robots.description import Description
 from plastron_tui.ros.robots.materials import kept_apart, said_as_before
-from plastron_tui.sources.splices import Splice, apply
+from plastron_tui.sources.splices import Splice, apply, line_number
 from plastron_tui.sources.xml.document import Element, XmlDocument
 from plastron_tui.sources.xml.edits import insert_last, set_attribute
 
+from .comments import headings
 from .equality import same, same_robot
 from .habits import Habits
 from .joint_edits import change_joint
@@ -65,6 +66,7 @@ def edited(
         again = read_urdf(changed, path)
         gone = _gone(again, wanted)
         if gone and again.document is not None:
+            told += _left_above(read.document, _gone(read, wanted))
             changed = apply(changed, removals(again.document, gone, Habits(again.document)))
             again = read_urdf(changed, path)
     except ConflictError as conflict:
@@ -207,6 +209,21 @@ def _check_plain(document: XmlDocument, element: Element) -> None:
             if is_computed(one.value):
                 message = f"`{one.name}` of `<{each.name}>` is computed by a macro: `{one.value}`"
                 raise RefusedError(_refused(message, one.value_span, document.file))
+
+
+def _left_above(document: XmlDocument, gone: list[Element]) -> Iterator[Diagnostic]:
+    """Yield the comments that stay, though nothing is left of what they stand above."""
+    for each in headings(document, gone):
+        if not each.goes:
+            line = line_number(document.text, each.span.start)
+            message = (
+                f"a comment stays that stood above `{each.part.get('name')}`, which is taken away: "
+                f"line {line}"
+            )
+            severity = Severity.WARNING
+            yield Diagnostic(
+                codes.EDIT_REFUSED, message, each.span, document.file, severity=severity
+            )
 
 
 def _still_named(read: UrdfRead, wanted: Description) -> Iterator[Diagnostic]:

@@ -221,7 +221,9 @@ def test_what_still_names_a_part_that_is_gone_is_told() -> None:
     assert b"what holds it" in edit.text
     assert b"<link name='body'" not in edit.text
     assert [each.message for each in edit.diagnostics] == [
-        "`<joint>` in line 33 still names `hold`, which is taken away"
+        "a comment stays that stood above `body`, which is taken away: line 12",
+        "a comment stays that stood above `hold`, which is taken away: line 26",
+        "`<joint>` in line 33 still names `hold`, which is taken away",
     ]
 
 
