@@ -161,14 +161,16 @@ BAD_ROBOT_ARGUMENT = Code(
 SEVERAL_SHAPES = Code(
     "several-shapes",
     "A link of a loaded robot has several visuals or collisions, and a sentence is about one. "
-    "Change it in its file, or take the link away and make it anew.",
+    "Change it in its file, or take the link away and make it anew; where it is as a whole is said "
+    "by the joint that holds it. A shape of which it has one, say the only cylinder, can be said.",
 )
 
 LINK_APART = Code(
     "link-apart",
     "What is seen of a link of a loaded robot, what collides, and its center of mass differ, or "
-    "are at several places. A shape becomes that of what is seen and of what collides; a new "
-    "place is that of what is seen, and of what was in the same place before.",
+    "are at several places. A shape becomes that of what is seen and of what collides, unless one "
+    "of them is of that kind already, which then is meant; a new place is that of what is seen, "
+    "and of what was in the same place before.",
     severity=Severity.WARNING,
 )
 
