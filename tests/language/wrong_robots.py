@@ -195,6 +195,7 @@ _ENDS: dict[str, list[tuple[str, str, str, str | None]]] = {
         ("create_robot 'rover'", "", "expected `as` here", SENTENCE),
         ("load_robot urdf/my-rover.urdf as r", "urdf/my-rover.urdf",
          "expected the path of a URDF file, in single quotes", "write 'urdf/my-rover.urdf'"),
+        ("load_robot 'a.xacro' as r setting 'a' 5", "5", "expected `=`, not `5`", SENTENCE),
         ("r joint 'j' of joint_type fixed from 'a' to 'b'", "joint", "`joint` starts no statement",
          "did you mean `has_joint`?"),
         ("r limit_joint 'j' between 0 and 1 m", "limit_joint", "`limit_joint` starts no statement",

@@ -152,6 +152,12 @@ MADE_BY_MACRO = Code(
     "make cannot be changed one by one. Change the macro, or what it is called with, in its file.",
 )
 
+BAD_ROBOT_ARGUMENT = Code(
+    "bad-robot-argument",
+    "A robot's file is given an argument that it does not ask for, or that is no name and value: "
+    "the arguments of a xacro file, `$(arg NAME)`, are texts, numbers and booleans.",
+)
+
 SEVERAL_SHAPES = Code(
     "several-shapes",
     "A link of a loaded robot has several visuals or collisions, and a sentence is about one. "
