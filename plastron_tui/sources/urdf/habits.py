@@ -105,8 +105,9 @@ class Habits:
         """Return an element as the author writes it: its numbers, and what comes first in it."""
         attributes: list[tuple[str, str]] = []
         said_besides: tuple[tuple[str, str], ...] = ()
-        if new.name == "origin" and self._turned > 0 and len(new.attributes) == 1:
-            # Its author says of each origin how it is turned.
+        says_turns = self._turned > 0 and self.says_default("origin", "rpy")
+        if new.name == "origin" and says_turns and len(new.attributes) == 1:
+            # Its author says of each origin how it is turned, also where it is not.
             said_besides = (("rpy", "0 0 0"),)
         for name, value in (*new.attributes, *said_besides):
             said = self._numbers(name, value) if name in _NUMBERS else value
