@@ -116,7 +116,8 @@ def _closed_late(place: Place, found: Diagnostic) -> Diagnostic | None:
     if before is None or declaration is None or before.kind not in QUOTED_KINDS:
         return None
     name, *rest = before.text[1:-1].split(" ")
-    if not name or not rest or rest[0] not in declaration.elements:
+    parts = (declaration.elements, *(clause.elements for clause in declaration.clauses))
+    if not name or not rest or not any(rest[0] in each for each in parts):
         return None
     end = before.start + 1 + len(name.encode())
     return found._replace(

@@ -17,8 +17,9 @@ from plastron_tui.diagnostics import (
     write,
 )
 from plastron_tui.language import statements as st
-from plastron_tui.language.inputs import Literal, NamedArgument, NestedValue
+from plastron_tui.language.inputs import Literal, NamedArgument, NestedValue, Nothing
 from plastron_tui.language.written_numbers import with_points, without_enclosure
+from plastron_tui.ros.robots.changes import NO_MATERIAL
 from plastron_tui.ros.robots.colors import NAMES, material_name, rgba_of
 from plastron_tui.ros.robots.description import (
     Box,
@@ -235,6 +236,8 @@ def material_of(statement: st.HasLink, robot: Robot | None) -> Material | None:
     """
     if statement.color is None:
         return None
+    if isinstance(statement.color, Nothing):
+        return NO_MATERIAL
     shared = {} if robot is None else robot.description.materials
     own = {} if robot is None else robot.own_materials
     if statement.color in shared:
@@ -293,8 +296,10 @@ def axis_of(statement: st.HasJoint, type_: JointType | None) -> Vector | None:
     return axis
 
 
-def joint_type_of(statement: st.HasJoint) -> JointType:
-    """Return how a joint moves."""
+def joint_type_of(statement: st.HasJoint) -> JointType | None:
+    """Return how a joint moves, None where nothing is said."""
+    if statement.type is None:
+        return None
     names = [each.value for each in JointType]
     if statement.type in names:
         return JointType(statement.type)

@@ -9,7 +9,7 @@ import pytest
 from robots_run import FILE, LOAD, MADE, expanded, run, source, with_macros
 from workspaces import marked
 
-from plastron_tui.diagnostics import Diagnostic, Severity, Span, codes
+from plastron_tui.diagnostics import Diagnostic, Fix, Severity, Span, codes
 from plastron_tui.ros.robots.description import Joint, JointType, Link, Mimic
 
 BEFORE = f"""\
@@ -74,6 +74,10 @@ MISTAKES: list[tuple[str, str, str, str]] = [
     (f"{JOINT} planar from 'a' to 'c' mimicking 'k'", "bad-mimic", "'k'", "that it follows"),
     (f"{JOINT} planar from 'a' to 'c' mimicking 'g'", "unknown-joint", "'g'", "so far, it has `j`"),
     (f"{JOINT} planar from 'a' to 'c' mimicking 'j' times 0", "bad-mimic", "0", ""),
+    ("r has_joint 'k'", "incomplete-joint", "'k'", "has_joint 'k' of joint_type fixed from"),
+    ("r has_joint 'k' of joint_type fixed", "incomplete-joint", "'k'", "such as"),
+    ("r has_joint 'k' from 'a' to 'c'", "incomplete-joint", "'k'", "such as"),
+    ("r has_joint 'j' at 0, 0, 1", "part-exists", "'j'", "one sentence"),
     ("r no_longer_has_joint 'x'", "unknown-joint", "'x'", "it has `j`, `f`"),
     (f"{LIMIT}", "bad-limits", "'j'", "between"),
     (
@@ -112,6 +116,13 @@ def test_a_sentence_with_a_mistake(case: tuple[str, str, str, str]) -> None:
     (found,) = run(text).diagnostics
     assert (found.code, marked(text, found)) == (code, where)
     assert remedy in (found.help or "")
+
+
+def applied(text: str, fix: Fix) -> str:
+    """Return a program after a remedy."""
+    for edit in sorted(fix.edits, key=lambda each: -each.span.start):
+        text = text[: edit.span.start] + edit.text + text[edit.span.end :]
+    return text
 
 
 RIGHT = [
@@ -167,9 +178,7 @@ def test_the_remedy_for_a_root_with_inertia_mends_it() -> None:
     text = f"{MADE}r has_link 'root' shaped sphere 1 weighing 2\ngenerate_robot r\n"
     (found,) = run(text).diagnostics
     assert found.fix is not None
-    for edit in sorted(found.fix.edits, key=lambda each: -each.span.start):
-        text = text[: edit.span.start] + edit.text + text[edit.span.end :]
-    assert run(text).diagnostics == ()
+    assert run(applied(text, found.fix)).diagnostics == ()
 
 
 # What follows from a mistake is none of its own.
@@ -204,6 +213,14 @@ def test_what_follows_from_a_mistake_is_silent(text: str, told: list[str]) -> No
 LOADED: list[tuple[str, list[tuple[str, str]]]] = [
     ("", []),
     ("r has_link 'arm'", [("part-exists", "'arm'")]),
+    ("r has_joint 'turn'", [("part-exists", "'turn'")]),
+    ("r has_joint 'trun' at 0, 0, 1", [("incomplete-joint", "'trun'")]),
+    ("r has_joint 'turn' at 0, 0, 1\nr has_joint 'turn' at 0, 0, 1", [("part-exists", "'turn'")]),
+    ("r has_joint 'hold' with axis 0, 0, 1", [("bad-axis", "0, 0, 1")]),
+    ("r has_joint 'hold' mimicking 'turn'", [("bad-mimic", "'turn'")]),
+    ("r has_joint 'slide' from 'hand' to 'arm'", [("no-tree", "'arm'"), ("no-tree", "'slide'")]),
+    ("r has_joint 'hold' of joint_type revolute", [("missing-limits", "revolute")]),
+    ("r has_link 'tip' painted none", [("bad-shape", "none")]),
     ("r has_link 'arm' weighing 2\nr has_link 'arm' painted red", [("part-exists", "'arm'")]),
     ("r has_link 'hand' shaped sphere 1", [("several-shapes", "sphere")]),
     ("r has_link 'hand' at 0, 0, 1", [("several-shapes", "0, 0, 1")]),
@@ -261,6 +278,14 @@ def test_what_is_told_of_changes_to_a_loaded_robot(lines: str, told: list[tuple[
     text = f"{LOAD}{lines}\ngenerate_robot r\n"
     found = run(text).diagnostics
     assert [(each.code, marked(text, each)) for each in found] == told
+
+
+def test_a_joint_that_is_misspelt_is_guessed() -> None:
+    text = f"{LOAD}r has_joint 'trun' at 0, 0, 1\n"
+    (found,) = run(text).diagnostics
+    assert found.help == "did you mean `turn`?"
+    assert found.fix is not None
+    assert run(applied(text, found.fix)).diagnostics == ()
 
 
 def test_what_is_broken_in_a_file_can_be_changed() -> None:
