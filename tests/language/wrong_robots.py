@@ -207,7 +207,11 @@ _ENDS: dict[str, list[tuple[str, str, str, str | None]]] = {
     "": [
         ("create_robot rover as r", "rover", "expected the name of a robot, in single quotes",
          "write 'rover'"),
-        ("create_robot 'rover'", "", "expected `as` here", SENTENCE),
+        ("create_robot 'rover'", "", "expected `as` here", "write `as rover`"),
+        ("create_robot 'my.rover' r", "r", "expected `as`, not `r`", "write `as r`"),
+        ("load_robot 'urdf/my-rover.urdf.xacro'", "", "expected `as` here", "write `as my_rover`"),
+        ("load_robot '2.urdf'", "", "expected `as` here", SENTENCE),
+        ("create_robot 'with'", "", "expected `as` here", SENTENCE),
         ("load_robot urdf/my-rover.urdf as r", "urdf/my-rover.urdf",
          "expected the path of a URDF file, in single quotes", "write 'urdf/my-rover.urdf'"),
         ("r no_longer_limits_joint 'j'", "no_longer_limits_joint",

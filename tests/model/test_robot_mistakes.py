@@ -356,6 +356,16 @@ def test_what_comes_after_a_robot_is_generated_is_told() -> None:
     assert marked(text, found) == "r no_longer_has_link 'a'"
 
 
+def test_the_remedy_for_what_comes_late_generates_after_it() -> None:
+    late = "r has_link 'b'\nr has_joint 'j' of joint_type fixed from 'a' to 'b'\n"
+    text = f"{MADE}r has_link 'a'\ngenerate_robot r\n{late}"
+    for found in run(text).diagnostics:
+        assert found.fix is not None
+        mended = applied(text, found.fix)
+        assert run(mended).diagnostics == ()
+        assert mended.split("\n")[-2] == "generate_robot r"
+
+
 def test_of_macros_that_are_not_expanded_nothing_is_told() -> None:
     lines = "r no_longer_has_joint 'slide'\nr has_link 'new'\n"
     assert run(f"{LOAD}{lines}generate_robot r\n", with_macros(None)).diagnostics == ()
