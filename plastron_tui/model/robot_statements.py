@@ -54,6 +54,8 @@ def load_robot(run: Run, statement: st.LoadRobot) -> None:
             message = f"`{statement.source}` is loaded already"
             raise twice(codes.ROBOT_EXISTS, message, where, other.span)
     for each in (*found, *faults_of_file(source, where)):
+        if each.code == codes.ROOT_INERTIA:
+            continue  # the program can give it an empty root: told at its end
         # What is wrong with it can be mended by what changes it.
         is_error = each.severity is Severity.ERROR
         run.report(statement, each._replace(severity=Severity.WARNING) if is_error else each)

@@ -181,6 +181,20 @@ def test_the_remedy_for_a_root_with_inertia_mends_it() -> None:
     assert run(applied(text, found.fix)).diagnostics == ()
 
 
+def test_the_remedy_for_the_root_of_a_file_with_inertia_mends_it() -> None:
+    links = {**FILE.links, "base": FILE.links["arm"]._replace(name="base")}
+    loaded = source(replace(FILE, links=links))
+    for text in (LOAD, f"{LOAD}r has_link 'arm' weighing 2\ngenerate_robot r\n"):
+        (found,) = run(text, loaded).diagnostics
+        assert (found.code, marked(text, found)) == (codes.ROOT_INERTIA, "'a.urdf'")
+        assert found.fix is not None
+        mended = applied(text, found.fix)
+        assert run(mended, loaded).diagnostics == ()
+    # What is said of the root tells it once, and with its own place.
+    text = f"{LOAD}r has_link 'base' weighing 2\n"
+    assert [each.code for each in run(text, loaded).diagnostics] == [codes.ROOT_INERTIA]
+
+
 # What follows from a mistake is none of its own.
 FOLLOWING: list[tuple[str, list[str]]] = [
     ("create_robot 'a b' as r\nr has_link 'a'\ngenerate_robot r\n", ["bad-robot-name"]),
