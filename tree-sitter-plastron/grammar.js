@@ -559,10 +559,12 @@ module.exports = grammar({
       'create_robot', quoted($, 'name'), phrase($, 'as_variable'),
     ]),
 
-    // "load_robot" name "as" variable
-    load_robot_statement: $ => statement($, [
-      'load_robot', quoted($, 'source'), phrase($, 'as_variable'),
-    ]),
+    // "load_robot" name "as" variable [ "setting" settings ]
+    load_robot_statement: $ => statement(
+      $,
+      ['load_robot', quoted($, 'source'), phrase($, 'as_variable')],
+      phrase($, 'setting'),
+    ),
 
     // variable "has_link" name [ "shaped" shape input ] [ "weighing" number ]
     //   [ "painted" ( color | string | "none" ) ] [ "at" vector ] [ "turned" vector unit ]

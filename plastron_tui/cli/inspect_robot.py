@@ -3,16 +3,21 @@
 from __future__ import annotations
 
 import json
+import os
 from pathlib import Path
 
 import click
 
+from plastron_tui.boundary import find_boundary
 from plastron_tui.diagnostics import Diagnostic, LineIndex, Span
+from plastron_tui.ros.robots.macros import Arguments
 
 from .common import Report, print_text
 
 
-def show_robot(file: Path, text: bytes, format_: str, report: Report, *, is_one: bool) -> None:
+def show_robot(
+    file: Path, text: bytes, format_: str, report: Report, given: Arguments, *, is_one: bool
+) -> None:
     """Print what there is in a robot's file, and what is wrong with it.
 
     Macros are expanded where the project of the file is trusted; else what stands in the file
@@ -23,22 +28,22 @@ def show_robot(file: Path, text: bytes, format_: str, report: Report, *, is_one:
         text: what it holds.
         format_: `text`, `json` or `plastron`.
         report: takes what is wrong.
+        given: what its macros are given.
         is_one: whether the file is the only one.
     """
     from plastron_tui.model.robot_faults import faults_of_file
     from plastron_tui.model.robot_inspection import robot_json, robot_text
     from plastron_tui.model.robot_program import program_of_robot
     from plastron_tui.model.robots import file_stem
+    from plastron_tui.project.robot_graph import read_robot_file
     from plastron_tui.session import Session
 
     def lines(other: Path | None) -> LineIndex | None:
         return LineIndex(text) if other in (None, file) else None
 
-    # A program would take `~` for a home folder.
-    name = f"./{file.name}" if file.name.startswith("~") else file.name
-    loaded = Session(begun=file.absolute().parent).setting.read_robot(name)
-    source = loaded.source
-    found = [_placed(each, file) for each in loaded.diagnostics]
+    read = read_robot_file(file, find_boundary(file.absolute().parent), os.environ, given)
+    source = read.loaded.source
+    found = [_placed(each, file) for each in read.diagnostics]
     if source is not None:
         found += (_placed(each, file) for each in faults_of_file(source, Span(0, 0)))
     found = list(dict.fromkeys(found))

@@ -148,11 +148,12 @@ class ProgramRobots:
         if is_there:
             path = name_within(package, robot).partition("/")[2]
         macros = None if robot.source is None else robot.source.macros
+        given = () if robot.source is None else robot.source.arguments
         nodes = self._launches.nodes_of(version)
         starts = robot_starts(robot, package, nodes, self._workspace, span)
         launch = self._launches.placed(starts.launch)
         started = request_of(launch, version, self._launches.executable).added
-        described = DescribedRobot(package.name, path, macros is not None)
+        described = DescribedRobot(package.name, path, macros is not None, given)
         try:
             started = with_description(started, described, version, distribution)
             name, text = self._launches.written(robot.stem, started, version)

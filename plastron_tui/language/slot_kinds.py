@@ -143,6 +143,7 @@ class SlotKind(Enum):
     NEW_ROBOT = "ROBOT", "a variable for the robot", Form.VARIABLE, "ROBOT"
     ROBOT = "ROBOT", "the variable of a robot", Form.VARIABLE
     ROBOT_FILE = "'RELATIVE/PATH.urdf'", "the path of a URDF file, in single quotes", Form.QUOTED
+    ROBOT_ARGUMENTS = "'ARGUMENT' = VALUE, …", "arguments, such as 'width' = 0.5", Form.SETTINGS
     LINK = "'LINK'", "the name of a link, in single quotes", Form.QUOTED
     JOINT = "'JOINT'", "the name of a joint, in single quotes", Form.QUOTED
     FOLLOWED = "'OTHER_JOINT' | none", "the name of a joint, in single quotes", Form.QUOTED

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, NamedTuple, TypeVar
 
 from plastron_tui.diagnostics import Diagnostic, Span, codes
 from plastron_tui.ros.robots.description import Description, Joint, Link, Material, Vector
-from plastron_tui.ros.robots.macros import Macros
+from plastron_tui.ros.robots.macros import Arguments, Macros
 
 if TYPE_CHECKING:
     from .source import TextOrigin
@@ -31,6 +31,7 @@ class RobotSource(NamedTuple):
             may have links and joints besides those of its description.
         spans: where the names of its links and joints stand in the text, by `link` or `joint` and
             the name.
+        arguments: what the program gives its macros.
     """
 
     path: Path
@@ -40,6 +41,7 @@ class RobotSource(NamedTuple):
     expanded: Description | None = None
     macros: Macros | None = None
     spans: Mapping[tuple[str, str], Span] = {}
+    arguments: Arguments = ()
 
     @property
     def whole(self) -> Description | None:
@@ -53,16 +55,27 @@ class RobotSource(NamedTuple):
 
 
 class LoadedRobot(NamedTuple):
-    """What a reader made of the path of a robot's file; None with the reason."""
+    """What a reader made of the path of a robot's file; None with the reason.
+
+    Attributes:
+        source: the robot.
+        diagnostics: what is wrong with it, or the reason.
+        asked: the arguments that its macros asked for, those that they give defaults among them.
+        unused: the arguments that it was given, and that its macros did not ask for; () where
+            they are not expanded.
+    """
 
     source: RobotSource | None
     diagnostics: tuple[Diagnostic, ...] = ()
+    asked: tuple[str, ...] = ()
+    unused: tuple[str, ...] = ()
 
 
-RobotReader = Callable[[str], LoadedRobot]
+RobotReader = Callable[[str, Arguments], LoadedRobot]
+"""Reads a robot by the path of its file, and what its macros are given."""
 
 
-def no_robot(source: str) -> LoadedRobot:
+def no_robot(source: str, _: Arguments) -> LoadedRobot:
     """Find no robot: where a program has no folder, there is none."""
     found = Diagnostic(codes.FILE_NOT_FOUND, f"no file `{source}` beside the program")
     return LoadedRobot(None, (found,))

@@ -209,7 +209,13 @@ CASES: dict[str, tuple[object, ...]] = {
     "l no_longer_includes 'p/a.launch'": ("NoLongerIncludes", "l", "p/a.launch"),
     "generate_launch l": ("GenerateLaunch", "l"),
     "create_robot 'a' as r": ("CreateRobot", "a", "r"),
-    "load_robot 'urdf/a.urdf' as r": ("LoadRobot", "urdf/a.urdf", "r"),
+    "load_robot 'urdf/a.urdf' as r": ("LoadRobot", "urdf/a.urdf", "r", None),
+    "load_robot 'a.xacro' as r setting 'a' = 5, 'b' = \"c\"": (
+        "LoadRobot",
+        "a.xacro",
+        "r",
+        (("a", "5"), ("b", "'c'")),
+    ),
     "r has_link 'a'": ("HasLink", "r", "a", *(None,) * 7),
     "r has_link 'a' shaped box 1, y=.5, -2": (
         *("HasLink", "r", "a", "box", ("1", ("y", "=", "0.5"), "-2"), *(None,) * 5),

@@ -55,4 +55,5 @@ def robot_statements(
             return f"{robot} no_longer_has_{part} {name}"
         case _:
             begun = draw(st.sampled_from([f"create_robot {name} as", f"load_robot {name} as"]))
-            return f"{draw(st.sampled_from([begun, 'generate_robot']))} {robot}"
+            given = draw(st.sampled_from(["", " setting 'a' = 1"])) if "load" in begun else ""
+            return draw(st.sampled_from([f"{begun} {robot}{given}", f"generate_robot {robot}"]))

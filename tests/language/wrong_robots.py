@@ -217,6 +217,7 @@ _ENDS: dict[str, list[tuple[str, str, str, str | None]]] = {
         ("r no_longer_limits_joint 'j'", "no_longer_limits_joint",
          "no statement takes limits away, not even `no_longer_limits_joint`",
          "limits go with the type: `r has_joint 'j' of joint_type continuous`"),
+        ("load_robot 'a.xacro' as r setting 'a' 5", "5", "expected `=`, not `5`", SENTENCE),
         ("r joint 'j' of joint_type fixed from 'a' to 'b'", "joint", "`joint` starts no statement",
          "did you mean `has_joint`?"),
         ("r limit_joint 'j' between 0 and 1 m", "limit_joint", "`limit_joint` starts no statement",

@@ -182,6 +182,7 @@ def test_what_is_said_changes(before: Link, said: dict[str, object], after: Link
     assert after.inertial is None or close(found.inertial, after.inertial)
 
 
+LIDAR = Link("a", (Body(BOX), Body(BOX), Body(MESH)), (Body(WHEEL),))
 APART = Link(
     "a",
     (Body(MESH, Pose((0.0, 0.0, -0.1))),),
@@ -206,7 +207,10 @@ APART = Link(
             {Note.SEVERAL_SHAPES: "rotation"},
         ),
         (link(inertial=Inertial(2.0, ODD)), {"shape": OTHER}, {Note.INERTIA_STAYS: "shape"}),
-        (APART, {"shape": BOX}, {Note.OTHER_COLLISION: "shape", Note.INERTIA_STAYS: "shape"}),
+        (APART, {"shape": WHEEL}, {Note.OTHER_COLLISION: "shape", Note.INERTIA_STAYS: "shape"}),
+        (APART, {"shape": OTHER}, {Note.OTHERS_STAY: "shape", Note.INERTIA_STAYS: "shape"}),
+        (LIDAR, {"shape": OTHER}, {Note.SEVERAL_SHAPES: "shape"}),
+        (LIDAR, {"shape": WHEEL, "position": UP}, {Note.OTHERS_STAY: "shape"}),
         (APART, {"position": UP}, {Note.APART: "position"}),
         (APART, {"rotation": QUARTER}, {Note.APART: "rotation"}),
         (WHOLE, {"shape": MESH, "mass": 1.0}, {Note.BOX_INERTIA: "mass"}),
@@ -220,6 +224,23 @@ def test_what_is_told_of_a_change(
     assert dict(notes) == told
     if any(note.is_refusal for note in told):
         assert found == before
+
+
+def test_a_shape_is_that_of_what_has_one_of_its_kind() -> None:
+    wheel = Body(WHEEL, Pose(rotation=QUARTER))
+    inertial = Inertial(2.0, tensor(WHEEL, 2.0), wheel.pose)
+    before = Link("a", (Body(MESH),), (wheel,), inertial)
+    wider = Cylinder(0.3, 0.05)
+    after, _ = change(before, shape=wider)
+    assert (after.visuals, after.collisions) == (before.visuals, (wheel._replace(shape=wider),))
+    assert close(after.inertial, Inertial(2.0, tensor(wider, 2.0), wheel.pose))
+    after, _ = change(before, shape=Mesh("other.stl"))
+    assert after == before._replace(visuals=(Body(Mesh("other.stl")),))
+    # Of several that collide, it weighs as the one that is meant.
+    several = before._replace(collisions=(Body(OTHER), wheel))
+    after, _ = change(several, shape=wider, mass=3.0)
+    assert after.collisions == (Body(OTHER), wheel._replace(shape=wider))
+    assert close(after.inertial, Inertial(3.0, tensor(wider, 3.0), wheel.pose))
 
 
 def test_what_is_elsewhere_stays_there() -> None:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from ..declaration import SlotKind, Statement, slot, statement
-from ..definitions import Vector
+from ..definitions import SettingTexts, Vector
 from ..inputs import Input, Nothing
 
 ROBOT_HELP = "the robot"
@@ -30,19 +30,23 @@ class CreateRobot(Statement):
 
 @statement(
     "load_robot_statement",
-    "load_robot {source} as {variable}",
+    "load_robot {source} as {variable} [setting {settings}]",
     summary="Read the description of a robot, to change it.",
     example="load_robot 'urdf/rover.urdf' as rover",
     purpose="change the description of a robot that exists",
     ros_term="robot description (URDF)",
     about="Only what you ask for changes; everything else stays. The macros of a xacro file are "
-    "expanded in a folder that you trust, for a look; what is changed is what stands in the file.",
+    "expanded in a folder that you trust, for a look; what is changed is what stands in the file. "
+    "`setting` gives the file's arguments (`$(arg NAME)`) values.",
 )
 class LoadRobot(Statement):
     """Read the description of a robot, to change it."""
 
     source: str = slot(SlotKind.ROBOT_FILE, "a path from the program's folder")
     variable: str = slot(SlotKind.NEW_ROBOT, "what the program calls the robot")
+    settings: SettingTexts | None = slot(
+        SlotKind.ROBOT_ARGUMENTS, "arguments of a xacro file, and their values"
+    )
 
 
 @statement(

@@ -63,6 +63,8 @@ class Note(Enum):
     """Its inertia did not follow from its shape, and stays as it is."""
     OTHER_COLLISION = auto()
     """What is seen and what collides had two shapes, and have one now."""
+    OTHERS_STAY = auto()
+    """What is seen or collides has such a shape, and changes; what has another one stays."""
     APART = auto()
     """What collides, or the center of mass, was elsewhere, and stays there."""
 
@@ -101,8 +103,10 @@ def changed_link(link: Link, values: LinkValues, mesh_bounds: MeshBounds) -> Cha
     """Return a link with what is said of it changed, and nothing else.
 
     What is seen and what collides get one shape, and are moved and turned alike where they were
-    alike. A mass without a shape leaves the inertia in proportion. An inertia that followed from
-    the shape follows from a new one, as does any where both shape and mass are said.
+    alike; but where only one of them has a shape of the kind that is said, only that one changes:
+    the cylinder that collides, and not the mesh that is seen. A mass without a shape leaves the
+    inertia in proportion. An inertia that followed from the shape follows from a new one, as does
+    any where both shape and mass are said.
     """
     refusal = _refusal(link, values)
     if refusal is not None:
@@ -132,26 +136,45 @@ def _refusal(link: Link, values: LinkValues) -> tuple[Note, str] | None:
         said = said or ("mass" if weighs_first else "")
         if said:
             return Note.NO_SHAPE, said
-    if len(link.visuals) > 1 or len(link.collisions) > 1:
-        said = placing or ("mass" if weighs_first else "")
-        if said:
-            return Note.SEVERAL_SHAPES, said
+    said = placing if _has_several(link, values.shape) else ""
+    said = said or ("mass" if weighs_first and _has_several(link, None) else "")
+    if said:
+        return Note.SEVERAL_SHAPES, said
     if values.material is not None and not (link.visuals or is_bare):
         return Note.NOT_SEEN, "material"
     return None
 
 
+def _has_several(link: Link, shape: Shape | None) -> bool:
+    """Tell whether several bodies of a kind may be meant, by a shape that is said or without."""
+    meant = _meant(link, shape)
+    return any(sum(map(meant, each)) > 1 for each in (link.visuals, link.collisions))
+
+
+def _meant(link: Link, shape: Shape | None) -> Callable[[Body], bool]:
+    """Return what tells which bodies a shape is said of: those of its kind, all if none is."""
+    kinds = {type(each.shape) for each in _bodies(link)}
+    if shape is None or type(shape) not in kinds:
+        return lambda _: True
+    return lambda body: isinstance(body.shape, type(shape))
+
+
 def _with_bodies(link: Link, values: LinkValues) -> tuple[Link, list[tuple[Note, str]]]:
     """Return a link with its bodies changed, of which it has one of each kind where they move."""
     notes = []
-    bodies = (*link.visuals, *link.collisions)
+    bodies = _bodies(link)
     main = bodies[0].pose if bodies else Pose()
-    if values.shape is not None and len({each.shape for each in bodies}) > 1:
+    is_meant = _meant(link, values.shape)
+    if not all(map(is_meant, bodies)):
+        notes.append((Note.OTHERS_STAY, "shape"))
+    elif values.shape is not None and len({each.shape for each in bodies}) > 1:
         notes.append((Note.OTHER_COLLISION, "shape"))
     elif values.shape is None and any(_stays(each.pose, main, values) for each in bodies):
         notes.append((Note.APART, _first_said(values, ("position", "rotation"))))
 
     def changed(body: Body) -> Body:
+        if not is_meant(body):
+            return body
         if values.shape is not None:
             # They are one shape from now on, and in one place where that is said.
             return body._replace(shape=values.shape, pose=_placed(body.pose, values))
@@ -198,12 +221,16 @@ def _with_inertial(old: Link, new: Link, values: LinkValues, mesh_bounds: MeshBo
         return Changed(new) if values.mass is None else _with_inertia(new, values.mass, mesh_bounds)
     pairs = list(zip(_bodies(old), _bodies(new), strict=False))
     followed = [each for each in pairs if follows(inertial, each[0], mesh_bounds)]
+    is_left = bool(followed) and all(before == after for before, after in followed)
+    if values.shape is not None and values.mass is None and is_left:
+        # What it follows from is not what changes.
+        return Changed(new)
     if values.shape is not None and (followed or values.mass is not None):
         mass = inertial.mass if values.mass is None else values.mass
         # Its axes stay as they are where the file has some of its own.
         is_own = followed and inertial.pose.rotation != followed[0][0].pose.rotation
         rotation = inertial.pose.rotation if is_own else None
-        return _with_inertia(new._replace(inertial=inertial), mass, mesh_bounds, rotation)
+        return _with_inertia(new, mass, mesh_bounds, rotation, values.shape)
     notes = [] if values.shape is None else [(Note.INERTIA_STAYS, "shape")]
     if values.shape is None and followed:
         inertial = _carried(inertial, *followed[0], mesh_bounds)
@@ -246,7 +273,11 @@ def _scaled(inertial: Inertial, mass: float) -> Inertial | None:
 
 
 def _with_inertia(
-    link: Link, mass: float, mesh_bounds: MeshBounds, rotation: Vector | None = None
+    link: Link,
+    mass: float,
+    mesh_bounds: MeshBounds,
+    rotation: Vector | None = None,
+    shape: Shape | None = None,
 ) -> Changed:
     """Return a link whose inertia follows from its shape and a mass.
 
@@ -255,9 +286,11 @@ def _with_inertia(
         mass: what it weighs.
         mesh_bounds: tells where a mesh ends.
         rotation: how the axes are turned that the inertia is in; None for those of the shape.
+        shape: the one of several that is meant.
     """
     # What collides is what a simulation moves.
-    for body in (*link.collisions, *link.visuals):
+    collisions = sorted(link.collisions, key=lambda each: each.shape != shape)
+    for body in (*collisions, *link.visuals):
         tensor = _tensor(body, mass, mesh_bounds, rotation)
         if tensor is not None:
             turned_ = body.pose.rotation if rotation is None else rotation

@@ -367,6 +367,7 @@ KINDS: Mapping[SlotKind, Kind] = {
     SlotKind.CONTAINER: Kind(),
     SlotKind.REMAPS: RemapsKind(),
     SlotKind.SETTINGS: SettingsKind(),
+    SlotKind.ROBOT_ARGUMENTS: SettingsKind(),
     SlotKind.PARAMS_FILE: Kind(),
     SlotKind.INCLUDED: IncludedKind(),
     SlotKind.ROBOT_NAME: RobotNameKind(),
