@@ -56,6 +56,11 @@ MISTAKES: list[tuple[str, str, str, str]] = [
     ("r has_link 'd' shaped sphere 1e-9", "bad-shape", "1e-9", ""),
     ("r has_link 'd' shaped sphere True", "bad-shape", "True", ""),
     ("r has_link 'd' shaped mesh \"\"", "bad-shape", '""', "package://"),
+    (
+        "r has_link 'd' shaped mesh \"a\", scale=[1, 1e-3, 2]",
+        *("bad-shape", "scale=[1, 1e-3, 2]", "write `(1, 1e-3, 2)`"),
+    ),
+    ("r has_link 'd' shaped mesh \"a\", [1, 2]", "bad-shape", "[1, 2]", "leave it out"),
     ("r has_link 'd' shaped mesh \"a\", scale=0", "bad-shape", "scale=0", ""),
     ("r has_link 'd' shaped sphere 1 weighing -1", "bad-weight", "-1", "leave it out"),
     ("r has_link 'd' shaped sphere 1 painted rde", "unknown-color", "rde", "did you mean `red`?"),

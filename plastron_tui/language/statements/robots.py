@@ -60,7 +60,7 @@ class LoadRobot(Statement):
     about="A link is a rigid part. Lengths are in metres, weights in kilograms; its inertia "
     "follows from both. Shapes are `box X, Y, Z`, `cylinder RADIUS, LENGTH`, `sphere RADIUS` and "
     '`mesh "URI"`; without one it is a place only. Of a link that a loaded robot has, only what is '
-    "said changes; `painted none` takes its colour away.",
+    "said changes: its colour is that of all that is seen, and `painted none` takes it away.",
 )
 class HasLink(Statement):
     """Give a robot a link, or change one that a loaded robot has."""

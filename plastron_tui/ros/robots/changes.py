@@ -180,7 +180,11 @@ def _with_bodies(link: Link, values: LinkValues) -> tuple[Link, list[tuple[Note,
             return body._replace(shape=values.shape, pose=_placed(body.pose, values))
         return body._replace(pose=_moved(body.pose, main, values))
 
-    visuals = tuple(_painted(changed(each), values.material) for each in link.visuals)
+    painted = [*filter(is_meant, link.visuals)] or [*link.visuals]
+    visuals = tuple(
+        _painted(changed(each), values.material if each in painted else None)
+        for each in link.visuals
+    )
     return link._replace(visuals=visuals, collisions=tuple(map(changed, link.collisions))), notes
 
 
