@@ -29,7 +29,7 @@ from plastron_tui.ros.robots.description import (
     Vector,
 )
 from plastron_tui.ros.robots.inertia import tensor_of
-from plastron_tui.ros.robots.joint_changes import changed_joint
+from plastron_tui.ros.robots.joint_changes import NO_MIMIC, JointValues, changed_joint
 
 HERE = Pose()
 UP: Vector = (0.0, 0.0, 1.0)
@@ -358,14 +358,15 @@ HELD = Joint("j", JointType.FIXED, "a", "b", Pose(UP))
 def test_a_joint_of_another_type_keeps_what_still_means_something(
     before: Joint, type_: JointType, after: Joint
 ) -> None:
-    assert changed_joint(before, type_, ("a", "b"), None, None, None, None) == after
+    assert changed_joint(before, JointValues(type_, ("a", "b"))) == after
 
 
 def test_what_is_said_of_a_joint_changes() -> None:
     mimic = Mimic("m")
-    found = changed_joint(
-        TURNING, JointType.REVOLUTE, ("c", "d"), (0.0, 0.0, 0.0), QUARTER, UP, mimic
-    )
+    values = JointValues(JointType.REVOLUTE, ("c", "d"), (0.0, 0.0, 0.0), QUARTER, UP, mimic)
+    found = changed_joint(TURNING, values)
     assert found == TURNING._replace(
         parent="c", child="d", pose=Pose((0.0, 0.0, 0.0), QUARTER), axis=UP, mimic=mimic
     )
+    assert changed_joint(found, JointValues()) == found
+    assert changed_joint(found, JointValues(mimic=NO_MIMIC)) == found._replace(mimic=None)

@@ -90,6 +90,14 @@ UNKNOWN_COLOR = Code(
     good=f"{_ROVER}rover has_link 'base' shaped sphere 0.1 painted blue\n{_END}",
 )
 
+INCOMPLETE_JOINT = Code(
+    "incomplete-joint",
+    "A new joint has a type, and names the link that holds and the one that is held. Only of a "
+    "joint that a loaded robot has may both be left out: they stay as they are.",
+    bad=f"{_BODY}rover has_joint 'hold' at 0, 0, 0.1\n{_END}",
+    good=_WHOLE,
+)
+
 UNKNOWN_JOINT_TYPE = Code(
     "unknown-joint-type",
     "A joint is `revolute`, `continuous`, `prismatic`, `fixed`, `floating` or `planar`.",

@@ -24,13 +24,17 @@ _SAME_PLACE = 1e-4
 """Metres: how far the center of mass may be from the middle of the shape likewise."""
 
 
+NO_MATERIAL = Material("")
+"""Said of a link that is to have no colour of its own."""
+
+
 class LinkValues(NamedTuple):
     """What is said of a link; None where nothing is.
 
     Attributes:
         shape: what it is like.
         mass: what it weighs, in kg.
-        material: how it looks.
+        material: how it looks; `NO_MATERIAL` for no way of its own.
         position: where the middle of its shape is, in metres.
         rotation: how its shape is turned, in radians.
     """
@@ -89,7 +93,7 @@ def new_link(name: str, values: LinkValues, mesh_bounds: MeshBounds) -> Changed:
         said = _first_said(values, LinkValues._fields)
         return Changed(link, ((Note.NO_SHAPE, said),) if said else ())
     body = Body(values.shape, _placed(Pose(), values))
-    link = Link(name, (body._replace(material=values.material),), (body,))
+    link = Link(name, (_painted(body, values.material),), (body,))
     if values.mass is None:
         return Changed(link)
     return _with_inertia(link, values.mass, mesh_bounds)
@@ -176,10 +180,19 @@ def _with_bodies(link: Link, values: LinkValues) -> tuple[Link, list[tuple[Note,
             return body._replace(shape=values.shape, pose=_placed(body.pose, values))
         return body._replace(pose=_moved(body.pose, main, values))
 
-    visuals = tuple(map(changed, link.visuals))
-    if values.material is not None:
-        visuals = tuple(each._replace(material=values.material) for each in visuals)
+    painted = [*filter(is_meant, link.visuals)] or [*link.visuals]
+    visuals = tuple(
+        _painted(changed(each), values.material if each in painted else None)
+        for each in link.visuals
+    )
     return link._replace(visuals=visuals, collisions=tuple(map(changed, link.collisions))), notes
+
+
+def _painted(body: Body, material: Material | None) -> Body:
+    """Return a body in another colour, if one is said."""
+    if material is None:
+        return body
+    return body._replace(material=None if material == NO_MATERIAL else material)
 
 
 def _placed(pose: Pose, values: LinkValues) -> Pose:
