@@ -57,6 +57,8 @@ def load_robot(run: Run, statement: st.LoadRobot) -> None:
             raise twice(codes.ROBOT_EXISTS, message, where, other.span)
     unused = unused_arguments(statement.source, arguments, loaded, statement)
     for each in (*found, *unused, *faults_of_file(source, where)):
+        if each.code == codes.ROOT_INERTIA:
+            continue  # the program can give it an empty root: told at its end
         # What is wrong with it can be mended by what changes it.
         is_error = each.severity is Severity.ERROR
         run.report(statement, each._replace(severity=Severity.WARNING) if is_error else each)

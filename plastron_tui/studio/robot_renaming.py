@@ -12,18 +12,21 @@ from plastron_tui.ros.robots.names import NAME_RULE, is_name
 
 from .panels.entry import Entry, Subject
 
-PARTS = {Subject.LINK: SlotKind.LINK, Subject.JOINT: SlotKind.JOINT}
+PARTS = {
+    Subject.LINK: frozenset({SlotKind.LINK}),
+    Subject.JOINT: frozenset({SlotKind.JOINT, SlotKind.FOLLOWED}),
+}
 """The parts of a robot, and the slots that name one."""
 
 
 def part_edits(program: Program, entry: Entry, old: str, new: str) -> Iterator[Edit]:
     """Yield what gives a link or a joint another name in all statements about its robot."""
-    kind = PARTS[Subject(entry.subject)]
+    kinds = PARTS[Subject(entry.subject)]
     for statement in program.statements:
         if getattr(statement, "robot", None) != entry.robot:
             continue
         for slot in DECLARATIONS[type(statement)].slots:
-            if slot.kind is kind and getattr(statement, slot.name) == old:
+            if slot.kind in kinds and getattr(statement, slot.name) == old:
                 yield Edit(statement.span_of(slot.name), f"'{new}'")
 
 

@@ -52,6 +52,7 @@ from .package_kinds import (
 from .parameter_kinds import DefaultKind, ParameterKind, ParameterTypeKind, TextKind
 from .rename_kinds import NamedKind, NewNameKind, OldNameKind
 from .robot_kinds import (
+    FollowedKind,
     JointKind,
     JointTypeKind,
     LinkKind,
@@ -375,6 +376,7 @@ KINDS: Mapping[SlotKind, Kind] = {
     SlotKind.ROBOT_FILE: RobotFileKind(),
     SlotKind.LINK: LinkKind(),
     SlotKind.JOINT: JointKind(),
+    SlotKind.FOLLOWED: FollowedKind(),
     SlotKind.SHAPE: ShapeKind(),
     SlotKind.SIZE: SizeKind(),
     SlotKind.WEIGHT: WeightKind(),
