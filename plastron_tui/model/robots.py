@@ -32,6 +32,7 @@ class RobotSource(NamedTuple):
         spans: where the names of its links and joints stand in the text, by `link` or `joint` and
             the name.
         arguments: what the program gives its macros.
+        opened: the files that its macros were expanded with.
     """
 
     path: Path
@@ -42,6 +43,7 @@ class RobotSource(NamedTuple):
     macros: Macros | None = None
     spans: Mapping[tuple[str, str], Span] = {}
     arguments: Arguments = ()
+    opened: tuple[Path, ...] = ()
 
     @property
     def whole(self) -> Description | None:
