@@ -75,5 +75,7 @@ folder a package, `generate_robot` puts the same there.
 
 `load_robot 'urdf/rover.urdf' as rover` reads a description that exists. `has_link`, `has_joint` and
 `limits_joint` of a name that it has change just what they say, and every other byte of the file stays.
+`shaped` and `at` are about what is seen and what collides; where only one of them has a shape of that kind,
+only that one changes. What a part says that no sentence speaks of stays, or it is told that it goes.
 
 """
