@@ -18,6 +18,7 @@ from plastron_tui.ros.robots.description import (
     Pose,
 )
 from plastron_tui.sources.urdf.edits import edited
+from plastron_tui.sources.urdf.new_elements import number
 from plastron_tui.sources.urdf.reader import read_urdf
 
 TEXT = """\
@@ -177,3 +178,11 @@ def test_what_an_author_says_elsewhere_though_it_is_so_without_stays_said() -> N
     after = changed(before, ("joints", "j", "mimic"), Mimic("k"))
     edit = edited(text.encode(), before, after)
     assert edit.text == text.replace('"-2"', '"1"').replace("0.3", "0").encode()
+
+
+@pytest.mark.parametrize(
+    ("value", "text"),
+    [(-0.0, "0"), (5.0, "5"), (0.1, "0.1"), (1 / 3, "0.3333333333"), (1.57079632679,) * 2],
+)
+def test_numbers_have_the_digits_that_people_write(value: float, text: object) -> None:
+    assert number(value) == str(text)

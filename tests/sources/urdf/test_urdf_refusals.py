@@ -113,3 +113,42 @@ def test_what_names_a_part_that_goes_is_told() -> None:
         "`<gazebo>` in line 9 still names `b`, which is taken away",
         "`<gazebo>` in line 10 still names `j`, which is taken away",
     ]
+
+
+def at(x: float, y: float, z: float) -> Change:
+    def changed(robot: Description) -> Description:
+        return replace(robot, joints={"j": robot.joints["j"]._replace(pose=Pose((x, y, z)))})
+
+    return changed
+
+
+@pytest.mark.parametrize(
+    ("by_hand", "made"),
+    [("0 0 2", "0 0 2"), ("0 0 1.0", "0 0 2"), ("0 0 3", None), ("5 0 1", None)],
+)
+def test_what_somebody_changed_meanwhile_is_not_written_over(
+    by_hand: str, made: str | None
+) -> None:
+    before = read_urdf(TEXT.encode()).description
+    assert before is not None
+    edit = edited(TEXT.replace("0 0 1", by_hand).encode(), before, at(0, 0, 2)(before))
+    if made is not None:
+        assert edit.text == TEXT.replace("0 0 1", made).encode()
+    else:
+        assert edit.text is None
+        assert "something else of the joint `j` by now" in edit.diagnostics[0].message
+
+
+def test_what_cannot_be_read_stays_beside_what_changes() -> None:
+    seen = (
+        '<visual><geometry><sphere radius="1"/></geometry><material name="m">{}</material></visual>'
+    )
+    color = '<color rgba="red"/>'
+    text = TEXT.replace('<link name="b"/>', f'<link name="b">{seen.format(color)}</link>')
+    before = read_urdf(text.encode()).description
+    assert before is not None
+    body = before.links["b"].visuals[0]
+    assert body.material is not None
+    body = body._replace(material=body.material._replace(name="n"))
+    after = replace(before, links={**before.links, "b": Link("b", (body,))})
+    assert edited(text.encode(), before, after).text == text.replace('"m"', '"n"').encode()

@@ -61,6 +61,25 @@ JOINED = """\
   </joint>
 </robot>
 """
+ORDERED = """\
+<robot name="r">
+  <link name="a">
+    <visual>
+      <geometry>
+        <box size="1 2 3"/>
+      </geometry>
+      <origin rpy="0 0 0" xyz="0 0 1"/>
+    </visual>
+  </link>
+  <link name="b"/>
+  <link name="d"/>
+  <joint type="fixed" name="j">
+    <child link="b"/>
+    <parent link="a"/>
+    <origin rpy="0 0 0" xyz="0 0 0.5"/>
+  </joint>
+</robot>
+"""
 GREEN = Material("green", (0, 1, 0, 1))
 Change = Callable[[Description], Description]
 
@@ -194,6 +213,57 @@ CASES: dict[str, tuple[str, Change, dict[str, str]]] = {
     <origin xyz="0.0 0.0 2.0"/>
     <parent link="a"/>
     <child link="c"/>
+  </joint>
+""",
+        },
+    ),
+    "what comes first, above the comment of what follows": (
+        JOINED.replace('  <link name="a"/>', '  <!-- first -->\n  <link name="a"/>'),
+        lambda robot: replace(robot, links={"o": Link("o"), **robot.links}),
+        {"  <!-- first -->": '  <link name="o"/>\n  <!-- first -->'},
+    ),
+    "another visual, behind the one that is there": (
+        WRAPPED,
+        lambda robot: replace(
+            robot,
+            links={"a": Link("a", (*robot.links["a"].visuals, Body(Sphere(1), Pose((0, 0, 1)))))},
+        ),
+        {
+            "    </visual>\n": """\
+    </visual>
+    <visual>
+      <origin
+        xyz="0 0 1"
+        rpy="0 0 0" />
+      <geometry>
+        <sphere
+          radius="1" />
+      </geometry>
+    </visual>
+"""
+        },
+    ),
+    "the author's order, links apart from joints": (
+        ORDERED,
+        more,
+        {
+            '  <link name="d"/>\n': """\
+  <link name="d"/>
+  <link name="c">
+    <visual>
+      <geometry>
+        <sphere radius="1"/>
+      </geometry>
+      <origin rpy="0 0 0" xyz="0 0 1"/>
+    </visual>
+  </link>
+""",
+            "  </joint>\n": """\
+  </joint>
+  <joint type="fixed" name="k">
+    <child link="c"/>
+    <parent link="a"/>
+    <origin rpy="0 0 0" xyz="0 0 2"/>
   </joint>
 """,
         },
