@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator, Sequence
 from itertools import groupby, islice
 
@@ -71,7 +70,7 @@ def _explain_line(
             return unexpected(token)._replace(fix=fix)
     slots: dict[int, SlotKind] = {}
     if declaration is None:
-        found = _unknown_statement(tokens, source)
+        found = _unknown_statement(tokens)
     else:
         match = match_sentence(declaration, tokens)
         found = SentenceErrors(declaration, tokens).first(match)
@@ -119,24 +118,7 @@ def _guessed(tokens: Sequence[Token]) -> Declaration | None:
     return None if found is None else BY_KEYWORD[found[1]]
 
 
-def _verbs_of(variable: str, source: bytes) -> tuple[str, ...]:
-    """Return the words that may come after a variable; all if it is not clear what it is."""
-    made = None
-    if len(source) < _MOST_SEARCHED and variable.isascii():
-        made = re.search(_MADE % variable.encode(), source)
-    if made is None:
-        return VERBS
-    kind = SlotKind[made[1].decode().upper()]
-    return tuple(word for word in VERBS if BY_KEYWORD[word].slots[0].kind is kind)
-
-
-_MADE = rb"\b(?:create|load)_(node|robot|launch|package)\b[^\n]*\bas[ \t]+%b\b"
-
-_MOST_SEARCHED = 200_000
-"""Bytes: in a longer program nobody looks for what a variable is, once for each wrong line."""
-
-
-def _unknown_statement(tokens: Sequence[Token], source: bytes) -> Diagnostic:
+def _unknown_statement(tokens: Sequence[Token]) -> Diagnostic:
     first = tokens[0]
     found = _misspelt(tokens)
     if found is not None:
@@ -155,7 +137,7 @@ def _unknown_statement(tokens: Sequence[Token], source: bytes) -> Diagnostic:
             codes.UNKNOWN_STATEMENT,
             f"`{first.text}` alone is no statement",
             first.span,
-            help=f"after a variable comes {', '.join(_verbs_of(first.text, source))}",
+            help=f"after a variable comes {', '.join(VERBS)}",
         )
     return Diagnostic(
         codes.UNKNOWN_STATEMENT,

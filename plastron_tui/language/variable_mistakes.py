@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import re
-from itertools import count
 
 from plastron_tui.diagnostics import Diagnostic, Edit, Fix, Span, write
 
@@ -28,7 +27,7 @@ def variable_left_out(place: Place, found: Diagnostic) -> Diagnostic | None:
         return found._replace(help=f"write `{right}`", fix=write(right, place.token.span))
     assert place.declaration is not None, "a word of a known sentence is missing"
     clauses = {each.keyword for each in place.declaration.clauses}
-    name = _named_after(before.text[1:-1], place.source)
+    name = _named_after(before.text[1:-1])
     if name is None or (at < len(place.tokens) and place.text(at) not in clauses):
         return None
     fix = Fix(f"write `as {name}`", (Edit(Span(before.end, before.end), f" as {name}"),))
@@ -50,11 +49,8 @@ def _wants_as(place: Place) -> bool:
     )
 
 
-def _named_after(text: str, source: bytes) -> str | None:
-    """Return a variable that nothing of the program has; None where the text makes none."""
+def _named_after(text: str) -> str | None:
+    """Return a variable that is called like something; None where it makes none."""
     stem = text.rpartition("/")[2].partition(".")[0]
     name = re.sub(r"\W+", "_", stem, flags=re.ASCII).strip("_")
-    if not _VARIABLE.fullmatch(name) or name in WORDS:
-        return None
-    names = (name if number == 1 else f"{name}{number}" for number in count(1))
-    return next(each for each in names if not re.search(rb"\bas\s+%b\b" % each.encode(), source))
+    return name if _VARIABLE.fullmatch(name) and name not in WORDS else None

@@ -95,10 +95,20 @@ class Habits:
         ):
             self._said_defaults.add(("origin", "xyz"))
 
-    def number(self, attribute: str, value: float) -> str:
-        """Return a number as it is written in an attribute: `5`, or `5.0` if the author does so."""
+    def number(self, attribute: str, value: float, before: Sequence[str] = ()) -> str:
+        """Return a number as it is written in an attribute: `5`, or `5.0` if the author does so.
+
+        Args:
+            attribute: its name.
+            value: the number.
+            before: what the attribute says so far, which tells more than the rest of the file.
+        """
         text = number(value)
-        is_pointed = self._points[attribute] > 0 and _WHOLE.fullmatch(text) is not None
+        if _WHOLE.fullmatch(text) is None:
+            return text
+        found = filter(None, map(_WHOLE.fullmatch, before))
+        ways = {each.group(1) is not None for each in found}
+        is_pointed = ways.pop() if len(ways) == 1 else self._points[attribute] > 0
         return f"{text}.0" if is_pointed else text
 
     def styled(self, new: NewElement) -> NewElement:
