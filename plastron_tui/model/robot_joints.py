@@ -183,4 +183,4 @@ def no_longer_has_joint(run: Run, statement: st.NoLongerHasJoint) -> None:
             "or let it follow another"
         )
         raise Mistake(Diagnostic(codes.PART_IN_USE, message, where, help=help_text, labels=labels))
-    robot.take_joint(name)
+    robot.take_joint(name, where)

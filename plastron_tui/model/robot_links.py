@@ -171,7 +171,7 @@ def no_longer_has_link(run: Run, statement: st.NoLongerHasLink) -> None:
     holding = next(robot.holding(name), None)
     if holding is not None:
         raise _held(run, robot, statement, holding.name)
-    robot.take_link(name)
+    robot.take_link(name, where)
 
 
 def _held(run: Run, robot: Robot, statement: st.NoLongerHasLink, joint: str) -> Mistake:

@@ -128,7 +128,10 @@ class RobotExpander:
             found = _refused(f"the macros are not expanded: {expanded.reason}", remedy)
         else:
             found = _read(expanded.text)
-        return _Known(found._replace(asked=expanded.asked, unused=expanded.unused), stamps)
+        return _Known(
+            found._replace(asked=expanded.asked, unused=expanded.unused, opened=expanded.files),
+            stamps,
+        )
 
 
 def _read(text: bytes) -> Expansion:

@@ -38,12 +38,14 @@ class Expansion(NamedTuple):
         diagnostics: what is wrong with it, or the reason.
         asked: the arguments that the macros asked for, or give a default.
         unused: those that they were given, and did not ask for.
+        opened: the files that they were looked for in, or that were not there.
     """
 
     description: Description | None
     diagnostics: tuple[Diagnostic, ...] = ()
     asked: tuple[str, ...] = ()
     unused: tuple[str, ...] = ()
+    opened: tuple[Path, ...] = ()
 
 
 Expander = Callable[[Path, bytes, "XmlDocument", Arguments], Expansion]
@@ -102,7 +104,9 @@ class RobotReader:
             return LoadedRobot(found, read.diagnostics)
         expansion = self._expand(path, found.text, read.document, found.arguments)
         macros = read_macros(read.document)
-        found = found._replace(macros=macros, expanded=expansion.description)
+        found = found._replace(
+            macros=macros, expanded=expansion.description, opened=expansion.opened
+        )
         told = (*read.diagnostics, *expansion.diagnostics)
         return LoadedRobot(found, told, expansion.asked, expansion.unused)
 

@@ -341,6 +341,17 @@ HELD = Joint("j", JointType.FIXED, "a", "b", Pose(UP))
             JointType.REVOLUTE,
             HELD._replace(type=JointType.REVOLUTE),
         ),
+        (
+            TURNING._replace(type=JointType.FIXED),
+            JointType.CONTINUOUS,
+            TURNING._replace(type=JointType.CONTINUOUS, limit=Limit(0.0, 0.0, 5.0, 2.0)),
+        ),
+        (TURNING._replace(type=JointType.FIXED), JointType.REVOLUTE, TURNING),
+        (
+            TURNING._replace(type=JointType.FIXED),
+            JointType.PRISMATIC,
+            TURNING._replace(type=JointType.PRISMATIC, limit=None, dynamics=None, mimic=None),
+        ),
         (HELD._replace(axis=(0.0, 0.0, 0.0)), JointType.FIXED, HELD._replace(axis=(0.0, 0.0, 0.0))),
     ],
 )

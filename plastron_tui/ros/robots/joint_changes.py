@@ -57,13 +57,21 @@ def retyped(joint: Joint, type_: JointType) -> Joint:
     """Return a joint that moves otherwise, without what the new type has no use for.
 
     Limits and dynamics of what turns are in radians, of what slides in metres: they say nothing
-    of the other. What turns without end has no range, but may have an effort and a velocity.
+    of the other. What turns without end has no range, but may have an effort and a velocity. What a
+    joint has left from before it was fixed counts again once it turns.
     """
     old = joint.type
     joint = joint._replace(type=type_)
-    if not (old.has_axis and type_.has_axis):
+    if not type_.has_axis:
         return joint._replace(axis=None, limit=None, dynamics=None, mimic=None)
-    if not (old.turns and type_.turns):
+    if not old.has_axis:
+        # A tool writes zeros into what does not move; the rest was meant for when it does.
+        joint = joint._replace(
+            axis=joint.axis if joint.axis is not None and any(joint.axis) else None,
+            limit=joint.limit if joint.limit is not None and any(joint.limit) else None,
+            dynamics=joint.dynamics if joint.dynamics is not None and any(joint.dynamics) else None,
+        )
+    if not type_.turns or (old.has_axis and not old.turns):
         return joint._replace(limit=None, dynamics=None, mimic=None)
     if joint.limit is None or type_ is JointType.REVOLUTE:
         return joint

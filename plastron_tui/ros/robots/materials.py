@@ -76,12 +76,13 @@ def kept_apart(before: Description, after: Description) -> Description:
 def said_as_before(before: Description, after: Description) -> Description:
     """Return a changed robot that says its new colours where it has the others.
 
-    Where all stand beside the links, so do the new ones. Else a link that is painted says its
-    colour once, and what else of it has that colour means it by its name.
+    Where all that links have stand beside them, so do the new ones. Else a link that is painted
+    says its colour once, and what else of it has that colour means it by its name.
     """
     materials = dict(after.materials)
-    is_shared = bool(before.materials) and not any(
-        each.name and is_defined(each) for each in painted(before)
+    names = [each for each in painted(before) if each.name]
+    is_shared = bool(names) and all(
+        each.name in before.materials and not is_defined(each) for each in names
     )
     links: dict[str, Link] = {}
     for name, link in after.links.items():

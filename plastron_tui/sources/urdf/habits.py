@@ -95,18 +95,29 @@ class Habits:
         ):
             self._said_defaults.add(("origin", "xyz"))
 
-    def number(self, attribute: str, value: float) -> str:
-        """Return a number as it is written in an attribute: `5`, or `5.0` if the author does so."""
+    def number(self, attribute: str, value: float, before: Sequence[str] = ()) -> str:
+        """Return a number as it is written in an attribute: `5`, or `5.0` if the author does so.
+
+        Args:
+            attribute: its name.
+            value: the number.
+            before: what the attribute says so far, which tells more than the rest of the file.
+        """
         text = number(value)
-        is_pointed = self._points[attribute] > 0 and _WHOLE.fullmatch(text) is not None
+        if _WHOLE.fullmatch(text) is None:
+            return text
+        found = filter(None, map(_WHOLE.fullmatch, before))
+        ways = {each.group(1) is not None for each in found}
+        is_pointed = ways.pop() if len(ways) == 1 else self._points[attribute] > 0
         return f"{text}.0" if is_pointed else text
 
     def styled(self, new: NewElement) -> NewElement:
         """Return an element as the author writes it: its numbers, and what comes first in it."""
         attributes: list[tuple[str, str]] = []
         said_besides: tuple[tuple[str, str], ...] = ()
-        if new.name == "origin" and self._turned > 0 and len(new.attributes) == 1:
-            # Its author says of each origin how it is turned.
+        says_turns = self._turned > 0 and self.says_default("origin", "rpy")
+        if new.name == "origin" and says_turns and len(new.attributes) == 1:
+            # Its author says of each origin how it is turned, also where it is not.
             said_besides = (("rpy", "0 0 0"),)
         for name, value in (*new.attributes, *said_besides):
             said = self._numbers(name, value) if name in _NUMBERS else value

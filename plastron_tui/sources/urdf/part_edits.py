@@ -134,7 +134,9 @@ class PartEdits:
             return
         has = [number_of(word) for word in words]
         kept = [
-            word if said is not None and same(said, value) else self.habits.number(name, value)
+            word
+            if said is not None and same(said, value)
+            else self.habits.number(name, value, words)
             for word, said, value in zip(words, has, values, strict=True)
         ]
         if kept != words:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
+from functools import lru_cache
 from pathlib import Path
 from typing import NamedTuple
 
@@ -17,6 +18,9 @@ from .joints import joint_of
 from .links import link_of, material_of
 from .values import Values, is_computed, is_xacro
 from .vocabulary import FIRST_VERSION, LAST_VERSION, second_children, version_of
+
+_LARGEST_KEPT = 500_000
+"""Bytes of a text that is kept as it was read."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -56,12 +60,17 @@ def read_urdf(text: bytes, path: Path | None = None) -> UrdfRead:
 
     What cannot be read is left out, or as it would be if nothing was said; elements that URDF
     does not know are left alone, and only what stands directly in `<robot>` is a link or a joint
-    (`<transmission>` and `<gazebo>` have elements of the same names).
+    (`<transmission>` and `<gazebo>` have elements of the same names). A text that was read lately
+    is not read again.
 
     Args:
         text: what the file holds.
         path: the file, for diagnostics.
     """
+    return _read_again(text, path) if len(text) <= _LARGEST_KEPT else _read(text, path)
+
+
+def _read(text: bytes, path: Path | None) -> UrdfRead:
     document, diagnostics = read_xml(text, path)
     if document is None:
         return UrdfRead(None, None, diagnostics=diagnostics)
@@ -73,6 +82,10 @@ def read_urdf(text: bytes, path: Path | None = None) -> UrdfRead:
         found = Diagnostic(codes.BROKEN_URDF, message, root.name_span, path)
         return UrdfRead(document, None, diagnostics=(found,))
     return _Reader(Values(document, is_xacro(document))).read()
+
+
+_read_again = lru_cache(maxsize=4)(_read)
+"""Who loads a file, changes it and looks at the change reads the same texts one after the other."""
 
 
 class _Reader:

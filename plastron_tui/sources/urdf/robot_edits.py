@@ -191,35 +191,42 @@ def _ahead(
 def removals(document: XmlDocument, gone: Iterable[Element], habits: Habits) -> Iterator[Splice]:
     """Yield what takes parts away, each with the empty lines that keep it apart."""
     taken = set(gone)
-    siblings = document.root.children
-    kept = [at for at, each in enumerate(siblings) if each not in taken]
-    first_kept = kept[0] if kept else len(siblings)
     tops = {each.part: each.start for each in headings(document, taken) if each.goes}
-    for at, element in enumerate(siblings):
-        if element in taken:
-            top = tops.get(element, element.span.start)
-            yield _removal(document, at, top, habits, is_first=at < first_kept)
+    # Whether the empty lines below go: those above do not belong to a part that stays.
+    takes_below = True
+    for at, element in enumerate(document.root.children):
+        if element not in taken:
+            takes_below = False
+            continue
+        first = line_start(document.text, tops.get(element, element.span.start))
+        above = _empty_lines_above(document.text, first)
+        behind = None if at == 0 or takes_below else document.root.children[at - 1]
+        if behind is not None and not _is_end(document, above, behind):
+            takes_below, behind = above < first, None
+        yield _removal(document, at, first if behind is None else above, habits, takes_below)
 
 
-def _removal(document: XmlDocument, at: int, top: int, habits: Habits, *, is_first: bool) -> Splice:
-    """Return what takes a part away, with the comments above it from `top` on."""
-    element = document.root.children[at]
-    text, (start, end) = document.text, element.span
-    rest = skip_blanks(text, behind_comments(document, end))
-    broken = line_break(text, rest)
-    if not starts_line(text, start) or broken is None:
-        return removal(document, element, habits.style, closes=False)
-    first, last = line_start(text, top), broken.end
+def _removal(
+    document: XmlDocument, at: int, first: int, habits: Habits, takes_below: bool
+) -> Splice:
+    """Return what takes a part away, from the start of a line above it on."""
     siblings = document.root.children
-    above = first
-    while (higher := _empty_line_above(text, above)) is not None:
-        above = higher
-    if not is_first and _is_end(document, above, siblings[at - 1]):
-        return Splice(above, last)
-    if (is_first or above < first) and at + 1 < len(siblings):
+    text, (start, end) = document.text, siblings[at].span
+    broken = line_break(text, skip_blanks(text, behind_comments(document, end)))
+    if not starts_line(text, start) or broken is None:
+        return removal(document, siblings[at], habits.style, closes=False)
+    last = broken.end
+    if takes_below and at + 1 < len(siblings):
         while not text[last : line_end(text, last)].strip() and last < siblings[at + 1].span.start:
             last = line_end(text, last)
     return Splice(first, last)
+
+
+def _empty_lines_above(text: bytes, start: int) -> int:
+    """Return the start of the first of the empty lines above a line."""
+    while (higher := _empty_line_above(text, start)) is not None:
+        start = higher
+    return start
 
 
 def _empty_line_above(text: bytes, start: int) -> int | None:
