@@ -217,7 +217,13 @@ CASES: dict[str, tuple[str, Change, dict[str, str]]] = {
             "</link>"
         },
     ),
-    "numbers as they are there": (JOINED, moved(3, 4, 5), {"1.0 2.0 0.5": "3.0 4.0 5.0"}),
+    "numbers as they are there": (
+        JOINED.replace(
+            '<link name="b"/>', '<link name="b"><inertial><origin xyz="0 0 3"/></inertial></link>'
+        ),
+        moved(3, 4, 5),
+        {"1.0 2.0 0.5": "3.0 4.0 5.0"},
+    ),
     "numbers that tell nothing, as elsewhere": (
         JOINED.replace("1.0 2.0 0.5", "0.1 0.2 0.5"),
         moved(3, 4, 0.5),
