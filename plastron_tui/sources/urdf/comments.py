@@ -11,9 +11,14 @@ from plastron_tui.sources.splices import line_start
 from plastron_tui.sources.xml.document import Element, XmlDocument
 from plastron_tui.sources.xml.layout import behind_comments, blanks_before, starts_line
 
-_WORD = re.compile(r"[^\W_]+")
-_NOISE = frozenset(("a", "an", "and", "joint", "joints", "link", "links", "material", "the"))
-"""What is in a comment besides names."""
+_WORD = re.compile(r"[^\W\d_]+|\d+")
+_NOISE = frozenset(
+    (
+        *("a", "an", "and", "between", "for", "from", "of", "the", "to"),
+        *("joint", "joints", "link", "links", "material"),
+    )
+)
+"""What is in a comment besides names: `joint between link_1 and link_2`."""
 
 
 class Heading(NamedTuple):
@@ -91,5 +96,14 @@ def _group(document: XmlDocument, siblings: Sequence[Element], at: int) -> list[
 def _names_only(text: str, group: Sequence[Element]) -> bool:
     """Tell whether a comment says some names of parts, and nothing else."""
     said = {*_WORD.findall(text.casefold())} - _NOISE
-    names = " ".join(each.get("name") or "" for each in group).replace("_", " ")
-    return bool(said) and said <= {*_WORD.findall(names.casefold())}
+    names = [each.get("name") for each in group]
+    # A joint has the names of its links as well.
+    names += [
+        end.get("link")
+        for each in group
+        if each.name == "joint"
+        for end in each.children
+        if end.name in ("parent", "child")
+    ]
+    known = _WORD.findall(" ".join(filter(None, names)).casefold())
+    return bool(said) and said <= {*known}

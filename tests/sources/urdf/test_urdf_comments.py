@@ -43,6 +43,11 @@ CASES = {
         LAST,
         None,
     ),
+    "the names of what a joint holds": (
+        WHEEL.replace("  <joint", "  <!-- joint between base and left_wheel -->\n  <joint"),
+        "",
+        None,
+    ),
     "a word of its own": (
         "\n  <!-- 40 grams -->\n" + WHEEL + LAST,
         "\n  <!-- 40 grams -->\n" + LAST,
@@ -90,3 +95,14 @@ def test_a_comment_goes_with_what_it_names_alone(name: str, newline: str) -> Non
     for each in edit.diagnostics:
         assert each.span is not None
         assert text[each.span.start :].startswith(b"<!--")
+
+
+def test_a_number_is_a_word_of_a_name() -> None:
+    text = rover(
+        '  <!-- Link 1 -->\n  <link name="link1"/>\n  <!-- Link 2 -->\n  <link name="x1"/>\n'
+    )
+    robot = read_urdf(text.encode()).description
+    assert robot is not None
+    edit = edited(text.encode(), robot, replace(robot, links={"base": robot.links["base"]}))
+    assert edit.text is not None
+    assert edit.text.decode() == rover("  <!-- Link 2 -->\n")
