@@ -105,7 +105,10 @@ class RobotReader:
         expansion = self._expand(path, found.text, read.document, found.arguments)
         macros = read_macros(read.document)
         found = found._replace(
-            macros=macros, expanded=expansion.description, opened=expansion.opened
+            expanded=expansion.description,
+            macros=macros,
+            opened=expansion.opened,
+            computed=_computed(read.places),
         )
         told = (*read.diagnostics, *expansion.diagnostics)
         return LoadedRobot(found, told, expansion.asked, expansion.unused)
@@ -119,6 +122,26 @@ def _spans(places: PartPlaces) -> dict[tuple[str, str], Span]:
         for name, element in parts.items()
         if (attribute := element.attribute("name")) is not None
     }
+
+
+def _computed(places: PartPlaces) -> dict[tuple[str, str], dict[str, tuple[str, int]]]:
+    """Return what macros compute of links and joints, as a `RobotSource` has it."""
+    from plastron_tui.sources.urdf.values import is_computed
+
+    found: dict[tuple[str, str], dict[str, tuple[str, int]]] = {}
+    for kind, parts in (("link", places.links), ("joint", places.joints)):
+        for name, part in parts.items():
+            values: dict[str, tuple[str, int]] = {}
+            inner = [(each, each.name) for each in part.children]
+            while inner:
+                element, path = inner.pop()
+                for attribute in element.attributes:
+                    if is_computed(attribute.value):
+                        values[f"{path}/{attribute.name}"] = attribute.value, element.line
+                inner += ((each, f"{path}/{each.name}") for each in element.children)
+            if values:
+                found[kind, name] = values
+    return found
 
 
 def _why_none(source: str, read: UrdfRead) -> tuple[Diagnostic, ...]:
