@@ -80,7 +80,9 @@ description as they did. What belongs to other packages stays there, and is depe
 told.
 
 `load_robot 'urdf/rover.urdf' as rover` reads a description that exists. `has_link`, `has_joint` and
-`limits_joint` of a name that it has change just what they say, and every other byte of the file stays. The
+`limits_joint` of a name that it has change just what they say, and every other byte of the file stays.
+`shaped` and `at` are about what is seen and what collides; where only one of them has a shape of that kind,
+only that one changes. What a part says that no sentence speaks of stays, or it is told that it goes. The
 arguments of a xacro file (`$(arg NAME)`) get values by `setting`: `load_robot 'ur.urdf.xacro' as arm setting
 'name' = "arm", 'ur_type' = "ur5e"`; what starts the robot gives it the same. `plastron inspect` and `plastron graph` take
 them behind the file, as `name:=arm ur_type:=ur5e`.
