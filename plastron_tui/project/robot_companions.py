@@ -228,12 +228,9 @@ class _Search:
         if _is_computed(inner):
             raise _Left("cannot get: which file it is, macros say", "put it there by hand")
         inner = _checked(normpath(inner or "."))
-        there = os.path.realpath(self._there)
         for root in self._roots:
-            path = root / inner
-            is_output = os.path.realpath(path).startswith(there + os.sep)
-            if not is_output and os.path.isfile(path):  # noqa: PTH113
-                return Companion(inner, self._allowed(path))
+            if os.path.isfile(root / inner):  # noqa: PTH113
+                return Companion(inner, self._allowed(root / inner))
         if (self._there / inner).is_file():
             return Companion(inner, None)
         raise _Left("does not get: it is not there", f"put it at `{inner}` beside the program")
