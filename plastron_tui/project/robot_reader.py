@@ -19,6 +19,9 @@ if TYPE_CHECKING:
     from plastron_tui.sources.urdf.reader import PartPlaces, UrdfRead
     from plastron_tui.sources.xml.document import XmlDocument
 
+_UTF_16 = (b"\xff\xfe", b"\xfe\xff", b"<\0", b"\0<")
+"""What XML in that encoding begins with."""
+
 _EXPORT = "export it as URDF from what it was made with"
 _OTHER_ROOTS = {
     "sdf": ("a model of Gazebo (SDF), not URDF", _EXPORT),
@@ -84,7 +87,8 @@ class RobotReader:
             return LoadedRobot(None, (text,))
         if b"\0" in text:
             message = f"`{source}` is no text, and so no robot"
-            return LoadedRobot(None, (Diagnostic(codes.UNREADABLE_FILE, message),))
+            help_text = "it is UTF-16: save it as UTF-8" if text.startswith(_UTF_16) else None
+            return LoadedRobot(None, (Diagnostic(codes.UNREADABLE_FILE, message, help=help_text),))
         self._found(path.parent)
         start = self._texts.started(path, text, _form)
         origin = None if start is None else start.origin
