@@ -177,6 +177,14 @@ BAD_ROBOT_ARGUMENT = Code(
     "the arguments of a xacro file, `$(arg NAME)`, are texts, numbers and booleans.",
 )
 
+UNCLEAR_ROBOT = Code(
+    "unclear-robot",
+    "A program has several robots, and a node that says where joints are does not say of which: it "
+    "is started with each of them. Joints that its message names tell it, or the robot's name in "
+    "the topic, `ROBOT/joint_states`.",
+    severity=Severity.WARNING,
+)
+
 SEVERAL_SHAPES = Code(
     "several-shapes",
     "A link of a loaded robot has several visuals or collisions, and a sentence is about one. "
