@@ -114,7 +114,9 @@ def _check_whole(run: Run, robot: Robot, statement: st.HasJoint) -> None:
         near, fix = guess(name, open_, where, is_quoted=True)
     needs = " and ".join(lacking)
     message = f"`{robot.variable}` has no joint `{name}`, and a new one needs {needs}"
-    remedy = f"such as `{robot.variable} has_joint '{name}' of joint_type fixed from '…' to '…'`"
+    held = f"from '{statement.parent or '…'}' to '{statement.child or '…'}'"
+    said = f"has_joint '{name}' of joint_type {statement.type or 'fixed'} {held}"
+    remedy = f"such as `{robot.variable} {said}`"
     raise Mistake(Diagnostic(codes.INCOMPLETE_JOINT, message, where, help=near or remedy, fix=fix))
 
 

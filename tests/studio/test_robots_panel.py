@@ -230,6 +230,8 @@ def test_a_part_leads_to_where_it_is_made(at: str, definition: str, count: int) 
     loaded = Document(TEXT.replace("create_robot 'rover'", "load_robot 'r.urdf'").encode())
     assert "file" in (wrong_part_name(loaded, offset - 1, "new") or "")
     assert part_at(document, 3) is None
+    none = "rover has_joint 'turn' mimicking none\n"
+    assert part_at(Document(none.encode()), none.index("none") + 1) is None
 
 
 def test_the_preview_has_the_file_of_the_robot_at_the_cursor(tmp_path: Path) -> None:

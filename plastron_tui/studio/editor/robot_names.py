@@ -34,7 +34,7 @@ def part_at(document: Document, offset: int) -> Variable | None:
 
 def _fields_of(node: Node) -> tuple[str, ...] | None:
     """Return the fields that name what a node names, None where it is no part of a robot."""
-    parent = node.parent
+    parent = node.parent if node.type == "ros_name" else None
     for fields in (_LINKS, _JOINTS) if parent is not None else ():
         for field in fields:
             if parent is not None and parent.child_by_field_name(field) == node:
