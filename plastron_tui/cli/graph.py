@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 from collections.abc import Iterable
 from dataclasses import replace
 from pathlib import Path
@@ -29,6 +28,7 @@ from .common import (
     open_sessions,
     print_text,
     programs_argument,
+    read_input,
     target_option,
 )
 from .run_options import namespace_option, refuse, remap_option, unknown_nodes
@@ -137,17 +137,17 @@ def _show_launch_files(
 
 def robots_of(files: Iterable[Path], report: Report, *, is_drawn: bool = False) -> list[Robot]:
     """Read the robots of files; what is drawn has to be measured."""
-    from plastron_tui.project.program_file import lines_of
-    from plastron_tui.project.robot_graph import robot_graph
+    from .robot_input import read_robot
 
     robots = []
     for file in files:
-        found = robot_graph(
-            file, find_boundary(file.absolute().parent), os.environ, is_drawn=is_drawn
-        )
-        report.add(found.diagnostics, lambda path: None if path is None else lines_of(path))
-        if found.robot is not None:
-            robots.append(found.robot)
+        text = read_input(file, report)
+        if text is None:
+            continue
+        read = read_robot(file, text, is_drawn=is_drawn)
+        report.add(read.diagnostics, read.lines, file)
+        if read.robot is not None:
+            robots.append(read.robot)
     return robots
 
 

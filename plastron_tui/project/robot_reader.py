@@ -65,6 +65,16 @@ class RobotReader:
         text = self._texts.read(source, path)
         if isinstance(text, Diagnostic):
             return LoadedRobot(None, (text,))
+        return self.read_text(source, path, text)
+
+    def read_text(self, source: str, path: Path, text: bytes) -> LoadedRobot:
+        """Read what a robot's file holds.
+
+        Args:
+            source: what the file is called where it is spoken of.
+            path: the file.
+            text: what it holds.
+        """
         if b"\0" in text:
             message = f"`{source}` is no text, and so no robot"
             return LoadedRobot(None, (Diagnostic(codes.UNREADABLE_FILE, message),))
