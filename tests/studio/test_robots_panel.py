@@ -12,7 +12,7 @@ from plastron_tui.language.expectations import expected_at
 from plastron_tui.session import Session
 from plastron_tui.studio.analysis import Analysis, analyse
 from plastron_tui.studio.editor.completion import candidates
-from plastron_tui.studio.editor.robot_names import part_at, wrong_part_name
+from plastron_tui.studio.editor.robot_parts import Part, find_part, part_at, wrong_part_name
 from plastron_tui.studio.editor.vocabulary import Vocabulary
 from plastron_tui.studio.panels.entry import Entry
 from plastron_tui.studio.panels.packages import PACKAGES
@@ -31,6 +31,15 @@ rover has_link 'mast' shaped mesh "mast.stl"
 rover has_joint 'lift' of joint_type prismatic from 'body' to 'mast' mimicking 'turn'
 rover limits_joint 'lift' between 0 and 0.5 m with effort 20 and velocity 0.1
 generate_robot rover
+"""
+
+
+_TWO_LINKS = """\
+<robot name="r">
+  <link name="a"/>
+  <link name="b"/>
+  <joint name="j" type="fixed"><parent link="a"/><child link="b"/></joint>
+</robot>
 """
 
 
@@ -110,8 +119,7 @@ def test_a_part_of_a_file_says_where_it_stands(tmp_path: Path) -> None:
     assert found["arm"].statement == (
         "old no_longer_has_joint 'turn'\nold no_longer_has_link 'arm'"
     )
-    refused = renamed(analysis, found["arm"], "other")
-    assert (refused.edits, refused.files) == ((), ("old.urdf",))
+    assert "`old.urdf` has the name" in (wrong_name(analysis, found["arm"], "other") or "")
 
 
 def test_macros_that_are_not_expanded_stand_for_what_they_make(tmp_path: Path) -> None:
@@ -220,16 +228,28 @@ def test_another_name_is_put_everywhere(key: str, new: str, changed: list[str]) 
 def test_a_part_leads_to_where_it_is_made(at: str, definition: str, count: int) -> None:
     document = Document(TEXT.encode())
     offset = TEXT.index(at) + at.index("'") + 2
-    found = part_at(document, offset)
-    assert found is not None and found.definition is not None
+    part = part_at(document, offset)
+    assert part is not None
+    found = find_part(document, part)
+    assert found.definition is not None
     assert TEXT[found.definition.start :].startswith(definition)
-    assert {TEXT[start:end] for start, end in found.places} == {found.name}
+    assert {TEXT[start:end] for start, end in found.places} == {found.name} == {part.name}
     assert len(found.places) == count
-    assert wrong_part_name(document, offset, "new") is None
-    assert wrong_part_name(document, offset, "a b") is not None
-    loaded = Document(TEXT.replace("create_robot 'rover'", "load_robot 'r.urdf'").encode())
-    assert "file" in (wrong_part_name(loaded, offset - 1, "new") or "")
     assert part_at(document, 3) is None
+
+
+def test_a_part_that_a_file_names_keeps_its_name(tmp_path: Path) -> None:
+    (tmp_path / "r.urdf").write_text(_TWO_LINKS)
+    text = "load_robot 'r.urdf' as r\nr has_link 'far' shaped sphere 1\nr has_link 'b'\n"
+    analysis = analysis_of(text, tmp_path / "x.plastron")
+    document, robot = analysis.session.document, analysis.workspace.robots["r"]
+    own, loaded = (Part("r", "link", name) for name in ("far", "b"))
+    assert "`r.urdf` has the name" in (wrong_part_name(document, loaded, "new", robot) or "")
+    assert wrong_part_name(document, own, "new", robot) is None
+    # What is taken is told of a program that nobody has understood yet, too.
+    for other, known in (("a", robot), ("b", robot), ("b", None), ("a b", robot), ("a b", None)):
+        assert wrong_part_name(document, own, other, known) is not None
+    assert wrong_part_name(document, own, "a", None) is None
 
 
 def test_the_preview_has_the_file_of_the_robot_at_the_cursor(tmp_path: Path) -> None:
