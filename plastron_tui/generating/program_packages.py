@@ -31,12 +31,14 @@ from .package_parts import Parts
 from .package_spec import package_spec
 from .program_launches import ProgramLaunches, configs
 from .program_robots import ProgramRobots
+from .robot_merges import merged_robot
 
 if TYPE_CHECKING:
     from pathlib import Path
 
     from plastron_tui.model.packages import Package
     from plastron_tui.model.workspace import Generation
+    from plastron_tui.output.merge3 import Merge
 
     from .apply_changes import Library
     from .generation import Generated
@@ -50,10 +52,22 @@ def _are_apart(spec: PackageSpec) -> bool:
 
 
 class Made(NamedTuple):
-    """Files by their path in the output folder, and why others are missing."""
+    """Files by their path in the output folder, and why others are missing.
+
+    Attributes:
+        files: the files.
+        diagnostics: why others are missing.
+        robots: those of them that describe robots.
+    """
 
     files: Mapping[str, PackageFile]
     diagnostics: tuple[Diagnostic, ...] = ()
+    robots: frozenset[str] = frozenset()
+
+    @property
+    def merges(self) -> dict[str, Merge]:
+        """How those are merged with handwork that need not go by lines."""
+        return dict.fromkeys(self.robots, merged_robot)
 
 
 class ProgramPackages:
@@ -104,9 +118,10 @@ class ProgramPackages:
         """Make the files."""
         own = list(own_specs(self._made, self._generations, self._libraries))
         files: dict[str, PackageFile] = {} if own else dict(self.robots.alone())
+        robots = set(files)
         diagnostics: list[Diagnostic] = []
         if self._default is None:
-            return Made(files)
+            return Made(files, robots=frozenset(robots))
         last = {each.package.variable: each.package for each in self._workspace.written_packages}
         for part in (
             *(self._package(each) for each in last.values() if each.source is None),
@@ -114,8 +129,9 @@ class ProgramPackages:
             *self._definitions_alone(),
         ):
             files.update(part.files)
+            robots |= part.robots
             diagnostics += part.diagnostics
-        return Made(files, tuple(dict.fromkeys(diagnostics)))
+        return Made(files, tuple(dict.fromkeys(diagnostics)), frozenset(robots))
 
     def of_loaded(self, package: Package) -> tuple[Parts, tuple[Diagnostic, ...]]:
         """Return what a loaded package gets besides nodes, and why something is missing."""
@@ -169,7 +185,7 @@ class ProgramPackages:
             files |= {
                 f"{interfaces.name}/{path}": file for path, file in (beside.files or {}).items()
             }
-        return Made(files, tuple(found))
+        return Made(files, tuple(found), robots.paths(f"{spec.name}/"))
 
     def _own_packages(self, specs: Sequence[tuple[str, PackageSpec]]) -> Iterator[Made]:
         """Make the packages of nodes that have to be built, and are in none that is named.
@@ -197,7 +213,8 @@ class ProgramPackages:
                 for path, file in (rendered.files or {}).items()
                 if path not in nodes
             }
-            yield Made(files, (*robots.diagnostics, *rendered.diagnostics))
+            found = (*robots.diagnostics, *rendered.diagnostics)
+            yield Made(files, found, robots.paths(folder))
 
     def _types_alone(self, spec: PackageSpec) -> Made:
         """Make a package that the program creates for nothing but types."""

@@ -354,3 +354,21 @@ def test_what_a_robot_leaves_in_its_package_is_told(tmp_path: Path) -> None:
     left = {each.file.name for each in told if each.code == "file-stays" and each.file}
     assert left == {"rover.launch.xml", "rover.urdf"}
     assert "urdf" not in (package / "CMakeLists.txt").read_text()
+
+
+@pytest.mark.parametrize(
+    ("head", "path"),
+    [
+        (PACKAGE + END, "rover_demo/urdf/rover.urdf"),
+        (driver() + "generate_node driver\ngenerate_robot rover\n", "urdf/rover.urdf"),
+    ],
+)
+def test_handwork_in_a_packages_robot_goes_by_values(head: str, path: str, tmp_path: Path) -> None:
+    program = ROBOT.format(type="fixed") + head
+    run(program, tmp_path, "rclcpp")
+    file = tmp_path / "output" / path
+    # The program changes the same line.
+    file.write_text(file.read_text().replace('<mass value="0.5"/>', '<mass  value="0.5" />'))
+    told = run(program.replace("weighing 0.5", "weighing 2"), tmp_path, "rclcpp")
+    assert [str(each.code) for each in told] == ["merged-by-hand"]
+    assert '<mass  value="2" />' in file.read_text()
