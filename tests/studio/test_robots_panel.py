@@ -261,6 +261,20 @@ def test_the_preview_has_the_file_of_the_robot_at_the_cursor(tmp_path: Path) -> 
     assert analysis.written_at(TEXT.index("rover has_joint")) == "rover"
 
 
+async def test_a_picture_fits_below_its_tree_before_any_key(program: Path) -> None:
+    # In a tall panel the tree of so many links leaves less room than an empty one.
+    links = "".join(f"rover has_link 'l{number}'\n" for number in range(20))
+    program.write_text(TEXT.replace("generate_robot rover\n", f"{links}generate_robot rover\n"))
+    async with studio(program, (120, 60)) as driver:
+        panel = driver.main.panels["robots"]
+        assert panel.picture.display
+        assert len(panel.picture.lines) == panel.picture.size.height
+        await driver.press("down")
+        # The part at the cursor is one no longer, and nobody moves the cursor.
+        await driver.type("x")
+        assert panel._marked(driver.main.editor.cursor_offset) == ""
+
+
 async def test_a_robot_is_seen_while_it_is_typed(program: Path) -> None:
     program.write_text(TEXT)
     async with studio(program, (120, 40)) as driver:

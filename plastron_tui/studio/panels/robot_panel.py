@@ -138,20 +138,21 @@ class RobotPanel(Container):
     def show(self, content: Shown | None) -> None:
         """Show the robots; None for none."""
         entries, picture = content or Shown(Entries(), ())
-        had = len(self.parts.entries.all)
+        is_other = entries is not self.parts.entries
         self.parts.show(entries)
         self.picture.show(picture)
         if self.has_focus_within:
             self.refresh_bindings()
-        if had != len(entries.all) and self.size:
-            before = self._room
+        if is_other and self.size:
+            # The tree may need more rows now, or fewer, and another part be at the cursor.
             self._lay_out()
-            if before != self._room:
-                self.post_message(Resized())
+            self.post_message(Resized())
 
     @on(Lit)
-    def lit(self) -> None:
-        """Let the part that the tree's cursor is on stand out."""
+    @on(events.DescendantFocus)
+    @on(events.DescendantBlur)
+    def mark(self) -> None:
+        """Let the part stand out that the tree's cursor is on, or else the one in the text."""
         self.post_message(Resized())
 
     def check_action(self, action: str, parameters: tuple[object, ...]) -> bool | None:
