@@ -153,19 +153,23 @@ const PHRASES = {
   setting: $ => ['setting', open($, 'settings', 'settings')],
   with_parameters: $ => ['with', 'parameters', quoted($, 'parameters')],
   of_joint_type: $ => ['of', 'joint_type', word($, 'type', $.joint_type)],
+  from_to: $ => ['from', quoted($, 'parent'), 'to', quoted($, 'child')],
   shaped: $ => ['shaped', word($, 'shape', $.shape), open($, 'size', 'arguments')],
   weighing: $ => ['weighing', field('weight', $.number)],
   painted: $ => ['painted', part(
-    field('color', choice(alias($.identifier, $.color), $.string)),
+    field('color', choice(alias($.identifier, $.color), $.string, $.none)),
     field('color', alias($._unfinished_string, $.string)),
   )],
   at_position: $ => ['at', open($, 'position', 'vector')],
   // rotation = number "," number "," number ( "deg" | "rad" )
   turned: $ => ['turned', open($, 'rotation', 'vector'), word($, 'unit', $.unit)],
   with_axis: $ => ['with', 'axis', open($, 'axis', 'vector')],
-  // "mimicking" name [ "times" number ]
+  // "mimicking" ( name [ "times" number ] | "none" )
   mimicking: $ => ['mimicking', part(
-    seq(quoted($, 'mimicked'), optional(seq('times', field('factor', $.number)))),
+    choice(
+      seq(quoted($, 'mimicked'), optional(seq('times', field('factor', $.number)))),
+      field('mimicked', $.none),
+    ),
     seq(quoted($, 'mimicked'), 'times'),
   )],
   between_in_unit: $ => [
@@ -555,13 +559,15 @@ module.exports = grammar({
       'create_robot', quoted($, 'name'), phrase($, 'as_variable'),
     ]),
 
-    // "load_robot" name "as" variable
-    load_robot_statement: $ => statement($, [
-      'load_robot', quoted($, 'source'), phrase($, 'as_variable'),
-    ]),
+    // "load_robot" name "as" variable [ "setting" settings ]
+    load_robot_statement: $ => statement(
+      $,
+      ['load_robot', quoted($, 'source'), phrase($, 'as_variable')],
+      phrase($, 'setting'),
+    ),
 
     // variable "has_link" name [ "shaped" shape input ] [ "weighing" number ]
-    //   [ "painted" ( color | string ) ] [ "at" vector ] [ "turned" vector unit ]
+    //   [ "painted" ( color | string | "none" ) ] [ "at" vector ] [ "turned" vector unit ]
     has_link_statement: $ => ownerStatement(
       $,
       'robot',
@@ -575,12 +581,14 @@ module.exports = grammar({
       'no_longer_has_link', quoted($, 'link'),
     ]),
 
-    // variable "has_joint" name "of" "joint_type" joint_type "from" name "to" name [ "at" vector ]
-    //   [ "turned" vector unit ] [ "with" "axis" vector ] [ "mimicking" name [ "times" number ] ]
+    // variable "has_joint" name [ "of" "joint_type" joint_type ] [ "from" name "to" name ]
+    //   [ "at" vector ] [ "turned" vector unit ] [ "with" "axis" vector ]
+    //   [ "mimicking" ( name [ "times" number ] | "none" ) ]
     has_joint_statement: $ => ownerStatement(
       $,
       'robot',
-      ['has_joint', quoted($, 'joint'), phrase($, 'of_joint_type'), 'from', quoted($, 'parent'), 'to', quoted($, 'child')],
+      ['has_joint', quoted($, 'joint')],
+      phrase($, 'of_joint_type'), phrase($, 'from_to'),
       phrase($, 'at_position'), phrase($, 'turned'), phrase($, 'with_axis'), phrase($, 'mimicking'),
     ),
 

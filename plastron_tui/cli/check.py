@@ -8,12 +8,12 @@ from typing import Any
 import click
 
 from plastron_tui.diagnostics import has_errors
+from plastron_tui.generating.nothing import nothing_to_generate
 
 from .common import (
     Report,
     finish,
     format_option,
-    nothing_to_generate,
     open_sessions,
     programs_argument,
     target_option,

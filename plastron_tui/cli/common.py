@@ -28,7 +28,6 @@ if TYPE_CHECKING:
     from click.shell_completion import CompletionItem
 
     from plastron_tui.diagnostics.render import Lines
-    from plastron_tui.model.workspace import Workspace
 
 STANDARD_INPUT = "-"
 
@@ -242,15 +241,6 @@ def open_sessions(
     """Read several programs, each once; what cannot be read is reported."""
     sessions = (open_session(file, report, options) for file in dict.fromkeys(files))
     return [session for session in sessions if session is not None]
-
-
-def nothing_to_generate(workspace: Workspace) -> Diagnostic:
-    """Return the warning for a program that makes no file."""
-    help_ = "end it with `generate_node` and the variable of a node, or `generate_package`, say"
-    if workspace.robots and not workspace.nodes:
-        help_ = f"end it with `generate_robot {next(iter(workspace.robots))}`"
-    message = "the program generates nothing"
-    return Diagnostic(codes.NOTHING_TO_GENERATE, message, help=help_, severity=Severity.WARNING)
 
 
 def finish(report: Report) -> None:

@@ -11,6 +11,7 @@ import click
 
 from plastron_tui.diagnostics import Diagnostic, codes, has_errors
 from plastron_tui.diagnostics.terminal import wants_colour
+from plastron_tui.generating.nothing import nothing_to_generate
 from plastron_tui.output.diff import file_diff, visible_patch
 from plastron_tui.output.plan import FilePlan, FileState, PlannedFile
 from plastron_tui.output.writer import write_current
@@ -19,7 +20,6 @@ from plastron_tui.session import Options, Session
 from .common import (
     Report,
     finish,
-    nothing_to_generate,
     open_sessions,
     output_option,
     programs_argument,

@@ -16,6 +16,7 @@ from plastron_tui.model.workspace import Workspace
 from plastron_tui.output.graphs import FORMATS, render
 from plastron_tui.project.run_setup import RunSetup, run_node
 from plastron_tui.ros.launch_names import launch_language
+from plastron_tui.ros.robots.macros import Arguments
 from plastron_tui.ros.robots.names import FILE_ENDINGS
 from plastron_tui.ros.run_names import Remap, RunNames
 from plastron_tui.session import Options, Session
@@ -27,10 +28,10 @@ from .common import (
     format_option,
     open_sessions,
     print_text,
-    programs_argument,
     read_input,
     target_option,
 )
+from .file_words import files_and_arguments, robot_arguments, words_argument
 from .run_options import namespace_option, refuse, remap_option, unknown_nodes
 
 _DRAWN = ("svg",)
@@ -38,13 +39,13 @@ _DRAWN = ("svg",)
 
 
 @click.command(epilog="Example: plastron graph --format svg robot.plastron > robot.svg")
-@programs_argument
+@words_argument
 @remap_option
 @namespace_option
 @target_option
 @format_option(*FORMATS)
 def command(
-    files: tuple[Path, ...],
+    words: tuple[str, ...],
     remaps: tuple[Remap, ...],
     namespace: str | None,
     target: str | None,
@@ -58,11 +59,14 @@ def command(
     Of a launch file it is what that starts; behind it stand its arguments, as NAME:=VALUE.
 
     Robots are shown below the nodes, those of programs and those of files: FILE.urdf, FILE.xacro.
+    Behind a FILE.xacro stand its arguments, as NAME:=VALUE.
     """
     report = Report()
-    launches, arguments, files = _launch_files(files)
+    files, arguments = files_and_arguments(words, _takes_arguments)
+    launches = [each for each in files if launch_language(each.name)]
     if launches:
-        refuse(_wrong_with_launch_files(files, remaps, namespace))
+        programs = tuple(each for each in files if each not in launches)
+        refuse(_wrong_with_launch_files(programs, remaps, namespace))
         _show_launch_files(launches, arguments, format_, report)
         finish(report)
         return
@@ -73,7 +77,7 @@ def command(
     sessions = open_sessions(programs, report, Options(target=target)) if programs else []
     names = RunNames(namespace, remaps)
     is_drawn = format_ in _DRAWN
-    shown = robots_of(robots, report, is_drawn=is_drawn)
+    shown = robots_of(robots, report, robot_arguments(arguments), is_drawn=is_drawn)
     for session in sessions if is_drawn else ():
         for robot in session.workspace.robots.values():
             session.robots.measure(robot)
@@ -89,16 +93,8 @@ def command(
     finish(report)
 
 
-def _launch_files(
-    files: tuple[Path, ...],
-) -> tuple[list[Path], dict[str, str], tuple[Path, ...]]:
-    """Tell launch files, and `name:=value` for their arguments, from programs."""
-    launches = [each for each in files if launch_language(each.name)]
-    if not launches:
-        return [], {}, files
-    given = [str(each).partition(":=") for each in files if ":=" in str(each)]
-    others = tuple(each for each in files if each not in launches and ":=" not in str(each))
-    return launches, {name: value for name, _, value in given}, others
+def _takes_arguments(file: Path) -> bool:
+    return launch_language(file.name) is not None or file.suffix in FILE_ENDINGS
 
 
 def _wrong_with_launch_files(
@@ -135,8 +131,10 @@ def _show_launch_files(
         report.add(found.diagnostics, lambda path: None if path is None else lines_of(path))
 
 
-def robots_of(files: Iterable[Path], report: Report, *, is_drawn: bool = False) -> list[Robot]:
-    """Read the robots of files; what is drawn has to be measured."""
+def robots_of(
+    files: Iterable[Path], report: Report, given: Arguments = (), *, is_drawn: bool = False
+) -> list[Robot]:
+    """Read the robots of files, whose arguments are given; what is drawn has to be measured."""
     from .robot_input import read_robot
 
     robots = []
@@ -144,7 +142,7 @@ def robots_of(files: Iterable[Path], report: Report, *, is_drawn: bool = False) 
         text = read_input(file, report)
         if text is None:
             continue
-        read = read_robot(file, text, is_drawn=is_drawn)
+        read = read_robot(file, text, given, is_drawn=is_drawn)
         report.add(read.diagnostics, read.lines, file)
         if read.robot is not None:
             robots.append(read.robot)

@@ -16,28 +16,30 @@ from plastron_tui.ros.robots.names import FILE_ENDINGS
 from plastron_tui.targets import ros_version
 
 from .common import Report, finish, format_option, print_text, read_input
+from .file_words import files_and_arguments, robot_arguments, words_argument
 from .inspect_robot import show_robot
 from .other_files import other_file
 
 
 @click.command(epilog="Example: plastron inspect --format plastron scripts/driver.py")
-@click.argument(
-    "files", nargs=-1, required=True, metavar="FILE...", type=click.Path(path_type=Path)
-)
+@words_argument
 @format_option("text", "json", "plastron")
-def command(files: tuple[Path, ...], format_: str) -> None:
+def command(words: tuple[str, ...], format_: str) -> None:
     """Show what files hold: of nodes their topics, services and types, of robots links and joints.
 
     As JSON, one file gives one object, and several give an object a line. As a program, what a
-    statement can say becomes a statement, and the rest a comment.
+    statement can say becomes a statement, and the rest a comment. Behind a robot's FILE.xacro stand
+    its arguments, as NAME:=VALUE.
     """
+    files, arguments = files_and_arguments(words, lambda file: file.suffix in FILE_ENDINGS)
+    given = robot_arguments(arguments)
     report = Report()
     for file in files:
         text = read_input(file, report)
         if text is None:
             continue
         if file.suffix in FILE_ENDINGS:
-            show_robot(file, text, format_, report, is_one=len(files) == 1)
+            show_robot(file, text, format_, report, given, is_one=len(files) == 1)
             continue
         source = _read(file, text, report)
         if source is None:

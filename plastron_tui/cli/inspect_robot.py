@@ -8,11 +8,14 @@ from pathlib import Path
 import click
 
 from plastron_tui.diagnostics import Span
+from plastron_tui.ros.robots.macros import Arguments
 
 from .common import Report, print_text
 
 
-def show_robot(file: Path, text: bytes, format_: str, report: Report, *, is_one: bool) -> None:
+def show_robot(
+    file: Path, text: bytes, format_: str, report: Report, given: Arguments, *, is_one: bool
+) -> None:
     """Print what there is in a robot's file, and what is wrong with it.
 
     Args:
@@ -20,6 +23,7 @@ def show_robot(file: Path, text: bytes, format_: str, report: Report, *, is_one:
         text: what it holds.
         format_: `text`, `json` or `plastron`.
         report: takes what is wrong.
+        given: what its macros are given.
         is_one: whether the file is the only one.
     """
     from plastron_tui.model.robot_faults import faults_of_file
@@ -29,7 +33,7 @@ def show_robot(file: Path, text: bytes, format_: str, report: Report, *, is_one:
 
     from .robot_input import read_robot
 
-    read = read_robot(file, text)
+    read = read_robot(file, text, given)
     found = list(read.diagnostics)
     source = None if read.robot is None else read.robot.source
     nowhere = Span(0, 0)

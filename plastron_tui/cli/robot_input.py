@@ -11,6 +11,7 @@ from plastron_tui.diagnostics import Diagnostic, LineIndex
 from plastron_tui.model.robots import Robot
 from plastron_tui.project.program_file import lines_of
 from plastron_tui.project.robot_file import read_robot_file
+from plastron_tui.ros.robots.macros import Arguments
 
 
 class ReadRobot(NamedTuple):
@@ -35,12 +36,14 @@ class ReadRobot(NamedTuple):
         return lines_of(file)
 
 
-def read_robot(file: Path, text: bytes, *, is_drawn: bool = False) -> ReadRobot:
+def read_robot(
+    file: Path, text: bytes, given: Arguments = (), *, is_drawn: bool = False
+) -> ReadRobot:
     """Read the robot of a file that a user named; the meshes of one that is drawn are measured.
 
     Macros are expanded where the project of the file is trusted; else there is what stands in the
-    file itself, and a diagnostic says why.
+    file itself, and a diagnostic says why. They are given arguments as `NAME:=VALUE` has them.
     """
     boundary = find_boundary(file.absolute().parent)
-    found = read_robot_file(file, text, boundary, os.environ, is_drawn=is_drawn)
+    found = read_robot_file(file, text, boundary, os.environ, given, is_drawn=is_drawn)
     return ReadRobot(file, text, found.robot, found.diagnostics)

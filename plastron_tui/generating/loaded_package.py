@@ -58,6 +58,7 @@ if TYPE_CHECKING:
 _LAUNCH = "launch"
 _DEFINITIONS = tuple(f".{each.value}" for each in InterfaceKind)
 _NO_PARTS = Parts()
+_MOST_TOLD = 3
 
 
 class LoadedFiles(NamedTuple):
@@ -272,6 +273,15 @@ class _Change:
         help_ = "change it with `load_robot`, or call this one another name"
         self._share(robot.path, text, (), robot.span, help_)
         self._put_launch(robot.launch, None, robot.span, help_)
+        missing = [
+            each.path
+            for each in robot.companions
+            if each.file is not None and not (self.source.folder / each.path).is_file()
+        ]
+        for path in missing[:_MOST_TOLD]:
+            message = f"the package `{self.source.name}` has no `{path}`, which the robot needs"
+            help_ = "put it there by hand, and let the package install it"
+            self.found.append(Diagnostic(codes.NOT_COPIED, message, robot.span, help=help_))
 
     def _share(
         self, file: str, text: bytes | None, keys: Iterable[str], span: Span, help_: str

@@ -3,17 +3,59 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from pathlib import Path
-from typing import NamedTuple
+from typing import NamedTuple, TypeAlias
 
-from plastron_tui.diagnostics import Span
+from plastron_tui.diagnostics import Diagnostic, Span
 from plastron_tui.model.launches import Launch
 from plastron_tui.model.package_source import PackageSource
 from plastron_tui.model.packages import Package
 from plastron_tui.model.robots import Robot
 from plastron_tui.model.workspace import Workspace
 from plastron_tui.targets.packages.spec import PackagedFile, PackagedLaunch
+
+
+class Companion(NamedTuple):
+    """A file that a robot's description names, and that its package gets: a mesh, say.
+
+    Attributes:
+        path: where it stands in the package.
+        file: where it is copied from; None for one that somebody has put into the package.
+    """
+
+    path: str
+    file: Path | None
+
+
+class Copied(NamedTuple):
+    """A file that is copied into a package, and the statement that asks for it."""
+
+    file: Path
+    span: Span
+
+
+class Companions(NamedTuple):
+    """What a robot's description needs beside it.
+
+    Attributes:
+        files: the files that its package gets.
+        packages: the other packages that have files which it names.
+        diagnostics: what it names, and its package does not get.
+    """
+
+    files: tuple[Companion, ...] = ()
+    packages: frozenset[str] = frozenset()
+    diagnostics: tuple[Diagnostic, ...] = ()
+
+
+CompanionFinder: TypeAlias = Callable[[Robot, str, Span], Companions]
+"""Finds what a robot needs in a package of a name, where a statement puts it."""
+
+
+def no_companions(_: Robot, __: str, ___: Span) -> Companions:
+    """Find nothing: where a program has no folder, there is none."""
+    return Companions()
 
 
 class PackagedRobot(NamedTuple):
@@ -24,12 +66,14 @@ class PackagedRobot(NamedTuple):
         path: where its description is in the package.
         launch: what starts it.
         span: the statement that puts it there.
+        companions: the files beside its description.
     """
 
     file: PackagedFile | None
     path: str
     launch: PackagedLaunch
     span: Span
+    companions: tuple[Companion, ...] = ()
 
 
 class Parts(NamedTuple):

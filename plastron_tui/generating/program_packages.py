@@ -27,7 +27,7 @@ from plastron_tui.targets.packages.spec import (
 from .loaded_types import refused_types
 from .own_definitions import Packaged, own_definitions, rendered_definitions, used_packages
 from .own_package import own_places, own_specs
-from .package_parts import Parts
+from .package_parts import CompanionFinder, Copied, Parts, no_companions
 from .package_spec import package_spec
 from .program_launches import ProgramLaunches, configs
 from .program_robots import ProgramRobots
@@ -55,13 +55,15 @@ class Made(NamedTuple):
     """Files by their path in the output folder, and why others are missing.
 
     Attributes:
-        files: the files.
-        diagnostics: why others are missing.
-        robots: those of them that describe robots.
+        files: what they hold.
+        diagnostics: what there is to say.
+        copies: the files that are copied as they are, where from.
+        robots: those of the files that describe robots.
     """
 
     files: Mapping[str, PackageFile]
     diagnostics: tuple[Diagnostic, ...] = ()
+    copies: Mapping[str, Copied] = {}
     robots: frozenset[str] = frozenset()
 
     @property
@@ -83,6 +85,7 @@ class ProgramPackages:
         *,
         generations: Sequence[Generation] = (),
         python_launch: bool = False,
+        companions: CompanionFinder = no_companions,
     ) -> None:
         """Set what it follows from.
 
@@ -94,6 +97,7 @@ class ProgramPackages:
             is_own: tells whether an earlier run wrote a file.
             generations: all that the program generates, each with its place.
             python_launch: whether launch files of ROS 2 are written in Python.
+            companions: finds what the descriptions of robots name.
         """
         self._workspace = workspace
         self._made = made
@@ -112,7 +116,7 @@ class ProgramPackages:
             self._default,
             in_python=python_launch,
         )
-        self.robots = ProgramRobots(workspace, self.launches)
+        self.robots = ProgramRobots(workspace, self.launches, companions)
 
     def made(self) -> Made:
         """Make the files."""
@@ -120,6 +124,7 @@ class ProgramPackages:
         files: dict[str, PackageFile] = {} if own else dict(self.robots.alone())
         robots = set(files)
         diagnostics: list[Diagnostic] = []
+        copies: dict[str, Copied] = {}
         if self._default is None:
             return Made(files, robots=frozenset(robots))
         last = {each.package.variable: each.package for each in self._workspace.written_packages}
@@ -129,9 +134,11 @@ class ProgramPackages:
             *self._definitions_alone(),
         ):
             files.update(part.files)
+            copies.update(part.copies)
             robots |= part.robots
             diagnostics += part.diagnostics
-        return Made(files, tuple(dict.fromkeys(diagnostics)), frozenset(robots))
+        copies = {name: each for name, each in copies.items() if name not in files}
+        return Made(files, tuple(dict.fromkeys(diagnostics)), copies, frozenset(robots))
 
     def of_loaded(self, package: Package) -> tuple[Parts, tuple[Diagnostic, ...]]:
         """Return what a loaded package gets besides nodes, and why something is missing."""
@@ -160,6 +167,7 @@ class ProgramPackages:
             launches=(*launches, *robots.launches),
             configs=configs(package),
             robots=robots.files,
+            data=robots.folders,
         )
         if types and spec.ros_version == 2 and _are_apart(spec):
             spec = replace(spec, definitions=types, builds_types=True)
@@ -185,7 +193,8 @@ class ProgramPackages:
             files |= {
                 f"{interfaces.name}/{path}": file for path, file in (beside.files or {}).items()
             }
-        return Made(files, tuple(found), robots.paths(f"{spec.name}/"))
+        folder = f"{spec.name}/"
+        return Made(files, tuple(found), robots.copies(folder), robots.paths(folder))
 
     def _own_packages(self, specs: Sequence[tuple[str, PackageSpec]]) -> Iterator[Made]:
         """Make the packages of nodes that have to be built, and are in none that is named.
@@ -205,7 +214,12 @@ class ProgramPackages:
             launches = (each for version, each in alone if version == spec.ros_version)
             held = (each for each in launches if isinstance(each, PackagedLaunch))
             robots = self.robots.of_own(spec)
-            spec = replace(spec, launches=(*held, *robots.launches), robots=robots.files)
+            spec = replace(
+                spec,
+                launches=(*held, *robots.launches),
+                robots=robots.files,
+                data=robots.folders,
+            )
             rendered = render_package(spec)
             nodes = {path for each in spec.nodes for path in node_paths(spec, each)}
             files = {
@@ -214,7 +228,7 @@ class ProgramPackages:
                 if path not in nodes
             }
             found = (*robots.diagnostics, *rendered.diagnostics)
-            yield Made(files, found, robots.paths(folder))
+            yield Made(files, found, robots.copies(folder), robots.paths(folder))
 
     def _types_alone(self, spec: PackageSpec) -> Made:
         """Make a package that the program creates for nothing but types."""

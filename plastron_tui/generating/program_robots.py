@@ -9,8 +9,7 @@ from plastron_tui.diagnostics import Diagnostic, codes
 from plastron_tui.model.packages import Contained, Package
 from plastron_tui.model.robots import Robot, RobotGeneration
 from plastron_tui.model.workspace import Workspace
-from plastron_tui.ros.robots.description import Description, Mesh
-from plastron_tui.ros.robots.macros import Macros
+from plastron_tui.ros.robots.description import Mesh
 from plastron_tui.sources.launch.new_elements import CannotWriteError
 from plastron_tui.targets.launch.program import request_of
 from plastron_tui.targets.packages.rendering import URDF_FOLDER
@@ -23,7 +22,16 @@ from plastron_tui.targets.packages.spec import (
 from plastron_tui.targets.robots.launch import DescribedRobot, with_description
 
 from .launch_files import needs_of_launch
-from .package_parts import PackagedRobot, held_variables, is_within, name_within
+from .package_parts import (
+    CompanionFinder,
+    Companions,
+    Copied,
+    PackagedRobot,
+    held_variables,
+    is_within,
+    name_within,
+    no_companions,
+)
 from .robot_files import robot_output, robot_text
 from .robot_launches import robot_starts
 
@@ -34,8 +42,6 @@ if TYPE_CHECKING:
     from .destination import Writing
     from .program_launches import ProgramLaunches
     from .text_files import Folder
-
-_IN_PACKAGE = "package://"
 
 
 class PackagedRobots(NamedTuple):
@@ -58,19 +64,45 @@ class PackagedRobots(NamedTuple):
         """What starts them."""
         return tuple(each.launch for each in self.robots.values())
 
+    @property
+    def folders(self) -> tuple[str, ...]:
+        """The folders of what they need beside their descriptions."""
+        found = (each.path for robot in self.robots.values() for each in robot.companions)
+        return tuple(dict.fromkeys(each.rpartition("/")[0] for each in found))
+
+    def copies(self, folder: str) -> dict[str, Copied]:
+        """Return what is copied for them, by the path in the output folder.
+
+        Args:
+            folder: that of the package, with its slash.
+        """
+        return {
+            f"{folder}{each.path}": Copied(each.file, robot.span)
+            for robot in self.robots.values()
+            for each in robot.companions
+            if each.file is not None
+        }
+
 
 class ProgramRobots:
     """Makes the robots of a program."""
 
-    def __init__(self, workspace: Workspace, launches: ProgramLaunches) -> None:
+    def __init__(
+        self,
+        workspace: Workspace,
+        launches: ProgramLaunches,
+        companions: CompanionFinder = no_companions,
+    ) -> None:
         """Set what they follow from.
 
         Args:
             workspace: what the program built.
             launches: writes launch files.
+            companions: finds what descriptions name.
         """
         self._workspace = workspace
         self._launches = launches
+        self._companions = companions
 
     def alone(self) -> Iterator[tuple[str, PackageFile]]:
         """Yield the robots that the program creates and writes for their own sake, by file."""
@@ -126,6 +158,8 @@ class ProgramRobots:
             file, notes = robot_output(robot, (name, PackageFile(written.text)), folder, writing)
             files.append(file)
             found += notes
+            if home is None and not writing.in_place:
+                found += _unbound(robot, span)
         return files, found
 
     def of_package(self, package: Package, version: int, distribution: str) -> PackagedRobots:
@@ -152,24 +186,28 @@ class ProgramRobots:
         if is_there:
             path = name_within(package, robot).partition("/")[2]
         macros = None if robot.source is None else robot.source.macros
+        given = () if robot.source is None else robot.source.arguments
         nodes = self._launches.nodes_of(version)
         starts = robot_starts(robot, package, nodes, self._workspace, span)
         launch = self._launches.placed(starts.launch)
         started = request_of(launch, version, self._launches.executable).added
-        described = DescribedRobot(package.name, path, macros is not None)
+        described = DescribedRobot(package.name, path, macros is not None, given)
         try:
             started = with_description(started, described, version, distribution)
             name, text = self._launches.written(robot.stem, started, version)
         except CannotWriteError as problem:
             message = f"ROS {version} has no words for {problem} in a launch file"
             return _Packaged(None, (Diagnostic(codes.BAD_LAUNCH_NAME, message, span),))
-        needs = {*needs_of_launch(launch, version), *_meshes_of(robot.shown)}
+        beside = self._companions(robot, package.name, span)
+        needs = {*needs_of_launch(launch, version), *beside.packages}
         needs |= {"xacro"} if macros is not None else set()
         file = None if is_there else PackagedFile(written.name, written.text, span)
+        if is_there:
+            beside = Companions()
         packaged = PackagedLaunch(name, text, frozenset(needs - {package.name}), span)
-        made = PackagedRobot(file, path, packaged, span)
-        left = () if macros is None or is_there else _left_behind(macros, written.name, span)
-        return _Packaged(made, (*written.diagnostics, *starts.diagnostics, *left))
+        made = PackagedRobot(file, path, packaged, span, beside.files)
+        told = (*written.diagnostics, *starts.diagnostics, *beside.diagnostics)
+        return _Packaged(made, told)
 
     def _contained(self) -> Iterator[tuple[Package, str, Robot, Span]]:
         last = {each.package.variable: each.package for each in self._workspace.written_packages}
@@ -189,23 +227,21 @@ def _told_at(span: Span, found: Iterable[Diagnostic]) -> Iterator[Diagnostic]:
     yield from (each if each.file else each._replace(span=each.span or span) for each in found)
 
 
-def _left_behind(macros: Macros, name: str, span: Span) -> Iterator[Diagnostic]:
-    """Tell the files that a description includes from beside it, which stay where they are."""
-    for each in macros.includes:
-        if not each.file.startswith(("$(", "${", "/", _IN_PACKAGE)):
-            yield Diagnostic(
-                codes.NOT_COPIED,
-                f"`{name}` includes `{each.file}`, which the package does not get",
-                span,
-                help=f"put it beside `{URDF_FOLDER}/{name}` in the package, by hand",
-            )
-
-
-def _meshes_of(robot: Description) -> Iterator[str]:
-    """Yield the packages that the meshes of a robot are in."""
-    for link in robot.links.values():
-        for body in (*link.visuals, *link.collisions):
-            if isinstance(body.shape, Mesh) and body.shape.uri.startswith(_IN_PACKAGE):
-                name = body.shape.uri.removeprefix(_IN_PACKAGE).partition("/")[0]
-                if name.isascii() and name.replace("-", "_").isidentifier():
-                    yield name
+def _unbound(robot: Robot, span: Span) -> Iterator[Diagnostic]:
+    """Tell what a copy of a robot's file in the output folder names from beside it."""
+    assert robot.source is not None, "the robot was loaded"
+    macros = robot.source.macros
+    named = [each.file for each in (() if macros is None else macros.includes)]
+    for link in robot.description.links.values():
+        bodies = (*link.visuals, *link.collisions)
+        named += [each.shape.uri for each in bodies if isinstance(each.shape, Mesh)]
+    for each in dict.fromkeys(named):
+        if "://" in each or each.startswith(("$(find", "${", "/")):
+            continue
+        name = robot.source.path.name
+        message = f"`{name}` names `{each}`, which is not beside the copy that is written"
+        help_ = (
+            "change it where it is, with `--in-place`, or put it into a package, which gets both"
+        )
+        yield Diagnostic(codes.NOT_COPIED, message, span, help=help_)
+        return

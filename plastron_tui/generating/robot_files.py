@@ -13,6 +13,7 @@ from plastron_tui.targets.robots.urdf import write_urdf
 
 from .destination import Writing
 from .robot_layers import ROBOT_FORM
+from .robot_refusals import told_at_sentences
 from .text_files import Folder
 from .text_layers import changed_file
 
@@ -33,7 +34,8 @@ def robot_text(robot: Robot) -> RobotText:
     if source is None:
         return RobotText(f"{robot.stem}{URDF}", write_urdf(robot.description))
     changed = _with_changes(source.text, robot, source)
-    return RobotText(source.path.name, changed.text, changed.diagnostics)
+    told = changed.diagnostics and tuple(told_at_sentences(robot, changed.diagnostics))
+    return RobotText(source.path.name, changed.text, told)
 
 
 def _with_changes(text: bytes, robot: Robot, source: RobotSource) -> UrdfEdit:

@@ -19,6 +19,7 @@ from .number_mistakes import LEFT_OUT
 from .robot_mistakes import ROBOT_SLIPS
 from .tokens import QUOTED_KINDS, UNKNOWN, WORD_KINDS, is_glued, text_at
 from .value_mistakes import VALUE_SLIPS
+from .variable_mistakes import variable_left_out
 
 _WORD = re.compile(r"[A-Za-z][A-Za-z0-9_]*")
 _TYPE = re.compile(r"[A-Za-z]\w*(/(msg/|srv/)?[A-Za-z]\w*)?", re.ASCII)
@@ -53,7 +54,8 @@ def completed(place: Place, found: Diagnostic) -> Diagnostic:
         place: the place behind the last word.
         found: what is wrong so far.
     """
-    return next(filter(None, (slip(place, found) for slip in LEFT_OUT)), found)
+    slips = (*LEFT_OUT, variable_left_out)
+    return next(filter(None, (slip(place, found) for slip in slips)), found)
 
 
 def _comment(place: Place, found: Diagnostic) -> Diagnostic | None:
@@ -116,7 +118,8 @@ def _closed_late(place: Place, found: Diagnostic) -> Diagnostic | None:
     if before is None or declaration is None or before.kind not in QUOTED_KINDS:
         return None
     name, *rest = before.text[1:-1].split(" ")
-    if not name or not rest or rest[0] not in declaration.elements:
+    parts = (declaration.elements, *(clause.elements for clause in declaration.clauses))
+    if not name or not rest or not any(rest[0] in each for each in parts):
         return None
     end = before.start + 1 + len(name.encode())
     return found._replace(
@@ -305,6 +308,7 @@ _SLIPS: tuple[Callable[[Place, Diagnostic], Diagnostic | None], ...] = (
     _quoted,
     _swapped,
     _two_words,
+    variable_left_out,
     *VALUE_SLIPS,
     *FIELD_SLIPS,
     _clause,

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from enum import Enum
 from typing import NamedTuple, TypeAlias
 
 from tree_sitter import Node
@@ -22,6 +23,12 @@ CALCULATION = kind_id("calculation")
 STRING_CONTENT = kind_id("string_content")
 _COMPUTED = frozenset({PARAMETER, ELEMENT, CALCULATION, kind_id("reference")})
 COMMENTS = frozenset({kind_id("line_comment"), kind_id("block_comment")})
+
+
+class Nothing(Enum):
+    """What the word `none` stands for in the place of a name."""
+
+    NONE = "none"
 
 
 class Literal(NamedTuple):

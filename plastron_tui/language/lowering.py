@@ -13,13 +13,14 @@ from plastron_tui.diagnostics import Diagnostic, Span, codes
 
 from . import statements as _statements  # noqa: F401 - declares the statements
 from .broken_lines import Broken
-from .declaration import DECLARATIONS, Clause, Declaration, Form, Statement
+from .declaration import DECLARATIONS, Clause, Declaration, Form, SlotKind, Statement
 from .definitions import lower_fields, lower_remaps, lower_settings, lower_vector
 from .document import Document
 from .grammar import field_id, kind_id
 from .inputs import (
     COMMENTS,
     DEEPEST_NESTING,
+    Nothing,
     TooDeep,
     lower_condition,
     lower_input,
@@ -59,6 +60,10 @@ def _file(node: Node, source: bytes) -> str:
 
 def _color(node: Node, source: bytes) -> str:
     return lower_text(node, source) if node.type == "string" else _word(node, source)
+
+
+def _or_none(lower_: _Lower) -> _Lower:
+    return lambda node, source: Nothing.NONE if node.type == "none" else lower_(node, source)
 
 
 _BY_FORM: dict[Form, _Lower] = {
@@ -101,6 +106,12 @@ class _Plan(NamedTuple):
     clauses: tuple[tuple[int, int, int], ...]
 
 
+def _lower_of(kind: SlotKind) -> _Lower:
+    """Return how what is in a slot becomes its value; values and fields know of none."""
+    lower_ = _BY_FORM.get(kind.form, _word)
+    return _or_none(lower_) if kind.may_be_none and not kind.form.is_open else lower_
+
+
 def _plan(declaration: Declaration) -> _Plan:
     slots = declaration.slots
     return _Plan(
@@ -108,7 +119,7 @@ def _plan(declaration: Declaration) -> _Plan:
         tuple(
             (
                 field_id(slot.name),
-                _BY_FORM.get(slot.kind.form, _word),
+                _lower_of(slot.kind),
                 False if slot.kind.form is Form.FLAG else None,
             )
             for slot in slots

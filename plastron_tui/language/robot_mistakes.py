@@ -78,8 +78,7 @@ def axis(place: Place, found: Diagnostic) -> Diagnostic | None:
     at, text = place.at, place.token.text
     if place.declaration is None or place.declaration.type is not HasJoint:
         return None
-    is_clause = any(token.text == "to" for token in place.tokens[: at - 1])
-    if text == "axis" and is_clause and place.text(at - 1) != "with":
+    if text == "axis" and at >= FIRST_CLAUSE and place.text(at - 1) != "with":
         return mended(found, "`axis` has the word `with` before it", place.token.span, "with axis")
     if place.wanted is not SlotKind.AXIS:
         return None
@@ -191,14 +190,16 @@ def pair_word(place: Place, found: Diagnostic) -> Diagnostic | None:
 
 
 def type_word(place: Place, found: Diagnostic) -> Diagnostic | None:
-    """Recognise `of type fixed`, `of fixed`, and `fixed`."""
+    """Recognise `of type fixed`, `of fixed`, `fixed`, and `type fixed`."""
     if place.declaration is None or place.declaration.type is not HasJoint:
         return None
     token = place.token
-    is_first = place.at == FIRST_CLAUSE and place.text(place.at + 1) == "from"
-    if is_first and place.is_name(place.at):
-        right = f"of joint_type {token.text}"
-        return found._replace(help=f"write `{right}`", fix=write(right, token.span))
+    is_first = place.at == FIRST_CLAUSE and place.is_name(place.at)
+    what = "how a joint moves stands behind `of joint_type`"
+    if is_first and (token.text in _TYPES or place.text(place.at + 1) == "from"):
+        return mended(found, what, token.span, f"of joint_type {token.text}")
+    if token.text in ("type", "joint_type") and place.text(place.at - 1) != "of":
+        return mended(found, what, token.span, "of joint_type")
     if place.text(place.at - 1) != "of" or not place.is_name(place.at):
         return None
     if token.text != "type" and place.text(place.at + 1) != "from":
@@ -207,7 +208,56 @@ def type_word(place: Place, found: Diagnostic) -> Diagnostic | None:
     return found._replace(help=f"write `{right}`", fix=write(right, token.span))
 
 
+def ends(place: Place, found: Diagnostic) -> Diagnostic | None:
+    """Recognise `to 'b' from 'a'`."""
+    at = place.at
+    if place.declaration is None or place.declaration.type is not HasJoint:
+        return None
+    if (place.token.text, place.text(at + 2)) != ("to", "from") or at + 3 >= len(place.tokens):
+        return None
+    right = f"from {place.text(at + 3)} to {place.text(at + 1)}"
+    return mended(found, "the link that holds stands first", place.span(at, at + 4), right)
+
+
+def nothing(place: Place, found: Diagnostic) -> Diagnostic | None:
+    """Recognise `mimicking nothing`, and what is said of it besides."""
+    token = place.token
+    if place.wanted is SlotKind.FOLLOWED and token.text in ("nothing", "null", "None", "no"):
+        return mended(found, "what follows no joint is `mimicking none`", token.span, "none")
+    if token.text == "times" and place.text(place.at - 1) == "none":
+        what = "what follows no joint moves by no factor"
+        span = place.span(place.at, min(place.at + 2, len(place.tokens)))
+        return mended(found, what, span, "")._replace(help="take it away")
+    return None
+
+
+def no_limits(place: Place, found: Diagnostic) -> Diagnostic | None:
+    """Recognise what is to take limits away."""
+    tokens = place.tokens
+    is_ending = place.text(1) in _UNLIMITING
+    is_limits = place.declaration is not None and place.declaration.type is LimitsJoint
+    if not is_ending and not (is_limits and place.token.text in ("none", "nothing")):
+        return None
+    name = next((each.text for each in tokens if each.kind in QUOTED_KINDS), "'JOINT'")
+    help_ = f"limits go with the type: `{tokens[0].text} has_joint {name} of joint_type continuous`"
+    if is_ending:
+        what = f"no statement takes limits away, not even `{place.text(1)}`"
+        return found._replace(message=what, span=tokens[1].span, help=help_, fix=None)
+    what = "limits are not taken away: `revolute` and `prismatic` need them"
+    return found._replace(message=what, help=help_, fix=None)
+
+
+_UNLIMITING = frozenset(
+    {"no_longer_limits_joint", "no_longer_limits", "unlimits_joint", "forgets_limits"}
+)
+"""What somebody writes who wants to take limits away."""
+
+_TYPES = frozenset({"revolute", "continuous", "prismatic", "fixed", "floating", "planar"})
+
+
 ROBOT_SLIPS: tuple[Callable[[Place, Diagnostic], Diagnostic | None], ...] = (
+    no_limits,
+    nothing,
     color,
     second_color,
     axis,
@@ -217,6 +267,7 @@ ROBOT_SLIPS: tuple[Callable[[Place, Diagnostic], Diagnostic | None], ...] = (
     times,
     limits_of_joint,
     pair_word,
+    ends,
     type_word,
     clause_word,
 )

@@ -6,6 +6,9 @@ from collections.abc import Mapping
 
 from .declaration import Clause, Declaration, Element, Slot, SlotKind
 
+NOTHING = "\0none"
+"""What stands for the word `none` in the place of a name, which may be that word as well."""
+
 
 def sentence(declaration: Declaration, texts: Mapping[str, str]) -> str:
     """Return a statement in one line, as it is declared; `texts` has what is in its slots.
@@ -32,6 +35,8 @@ def sentence(declaration: Declaration, texts: Mapping[str, str]) -> str:
 
 
 def _quoted(kind: SlotKind, text: str) -> str:
+    if text == NOTHING:
+        return "none"
     if kind.is_quoted or (kind is SlotKind.FILE and not is_module(text)):
         return f"'{text}'"
     return text

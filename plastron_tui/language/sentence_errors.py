@@ -121,12 +121,13 @@ class SentenceErrors:
         token = self._tokens[filled.first]
         if filled.first == filled.end:
             return self._error(f"expected {kind.words} before `{token.text}`", token.span)
-        if not _fits(token, kind.form):
+        is_none = kind.may_be_none and token.text == "none"
+        if not (is_none or _fits(token, kind.form)):
             return self._wrong_form(token, kind)
         if kind.form is Form.VECTOR:
             # The word behind it stands in the place of a number that is missing.
             return self._in_open(kind, self._tokens[filled.first : filled.end + 1])
-        if kind.form.is_open and not (kind.may_be_none and token.text == "none"):
+        if kind.form.is_open and not is_none:
             return self._in_open(kind, self._tokens[filled.first : filled.end])
         match kind.form:
             case Form.RATE if token.text == "parameter":

@@ -123,6 +123,8 @@ class _Matcher:
                     return False
             elif not self._part(element, left, elements[at] if at < len(elements) else None):
                 return False
+            elif _is_name_or_none(element) and text_at(self._tokens, self._at - 1) == "none":
+                at += len(clauses)  # nothing is said of none
         return True
 
     def _clauses(self, left: list[Clause], own: int) -> bool:
@@ -234,6 +236,12 @@ class _Matcher:
         elif form is _RATE and text == "parameter" and text_at(tokens, end) != "hz":
             end += end < len(tokens)
         return end
+
+
+def _is_name_or_none(element: Element) -> bool:
+    if not isinstance(element, Slot):
+        return False
+    return element.kind.may_be_none and not element.kind.form.is_open
 
 
 def _is_none(tokens: Sequence[Token], at: int) -> bool:

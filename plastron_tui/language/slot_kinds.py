@@ -143,12 +143,14 @@ class SlotKind(Enum):
     NEW_ROBOT = "ROBOT", "a variable for the robot", Form.VARIABLE, "ROBOT"
     ROBOT = "ROBOT", "the variable of a robot", Form.VARIABLE
     ROBOT_FILE = "'RELATIVE/PATH.urdf'", "the path of a URDF file, in single quotes", Form.QUOTED
+    ROBOT_ARGUMENTS = "'ARGUMENT' = VALUE, …", "arguments, such as 'width' = 0.5", Form.SETTINGS
     LINK = "'LINK'", "the name of a link, in single quotes", Form.QUOTED
     JOINT = "'JOINT'", "the name of a joint, in single quotes", Form.QUOTED
+    FOLLOWED = "'OTHER_JOINT' | none", "the name of a joint, in single quotes", Form.QUOTED
     SHAPE = "SHAPE", "`box`, `cylinder`, `sphere` or `mesh`", Form.WORD
     SIZE = "VALUES", "sizes in metres, such as `0.4, 0.3, 0.1`", Form.VALUES
     WEIGHT = "KG", "a number of kilograms", Form.NUMBER
-    COLOR = "COLOR", 'a colour, such as `blue` or "#3060ff"', Form.COLOR
+    COLOR = "COLOR | none", 'a colour, such as `blue` or "#3060ff"', Form.COLOR
     POSITION = "X, Y, Z", "three numbers of metres, such as `0, 0.2, 0`", Form.VECTOR
     ROTATION = "ROLL, PITCH, YAW", "three angles, such as `90, 0, 0`", Form.VECTOR
     ANGLE_UNIT = "deg | rad", "`deg` or `rad`", Form.WORD
@@ -175,7 +177,9 @@ class SlotKind(Enum):
 
     @property
     def may_be_none(self) -> bool:
-        """Whether the word `none` may stand for no values, or no fields at all."""
+        """Whether the word `none` may stand there: for no values or no fields at all, say."""
+        if self in (SlotKind.COLOR, SlotKind.FOLLOWED):
+            return True
         return self.form in (Form.VALUES, Form.FIELDS) and self is not SlotKind.SIZE
 
     @property

@@ -9,7 +9,7 @@ from plastron_tui.diagnostics import Diagnostic, Edit, Fix, Label, Span
 from plastron_tui.language import statements as st
 from plastron_tui.language.declaration import Statement
 from plastron_tui.language.lowering import Program
-from plastron_tui.ros.robots.faults import Fault, FaultKind, faults, main_root
+from plastron_tui.ros.robots.faults import Fault, FaultKind, faults, heavy_root, main_root
 
 from .robot_faults import CODES, help_of, message_of
 from .robots import Robot
@@ -84,6 +84,7 @@ def check_robots(program: Program, workspace: Workspace) -> Iterator[Diagnostic]
     said = _said(program)
     for variable in workspace.robots:
         robot = written.get(variable, workspace.robots[variable])
+        yield from _heavy_root_of_file(program, robot)
         if robot.source is not None and robot.description == robot.source.description:
             continue
         whole, source = robot.whole, robot.source
@@ -96,6 +97,21 @@ def check_robots(program: Program, workspace: Workspace) -> Iterator[Diagnostic]
             is_old = (fault.kind, fault.part) in before
             if not (is_lack or is_open or is_old or fault.kind in _SAID):
                 yield _told(fault, robot, said)
+
+
+def _heavy_root_of_file(program: Program, robot: Robot) -> Iterator[Diagnostic]:
+    """Yield a warning for the root of a file that has an inertia, and still is the root."""
+    start = None if robot.source is None else robot.source.whole
+    root = None if start is None else heavy_root(start)
+    whole = robot.whole
+    if root is None or whole is None or heavy_root(whole, root) != root:
+        return
+    fault = Fault(FaultKind.ROOT_INERTIA, root)
+    loading = next((each for each in program.statements if each.span == robot.span), None)
+    fix = None if loading is None else _with_root(root, robot, Span(robot.span.end, robot.span.end))
+    where = robot.span if loading is None else loading.span_of("source")
+    code, help_ = CODES[fault.kind], help_of(fault, robot)
+    yield Diagnostic(code, message_of(fault), where, help=help_, fix=fix)
 
 
 def _written(workspace: Workspace) -> dict[str, Robot]:
@@ -136,7 +152,7 @@ def _told(fault: Fault, robot: Robot, said: _Said) -> Diagnostic:
     )
     fix = None
     if fault.kind is FaultKind.ROOT_INERTIA and isinstance(statement, st.HasLink):
-        fix = _with_root(fault.part, robot, statement)
+        fix = _with_root(fault.part, robot, statement.span)
     help_ = help_of(fault, robot)
     return Diagnostic(
         CODES[fault.kind], message_of(fault), where, help=help_, fix=fix, labels=labels
@@ -187,13 +203,22 @@ def _others(fault: Fault, robot: Robot, said: _Said) -> Iterator[Statement]:
                 yield found
 
 
-def _with_root(link: str, robot: Robot, statement: st.HasLink) -> Fix:
-    """Return the remedy that gives a robot an empty root."""
+def _with_root(link: str, robot: Robot, span: Span) -> Fix:
+    """Return the remedy that gives a robot an empty root.
+
+    Args:
+        link: the root so far.
+        robot: the robot.
+        span: the statement that makes or changes that link, or the end of the one that loads it.
+    """
     names = robot.shown
     root = next(each for each in numbered("root") if each not in names.links)
     joint = next(each for each in numbered("root_joint") if each not in names.joints)
-    variable, span = robot.variable, statement.span
+    variable = robot.variable
     before = f"{variable} has_link '{root}'\n"
     after = f"\n{variable} has_joint '{joint}' of joint_type fixed from '{root}' to '{link}'"
+    title = "let an empty link be the root"
+    if span.start == span.end:
+        return Fix(title, (Edit(span, f"\n{before.rstrip()}{after}"),))
     edits = Edit(Span(span.start, span.start), before), Edit(Span(span.end, span.end), after)
-    return Fix("let an empty link be the root", edits)
+    return Fix(title, edits)

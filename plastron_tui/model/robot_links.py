@@ -90,7 +90,7 @@ def _told(run: Run, statement: st.HasLink, link: Link, note: Note, field: str) -
     slot = _SLOTS[field]
     if getattr(statement, slot) is None:
         slot = "shape" if statement.shape is not None else "link"
-    code, message, help_text = _words(statement, link, note, field)
+    code, message, help_text = _words(run, statement, link, note, field)
     if note is Note.UNKNOWN_SIZE:
         why, help_text = _unmeasured(run, statement, link)
         message = f"{why}, so the inertia of `{link.name}` {message}"
@@ -98,7 +98,7 @@ def _told(run: Run, statement: st.HasLink, link: Link, note: Note, field: str) -
 
 
 def _words(
-    statement: st.HasLink, link: Link, note: Note, field: str
+    run: Run, statement: st.HasLink, link: Link, note: Note, field: str
 ) -> tuple[Code, str, str | None]:
     name, again = link.name, f"{statement.robot} has_link '{link.name}'"
     match note:
@@ -108,10 +108,10 @@ def _words(
             message = f"nothing of `{name}` is seen that could be painted"
             return codes.BAD_SHAPE, message, "give it a shape as well: `shaped …`"
         case Note.SEVERAL_SHAPES:
-            parts = f"{len(link.visuals)} visuals and {len(link.collisions)} collisions"
-            help_text = "change it in its file, or take the link away and make it anew"
+            counts = ((len(link.visuals), "visual"), (len(link.collisions), "collision"))
+            parts = " and ".join(f"{count} {each}{'s' * (count != 1)}" for count, each in counts)
             message = f"`{name}` has {parts}: which one is meant cannot be said"
-            return codes.SEVERAL_SHAPES, message, help_text
+            return codes.SEVERAL_SHAPES, message, _instead_of_one(run, statement, field)
         case Note.BOX_INERTIA:
             message = f"the inertia of `{name}` is that of the box around its mesh"
             return codes.MESH_INERTIA, message, None
@@ -125,9 +125,30 @@ def _words(
         case Note.OTHER_COLLISION:
             message = f"what is seen of `{name}` and what collides had two shapes, and have one now"
             return codes.LINK_APART, message, "change one of the two in its file"
+        case Note.OTHERS_STAY:
+            message = (
+                f"only the {statement.shape} of `{name}` changes: what else is seen or collides "
+                "has another shape, and stays"
+            )
+            return codes.LINK_APART, message, "change that in its file"
         case Note.APART:
             message = f"not all of `{name}` is in one place: what was elsewhere stays where it is"
             return codes.LINK_APART, message, "collisions and centers of mass may be elsewhere"
+
+
+def _instead_of_one(run: Run, statement: st.HasLink, field: str) -> str:
+    """Say what somebody does who means one of several shapes, or the link as a whole."""
+    robot = run.workspace.robots[statement.robot]
+    joints = robot.description.joints.values()
+    joint = next((each for each in joints if each.child == statement.link), None)
+    span = None if robot.source is None else robot.source.spans.get(("link", statement.link))
+    where = "in its file"
+    if robot.source is not None and span is not None:
+        line = robot.source.text.count(b"\n", 0, span.start) + 1
+        where = f"in line {line} of its file"
+    if field in ("position", "rotation") and joint is not None:
+        return f"the joint `{joint.name}` places all of it; one alone is changed {where}"
+    return f"change it {where}, or take the link away and make it anew"
 
 
 def _unmeasured(run: Run, statement: st.HasLink, link: Link) -> tuple[str, str | None]:
@@ -150,7 +171,7 @@ def no_longer_has_link(run: Run, statement: st.NoLongerHasLink) -> None:
     holding = next(robot.holding(name), None)
     if holding is not None:
         raise _held(run, robot, statement, holding.name)
-    robot.take_link(name)
+    robot.take_link(name, where)
 
 
 def _held(run: Run, robot: Robot, statement: st.NoLongerHasLink, joint: str) -> Mistake:

@@ -17,8 +17,15 @@ from plastron_tui.diagnostics import (
     write,
 )
 from plastron_tui.language import statements as st
-from plastron_tui.language.inputs import Literal, NamedArgument, NestedValue
+from plastron_tui.language.inputs import (
+    ListValue,
+    Literal,
+    NamedArgument,
+    NestedValue,
+    Nothing,
+)
 from plastron_tui.language.written_numbers import with_points, without_enclosure
+from plastron_tui.ros.robots.changes import NO_MATERIAL
 from plastron_tui.ros.robots.colors import NAMES, material_name, rgba_of
 from plastron_tui.ros.robots.description import (
     Box,
@@ -191,7 +198,14 @@ def _scale(value: Any, where: Span) -> Vector:
     found = tuple(x for x in parts if x is not None and 1 / FARTHEST <= abs(x) <= FARTHEST)
     if len(parts) != 3 or len(found) != 3:
         message = "a scale is a number that is not 0, or three of them, as `(1, 1, 2)`"
-        raise Mistake(Diagnostic(codes.BAD_SHAPE, message, where))
+        fix = None
+        text = value.syntax.text
+        if isinstance(value, ListValue) and len(value.items) == 3 and text is not None:
+            # It may be a scale in other brackets.
+            right = f"({text.decode()[1:-1]})"
+            fix = write(right, Span(where.end - len(text), where.end))
+        help_text = "leave it out for a mesh in metres" if fix is None else fix.title
+        raise Mistake(Diagnostic(codes.BAD_SHAPE, message, where, help=help_text, fix=fix))
     x, y, z = found
     return x, y, z
 
@@ -235,6 +249,8 @@ def material_of(statement: st.HasLink, robot: Robot | None) -> Material | None:
     """
     if statement.color is None:
         return None
+    if isinstance(statement.color, Nothing):
+        return NO_MATERIAL
     shared = {} if robot is None else robot.description.materials
     own = {} if robot is None else robot.own_materials
     if statement.color in shared:
@@ -293,8 +309,10 @@ def axis_of(statement: st.HasJoint, type_: JointType | None) -> Vector | None:
     return axis
 
 
-def joint_type_of(statement: st.HasJoint) -> JointType:
-    """Return how a joint moves."""
+def joint_type_of(statement: st.HasJoint) -> JointType | None:
+    """Return how a joint moves, None where nothing is said."""
+    if statement.type is None:
+        return None
     names = [each.value for each in JointType]
     if statement.type in names:
         return JointType(statement.type)

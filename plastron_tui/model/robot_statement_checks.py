@@ -7,9 +7,8 @@ from typing import Any
 
 from plastron_tui.language import statements as st
 from plastron_tui.language.declaration import Statement
-from plastron_tui.ros.robots.description import JointType
 
-from .robot_joints import check_child, check_joint_named, check_parent, mimic_of
+from .robot_joints import check_child, check_joint_named, check_parent, known_type, mimic_of
 from .robot_limits import check_limited_once, check_limits_fit, check_range, check_strength
 from .robot_links import check_link_named
 from .robot_lookups import find_robot
@@ -34,9 +33,8 @@ def _material(run: Run, statement: st.HasLink) -> None:
     material_of(statement, run.workspace.robots.get(statement.robot))
 
 
-def _axis(_: Run, statement: st.HasJoint) -> None:
-    types = {each.value: each for each in JointType}
-    axis_of(statement, types.get(statement.type))
+def _axis(run: Run, statement: st.HasJoint) -> None:
+    axis_of(statement, known_type(run, statement))
 
 
 def _alone(check: Callable[[Any], object]) -> Callable[[Run, Any], object]:

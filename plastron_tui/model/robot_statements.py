@@ -12,6 +12,7 @@ from plastron_tui.ros.robots.description import Description
 from plastron_tui.ros.robots.materials import defined_materials
 
 from .mistake import Mistake
+from .robot_arguments import arguments_of, unused_arguments
 from .robot_faults import faults_of_file
 from .robot_joints import has_joint, no_longer_has_joint
 from .robot_limits import limits_joint
@@ -44,7 +45,8 @@ def load_robot(run: Run, statement: st.LoadRobot) -> None:
     """Read the description of a robot, to change it."""
     run.checks.new_variable(statement, statement.variable)
     where = statement.span_of("source")
-    loaded = run.setting.read_robot(statement.source)
+    arguments = arguments_of(statement)
+    loaded = run.setting.read_robot(statement.source, arguments)
     found = [each if each.file else each._replace(span=where) for each in loaded.diagnostics]
     source = loaded.source
     if source is None:
@@ -53,7 +55,10 @@ def load_robot(run: Run, statement: st.LoadRobot) -> None:
         if other.source is not None and other.source.path == source.path:
             message = f"`{statement.source}` is loaded already"
             raise twice(codes.ROBOT_EXISTS, message, where, other.span)
-    for each in (*found, *faults_of_file(source, where)):
+    unused = unused_arguments(statement.source, arguments, loaded, statement)
+    for each in (*found, *unused, *faults_of_file(source, where)):
+        if each.code == codes.ROOT_INERTIA:
+            continue  # the program can give it an empty root: told at its end
         # What is wrong with it can be mended by what changes it.
         is_error = each.severity is Severity.ERROR
         run.report(statement, each._replace(severity=Severity.WARNING) if is_error else each)

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, NamedTuple, TypeVar
 
 from plastron_tui.diagnostics import Diagnostic, Span, codes
 from plastron_tui.ros.robots.description import Description, Joint, Link, Material, Vector
-from plastron_tui.ros.robots.macros import Macros
+from plastron_tui.ros.robots.macros import Arguments, Macros
 
 if TYPE_CHECKING:
     from .source import TextOrigin
@@ -31,6 +31,8 @@ class RobotSource(NamedTuple):
             may have links and joints besides those of its description.
         spans: where the names of its links and joints stand in the text, by `link` or `joint` and
             the name.
+        arguments: what the program gives its macros.
+        opened: the files that its macros were expanded with.
     """
 
     path: Path
@@ -40,6 +42,8 @@ class RobotSource(NamedTuple):
     expanded: Description | None = None
     macros: Macros | None = None
     spans: Mapping[tuple[str, str], Span] = {}
+    arguments: Arguments = ()
+    opened: tuple[Path, ...] = ()
 
     @property
     def whole(self) -> Description | None:
@@ -53,16 +57,27 @@ class RobotSource(NamedTuple):
 
 
 class LoadedRobot(NamedTuple):
-    """What a reader made of the path of a robot's file; None with the reason."""
+    """What a reader made of the path of a robot's file; None with the reason.
+
+    Attributes:
+        source: the robot.
+        diagnostics: what is wrong with it, or the reason.
+        asked: the arguments that its macros asked for, those that they give defaults among them.
+        unused: the arguments that it was given, and that its macros did not ask for; () where
+            they are not expanded.
+    """
 
     source: RobotSource | None
     diagnostics: tuple[Diagnostic, ...] = ()
+    asked: tuple[str, ...] = ()
+    unused: tuple[str, ...] = ()
 
 
-RobotReader = Callable[[str], LoadedRobot]
+RobotReader = Callable[[str, Arguments], LoadedRobot]
+"""Reads a robot by the path of its file, and what its macros are given."""
 
 
-def no_robot(source: str) -> LoadedRobot:
+def no_robot(source: str, _: Arguments) -> LoadedRobot:
     """Find no robot: where a program has no folder, there is none."""
     found = Diagnostic(codes.FILE_NOT_FOUND, f"no file `{source}` beside the program")
     return LoadedRobot(None, (found,))
@@ -98,6 +113,7 @@ class Robot:
         own_materials: the materials that a loaded one has, those too that stand in its links.
         meshes: points that its meshes are between, by their URIs, where somebody has measured
             them: two for the box around a mesh, more for the hull around it.
+        taken: the statements that take links and joints away, by `link` or `joint` and the name.
     """
 
     variable: str
@@ -109,6 +125,7 @@ class Robot:
     home: str = ""
     own_materials: Mapping[str, Material] = field(default_factory=dict)
     meshes: Mapping[str, tuple[Vector, ...]] = field(default_factory=dict)
+    taken: dict[tuple[str, str], Span] = field(default_factory=dict)
     # Its own, so that a statement changes one entry of them, not all.
     _links: dict[str, Link] = field(init=False, repr=False)
     _joints: dict[str, Joint] = field(init=False, repr=False)
@@ -130,9 +147,10 @@ class Robot:
         """Give the robot a link, in place of the one of its name."""
         self._links[link.name] = link
 
-    def take_link(self, name: str) -> None:
-        """Take a link away from the robot."""
+    def take_link(self, name: str, where: Span) -> None:
+        """Take a link away from the robot, as a statement asks."""
         del self._links[name]
+        self.taken["link", name] = where
         self.links.pop(name, None)
 
     def put_joint(self, joint: Joint) -> None:
@@ -142,10 +160,11 @@ class Robot:
         if self._users is not None:
             _note_uses(self._users, joint)
 
-    def take_joint(self, name: str) -> None:
-        """Take a joint away from the robot."""
+    def take_joint(self, name: str, where: Span) -> None:
+        """Take a joint away from the robot, as a statement asks."""
         self._forget_uses(name)
         del self._joints[name]
+        self.taken["joint", name] = where
         self.joints.pop(name, None)
 
     def holding(self, link: str) -> Iterator[Joint]:
@@ -194,7 +213,8 @@ class Robot:
 
     def snapshot(self) -> Robot:
         """Return the robot as it is now, untouched by what later statements do to it."""
-        return replace(self, links=dict(self.links), joints=dict(self.joints))
+        links, joints = dict(self.links), dict(self.joints)
+        return replace(self, links=links, joints=joints, taken=dict(self.taken))
 
 
 def _with_changes(

@@ -51,7 +51,7 @@ def late_changes(program: Program, workspace: Workspace) -> Iterator[Diagnostic]
         messages = [workspace.messages[getattr(statement, name)] for name in named.messages]
         fix = None
         if all(message.span.start < generation.span.start for message in messages):
-            fix = _moved(statement, generation)
+            fix = _moved(statement, generation.span.start, "write it before that")
         yield Diagnostic(
             codes.CHANGED_AFTER_GENERATING,
             f"this comes after `{variable}` was generated, and is not in its file",
@@ -85,7 +85,10 @@ def late_changes_of_parts(program: Program, workspace: Workspace) -> Iterator[Di
         SlotKind.LAUNCH: ("generate_launch", launches),
         SlotKind.ROBOT: ("generate_robot", robots),
     }
-    for statement in program.statements if packages or launches or robots else ():
+    if not (packages or launches or robots):
+        return
+    found: list[tuple[Statement, Span, Diagnostic]] = []
+    for statement in program.statements:
         type_: Any = type(statement)  # which mypy takes for not hashable
         declaration = DECLARATIONS[type_]
         for slot in () if declaration.writes_file else declaration.slots:
@@ -93,13 +96,21 @@ def late_changes_of_parts(program: Program, workspace: Workspace) -> Iterator[Di
             variable = getattr(statement, slot.name) if last else ""
             where = last.get(variable)
             if where is not None and where.start <= statement.span.start:
-                yield Diagnostic(
+                late = Diagnostic(
                     codes.CHANGED_AFTER_GENERATING,
                     f"this comes after `{variable}` was generated, and is not in its files",
                     statement.span,
                     help=f"write it before `{verb} {variable}`",
                     labels=(Label(where, "generated here"),),
                 )
+                found.append((statement, where, late))
+    # What comes late may need what comes late before it: they stay, and are generated after all.
+    last_of = {where: statement for statement, where, _ in found}
+    writing = {each.span: each for each in program.statements if each.span in last_of}
+    for _, where, late in found:
+        end, moved = last_of[where].span.end, writing.get(where)
+        fix = None if moved is None else _moved(moved, end, "generate after all of that")
+        yield late._replace(fix=fix)
 
 
 def _generation(
@@ -113,11 +124,10 @@ def _generation(
     return None
 
 
-def _moved(statement: Statement, generation: Generation) -> Fix | None:
-    """Return the remedy that writes a statement before its node is generated."""
-    text = statement.syntax.text
-    if text is None:
+def _moved(statement: Statement, to: int, title: str) -> Fix | None:
+    """Return the remedy that writes a statement where another one begins, or ends."""
+    if statement.syntax.text is None:
         return None
-    start = generation.span.start
-    before = Edit(Span(start, start), text.decode("utf-8", "replace").strip() + "\n")
-    return Fix("write it before that", (before, Edit(statement.span, "")))
+    text = statement.syntax.text.decode("utf-8", "replace").strip()
+    text = f"{text}\n" if to <= statement.span.start else f"\n{text}"
+    return Fix(title, (Edit(Span(to, to), text), Edit(statement.span, "")))

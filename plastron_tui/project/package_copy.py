@@ -17,16 +17,19 @@ from plastron_tui.diagnostics import Diagnostic, Span, codes
 from plastron_tui.output.manifest import NAME as MANIFEST
 from plastron_tui.output.own_files import PREFIX
 from plastron_tui.output.plan import OutputFile
-from plastron_tui.regular_files import read_regular
+from plastron_tui.regular_files import read_regular, reason
 from plastron_tui.ros.packages import BUILT_FOLDERS, CACHES
 from plastron_tui.sources.packages.files import DEEPEST
 from plastron_tui.sources.packages.reading import PACKAGE_XML
 
 if TYPE_CHECKING:
     from plastron_tui.boundary import Boundary
+    from plastron_tui.generating.package_parts import Copied
     from plastron_tui.model.package_source import PackageSource
     from plastron_tui.model.packages import Package
     from plastron_tui.output.manifest import Manifest
+
+    from .configuration import Configuration
 
 MOST_FILES = 2_000
 MOST_BYTES = 32_000_000
@@ -63,6 +66,12 @@ class CopySetting(NamedTuple):
     boundary: Boundary
     program: str
     force: bool = False
+
+
+def copy_setting(configuration: Configuration, manifest: Manifest, program: str) -> CopySetting:
+    """Return where packages are copied to by a program of a name."""
+    options, boundary = configuration.options, configuration.boundary
+    return CopySetting(configuration.output, manifest, boundary, program, options.force)
 
 
 class _TooMuchError(Exception):
@@ -121,6 +130,29 @@ def with_copies(
         for each in changed
     ]
     return Copy((*kept, *copies), tuple(_told(source, walk.left_out, span)))
+
+
+def copied_files(copies: Mapping[str, Copied], setting: CopySetting) -> Copy:
+    """Return files that packages get as they are.
+
+    Args:
+        copies: where they come from, by their paths in the output folder.
+        setting: where they go.
+    """
+    files: list[OutputFile] = []
+    found: list[Diagnostic] = []
+    left = MOST_BYTES
+    for name, (file, span) in copies.items():
+        try:
+            text = read_regular(file, left)
+        except OSError as error:
+            message = f"not copied: `{name}`, as `{file.name}` cannot be read: {reason(error)}"
+            help_ = f"a program copies at most {MOST_BYTES // 1_000_000} MB; put it there by hand"
+            found.append(Diagnostic(codes.NOT_COPIED, message, span, help=help_))
+            continue
+        left -= len(text)
+        files.append(_copy(name, text, False, setting))
+    return Copy(tuple(files), tuple(found[:_MOST_TOLD]))
 
 
 def _is_part(hidden: Path) -> bool:

@@ -200,7 +200,8 @@ class Planner:
         params = None if is_preview else self._params(manifest)
         if configuration.output_problem is not None:
             return FilePlan(output, ()), (*found, configuration.output_problem)
-        whole, notes = self._whole(made, manifest)
+        has_copies = has_copies and not is_preview
+        whole, notes = self._whole(made, manifest, has_copies=has_copies)
         found += notes
         if configuration.options.in_place:
             needed = self._places.files_needed(made)
@@ -210,7 +211,6 @@ class Planner:
         files = [file for each in (*sets, *common.files) for file in each.output_files()]
         if params is not None:
             files.append(params)
-        has_copies = has_copies and not is_preview
         files, refused = self._with_loaded([*files, *whole], made, manifest, has_copies=has_copies)
         found += refused
         if self._workspace is not None and has_copies and not has_errors(found):
@@ -236,7 +236,7 @@ class Planner:
         return left_files(written, folder, own)
 
     def _whole(
-        self, made: Sequence[Generated], manifest: Manifest
+        self, made: Sequence[Generated], manifest: Manifest, *, has_copies: bool
     ) -> tuple[list[OutputFile], list[Diagnostic]]:
         """Make the packages, definitions and launch files of the program."""
         workspace = self._workspace
@@ -246,13 +246,13 @@ class Planner:
         from plastron_tui.generating.loaded_types import places_beside
         from plastron_tui.generating.own_definitions import loaded_definitions
         from plastron_tui.generating.text_files import Folder, text_files
+        from plastron_tui.project.package_copy import copied_files, copy_setting
 
         configuration = self._configuration
         packages = self._packages(workspace, made, manifest)
         made_of = packages.made()
         around = self._places.files_around(made)
-        in_place = configuration.options.in_place
-        force = configuration.options.force
+        in_place, force = configuration.options.in_place, configuration.options.force
         folder = Folder(configuration.output, manifest, self._author.name, force)
         writing = self._writing(lambda folder: self._manifest(folder)[0])
         launches, refused = packages.launches.loaded(folder, writing)
@@ -262,6 +262,10 @@ class Planner:
         notes += self._leading_out(files)
         types = workspace.types.values() if workspace.is_written else ()
         files += loaded_definitions(types, in_place=in_place)
+        if has_copies:
+            setting = copy_setting(configuration, manifest, self._author.name)
+            copied = copied_files(made_of.copies, setting)
+            files, notes = [*files, *copied.files], [*notes, *copied.diagnostics]
         found = [*made_of.diagnostics, *notes, *refused, *unchanged, *around.diagnostics]
         found += self._leading_out(around.files)
         return [*files, *launches, *robots, *around.files], found
@@ -272,6 +276,8 @@ class Planner:
         from plastron_tui.generating.program_packages import ProgramPackages
         from plastron_tui.generating.text_files import entry_of
 
+        from .robot_companions import CompanionFinder
+
         configuration = self._configuration
         return ProgramPackages(
             workspace,
@@ -281,6 +287,7 @@ class Planner:
             lambda path: entry_of(path, configuration.output) in manifest,
             generations=self.placed,
             python_launch=configuration.project.launch == "python",
+            companions=CompanionFinder(configuration),
         )
 
     def _with_loaded(
@@ -366,16 +373,9 @@ class Planner:
         manifest: Manifest,
     ) -> tuple[list[OutputFile], tuple[Diagnostic, ...]]:
         """Add the other files of a package, of which the output folder gets the changed ones."""
-        from .package_copy import CopySetting, with_copies
+        from .package_copy import copy_setting, with_copies
 
-        configuration = self._configuration
-        setting = CopySetting(
-            configuration.output,
-            manifest,
-            configuration.boundary,
-            self._author.name,
-            configuration.options.force,
-        )
+        setting = copy_setting(self._configuration, manifest, self._author.name)
         copied = with_copies(package, files, known, setting)
         return list(copied.files), copied.diagnostics
 

@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 
 from plastron_tui.model.robots import Robot
 
 from .mesh_sizes import KnownMeshes, MeshSizes
 from .named_texts import NamedTexts
-from .robot_expansion import KnownExpansions, RobotExpander
+from .robot_expansion import KnownExpansions, RobotExpander, said_by_program
 from .robot_reader import RobotReader
 
 
@@ -35,7 +35,11 @@ class RobotFiles:
     """
 
     def __init__(
-        self, texts: NamedTexts, environ: Mapping[str, str], known: KnownRobots | None = None
+        self,
+        texts: NamedTexts,
+        environ: Mapping[str, str],
+        known: KnownRobots | None = None,
+        say: Callable[[str], str] = said_by_program,
     ) -> None:
         """Set where files are looked for.
 
@@ -43,10 +47,11 @@ class RobotFiles:
             texts: finds and reads files.
             environ: the environment variables that say which ROS is sourced.
             known: what was found out before.
+            say: says how an argument of macros without a value gets one.
         """
         known = known or KnownRobots()
         self.sizes = MeshSizes(texts.folder, texts.boundary, environ, known.meshes)
-        expander = RobotExpander(texts.boundary, environ, known.expansions)
+        expander = RobotExpander(texts.boundary, environ, known.expansions, say)
         self.read = RobotReader(texts, expander, self.sizes.add_folder)
 
     def measure(self, robot: Robot) -> None:

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, NamedTuple
 from plastron_tui.diagnostics import Diagnostic, Span, codes
 from plastron_tui.model.robots import LoadedRobot, RobotSource
 from plastron_tui.ros.robots.description import Description
+from plastron_tui.ros.robots.macros import Arguments
 from plastron_tui.ros.robots.names import FILE_ENDINGS
 
 from .named_texts import NamedTexts
@@ -30,14 +31,25 @@ _OTHER_ROOTS = {
 
 
 class Expansion(NamedTuple):
-    """What the macros of a robot's file make of it; None with the reason."""
+    """What the macros of a robot's file make of it; None with the reason.
+
+    Attributes:
+        description: the robot.
+        diagnostics: what is wrong with it, or the reason.
+        asked: the arguments that the macros asked for, or give a default.
+        unused: those that they were given, and did not ask for.
+        opened: the files that they were looked for in, or that were not there.
+    """
 
     description: Description | None
     diagnostics: tuple[Diagnostic, ...] = ()
+    asked: tuple[str, ...] = ()
+    unused: tuple[str, ...] = ()
+    opened: tuple[Path, ...] = ()
 
 
-Expander = Callable[[Path, bytes, "XmlDocument"], Expansion]
-"""Expands the macros of a file: its path, its text, and what that is in XML."""
+Expander = Callable[[Path, bytes, "XmlDocument", Arguments], Expansion]
+"""Expands the macros of a file: its path, its text, what that is in XML, and what it is given."""
 
 
 class RobotReader:
@@ -57,23 +69,31 @@ class RobotReader:
         self._expand = expand
         self._found = found
 
-    def __call__(self, source: str) -> LoadedRobot:
-        """Read the file that a `load_robot` asks for."""
+    def __call__(self, source: str, arguments: Arguments = ()) -> LoadedRobot:
+        """Read the file that a `load_robot` asks for.
+
+        Args:
+            source: its path, as the program has it.
+            arguments: what its macros are given.
+        """
         path = self._texts.find(source, lambda each: each.suffix in FILE_ENDINGS)
         if isinstance(path, Diagnostic):
             return LoadedRobot(None, (path,))
         text = self._texts.read(source, path)
         if isinstance(text, Diagnostic):
             return LoadedRobot(None, (text,))
-        return self.read_text(source, path, text)
+        return self.read_text(source, path, text, arguments)
 
-    def read_text(self, source: str, path: Path, text: bytes) -> LoadedRobot:
+    def read_text(
+        self, source: str, path: Path, text: bytes, arguments: Arguments = ()
+    ) -> LoadedRobot:
         """Read what a robot's file holds.
 
         Args:
             source: what the file is called where it is spoken of.
             path: the file.
             text: what it holds.
+            arguments: what its macros are given.
         """
         if b"\0" in text:
             message = f"`{source}` is no text, and so no robot"
@@ -81,11 +101,9 @@ class RobotReader:
         self._found(path.parent)
         start = self._texts.started(path, text, _form)
         origin = None if start is None else start.origin
-        return self._read(
-            source,
-            path,
-            RobotSource(path, text if start is None else start.text, Description(""), origin),
-        )
+        text = text if start is None else start.text
+        empty = Description("")
+        return self._read(source, path, RobotSource(path, text, empty, origin, arguments=arguments))
 
     def _read(self, source: str, path: Path, found: RobotSource) -> LoadedRobot:
         from plastron_tui.sources.urdf.macros import has_macros, read_macros
@@ -97,10 +115,13 @@ class RobotReader:
         found = found._replace(description=read.description, spans=_spans(read.places))
         if not has_macros(read.document):
             return LoadedRobot(found, read.diagnostics)
-        expansion = self._expand(path, found.text, read.document)
+        expansion = self._expand(path, found.text, read.document, found.arguments)
         macros = read_macros(read.document)
-        found = found._replace(macros=macros, expanded=expansion.description)
-        return LoadedRobot(found, (*read.diagnostics, *expansion.diagnostics))
+        found = found._replace(
+            macros=macros, expanded=expansion.description, opened=expansion.opened
+        )
+        told = (*read.diagnostics, *expansion.diagnostics)
+        return LoadedRobot(found, told, expansion.asked, expansion.unused)
 
 
 def _spans(places: PartPlaces) -> dict[tuple[str, str], Span]:

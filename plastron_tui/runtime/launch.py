@@ -7,7 +7,7 @@ import json
 import os
 import sys
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import NamedTuple, TextIO
 
@@ -16,6 +16,7 @@ from plastron_tui.diagnostics import Diagnostic, has_errors
 from .child import Exit, Process, Role
 from .console import Console
 from .environment import Environment, node_environ
+from .long_arguments import ArgumentFiles
 from .master import Master, ensure_master
 from .supervisor import Supervisor
 from .table import Screen, Ticker, Watch
@@ -179,6 +180,7 @@ class _Run:
         self._activations: list[Process] = []
         self._is_inactive = False
         self._calls = bytearray()
+        self._long_arguments = ArgumentFiles()
         self._supervisor = Supervisor(self._on_line, self._on_exit, self._on_tick)
         names = [*(node.title for node in nodes), *([_WATCH_NAME] if options.watch else [])]
         self._console = Console(names, out, err, on_gone=self._supervisor.stop, environ=environ)
@@ -186,7 +188,7 @@ class _Run:
 
     def go(self) -> RunResult:
         diagnostics: list[Diagnostic] = []
-        with self._supervisor:
+        with self._long_arguments, self._supervisor:
             master: Master | None = None
             first = [node for node in self._nodes if node.environment.ros_version == 1][:1]
             for node in first:
@@ -219,6 +221,7 @@ class _Run:
     def _run(self, master: Master | None) -> None:
         with self._call_pipe() as pipe:
             for node in self._nodes:
+                node = replace(node, arguments=self._long_arguments.placed(node.arguments))
                 self._supervisor.start(self._process(node, master, pipe))
         self._activate(master)
         self._load(master)

@@ -16,6 +16,7 @@ from typing import NamedTuple
 from plastron_tui.diagnostics.wording import shortened
 from plastron_tui.limited_process import Limits, TimedOutError, run_limited, starting
 from plastron_tui.ros.catalog.distributions import DISTRIBUTIONS
+from plastron_tui.ros.robots.macros import Arguments
 from plastron_tui.sources.urdf.reach import Reach
 from plastron_tui.sources.xml.outline import MOST_BYTES
 
@@ -35,11 +36,17 @@ class Expanded(NamedTuple):
         text: the URDF, None where there is none.
         reason: why there is none.
         files: the files that were looked at besides, or were not there.
+        missing: the argument without a value that the reason is, "" for none.
+        asked: the arguments that the macros asked for, or give a default.
+        unused: those that they were given, and did not ask for.
     """
 
     text: bytes | None
     reason: str = ""
     files: tuple[Path, ...] = ()
+    missing: str = ""
+    asked: tuple[str, ...] = ()
+    unused: tuple[str, ...] = ()
 
 
 def find_xacro(environ: Mapping[str, str]) -> Path | None:
@@ -66,7 +73,9 @@ def _module_folders(environ: Mapping[str, str]) -> Iterator[Path]:
     yield _DEBIAN_MODULES
 
 
-def expand(path: Path, text: bytes, reach: Reach, modules: Path) -> Expanded:
+def expand(
+    path: Path, text: bytes, reach: Reach, modules: Path, arguments: Arguments = ()
+) -> Expanded:
     """Expand the macros of a file.
 
     Args:
@@ -74,10 +83,11 @@ def expand(path: Path, text: bytes, reach: Reach, modules: Path) -> Expanded:
         text: what it holds.
         reach: how far it may lead.
         modules: the folder that has the module `xacro`, as `find_xacro` tells it.
+        arguments: what its arguments are given.
     """
     from .xacro_process import Request
 
-    request = pickle.dumps(Request(path, text, reach, _LIMITS))
+    request = pickle.dumps(Request(path, text, reach, _LIMITS, arguments))
     environ = {"PATH": os.defpath, "LANG": "C.UTF-8"}
     try:
         reply = run_limited(
@@ -99,9 +109,11 @@ def expand(path: Path, text: bytes, reach: Reach, modules: Path) -> Expanded:
         said = json.loads(head)
         reason, refused, opened = (said[each] for each in ("reason", "refused", "opened"))
         files = tuple(map(Path, map(str, opened)))
+        asked, unused = (tuple(map(str, said[each])) for each in ("asked", "unused"))
+        missing = "" if refused else str(said["missing"])
         reason = shortened(str(refused[0] if refused else reason), _LONGEST)
     except (ValueError, KeyError, TypeError, RecursionError):
         return Expanded(None, "expanding them fails")
     if reason:
-        return Expanded(None, reason, files)
-    return Expanded(expanded, "", files)
+        return Expanded(None, reason, files, missing, asked, unused)
+    return Expanded(expanded, "", files, "", asked, unused)

@@ -19,17 +19,20 @@ from xml.parsers import expat
 
 from plastron_tui.limited_process import Limits, limit_itself
 from plastron_tui.regular_files import read_regular
+from plastron_tui.ros.robots.macros import Arguments
 from plastron_tui.sources.urdf.reach import Reach
 
 from .file_guard import guard_files, leave_network
 
 _LONGEST_REASON = 400
 _LARGEST_FILE = 4 * 1024**2
+_MOST_ARGUMENTS = 500
 
 # What is imported as it is needed: nothing is, once files are guarded.
 _MODULES = ("xml.dom.expatbuilder", "xml.dom.minidom", "yaml", "encodings.latin_1")
 _VARIABLE = re.compile(r"environment variable '(\w+)' is not set")
 _ARGUMENT = re.compile(r"Undefined substitution argument (\w+)")
+_NO_VALUE = re.compile(r"the argument `(\w+)` has no value")
 _SUBSTITUTIONS = ("xacro.substitution_args", "roslaunch.substitution_args")
 
 
@@ -41,12 +44,34 @@ class Request(NamedTuple):
         text: what it holds.
         reach: how far it may lead.
         limits: what the process may use.
+        arguments: what the file's arguments are given.
     """
 
     path: Path
     text: bytes
     reach: Reach
     limits: Limits
+    arguments: Arguments = ()
+
+
+class _Mappings(dict[str, str]):
+    """What the file's arguments are given; it notes which of them are asked for."""
+
+    def __init__(self, arguments: Arguments) -> None:
+        super().__init__(arguments)
+        self.asked: dict[str, None] = {}
+
+    def __contains__(self, name: object) -> bool:
+        self._note(name)
+        return super().__contains__(name)
+
+    def __getitem__(self, name: str) -> str:
+        self._note(name)
+        return super().__getitem__(name)
+
+    def _note(self, name: object) -> None:
+        if isinstance(name, str) and len(self.asked) < _MOST_ARGUMENTS:
+            self.asked[name] = None
 
 
 class _RefusedError(Exception):
@@ -70,15 +95,25 @@ def _answer(request: Request) -> bytes:
     leave_network()
     limit_itself(request.limits)
     guard = guard_files(request.reach.allows)
-    text, reason = b"", ""
+    text, reason, missing = b"", "", ""
+    mappings = _Mappings(request.arguments)
     try:
-        text = _expanded(xacro, request)
+        text = _expanded(xacro, request, mappings)
     # An expression of a file may fail in any way.
     except (Exception, SystemExit) as error:
         reason = _reason(xacro, error, request.limits)
+        argument = _NO_VALUE.fullmatch(reason)
+        missing = "" if argument is None else argument.group(1)
     if not reason and len(text) > request.limits.reply // 2:
         text, reason = b"", f"they make more than {request.limits.reply // 2 // 1024**2} MB"
-    head = {"reason": reason, "refused": guard.refused, "opened": list(guard.opened)}
+    head = {
+        "reason": reason,
+        "refused": guard.refused,
+        "opened": list(guard.opened),
+        "missing": missing,
+        "asked": [each for each in mappings.asked if each not in dict(request.arguments)],
+        "unused": [name for name, _ in request.arguments if name not in mappings.asked],
+    }
     return b"\n".join((json.dumps(head).encode(), text))
 
 
@@ -93,7 +128,7 @@ def _load() -> Any:
     return xacro
 
 
-def _expanded(xacro: Any, request: Request) -> bytes:
+def _expanded(xacro: Any, request: Request, mappings: _Mappings) -> bytes:
     """Return the file with its macros expanded.
 
     Raises:
@@ -143,7 +178,7 @@ def _expanded(xacro: Any, request: Request) -> bytes:
         if module is not None:
             module._eval_find = find
             module._eval_dict["find"] = find
-    document = xacro.process_file(main, verbosity=0, mappings={})
+    document = xacro.process_file(main, verbosity=0, mappings=mappings)
     text: bytes = document.documentElement.toxml().encode()
     return text
 
@@ -183,9 +218,7 @@ def _reason(xacro: Any, error: BaseException, limits: Limits) -> str:
         return f"they ask for the environment variable `{variable.group(1)}`, and get none"
     argument = _ARGUMENT.fullmatch(text)
     if argument is not None:
-        name = argument.group(1)
-        example = f'<xacro:arg name="{name}" default="…"/>'
-        return f"the argument `{name}` has no value: give it a default, as in `{example}`"
+        return f"the argument `{argument.group(1)}` has no value"
     files = [each for each in getattr(xacro, "filestack", None) or () if isinstance(each, str)]
     macros = (each.body.getAttribute("name") for each in getattr(said, "macros", ()))
     places = [f"in the macro `{each}`" for each in macros]

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import math
 
+from plastron_tui.language.inputs import Nothing
+
 CASES: dict[str, tuple[object, ...]] = {
     "create_node 'talker' as n": ("CreateNode", "talker", "n", False, None),
     "create_node 'talker' as n using rclpy": ("CreateNode", "talker", "n", False, "rclpy"),
@@ -207,7 +209,13 @@ CASES: dict[str, tuple[object, ...]] = {
     "l no_longer_includes 'p/a.launch'": ("NoLongerIncludes", "l", "p/a.launch"),
     "generate_launch l": ("GenerateLaunch", "l"),
     "create_robot 'a' as r": ("CreateRobot", "a", "r"),
-    "load_robot 'urdf/a.urdf' as r": ("LoadRobot", "urdf/a.urdf", "r"),
+    "load_robot 'urdf/a.urdf' as r": ("LoadRobot", "urdf/a.urdf", "r", None),
+    "load_robot 'a.xacro' as r setting 'a' = 5, 'b' = \"c\"": (
+        "LoadRobot",
+        "a.xacro",
+        "r",
+        (("a", "5"), ("b", "'c'")),
+    ),
     "r has_link 'a'": ("HasLink", "r", "a", *(None,) * 7),
     "r has_link 'a' shaped box 1, y=.5, -2": (
         *("HasLink", "r", "a", "box", ("1", ("y", "=", "0.5"), "-2"), *(None,) * 5),
@@ -217,6 +225,9 @@ CASES: dict[str, tuple[object, ...]] = {
     "r has_link 'a' painted \"#3060ff\"": (
         *("HasLink", "r", "a", *(None,) * 3, "#3060ff", *(None,) * 3),
     ),
+    "r has_link 'a' painted none": (
+        *("HasLink", "r", "a", *(None,) * 3, Nothing.NONE, *(None,) * 3),
+    ),
     "r has_link 'a' at 0, -0.5, 1e999": (
         *("HasLink", "r", "a", *(None,) * 4, (0, -0.5, math.inf), None, None),
     ),
@@ -224,6 +235,13 @@ CASES: dict[str, tuple[object, ...]] = {
         *("HasLink", "shaped", "a", None, None, 5, "painted", (1, 2, 3), (0, 0, 90), "deg"),
     ),
     "r no_longer_has_link 'a'": ("NoLongerHasLink", "r", "a"),
+    "r has_joint 'j'": ("HasJoint", "r", "j", *(None,) * 9),
+    "r has_joint 'j' from 'a' to 'b' of joint_type fixed": (
+        *("HasJoint", "r", "j", "fixed", "a", "b", *(None,) * 6),
+    ),
+    "r has_joint 'none' mimicking none": (
+        *("HasJoint", "r", "none", *(None,) * 7, Nothing.NONE, None),
+    ),
     "r has_joint 'j' of joint_type fixed from 'a' to 'b'": (
         *("HasJoint", "r", "j", "fixed", "a", "b", *(None,) * 6),
     ),

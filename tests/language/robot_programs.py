@@ -31,13 +31,13 @@ def robot_statements(
 
     place = vectors.map(" at {}".format)
     rotation = st.builds(" turned {} {}".format, vectors, variables)
-    code = st.sampled_from(["red", "painted", '"#3060ff"', '""']).map(" painted {}".format)
+    code = st.sampled_from(["red", "painted", '"#3060ff"', '""', "none"]).map(" painted {}".format)
     shape = st.builds(" shaped {} {}".format, variables, inputs)
     weight = numbers.map(" weighing {}".format)
     axis = vectors.map(" with axis {}".format)
     followed = st.builds(
         " mimicking {}{}".format, names, st.just("") | numbers.map(" times {}".format)
-    )
+    ) | st.just(" mimicking none")
     limits = st.builds(" between {} and {} {}".format, numbers, numbers, variables)
     effort = st.builds(" with effort {} and velocity {}".format, numbers, numbers)
     damping = st.builds(" with damping {} and friction {}".format, numbers, numbers)
@@ -45,8 +45,9 @@ def robot_statements(
         case 0:
             return f"{robot} has_link {name}{clauses(shape, weight, code, place, rotation)}"
         case 1:
-            held = f"of joint_type {word} from {name} to {other}"
-            return f"{robot} has_joint {name} {held}{clauses(place, rotation, axis, followed)}"
+            held = st.just(f" from {name} to {other}")
+            said = clauses(st.just(f" of joint_type {word}"), held, place, rotation, axis, followed)
+            return f"{robot} has_joint {name}{said}"
         case 2:
             return f"{robot} limits_joint {name}{clauses(limits, effort, damping)}"
         case 3:
@@ -54,4 +55,5 @@ def robot_statements(
             return f"{robot} no_longer_has_{part} {name}"
         case _:
             begun = draw(st.sampled_from([f"create_robot {name} as", f"load_robot {name} as"]))
-            return f"{draw(st.sampled_from([begun, 'generate_robot']))} {robot}"
+            given = draw(st.sampled_from(["", " setting 'a' = 1"])) if "load" in begun else ""
+            return draw(st.sampled_from([f"{begun} {robot}{given}", f"generate_robot {robot}"]))

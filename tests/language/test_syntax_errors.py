@@ -31,7 +31,7 @@ TABLE: list[tuple[str, str, str, str, str | None]] = [
     ('"abc\\', "unclosed-quote", '"', "not closed", "close it with"),
     ("'abc", "unclosed-quote", "'", "not closed", "close it with '"),
     ("create_node", "syntax-error", "", "expected a node name", SENTENCE),
-    ("create_node 'a'", "syntax-error", "", "expected `as` here", SENTENCE),
+    ("create_node 'a'", "syntax-error", "", "expected `as` here", "write `as a`"),
     ("create_node 'a' as", "syntax-error", "", "a variable for the node here", SENTENCE),
     ("create_node talker as n", "syntax-error", "talker", "in single quotes", "write 'talker'"),
     ('create_node "a" as n', "syntax-error", '"a"', "in single quotes", "write 'a'"),

@@ -12,6 +12,8 @@ EFFORT = "`effort` stands first, and `and velocity` behind it"
 CODE = "a code is in double quotes"
 UNITS = "angles are in `deg` or `rad`, what slides is in `m`"
 ELSEWHERE = "limits have a line of their own: `r limits_joint 'j' between …`"
+TYPE = "how a joint moves stands behind `of joint_type`"
+NO_LIMITS = "limits are not taken away: `revolute` and `prismatic` need them"
 SHAPES = "`box`, `cylinder`, `sphere` or `mesh`"
 
 # How lines begin; of each how it goes on, the text of the span, the message, what the help says.
@@ -66,6 +68,7 @@ _ENDS: dict[str, list[tuple[str, str, str, str | None]]] = {
         ("weighing 5 kg", "5 kg", "a number has no unit; ROS measures in kilograms", "write `5`"),
         ("weighing 500g", "500g", "a number has no unit; ROS measures in kilograms", "write `0.5`"),
         ("weighing 1,5 painted red", "1,5", POINT, "write `1.5`"),
+        ("painted none red", "red", "unexpected `red`", "a colour is one word"),
         ("painted", "", 'expected a colour, such as `blue` or "#3060ff" here', SENTENCE),
         ("painted #ff8800", "#ff8800", CODE, 'write `"#ff8800"`'),
         ("painted #3060ff at 0, 0, 1", "#3060ff", CODE, 'write `"#3060ff"`'),
@@ -106,8 +109,18 @@ _ENDS: dict[str, list[tuple[str, str, str, str | None]]] = {
         ("rotated 0, 0, 90 deg", "rotated", "this clause begins with `turned`", "write `turned`"),
     ],
     "r has_joint 'j' ": [
-        ("fixed from 'a' to 'b'", "fixed", "expected `of`, not `fixed`",
-         "write `of joint_type fixed`"),
+        ("fixed from 'a' to 'b'", "fixed", TYPE, "write `of joint_type fixed`"),
+        ("fixed", "fixed", TYPE, "write `of joint_type fixed`"),
+        ("type fixed from 'a' to 'b'", "type", TYPE, "write `of joint_type`"),
+        ("of", "", "expected `joint_type` here", SENTENCE),
+        ("axis 0, 0, 1", "axis", "`axis` has the word `with` before it", "write `with axis`"),
+        ("to 'b' from 'a'", "to 'b' from 'a'", "the link that holds stands first",
+         "write `from 'a' to 'b'`"),
+        ("mimicking nothing at 0, 0, 1", "nothing", "what follows no joint is `mimicking none`",
+         "write `none`"),
+        ("mimicking none times 2", "times 2", "what follows no joint moves by no factor",
+         "take it away"),
+        ("mimicking none 'k'", "'k'", "unexpected `'k'`", SENTENCE),
         ("of type revolute from 'a' to 'b'", "type", "expected `joint_type`, not `type`",
          "write `joint_type`"),
         ("of fixed from 'a' to 'b'", "fixed", "expected `joint_type`, not `fixed`",
@@ -143,6 +156,8 @@ _ENDS: dict[str, list[tuple[str, str, str, str | None]]] = {
         ("with effort 5 and velocity 1", "effort", "expected `axis`, not `effort`", ELSEWHERE),
     ],
     "r limits_joint 'j' ": [
+        ("none", "none", NO_LIMITS,
+         "limits go with the type: `r has_joint 'j' of joint_type continuous`"),
         ("between", "", "expected a number here", SENTENCE),
         ("between -90", "", "expected `and` here", SENTENCE),
         ("between -90 and 90", "", "expected `deg`, `rad` or `m` here", "write `90 deg`"),
@@ -192,9 +207,17 @@ _ENDS: dict[str, list[tuple[str, str, str, str | None]]] = {
     "": [
         ("create_robot rover as r", "rover", "expected the name of a robot, in single quotes",
          "write 'rover'"),
-        ("create_robot 'rover'", "", "expected `as` here", SENTENCE),
+        ("create_robot 'rover'", "", "expected `as` here", "write `as rover`"),
+        ("create_robot 'my.rover' r", "r", "expected `as`, not `r`", "write `as r`"),
+        ("load_robot 'urdf/my-rover.urdf.xacro'", "", "expected `as` here", "write `as my_rover`"),
+        ("load_robot '2.urdf'", "", "expected `as` here", SENTENCE),
+        ("create_robot 'with'", "", "expected `as` here", SENTENCE),
         ("load_robot urdf/my-rover.urdf as r", "urdf/my-rover.urdf",
          "expected the path of a URDF file, in single quotes", "write 'urdf/my-rover.urdf'"),
+        ("r no_longer_limits_joint 'j'", "no_longer_limits_joint",
+         "no statement takes limits away, not even `no_longer_limits_joint`",
+         "limits go with the type: `r has_joint 'j' of joint_type continuous`"),
+        ("load_robot 'a.xacro' as r setting 'a' 5", "5", "expected `=`, not `5`", SENTENCE),
         ("r joint 'j' of joint_type fixed from 'a' to 'b'", "joint", "`joint` starts no statement",
          "did you mean `has_joint`?"),
         ("r limit_joint 'j' between 0 and 1 m", "limit_joint", "`limit_joint` starts no statement",
@@ -211,7 +234,8 @@ _ENDS: dict[str, list[tuple[str, str, str, str | None]]] = {
 }  # fmt: skip
 
 _CODES = {"the quote is ": "unclosed-quote", "`joint` starts": "unknown-statement",
-          "`limit_joint` starts": "unknown-statement"}  # fmt: skip
+          "`limit_joint` starts": "unknown-statement",
+          "no statement takes": "unknown-statement"}  # fmt: skip
 """How messages begin that are of another code than the rest."""
 
 

@@ -62,6 +62,11 @@ def _maybe(text: str, *parts: st.SearchStrategy[str]) -> st.SearchStrategy[str]:
     return st.just("") | st.builds(text.format, *parts)
 
 
+def _mostly(text: str, *parts: st.SearchStrategy[str]) -> st.SearchStrategy[str]:
+    said = st.builds(text.format, *parts)
+    return said | said | said | st.just("")
+
+
 _PLACES = (_maybe(" at {}", _VECTORS), _maybe(" turned {} {}", _VECTORS, _UNITS))
 
 ROBOT_LINES = (
@@ -71,15 +76,23 @@ ROBOT_LINES = (
         "{} has_link {}{}{}{}{}{}".format,
         *(_ROBOTS, _NAMES),
         _maybe(" shaped {} {}", st.sampled_from(["box", "sphere", "mesh", "cube"]), _VALUES),
-        *(_maybe(" weighing {}", _NUMBERS), _maybe(" painted {}", st.sampled_from(["blue", "x"]))),
+        *(
+            _maybe(" weighing {}", _NUMBERS),
+            _maybe(" painted {}", st.sampled_from(["blue", "x", "none"])),
+        ),
         *_PLACES,
     ),
     st.builds("{} no_longer_has_link {}".format, _ROBOTS, _NAMES),
     st.builds(
-        "{} has_joint {} of joint_type {} from {} to {}{}{}{}{}".format,
-        *(_ROBOTS, _NAMES, st.sampled_from([*(each.value for each in JointType), "hinge"])),
-        *(_NAMES, _NAMES, *_PLACES, _maybe(" with axis {}", _VECTORS)),
-        _maybe(" mimicking {}{}", _NAMES, _maybe(" times {}", _NUMBERS)),
+        "{} has_joint {}{}{}{}{}{}{}".format,
+        *(_ROBOTS, _NAMES),
+        _mostly(
+            " of joint_type {}", st.sampled_from([*(each.value for each in JointType), "hinge"])
+        ),
+        _mostly(" from {} to {}", _NAMES, _NAMES),
+        *(*_PLACES, _maybe(" with axis {}", _VECTORS)),
+        _maybe(" mimicking {}{}", _NAMES, _maybe(" times {}", _NUMBERS))
+        | st.just(" mimicking none"),
     ),
     st.builds("{} no_longer_has_joint {}".format, _ROBOTS, _NAMES),
     st.builds(

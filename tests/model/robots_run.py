@@ -78,7 +78,7 @@ def run(
         LIBRARIES,
         catalog,
         FakeReader(),
-        read_robot=lambda _: LoadedRobot(loaded or source(), told),
+        read_robot=lambda *_: LoadedRobot(loaded or source(), told),
     )
     return interpret(lower(Document(text.encode())), setting)
 

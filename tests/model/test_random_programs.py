@@ -188,7 +188,7 @@ def test_no_program_raises(library: str, lines: list[str]) -> None:
         LIBRARIES,
         catalog,
         FakeReader({"driver": driver}),
-        read_robot=lambda _: LoadedRobot(RobotSource(Path("a.urdf"), b"", ROBOT)),
+        read_robot=lambda *_: LoadedRobot(RobotSource(Path("a.urdf"), b"", ROBOT)),
     )
     text = (BEFORE + "\n".join(lines) + "\n").encode()
     program = lower(Document(text))

@@ -9,7 +9,7 @@ import pytest
 from robots_run import FILE, LOAD, MADE, expanded, run, source, with_macros
 from workspaces import marked
 
-from plastron_tui.diagnostics import Diagnostic, Severity, Span, codes
+from plastron_tui.diagnostics import Diagnostic, Fix, Severity, Span, codes
 from plastron_tui.ros.robots.description import Joint, JointType, Link, Mimic
 
 BEFORE = f"""\
@@ -56,6 +56,11 @@ MISTAKES: list[tuple[str, str, str, str]] = [
     ("r has_link 'd' shaped sphere 1e-9", "bad-shape", "1e-9", ""),
     ("r has_link 'd' shaped sphere True", "bad-shape", "True", ""),
     ("r has_link 'd' shaped mesh \"\"", "bad-shape", '""', "package://"),
+    (
+        "r has_link 'd' shaped mesh \"a\", scale=[1, 1e-3, 2]",
+        *("bad-shape", "scale=[1, 1e-3, 2]", "write `(1, 1e-3, 2)`"),
+    ),
+    ("r has_link 'd' shaped mesh \"a\", [1, 2]", "bad-shape", "[1, 2]", "leave it out"),
     ("r has_link 'd' shaped mesh \"a\", scale=0", "bad-shape", "scale=0", ""),
     ("r has_link 'd' shaped sphere 1 weighing -1", "bad-weight", "-1", "leave it out"),
     ("r has_link 'd' shaped sphere 1 painted rde", "unknown-color", "rde", "did you mean `red`?"),
@@ -74,6 +79,10 @@ MISTAKES: list[tuple[str, str, str, str]] = [
     (f"{JOINT} planar from 'a' to 'c' mimicking 'k'", "bad-mimic", "'k'", "that it follows"),
     (f"{JOINT} planar from 'a' to 'c' mimicking 'g'", "unknown-joint", "'g'", "so far, it has `j`"),
     (f"{JOINT} planar from 'a' to 'c' mimicking 'j' times 0", "bad-mimic", "0", ""),
+    ("r has_joint 'k'", "incomplete-joint", "'k'", "has_joint 'k' of joint_type fixed from"),
+    ("r has_joint 'k' of joint_type fixed", "incomplete-joint", "'k'", "such as"),
+    ("r has_joint 'k' from 'a' to 'c'", "incomplete-joint", "'k'", "such as"),
+    ("r has_joint 'j' at 0, 0, 1", "part-exists", "'j'", "one sentence"),
     ("r no_longer_has_joint 'x'", "unknown-joint", "'x'", "it has `j`, `f`"),
     (f"{LIMIT}", "bad-limits", "'j'", "between"),
     (
@@ -112,6 +121,13 @@ def test_a_sentence_with_a_mistake(case: tuple[str, str, str, str]) -> None:
     (found,) = run(text).diagnostics
     assert (found.code, marked(text, found)) == (code, where)
     assert remedy in (found.help or "")
+
+
+def applied(text: str, fix: Fix) -> str:
+    """Return a program after a remedy."""
+    for edit in sorted(fix.edits, key=lambda each: -each.span.start):
+        text = text[: edit.span.start] + edit.text + text[edit.span.end :]
+    return text
 
 
 RIGHT = [
@@ -167,9 +183,21 @@ def test_the_remedy_for_a_root_with_inertia_mends_it() -> None:
     text = f"{MADE}r has_link 'root' shaped sphere 1 weighing 2\ngenerate_robot r\n"
     (found,) = run(text).diagnostics
     assert found.fix is not None
-    for edit in sorted(found.fix.edits, key=lambda each: -each.span.start):
-        text = text[: edit.span.start] + edit.text + text[edit.span.end :]
-    assert run(text).diagnostics == ()
+    assert run(applied(text, found.fix)).diagnostics == ()
+
+
+def test_the_remedy_for_the_root_of_a_file_with_inertia_mends_it() -> None:
+    links = {**FILE.links, "base": FILE.links["arm"]._replace(name="base")}
+    loaded = source(replace(FILE, links=links))
+    for text in (LOAD, f"{LOAD}r has_link 'arm' weighing 2\ngenerate_robot r\n"):
+        (found,) = run(text, loaded).diagnostics
+        assert (found.code, marked(text, found)) == (codes.ROOT_INERTIA, "'a.urdf'")
+        assert found.fix is not None
+        mended = applied(text, found.fix)
+        assert run(mended, loaded).diagnostics == ()
+    # What is said of the root tells it once, and with its own place.
+    text = f"{LOAD}r has_link 'base' weighing 2\n"
+    assert [each.code for each in run(text, loaded).diagnostics] == [codes.ROOT_INERTIA]
 
 
 # What follows from a mistake is none of its own.
@@ -204,6 +232,14 @@ def test_what_follows_from_a_mistake_is_silent(text: str, told: list[str]) -> No
 LOADED: list[tuple[str, list[tuple[str, str]]]] = [
     ("", []),
     ("r has_link 'arm'", [("part-exists", "'arm'")]),
+    ("r has_joint 'turn'", [("part-exists", "'turn'")]),
+    ("r has_joint 'trun' at 0, 0, 1", [("incomplete-joint", "'trun'")]),
+    ("r has_joint 'turn' at 0, 0, 1\nr has_joint 'turn' at 0, 0, 1", [("part-exists", "'turn'")]),
+    ("r has_joint 'hold' with axis 0, 0, 1", [("bad-axis", "0, 0, 1")]),
+    ("r has_joint 'hold' mimicking 'turn'", [("bad-mimic", "'turn'")]),
+    ("r has_joint 'slide' from 'hand' to 'arm'", [("no-tree", "'arm'"), ("no-tree", "'slide'")]),
+    ("r has_joint 'hold' of joint_type revolute", [("missing-limits", "revolute")]),
+    ("r has_link 'tip' painted none", [("bad-shape", "none")]),
     ("r has_link 'arm' weighing 2\nr has_link 'arm' painted red", [("part-exists", "'arm'")]),
     ("r has_link 'hand' shaped sphere 1", [("several-shapes", "sphere")]),
     ("r has_link 'hand' at 0, 0, 1", [("several-shapes", "0, 0, 1")]),
@@ -261,6 +297,14 @@ def test_what_is_told_of_changes_to_a_loaded_robot(lines: str, told: list[tuple[
     text = f"{LOAD}{lines}\ngenerate_robot r\n"
     found = run(text).diagnostics
     assert [(each.code, marked(text, each)) for each in found] == told
+
+
+def test_a_joint_that_is_misspelt_is_guessed() -> None:
+    text = f"{LOAD}r has_joint 'trun' at 0, 0, 1\n"
+    (found,) = run(text).diagnostics
+    assert found.help == "did you mean `turn`?"
+    assert found.fix is not None
+    assert run(applied(text, found.fix)).diagnostics == ()
 
 
 def test_what_is_broken_in_a_file_can_be_changed() -> None:
@@ -329,6 +373,16 @@ def test_what_comes_after_a_robot_is_generated_is_told() -> None:
     (found,) = run(text).diagnostics
     assert found.code == codes.CHANGED_AFTER_GENERATING
     assert marked(text, found) == "r no_longer_has_link 'a'"
+
+
+def test_the_remedy_for_what_comes_late_generates_after_it() -> None:
+    late = "r has_link 'b'\nr has_joint 'j' of joint_type fixed from 'a' to 'b'\n"
+    text = f"{MADE}r has_link 'a'\ngenerate_robot r\n{late}"
+    for found in run(text).diagnostics:
+        assert found.fix is not None
+        mended = applied(text, found.fix)
+        assert run(mended).diagnostics == ()
+        assert mended.split("\n")[-2] == "generate_robot r"
 
 
 def test_of_macros_that_are_not_expanded_nothing_is_told() -> None:

@@ -94,6 +94,8 @@ JOINT = "r has_joint 'j' of joint_type continuous from 'a' to 'b'"
             f"{JOINT} at 0, 0, 1 turned 0, 0, 90 deg",
             [J._replace(pose=Pose((0.0, 0.0, 1.0), (0.0, 0.0, pi / 2)))],
         ),
+        (f"{JOINT} mimicking none", [J]),
+        ("r has_joint 'j' from 'a' to 'b' of joint_type continuous", [J]),
         (f"{JOINT} with axis 0, 0, 2", [J._replace(axis=(0.0, 0.0, 2.0))]),
         (
             f"{JOINT}\nr limits_joint 'j' with effort 5 and velocity 2",
@@ -159,6 +161,11 @@ assert LARGE is not None
             [Link("base", (Body(Sphere(1.0), material=Material("blue")),), (Body(Sphere(1.0)),))],
         ),
         ("has_link 'arm' painted blue", []),
+        ("has_link 'arm' painted none", [ARM._replace(visuals=(Body(BOX),))]),
+        (
+            "has_link 'base' shaped sphere 1 painted none",
+            [Link("base", (Body(Sphere(1.0)),), (Body(Sphere(1.0)),))],
+        ),
     ],
 )
 def test_a_loaded_link_changes_as_is_said(line: str, links: list[Link]) -> None:
@@ -183,6 +190,12 @@ def test_a_loaded_link_changes_as_is_said(line: str, links: list[Link]) -> None:
             "has_joint 'turn' of joint_type continuous from 'base' to 'arm'",
             TURN._replace(type=JointType.CONTINUOUS, limit=Limit(0.0, 0.0, 5.0, 2.0)),
         ),
+        ("has_joint 'turn' at 1, 0, 0", TURN._replace(pose=Pose((1.0, 0.0, 0.0)))),
+        ("has_joint 'turn' with axis 0, 0, 1", TURN._replace(axis=(0.0, 0.0, 1.0))),
+        ("has_joint 'turn' mimicking 'slide'", TURN._replace(mimic=Mimic("slide"))),
+        ("has_joint 'turn' mimicking none", TURN),
+        ("has_joint 'slide' from 'arm' to 'tip'", SLIDE._replace(parent="arm")),
+        ("has_joint 'slide' of joint_type fixed", SLIDE._replace(type=JointType.FIXED, limit=None)),
         (
             "has_joint 'slide' of joint_type fixed from 'arm' to 'tip' at 1, 0, 0",
             Joint("slide", JointType.FIXED, "arm", "tip", Pose((1.0, 0.0, 0.0))),
@@ -208,6 +221,9 @@ def test_a_mimic_keeps_what_is_not_said() -> None:
     assert kept.joints["turn"].mimic == Mimic("slide", 2.0, 0.5)
     times = robot(f"{LOAD}{line} times 3\n", loaded._replace(description=changed)).description
     assert times.joints["turn"].mimic == Mimic("slide", 3.0, 0.5)
+    line = "r has_joint 'turn' mimicking none at 1, 0, 0"
+    free = robot(f"{LOAD}{line}\n", loaded._replace(description=changed)).description
+    assert free.joints["turn"] == TURN._replace(pose=Pose((1.0, 0.0, 0.0)))
 
 
 def test_a_colour_is_what_the_file_means_by_its_name() -> None:

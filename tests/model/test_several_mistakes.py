@@ -307,7 +307,7 @@ def _mistakes(line: str) -> list[str]:
         FakeReader({"driver": driver}),
         read_definition=lambda _: found,
         read_package=lambda *_: LoadedPackage(PackageSource(Path("p"), "p", 1, "catkin")),
-        read_robot=lambda _: LoadedRobot(
+        read_robot=lambda *_: LoadedRobot(
             RobotSource(Path("a.urdf"), b"", Description("a", {"a": Link("a")}))
         ),
         read_launch=lambda _: LoadedLaunch(

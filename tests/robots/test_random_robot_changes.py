@@ -31,8 +31,12 @@ HANDWORK = (
     ("Gazebo/Red", "Gazebo/Blue"),
     ('  <link name="base"/>\n', '  <link name="base">\n  </link>\n'),
     ("</robot>", "  <!-- done -->\n</robot>"),
-    ("\n  <gazebo", '\n\n  <material name="own"><color rgba="1 1 1 1"/></material>\n  <gazebo'),
+    (
+        "\n  <gazebo",
+        '\n\n  <material name="own">\n    <color rgba="1 1 1 1"/>\n  </material>\n  <gazebo',
+    ),
 )
+"""None of them shows another way of writing, in which the program would write as well."""
 
 _programs = st.sets(st.integers(0, len(STATEMENTS) - 1)).filter(
     lambda drawn: len(drawn & {0, 1, 2}) < 2 and len(drawn & {3, 7}) < 2

@@ -29,7 +29,7 @@ from plastron_tui.ros.robots.description import (
     Vector,
 )
 from plastron_tui.ros.robots.inertia import tensor_of
-from plastron_tui.ros.robots.joint_changes import changed_joint
+from plastron_tui.ros.robots.joint_changes import NO_MIMIC, JointValues, changed_joint
 
 HERE = Pose()
 UP: Vector = (0.0, 0.0, 1.0)
@@ -182,6 +182,7 @@ def test_what_is_said_changes(before: Link, said: dict[str, object], after: Link
     assert after.inertial is None or close(found.inertial, after.inertial)
 
 
+LIDAR = Link("a", (Body(BOX), Body(BOX), Body(MESH)), (Body(WHEEL),))
 APART = Link(
     "a",
     (Body(MESH, Pose((0.0, 0.0, -0.1))),),
@@ -206,7 +207,10 @@ APART = Link(
             {Note.SEVERAL_SHAPES: "rotation"},
         ),
         (link(inertial=Inertial(2.0, ODD)), {"shape": OTHER}, {Note.INERTIA_STAYS: "shape"}),
-        (APART, {"shape": BOX}, {Note.OTHER_COLLISION: "shape", Note.INERTIA_STAYS: "shape"}),
+        (APART, {"shape": WHEEL}, {Note.OTHER_COLLISION: "shape", Note.INERTIA_STAYS: "shape"}),
+        (APART, {"shape": OTHER}, {Note.OTHERS_STAY: "shape", Note.INERTIA_STAYS: "shape"}),
+        (LIDAR, {"shape": OTHER}, {Note.SEVERAL_SHAPES: "shape"}),
+        (LIDAR, {"shape": WHEEL, "position": UP}, {Note.OTHERS_STAY: "shape"}),
         (APART, {"position": UP}, {Note.APART: "position"}),
         (APART, {"rotation": QUARTER}, {Note.APART: "rotation"}),
         (WHOLE, {"shape": MESH, "mass": 1.0}, {Note.BOX_INERTIA: "mass"}),
@@ -220,6 +224,23 @@ def test_what_is_told_of_a_change(
     assert dict(notes) == told
     if any(note.is_refusal for note in told):
         assert found == before
+
+
+def test_a_shape_is_that_of_what_has_one_of_its_kind() -> None:
+    wheel = Body(WHEEL, Pose(rotation=QUARTER))
+    inertial = Inertial(2.0, tensor(WHEEL, 2.0), wheel.pose)
+    before = Link("a", (Body(MESH),), (wheel,), inertial)
+    wider = Cylinder(0.3, 0.05)
+    after, _ = change(before, shape=wider)
+    assert (after.visuals, after.collisions) == (before.visuals, (wheel._replace(shape=wider),))
+    assert close(after.inertial, Inertial(2.0, tensor(wider, 2.0), wheel.pose))
+    after, _ = change(before, shape=Mesh("other.stl"))
+    assert after == before._replace(visuals=(Body(Mesh("other.stl")),))
+    # Of several that collide, it weighs as the one that is meant.
+    several = before._replace(collisions=(Body(OTHER), wheel))
+    after, _ = change(several, shape=wider, mass=3.0)
+    assert after.collisions == (Body(OTHER), wheel._replace(shape=wider))
+    assert close(after.inertial, Inertial(3.0, tensor(wider, 3.0), wheel.pose))
 
 
 def test_what_is_elsewhere_stays_there() -> None:
@@ -320,20 +341,32 @@ HELD = Joint("j", JointType.FIXED, "a", "b", Pose(UP))
             JointType.REVOLUTE,
             HELD._replace(type=JointType.REVOLUTE),
         ),
+        (
+            TURNING._replace(type=JointType.FIXED),
+            JointType.CONTINUOUS,
+            TURNING._replace(type=JointType.CONTINUOUS, limit=Limit(0.0, 0.0, 5.0, 2.0)),
+        ),
+        (TURNING._replace(type=JointType.FIXED), JointType.REVOLUTE, TURNING),
+        (
+            TURNING._replace(type=JointType.FIXED),
+            JointType.PRISMATIC,
+            TURNING._replace(type=JointType.PRISMATIC, limit=None, dynamics=None, mimic=None),
+        ),
         (HELD._replace(axis=(0.0, 0.0, 0.0)), JointType.FIXED, HELD._replace(axis=(0.0, 0.0, 0.0))),
     ],
 )
 def test_a_joint_of_another_type_keeps_what_still_means_something(
     before: Joint, type_: JointType, after: Joint
 ) -> None:
-    assert changed_joint(before, type_, ("a", "b"), None, None, None, None) == after
+    assert changed_joint(before, JointValues(type_, ("a", "b"))) == after
 
 
 def test_what_is_said_of_a_joint_changes() -> None:
     mimic = Mimic("m")
-    found = changed_joint(
-        TURNING, JointType.REVOLUTE, ("c", "d"), (0.0, 0.0, 0.0), QUARTER, UP, mimic
-    )
+    values = JointValues(JointType.REVOLUTE, ("c", "d"), (0.0, 0.0, 0.0), QUARTER, UP, mimic)
+    found = changed_joint(TURNING, values)
     assert found == TURNING._replace(
         parent="c", child="d", pose=Pose((0.0, 0.0, 0.0), QUARTER), axis=UP, mimic=mimic
     )
+    assert changed_joint(found, JointValues()) == found
+    assert changed_joint(found, JointValues(mimic=NO_MIMIC)) == found._replace(mimic=None)

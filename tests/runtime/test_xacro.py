@@ -105,7 +105,7 @@ def test_what_a_robot_needs_is_there(folder: Path) -> None:
         ('<xacro:include filename="large.xacro"/>', "larger than 4 MB"),
         # Mistakes.
         ('<link name="${x}"/>', "name 'x' is not defined when evaluating expression 'x'"),
-        ('<link name="$(arg x)"/>', "the argument `x` has no value: give it a default"),
+        ('<link name="$(arg x)"/>', "the argument `x` has no value"),
         ('<xacro:macro name="m" params=""/><xacro:m x="1"/>', 'parameter "x" (in the macro `m`)'),
         ('<xacro:include filename="broken.xacro"/>', "(in `broken.xacro`)"),
         ('<xacro:include filename="none.xacro"/>', "none.xacro"),

@@ -133,8 +133,8 @@ NOT_COPIED = Code(
     "The output folder gets a loaded package as a whole, so that it is built from there, and here "
     "something of it is missing: the package has more than 2,000 files or 32 MB, or something of "
     "it cannot be read, or is a link that leads out of the project. With `--in-place` the package "
-    "is changed where it is. A robot's file that a package contains is copied without the files "
-    "that it includes from beside it.",
+    "is changed where it is. What a robot's file names (meshes, files that it includes) is copied "
+    "into a package that the program creates, from within the project; the rest is told.",
     severity=Severity.WARNING,
 )
 

@@ -90,6 +90,14 @@ UNKNOWN_COLOR = Code(
     good=f"{_ROVER}rover has_link 'base' shaped sphere 0.1 painted blue\n{_END}",
 )
 
+INCOMPLETE_JOINT = Code(
+    "incomplete-joint",
+    "A new joint has a type, and names the link that holds and the one that is held. Only of a "
+    "joint that a loaded robot has may both be left out: they stay as they are.",
+    bad=f"{_BODY}rover has_joint 'hold' at 0, 0, 0.1\n{_END}",
+    good=_WHOLE,
+)
+
 UNKNOWN_JOINT_TYPE = Code(
     "unknown-joint-type",
     "A joint is `revolute`, `continuous`, `prismatic`, `fixed`, `floating` or `planar`.",
@@ -152,17 +160,25 @@ MADE_BY_MACRO = Code(
     "make cannot be changed one by one. Change the macro, or what it is called with, in its file.",
 )
 
+BAD_ROBOT_ARGUMENT = Code(
+    "bad-robot-argument",
+    "A robot's file is given an argument that it does not ask for, or that is no name and value: "
+    "the arguments of a xacro file, `$(arg NAME)`, are texts, numbers and booleans.",
+)
+
 SEVERAL_SHAPES = Code(
     "several-shapes",
     "A link of a loaded robot has several visuals or collisions, and a sentence is about one. "
-    "Change it in its file, or take the link away and make it anew.",
+    "Change it in its file, or take the link away and make it anew; where it is as a whole is said "
+    "by the joint that holds it. A shape of which it has one, say the only cylinder, can be said.",
 )
 
 LINK_APART = Code(
     "link-apart",
     "What is seen of a link of a loaded robot, what collides, and its center of mass differ, or "
-    "are at several places. A shape becomes that of what is seen and of what collides; a new "
-    "place is that of what is seen, and of what was in the same place before.",
+    "are at several places. A shape becomes that of what is seen and of what collides, unless one "
+    "of them is of that kind already, which then is meant; a new place is that of what is seen, "
+    "and of what was in the same place before.",
     severity=Severity.WARNING,
 )
 

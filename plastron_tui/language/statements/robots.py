@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from ..declaration import SlotKind, Statement, slot, statement
-from ..definitions import Vector
-from ..inputs import Input
+from ..definitions import SettingTexts, Vector
+from ..inputs import Input, Nothing
 
 ROBOT_HELP = "the robot"
 LINK_HELP = "the link, a rigid part of the robot"
@@ -30,19 +30,23 @@ class CreateRobot(Statement):
 
 @statement(
     "load_robot_statement",
-    "load_robot {source} as {variable}",
+    "load_robot {source} as {variable} [setting {settings}]",
     summary="Read the description of a robot, to change it.",
     example="load_robot 'urdf/rover.urdf' as rover",
     purpose="change the description of a robot that exists",
     ros_term="robot description (URDF)",
     about="Only what you ask for changes; everything else stays. The macros of a xacro file are "
-    "expanded in a folder that you trust, for a look; what is changed is what stands in the file.",
+    "expanded in a folder that you trust, for a look; what is changed is what stands in the file. "
+    "`setting` gives the file's arguments (`$(arg NAME)`) values.",
 )
 class LoadRobot(Statement):
     """Read the description of a robot, to change it."""
 
     source: str = slot(SlotKind.ROBOT_FILE, "a path from the program's folder")
     variable: str = slot(SlotKind.NEW_ROBOT, "what the program calls the robot")
+    settings: SettingTexts | None = slot(
+        SlotKind.ROBOT_ARGUMENTS, "arguments of a xacro file, and their values"
+    )
 
 
 @statement(
@@ -56,7 +60,7 @@ class LoadRobot(Statement):
     about="A link is a rigid part. Lengths are in metres, weights in kilograms; its inertia "
     "follows from both. Shapes are `box X, Y, Z`, `cylinder RADIUS, LENGTH`, `sphere RADIUS` and "
     '`mesh "URI"`; without one it is a place only. Of a link that a loaded robot has, only what is '
-    "said changes.",
+    "said changes: its colour is that of all that is seen, and `painted none` takes it away.",
 )
 class HasLink(Statement):
     """Give a robot a link, or change one that a loaded robot has."""
@@ -66,7 +70,9 @@ class HasLink(Statement):
     shape: str | None = slot(SlotKind.SHAPE, "box, cylinder, sphere or mesh")
     size: Input | None = slot(SlotKind.SIZE, "how large it is, in metres; of a mesh its URI")
     weight: int | float | None = slot(SlotKind.WEIGHT, "what it weighs, in kilograms")
-    color: str | None = slot(SlotKind.COLOR, 'a colour by its name, or its code: "#3060ff"')
+    color: str | Nothing | None = slot(
+        SlotKind.COLOR, 'a colour by its name, or its code: "#3060ff"'
+    )
     position: Vector | None = slot(SlotKind.POSITION, "where the middle of its shape is, in metres")
     rotation: Vector | None = slot(SlotKind.ROTATION, "how its shape is turned: roll, pitch, yaw")
     unit: str | None = slot(SlotKind.ANGLE_UNIT, UNIT_HELP)
@@ -91,7 +97,7 @@ class NoLongerHasLink(Statement):
 
 @statement(
     "has_joint_statement",
-    "{robot} has_joint {joint} of joint_type {type} from {parent} to {child} [at {position}]"
+    "{robot} has_joint {joint} [of joint_type {type}] [from {parent} to {child}] [at {position}]"
     " [turned {rotation} {unit}] [with axis {axis}] [mimicking {mimicked} [times {factor}]]",
     summary="Give a robot a joint, or change one that a loaded robot has.",
     example="rover has_joint 'left_wheel_joint' of joint_type continuous from 'base' to"
@@ -100,22 +106,23 @@ class NoLongerHasLink(Statement):
     ros_term="joint",
     about="A joint holds a link to its parent: `fixed`, `revolute` (turns between two angles), "
     "`continuous` (turns without end), `prismatic` (slides), `planar`, `floating`. `at` and "
-    "`turned` say where the child is, seen from the parent. Of a joint that a loaded robot has, "
-    "only what is said changes.",
+    "`turned` say where the child is, seen from the parent. A new one has a type, and says what it "
+    "holds. Of a joint that a loaded robot has, only what is said changes; `mimicking none` lets "
+    "it follow no other.",
 )
 class HasJoint(Statement):
     """Give a robot a joint, or change one that a loaded robot has."""
 
     robot: str = slot(SlotKind.ROBOT, ROBOT_HELP)
     joint: str = slot(SlotKind.JOINT, JOINT_HELP)
-    type: str = slot(SlotKind.JOINT_TYPE, "how the child moves")
-    parent: str = slot(SlotKind.LINK, "the link that holds the other one")
-    child: str = slot(SlotKind.LINK, "the link that is held")
+    type: str | None = slot(SlotKind.JOINT_TYPE, "how the child moves")
+    parent: str | None = slot(SlotKind.LINK, "the link that holds the other one")
+    child: str | None = slot(SlotKind.LINK, "the link that is held")
     position: Vector | None = slot(SlotKind.POSITION, "where the child is, in metres")
     rotation: Vector | None = slot(SlotKind.ROTATION, "how the child is turned: roll, pitch, yaw")
     unit: str | None = slot(SlotKind.ANGLE_UNIT, UNIT_HELP)
     axis: Vector | None = slot(SlotKind.AXIS, "what it turns around, or slides along")
-    mimicked: str | None = slot(SlotKind.JOINT, "the joint that it follows")
+    mimicked: str | Nothing | None = slot(SlotKind.FOLLOWED, "the joint that it follows")
     factor: int | float | None = slot(SlotKind.FACTOR, "how far it moves for each unit of that one")
 
 

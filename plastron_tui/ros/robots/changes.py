@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from enum import Enum, auto
 from math import isfinite
 from typing import NamedTuple
 
 from .bodies import Bodies, MeshBounds
 from .description import Body, Inertial, Link, Material, Mesh, Pose, Shape, Tensor, Vector
+
+NO_MATERIAL = Material("")
+"""Said of a link that is to have no colour of its own."""
 
 
 class LinkValues(NamedTuple):
@@ -17,7 +20,7 @@ class LinkValues(NamedTuple):
     Attributes:
         shape: what it is like.
         mass: what it weighs, in kg.
-        material: how it looks.
+        material: how it looks; `NO_MATERIAL` for no way of its own.
         position: where the middle of its shape is, in metres.
         rotation: how its shape is turned, in radians.
     """
@@ -46,6 +49,8 @@ class Note(Enum):
     """Its inertia did not follow from its shape, and stays as it is."""
     OTHER_COLLISION = auto()
     """What is seen and what collides had two shapes, and have one now."""
+    OTHERS_STAY = auto()
+    """What is seen or collides has such a shape, and changes; what has another one stays."""
     APART = auto()
     """What collides, or the center of mass, was elsewhere, and stays there."""
 
@@ -74,7 +79,7 @@ def new_link(name: str, values: LinkValues, mesh_bounds: MeshBounds) -> Changed:
         said = _first_said(values, LinkValues._fields)
         return Changed(link, ((Note.NO_SHAPE, said),) if said else ())
     body = Body(values.shape, _placed(Pose(), values))
-    link = Link(name, (body._replace(material=values.material),), (body,))
+    link = Link(name, (_painted(body, values.material),), (body,))
     if values.mass is None:
         return Changed(link)
     return _with_inertia(link, values.mass, Bodies(mesh_bounds))
@@ -84,8 +89,10 @@ def changed_link(link: Link, values: LinkValues, mesh_bounds: MeshBounds) -> Cha
     """Return a link with what is said of it changed, and nothing else.
 
     What is seen and what collides get one shape, and are moved and turned alike where they were
-    alike. A mass without a shape leaves the inertia in proportion. An inertia that followed from
-    the shape follows from a new one, as does any where both shape and mass are said.
+    alike; but where only one of them has a shape of the kind that is said, only that one changes:
+    the cylinder that collides, and not the mesh that is seen. A mass without a shape leaves the
+    inertia in proportion. An inertia that followed from the shape follows from a new one, as does
+    any where both shape and mass are said.
     """
     refusal = _refusal(link, values)
     if refusal is not None:
@@ -115,35 +122,63 @@ def _refusal(link: Link, values: LinkValues) -> tuple[Note, str] | None:
         said = said or ("mass" if weighs_first else "")
         if said:
             return Note.NO_SHAPE, said
-    if len(link.visuals) > 1 or len(link.collisions) > 1:
-        said = placing or ("mass" if weighs_first else "")
-        if said:
-            return Note.SEVERAL_SHAPES, said
+    said = placing if _has_several(link, values.shape) else ""
+    said = said or ("mass" if weighs_first and _has_several(link, None) else "")
+    if said:
+        return Note.SEVERAL_SHAPES, said
     if values.material is not None and not (link.visuals or is_bare):
         return Note.NOT_SEEN, "material"
     return None
 
 
+def _has_several(link: Link, shape: Shape | None) -> bool:
+    """Tell whether several bodies of a kind may be meant, by a shape that is said or without."""
+    meant = _meant(link, shape)
+    return any(sum(map(meant, each)) > 1 for each in (link.visuals, link.collisions))
+
+
+def _meant(link: Link, shape: Shape | None) -> Callable[[Body], bool]:
+    """Return what tells which bodies a shape is said of: those of its kind, all if none is."""
+    kinds = {type(each.shape) for each in _bodies(link)}
+    if shape is None or type(shape) not in kinds:
+        return lambda _: True
+    return lambda body: isinstance(body.shape, type(shape))
+
+
 def _with_bodies(link: Link, values: LinkValues) -> tuple[Link, list[tuple[Note, str]]]:
     """Return a link with its bodies changed, of which it has one of each kind where they move."""
     notes = []
-    bodies = (*link.visuals, *link.collisions)
+    bodies = _bodies(link)
     main = bodies[0].pose if bodies else Pose()
-    if values.shape is not None and len({each.shape for each in bodies}) > 1:
+    is_meant = _meant(link, values.shape)
+    if not all(map(is_meant, bodies)):
+        notes.append((Note.OTHERS_STAY, "shape"))
+    elif values.shape is not None and len({each.shape for each in bodies}) > 1:
         notes.append((Note.OTHER_COLLISION, "shape"))
     elif values.shape is None and any(_stays(each.pose, main, values) for each in bodies):
         notes.append((Note.APART, _first_said(values, ("position", "rotation"))))
 
     def changed(body: Body) -> Body:
+        if not is_meant(body):
+            return body
         if values.shape is not None:
             # They are one shape from now on, and in one place where that is said.
             return body._replace(shape=values.shape, pose=_placed(body.pose, values))
         return body._replace(pose=_moved(body.pose, main, values))
 
-    visuals = tuple(map(changed, link.visuals))
-    if values.material is not None:
-        visuals = tuple(each._replace(material=values.material) for each in visuals)
+    painted = [*filter(is_meant, link.visuals)] or [*link.visuals]
+    visuals = tuple(
+        _painted(changed(each), values.material if each in painted else None)
+        for each in link.visuals
+    )
     return link._replace(visuals=visuals, collisions=tuple(map(changed, link.collisions))), notes
+
+
+def _painted(body: Body, material: Material | None) -> Body:
+    """Return a body in another colour, if one is said."""
+    if material is None:
+        return body
+    return body._replace(material=None if material == NO_MATERIAL else material)
 
 
 def _placed(pose: Pose, values: LinkValues) -> Pose:
@@ -176,12 +211,16 @@ def _with_inertial(old: Link, new: Link, values: LinkValues, bodies: Bodies) -> 
         return Changed(new) if values.mass is None else _with_inertia(new, values.mass, bodies)
     pairs = list(zip(_bodies(old), _bodies(new), strict=False))
     followed = [each for each in pairs if bodies.follows(inertial, each[0])]
+    is_left = bool(followed) and all(before == after for before, after in followed)
+    if values.shape is not None and values.mass is None and is_left:
+        # What it follows from is not what changes.
+        return Changed(new)
     if values.shape is not None and (followed or values.mass is not None):
         mass = inertial.mass if values.mass is None else values.mass
         # Its axes stay as they are where the file has some of its own.
         is_own = followed and inertial.pose.rotation != followed[0][0].pose.rotation
         rotation = inertial.pose.rotation if is_own else None
-        return _with_inertia(new._replace(inertial=inertial), mass, bodies, rotation)
+        return _with_inertia(new, mass, bodies, rotation, values.shape)
     notes = [] if values.shape is None else [(Note.INERTIA_STAYS, "shape")]
     if values.shape is None and followed:
         inertial = _carried(inertial, *followed[0], bodies)
@@ -224,7 +263,11 @@ def _scaled(inertial: Inertial, mass: float) -> Inertial | None:
 
 
 def _with_inertia(
-    link: Link, mass: float, bodies: Bodies, rotation: Vector | None = None
+    link: Link,
+    mass: float,
+    bodies: Bodies,
+    rotation: Vector | None = None,
+    shape: Shape | None = None,
 ) -> Changed:
     """Return a link whose inertia follows from its shape and a mass.
 
@@ -233,9 +276,11 @@ def _with_inertia(
         mass: what it weighs.
         bodies: tells what follows from its shape.
         rotation: how the axes are turned that the inertia is in; None for those of the shape.
+        shape: the one of several that is meant.
     """
     # What collides is what a simulation moves.
-    for body in (*link.collisions, *link.visuals):
+    collisions = sorted(link.collisions, key=lambda each: each.shape != shape)
+    for body in (*collisions, *link.visuals):
         tensor = bodies.tensor(body, mass, rotation)
         if tensor is not None:
             turned_ = body.pose.rotation if rotation is None else rotation

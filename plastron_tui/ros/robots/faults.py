@@ -140,6 +140,20 @@ def _root_sizes(robot: Description) -> dict[str, int]:
     return sizes
 
 
+def heavy_root(robot: Description, root: str | None = None) -> str | None:
+    """Return the root if it has an inertia, else None.
+
+    Args:
+        robot: the robot.
+        root: the link that is meant to be the root, as for `faults`.
+    """
+    sizes = _root_sizes(robot)
+    if not sizes:
+        return None
+    main = root if root in sizes else _meant_root(robot, sizes)
+    return None if robot.links[main].inertial is None else main
+
+
 def _tree_faults(robot: Description, root: str | None) -> Iterator[Fault]:
     held = holders(robot)
     for joint in robot.joints.values():

@@ -5,9 +5,12 @@ Source: the wiki page "xacro", and xacro itself.
 
 from __future__ import annotations
 
-from typing import NamedTuple
+from typing import NamedTuple, TypeAlias
 
 _DEEPEST = 50
+
+Arguments: TypeAlias = tuple[tuple[str, str], ...]
+"""What a file's arguments (`$(arg NAME)`) are given: their names, and the values as texts."""
 
 
 class Parameter(NamedTuple):

@@ -73,6 +73,35 @@ def kept_apart(before: Description, after: Description) -> Description:
     return _with_bodies(before, apart, handed_on)
 
 
+def said_as_before(before: Description, after: Description) -> Description:
+    """Return a changed robot that says its new colours where it has the others.
+
+    Where all that links have stand beside them, so do the new ones. Else a link that is painted
+    says its colour once, and what else of it has that colour means it by its name.
+    """
+    materials = dict(after.materials)
+    names = [each for each in painted(before) if each.name]
+    is_shared = bool(names) and all(
+        each.name in before.materials and not is_defined(each) for each in names
+    )
+    links: dict[str, Link] = {}
+    for name, link in after.links.items():
+        was, said = _visuals(before, name), set[Material]()
+        visuals = []
+        for body in link.visuals:
+            material = body.material
+            if material is not None and material.name and is_defined(material):
+                if is_shared and body not in was:
+                    is_said = materials.setdefault(material.name, material) == material
+                else:
+                    is_said = material in said and body not in was
+                said.add(material)
+                body = body._replace(material=Material(material.name)) if is_said else body
+            visuals.append(body)
+        links[name] = link._replace(visuals=tuple(visuals))
+    return replace(after, links=links, materials=materials)
+
+
 def _with_bodies(
     before: Description, after: Description, change: Callable[[Body, bool], Body]
 ) -> Description:

@@ -10,11 +10,12 @@ from typing import NamedTuple, TypeVar
 from plastron_tui.diagnostics import Diagnostic, Span, codes
 from plastron_tui.diagnostics.severity import Severity
 from plastron_tui.ros.robots.description import Description
-from plastron_tui.ros.robots.materials import kept_apart
-from plastron_tui.sources.splices import Splice, apply
+from plastron_tui.ros.robots.materials import kept_apart, said_as_before
+from plastron_tui.sources.splices import Splice, apply, line_number
 from plastron_tui.sources.xml.document import Element, XmlDocument
 from plastron_tui.sources.xml.edits import insert_last, set_attribute
 
+from .comments import headings
 from .equality import same, same_robot
 from .habits import Habits
 from .joint_edits import change_joint
@@ -57,13 +58,15 @@ def edited(
     present = read.description
     try:
         wanted = after if same_robot(before, present) else merged(before, after, present)
-        wanted = kept_apart(present, wanted)
+        wanted = said_as_before(present, kept_apart(present, wanted))
         if same_robot(present, wanted):
             return UrdfEdit(text)
-        changed = _with_changes(text, read, wanted, path)
+        told: list[Diagnostic] = []
+        changed = _with_changes(text, read, wanted, path, told)
         again = read_urdf(changed, path)
         gone = _gone(again, wanted)
         if gone and again.document is not None:
+            told += _left_above(read.document, _gone(read, wanted))
             changed = apply(changed, removals(again.document, gone, Habits(again.document)))
             again = read_urdf(changed, path)
     except ConflictError as conflict:
@@ -73,41 +76,55 @@ def edited(
         return UrdfEdit(None, (refused.diagnostic,))
     if again.description is None or not same_robot(again.description, wanted):
         return UrdfEdit(None, (_not_as_asked(read, again.description, wanted, path),))
-    return UrdfEdit(changed, tuple(_still_named(read, wanted)))
+    return UrdfEdit(changed, (*told, *_still_named(read, wanted)))
 
 
-def _with_changes(text: bytes, read: UrdfRead, wanted: Description, path: Path | None) -> bytes:
-    """Return the text with what is new and what is changed, and with what is to go."""
+def _with_changes(
+    text: bytes, read: UrdfRead, wanted: Description, path: Path | None, told: list[Diagnostic]
+) -> bytes:
+    """Return the text with what is new and what is changed, and with what is to go.
+
+    What somebody is to know of it is added to `told`.
+    """
     document, places, present = read.document, read.places, read.description
     assert document is not None and present is not None
     habits = Habits(document)
     new = list(_parts(wanted, lambda part: place_of(places, part) is None))
     if new and not document.root.children:
-        return _begun(document, wanted, new[0], habits, path)
+        return _begun(document, wanted, new[0], habits, path, told)
     _check_made_here(read, wanted, new)
     macros = is_xacro(document)
     splices = additions(document, places, wanted, new, habits)
 
-    def change(element: Element, make: Callable[[PartEdits], None]) -> None:
+    def change(part_: Part, make: Callable[[PartEdits], None]) -> None:
+        _check_once(read, part_)
+        element = place_of(places, part_)
+        assert element is not None, "what is changed was read"
         part = PartEdits(document, element, habits, macros)
         make(part)
+        told.extend(part.told)
         start, end = part.span
         if part.text != text[start:end]:
             splices.append(Splice(start, end, part.text))
 
     for name, link, was in _changed(present.links, wanted.links):
-        change(places.links[name], partial(change_link, before=was, after=link))
+        change(Part("link", name), partial(change_link, before=was, after=link))
     for name, joint, old in _changed(present.joints, wanted.joints):
-        change(places.joints[name], partial(change_joint, before=old, after=joint))
+        change(Part("joint", name), partial(change_joint, before=old, after=joint))
     for name, material, one in _changed(present.materials, wanted.materials):
-        place = places.materials[name]
-        change(place, partial(change_material, path=(), before=one, after=material))
+        changed = partial(change_material, path=(), before=one, after=material)
+        change(Part("material", name), changed)
     text = apply(text, splices)
     return _named(text, wanted.name, path) if present.name != wanted.name else text
 
 
 def _begun(
-    document: XmlDocument, wanted: Description, first: Part, habits: Habits, path: Path | None
+    document: XmlDocument,
+    wanted: Description,
+    first: Part,
+    habits: Habits,
+    path: Path | None,
+    told: list[Diagnostic],
 ) -> bytes:
     """Return the text of a robot that had nothing, with all that it is to have."""
     element = habits.styled(element_of(wanted, first))
@@ -115,7 +132,7 @@ def _begun(
     if begun.document is None:
         raise RefusedError(begun.diagnostics[0])
     text = begun.document.text
-    return _with_changes(text, read_urdf(text, path), wanted, path)
+    return _with_changes(text, read_urdf(text, path), wanted, path, told)
 
 
 def _gone(read: UrdfRead, wanted: Description) -> list[Element]:
@@ -124,7 +141,11 @@ def _gone(read: UrdfRead, wanted: Description) -> list[Element]:
     if document is None or present is None:
         return []
     parts = _parts(present, lambda part: not _has(wanted, part))
-    found = [element for part in parts if (element := place_of(read.places, part)) is not None]
+    found = [
+        element
+        for part in parts
+        if _check_once(read, part) and (element := place_of(read.places, part)) is not None
+    ]
     for element in found if is_xacro(document) else ():
         _check_plain(document, element)
     return found
@@ -169,6 +190,18 @@ def _check_made_here(read: UrdfRead, wanted: Description, new: list[Part]) -> No
             raise RefusedError(_refused(message, element.name_span, file))
 
 
+def _check_once(read: UrdfRead, part: Part) -> bool:
+    """Refuse to change what stands there twice, as no reader of URDF takes such a file."""
+    again = read.places.again.get(part)
+    if again is not None and read.document is not None:
+        message = (
+            f"a {part.kind} `{part.name}` stands here a second time, and urdfdom reads no such "
+            "file; rename one, or take it away"
+        )
+        raise RefusedError(_refused(message, again.name_span, read.document.file))
+    return True
+
+
 def _check_plain(document: XmlDocument, element: Element) -> None:
     """Refuse to take away what macros have a hand in."""
     for each in element.walk():
@@ -176,6 +209,21 @@ def _check_plain(document: XmlDocument, element: Element) -> None:
             if is_computed(one.value):
                 message = f"`{one.name}` of `<{each.name}>` is computed by a macro: `{one.value}`"
                 raise RefusedError(_refused(message, one.value_span, document.file))
+
+
+def _left_above(document: XmlDocument, gone: list[Element]) -> Iterator[Diagnostic]:
+    """Yield the comments that stay, though nothing is left of what they stand above."""
+    for each in headings(document, gone):
+        if not each.goes:
+            line = line_number(document.text, each.span.start)
+            message = (
+                f"a comment stays that stood above `{each.part.get('name')}`, which is taken away: "
+                f"line {line}"
+            )
+            severity = Severity.WARNING
+            yield Diagnostic(
+                codes.EDIT_REFUSED, message, each.span, document.file, severity=severity
+            )
 
 
 def _still_named(read: UrdfRead, wanted: Description) -> Iterator[Diagnostic]:

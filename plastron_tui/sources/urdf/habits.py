@@ -15,28 +15,8 @@ from plastron_tui.sources.xml.new_element import NewElement
 
 from .new_elements import number
 from .values import number_of
+from .vocabulary import ATTRIBUTES, CHILDREN
 
-_CHILDREN: Mapping[str, tuple[str, ...]] = {
-    "link": ("visual", "collision", "inertial"),
-    "visual": ("origin", "geometry", "material"),
-    "collision": ("origin", "geometry"),
-    "material": ("color", "texture"),
-    "inertial": ("origin", "mass", "inertia"),
-    "joint": ("origin", "parent", "child", "axis", "limit", "dynamics", "mimic"),
-}
-_ATTRIBUTES: Mapping[str, tuple[str, ...]] = {
-    "link": ("name",),
-    "joint": ("name", "type"),
-    "visual": ("name",),
-    "collision": ("name",),
-    "origin": ("xyz", "rpy"),
-    "mesh": ("filename", "scale"),
-    "cylinder": ("radius", "length"),
-    "inertia": ("ixx", "ixy", "ixz", "iyy", "iyz", "izz"),
-    "limit": ("lower", "upper", "effort", "velocity"),
-    "dynamics": ("damping", "friction"),
-    "mimic": ("joint", "multiplier", "offset"),
-}
 _DEFAULTS: Mapping[tuple[str, str], tuple[float, ...]] = {
     ("origin", "rpy"): (0, 0, 0),
     ("mesh", "scale"): (1, 1, 1),
@@ -78,10 +58,13 @@ class Habits:
         self._before: Counter[tuple[str, str, str]] = Counter()
         self._said_defaults: set[tuple[str, str]] = set()
         self._points: Counter[str] = Counter()
+        self._turned = 0
         for element in document.root.walk():
             self._note_order(element.name, [child.name for child in element.children])
             self._note_order(f"@{element.name}", [one.name for one in element.attributes])
             self._note_defaults(element)
+            if element.name == "origin":
+                self._turned += 1 if element.attribute("rpy") is not None else -1
             for one in element.attributes:
                 if one.name in _NUMBERS and ":" not in element.name:
                     self._note_points(one.name, one.value)
@@ -93,7 +76,7 @@ class Habits:
                 self._points[name] += 1 if whole.group(1) else -1
 
     def _note_order(self, parent: str, names: Sequence[str]) -> None:
-        known = _CHILDREN.get(parent) or _ATTRIBUTES.get(parent.removeprefix("@"), ())
+        known = CHILDREN.get(parent) or ATTRIBUTES.get(parent.removeprefix("@"), ())
         seen = [name for name in dict.fromkeys(names) if name in known]
         for at, name in enumerate(seen):
             for other in seen[at + 1 :]:
@@ -112,16 +95,31 @@ class Habits:
         ):
             self._said_defaults.add(("origin", "xyz"))
 
-    def number(self, attribute: str, value: float) -> str:
-        """Return a number as it is written in an attribute: `5`, or `5.0` if the author does so."""
+    def number(self, attribute: str, value: float, before: Sequence[str] = ()) -> str:
+        """Return a number as it is written in an attribute: `5`, or `5.0` if the author does so.
+
+        Args:
+            attribute: its name.
+            value: the number.
+            before: what the attribute says so far, which tells more than the rest of the file.
+        """
         text = number(value)
-        is_pointed = self._points[attribute] > 0 and _WHOLE.fullmatch(text) is not None
+        if _WHOLE.fullmatch(text) is None:
+            return text
+        found = filter(None, map(_WHOLE.fullmatch, before))
+        ways = {each.group(1) is not None for each in found}
+        is_pointed = ways.pop() if len(ways) == 1 else self._points[attribute] > 0
         return f"{text}.0" if is_pointed else text
 
     def styled(self, new: NewElement) -> NewElement:
         """Return an element as the author writes it: its numbers, and what comes first in it."""
         attributes: list[tuple[str, str]] = []
-        for name, value in new.attributes:
+        said_besides: tuple[tuple[str, str], ...] = ()
+        says_turns = self._turned > 0 and self.says_default("origin", "rpy")
+        if new.name == "origin" and says_turns and len(new.attributes) == 1:
+            # Its author says of each origin how it is turned, also where it is not.
+            said_besides = (("rpy", "0 0 0"),)
+        for name, value in (*new.attributes, *said_besides):
             said = self._numbers(name, value) if name in _NUMBERS else value
             at = self._attribute_place(new.name, [each for each, _ in attributes], name)
             attributes.insert(at, (name, said))
@@ -151,10 +149,10 @@ class Habits:
         return self._attribute_place(element.name, names, name)
 
     def _child_place(self, parent: str, names: Sequence[str], new: str) -> int:
-        return self._place(parent, names, new, _CHILDREN.get(parent, ()))
+        return self._place(parent, names, new, CHILDREN.get(parent, ()))
 
     def _attribute_place(self, element: str, names: Sequence[str], new: str) -> int:
-        return self._place(f"@{element}", names, new, _ATTRIBUTES.get(element, ()))
+        return self._place(f"@{element}", names, new, ATTRIBUTES.get(element, ()))
 
     def _place(self, parent: str, names: Sequence[str], new: str, usual: Sequence[str]) -> int:
         last = [at for at, name in enumerate(names) if self._comes_before(parent, name, new, usual)]

@@ -8,6 +8,8 @@ from .equality import same
 from .link_edits import change_pose, put, set_or_drop
 from .new_elements import axis_element, dynamics_element, limit_element, mimic_element
 from .part_edits import PartEdits, Path
+from .values import number_of
+from .vocabulary import CALIBRATION, SAFETY
 
 
 def change_joint(part: PartEdits, before: Joint, after: Joint) -> None:
@@ -29,6 +31,23 @@ def change_joint(part: PartEdits, before: Joint, after: Joint) -> None:
     _change_limit(part, before, after)
     _change_dynamics(part, before.dynamics, after.dynamics)
     _change_mimic(part, before.mimic, after.mimic)
+    _tell_safety(part, before, after)
+
+
+def _tell_safety(part: PartEdits, old: Joint, new: Joint) -> None:
+    """Tell what stays of a joint that no sentence speaks of, and no longer fits it."""
+    if old.type is not new.type:
+        for name in (SAFETY, CALIBRATION):
+            if part.find(((name, 0),)) is not None:
+                part.tell(f"`<{name}>` stays as it is in a joint that is {new.type.value} now")
+        return
+    safety = part.find(((SAFETY, 0),))
+    if safety is None or new.limit is None or same(old.limit, new.limit):
+        return
+    for name in ("soft_lower_limit", "soft_upper_limit"):
+        soft = number_of(safety.get(name) or "")
+        if soft is not None and not new.limit.lower <= soft <= new.limit.upper:
+            part.tell(f"`{name}` of `<{SAFETY}>` stays {soft:g}, which is beyond the new limits")
 
 
 def _change_limit(part: PartEdits, old: Joint, new: Joint) -> None:

@@ -19,11 +19,13 @@ from plastron_tui.ros.robots.description import (
     Shape,
     Sphere,
     Tensor,
+    Vector,
 )
+from plastron_tui.ros.robots.quaternions import angles_of, quaternion_of
+from plastron_tui.sources.xml.document import Element
 from plastron_tui.sources.xml.new_element import NewElement
 
 from .equality import same
-from .links import QUATERNION
 from .new_elements import (
     body_element,
     inertial_element,
@@ -32,6 +34,7 @@ from .new_elements import (
     shape_element,
 )
 from .part_edits import PartEdits, Path
+from .vocabulary import QUATERNION
 
 
 def change_link(part: PartEdits, before: Link, after: Link) -> None:
@@ -64,12 +67,10 @@ def change_pose(part: PartEdits, path: Path, before: Pose, after: Pose) -> None:
     origin = (*path, ("origin", 0))
     written = next(origin_elements(after), None)
     there = part.find(origin)
-    if there is not None and there.attribute(QUATERNION) is not None:
-        if not same(before.rotation, after.rotation):
-            message = f"`{QUATERNION}` says how this is turned; write `rpy` there first"
-            raise part.refusal(message, there.name_span)
-        # It may not go, though all that is read of it is what it would be without.
+    if there is not None and _is_turned_by_quaternion(part, there):
+        # It stays, also where what it says is what would be so without.
         part.set_numbers(origin, "xyz", before.position, after.position, ORIGIN)
+        _change_quaternion(part, origin, before.rotation, after.rotation)
         return
     says_none = any(part.habits.says_default("origin", each) for each in ("xyz", "rpy"))
     if there is None or (written is None and not says_none):
@@ -77,6 +78,21 @@ def change_pose(part: PartEdits, path: Path, before: Pose, after: Pose) -> None:
         return
     part.set_numbers(origin, "xyz", before.position, after.position, ORIGIN)
     set_or_drop(part, origin, "rpy", before.rotation, after.rotation, ORIGIN)
+
+
+def _is_turned_by_quaternion(part: PartEdits, origin: Element) -> bool:
+    has_rpy = origin.attribute("rpy") is not None
+    return part.has_quaternions and not has_rpy and origin.attribute(QUATERNION) is not None
+
+
+def _change_quaternion(part: PartEdits, origin: Path, before: Vector, after: Vector) -> None:
+    if same(before, after):
+        return
+    quaternion = quaternion_of(after)
+    if not same(angles_of(quaternion), after):
+        message = f"`{QUATERNION}` cannot say exactly these angles; write them as `rpy` there"
+        raise part.refusal(message)
+    part.set_numbers(origin, QUATERNION, quaternion_of(before), quaternion)
 
 
 def set_or_drop(

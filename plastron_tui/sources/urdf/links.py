@@ -15,13 +15,13 @@ from plastron_tui.ros.robots.description import (
     Shape,
     Sphere,
     Tensor,
+    Vector,
 )
-from plastron_tui.sources.xml.document import Element
+from plastron_tui.ros.robots.quaternions import angles_of
+from plastron_tui.sources.xml.document import Attribute, Element
 
 from .values import Values, first, or_else
-
-QUATERNION = "quat_xyzw"
-"""How newer files say in an `origin` what is turned, instead of by `rpy` (urdfdom_headers)."""
+from .vocabulary import QUATERNION, has_quaternions
 
 _SHAPES = ("box", "cylinder", "sphere", "mesh")
 
@@ -53,12 +53,30 @@ def pose_of(element: Element, values: Values) -> Pose:
     origin = first(element, "origin")
     if origin is None:
         return Pose()
+    rotation = values.vector(origin, "rpy")
     quaternion = origin.attribute(QUATERNION)
     if quaternion is not None:
-        message = f"`{QUATERNION}` is not read: this counts as turned by its `rpy` alone"
-        span, severity = quaternion.span, Severity.WARNING
-        values.tell(message, span, "write its angles as `rpy`", severity=severity)
-    return Pose(or_else(values.vector(origin, "xyz")), or_else(values.vector(origin, "rpy")))
+        rotation = _turned_by(quaternion, rotation, values)
+    return Pose(or_else(values.vector(origin, "xyz")), or_else(rotation))
+
+
+def _turned_by(found: Attribute, rpy: Vector | None, values: Values) -> Vector | None:
+    """Return the angles of a quaternion, those of `rpy` where it does not count."""
+    if not has_quaternions(values.document.root):
+        message = f"`{QUATERNION}` counts from version 1.1 of URDF on, and this file is in 1.0"
+        help_text = 'write `rpy` instead, or `version="1.1"` in `<robot>`'
+        values.tell(message, found.span, help_text, severity=Severity.WARNING)
+        return rpy
+    if rpy is not None:
+        message = f"`rpy` and `{QUATERNION}` both say how this is turned"
+        values.tell(message, found.span, "urdfdom reads no file with both: take one away")
+        return rpy
+    quaternion = values.quaternion(found)
+    angles = None if quaternion is None else angles_of(quaternion)
+    if quaternion is not None and angles is None:
+        message = "a quaternion of zeros turns nothing"
+        values.tell(message, found.value_span, severity=Severity.WARNING)
+    return angles
 
 
 def _shape_in(element: Element, values: Values) -> Shape | None:
@@ -90,10 +108,17 @@ def shape_of(element: Element, values: Values) -> Shape | None:
             return None if filename is None else Mesh(filename.value, or_else(scale, (1, 1, 1)))
         case _ if values.is_xacro and ":" in element.name:
             return None
+        case "capsule" if has_quaternions(values.document.root):
+            message = "a `<capsule>` is not read: it counts as no shape"
+            values.tell(message, element.name_span, severity=Severity.WARNING)
+            return None
         case _:
             names = ", ".join(f"`{each}`" for each in _SHAPES)
             message = f"`<{element.name}>` is no shape of URDF"
-            values.tell(message, element.name_span, f"they are {names}")
+            help_text = f"they are {names}"
+            if element.name == "capsule":
+                message, help_text = f"{message} 1.0", "urdfdom reads it from version 1.1 on"
+            values.tell(message, element.name_span, help_text)
             return None
 
 

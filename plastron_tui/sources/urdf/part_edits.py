@@ -6,6 +6,7 @@ from collections.abc import Iterable, Sequence
 from typing import TypeAlias
 
 from plastron_tui.diagnostics import Diagnostic, Span, codes
+from plastron_tui.diagnostics.severity import Severity
 from plastron_tui.sources.splices import line_start
 from plastron_tui.sources.xml.document import Element, XmlDocument, read_xml
 from plastron_tui.sources.xml.edits import (
@@ -24,6 +25,7 @@ from plastron_tui.sources.xml.new_element import NewElement
 from .equality import same
 from .habits import Habits
 from .values import XACRO, is_computed, number_of
+from .vocabulary import has_quaternions, unknown_in
 
 Path: TypeAlias = tuple[tuple[str, int], ...]
 """Names of elements, one within the other, each with its place among those of its name."""
@@ -58,6 +60,8 @@ class PartEdits:
         self.habits = habits
         self._whole, self._element = document, element
         self._is_xacro = is_xacro
+        self.has_quaternions = has_quaternions(document.root)
+        self.told: list[Diagnostic] = []
         read = read_xml(document.text[start:end])
         if read.document is None:
             raise self.refusal(f"`<{element.name}>` cannot be read on its own", element.name_span)
@@ -130,7 +134,9 @@ class PartEdits:
             return
         has = [number_of(word) for word in words]
         kept = [
-            word if said is not None and same(said, value) else self.habits.number(name, value)
+            word
+            if said is not None and same(said, value)
+            else self.habits.number(name, value, words)
             for word, said, value in zip(words, has, values, strict=True)
         ]
         if kept != words:
@@ -169,6 +175,7 @@ class PartEdits:
         """Write an element in the place of another one."""
         element = self._needed(path)
         self._check_subtree(element)
+        self._tell_lost(element, new)
         new = self.habits.styled(new)
         self._take(replace_element(self._document, element, new, self.habits.style))
 
@@ -176,7 +183,23 @@ class PartEdits:
         """Take an element away."""
         element = self._needed(path)
         self._check_subtree(element)
+        self._tell_lost(element)
         self._take(remove_element(self._document, element, style=self.habits.style))
+
+    def tell(self, message: str) -> None:
+        """Note what somebody is to know of the change, though it is made."""
+        where, file = self._element.name_span, self._whole.file
+        severity = Severity.WARNING
+        self.told.append(Diagnostic(codes.EDIT_REFUSED, message, where, file, severity=severity))
+
+    def _tell_lost(self, element: Element, new: NewElement | None = None) -> None:
+        """Tell what goes along with an element, and is no word that a description has."""
+        lost = [f"`{each}`" for each in unknown_in(element, new)]
+        if lost == [f"`<{element.name}>`"]:
+            self.tell(f"{lost[0]} goes, with all that it says")
+        elif lost:
+            go = "go" if len(lost) > 1 else "goes"
+            self.tell(f"{', '.join(lost)} {go} with the `<{element.name}>`")
 
     def _numbers(self, name: str, values: Sequence[float]) -> str:
         return " ".join(self.habits.number(name, value) for value in values)

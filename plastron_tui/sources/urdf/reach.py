@@ -143,6 +143,12 @@ class Reach:
         return Place(path)
 
 
+def package_of(name: str) -> tuple[str, str] | None:
+    """Return the package that a URI or a path starts with, and what follows; None for none."""
+    found = _PACKAGE.fullmatch(name.removeprefix(_FILE) if "$(find" in name else name)
+    return None if found is None else (found.group(1), found.group(2) or "")
+
+
 def find_reach(boundary: Boundary, file: Path, environ: Mapping[str, str]) -> Reach:
     """Find how far a robot's file may lead; packages of the project are looked for.
 

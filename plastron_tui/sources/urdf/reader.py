@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
+from functools import lru_cache
 from pathlib import Path
 from typing import NamedTuple
 
@@ -15,7 +16,11 @@ from plastron_tui.sources.xml.document import Element, XmlDocument, read_xml
 
 from .joints import joint_of
 from .links import link_of, material_of
-from .values import Values, is_xacro
+from .values import Values, is_computed, is_xacro
+from .vocabulary import FIRST_VERSION, LAST_VERSION, second_children, version_of
+
+_LARGEST_KEPT = 500_000
+"""Bytes of a text that is kept as it was read."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -29,6 +34,8 @@ class PartPlaces:
     links: Mapping[str, Element] = field(default_factory=dict)
     joints: Mapping[str, Element] = field(default_factory=dict)
     materials: Mapping[str, Element] = field(default_factory=dict)
+    again: Mapping[tuple[str, str], Element] = field(default_factory=dict)
+    """The second of those, by element and name, of which a file should have one."""
 
 
 class UrdfRead(NamedTuple):
@@ -53,12 +60,17 @@ def read_urdf(text: bytes, path: Path | None = None) -> UrdfRead:
 
     What cannot be read is left out, or as it would be if nothing was said; elements that URDF
     does not know are left alone, and only what stands directly in `<robot>` is a link or a joint
-    (`<transmission>` and `<gazebo>` have elements of the same names).
+    (`<transmission>` and `<gazebo>` have elements of the same names). A text that was read lately
+    is not read again.
 
     Args:
         text: what the file holds.
         path: the file, for diagnostics.
     """
+    return _read_again(text, path) if len(text) <= _LARGEST_KEPT else _read(text, path)
+
+
+def _read(text: bytes, path: Path | None) -> UrdfRead:
     document, diagnostics = read_xml(text, path)
     if document is None:
         return UrdfRead(None, None, diagnostics=diagnostics)
@@ -72,6 +84,10 @@ def read_urdf(text: bytes, path: Path | None = None) -> UrdfRead:
     return _Reader(Values(document, is_xacro(document))).read()
 
 
+_read_again = lru_cache(maxsize=4)(_read)
+"""Who loads a file, changes it and looks at the change reads the same texts one after the other."""
+
+
 class _Reader:
     """Reads the parts of a robot one by one."""
 
@@ -81,11 +97,16 @@ class _Reader:
         self.links: dict[str, Link] = {}
         self.joints: dict[str, Joint] = {}
         self.places: dict[str, dict[str, Element]] = {"link": {}, "joint": {}, "material": {}}
+        self.again: dict[tuple[str, str], Element] = {}
 
     def read(self) -> UrdfRead:
         document = self.values.document
         root = document.root
         name = None if self._is_part_without_name(root) else self.values.needed(root, "name")
+        self._check_version(root)
+        for element in root.children:
+            if element.name in self.places:
+                self._check_second(element)
         for element in root.named("material"):
             self._material(element)
         for element in root.named("link"):
@@ -98,7 +119,8 @@ class _Reader:
                 self.joints[joint.name] = joint
         self._check_materials()
         robot = Description(name.value if name else "", self.links, self.joints, self.materials)
-        places = PartPlaces(*(self.places[each] for each in ("link", "joint", "material")))
+        links, joints, materials = (self.places[each] for each in ("link", "joint", "material"))
+        places = PartPlaces(links, joints, materials, self.again)
         diagnostics = sorted(self.values.diagnostics, key=lambda each: each.span or Span(0, 0))
         if self.values.untold:
             message = f"there are {self.values.untold} mistakes more in the file"
@@ -108,6 +130,27 @@ class _Reader:
     def _is_part_without_name(self, root: Element) -> bool:
         """Tell whether the file is there to be included: its robot has the name of another one."""
         return self.values.is_xacro and root.attribute("name") is None
+
+    def _check_version(self, root: Element) -> None:
+        found = root.attribute("version")
+        if found is None or (self.values.is_xacro and is_computed(found.value)):
+            return
+        version = version_of(root)
+        if version is None:
+            message = f"`{found.value}` is no version of URDF"
+            self.values.tell(message, found.value_span, "it is written as in `1.0`")
+        elif not FIRST_VERSION <= version <= LAST_VERSION:
+            message = f"urdfdom does not read version {found.value} of URDF"
+            self.values.tell(message, found.value_span, "it reads 1.0, 1.1 and 1.2")
+
+    def _check_second(self, part: Element) -> None:
+        """Tell what stands in a part a second time, where only the first counts."""
+        for element in part.walk():
+            for second in second_children(element):
+                which = f"a second `<{second.name}>` in `<{element.name}>` does not count"
+                if element.name == "geometry":
+                    which = f"`<{second.name}>` does not count: a geometry has one shape"
+                self.values.tell(which, second.name_span, severity=Severity.WARNING)
 
     def _material(self, element: Element) -> None:
         material = material_of(element, self.values, is_shared=True)
@@ -128,9 +171,11 @@ class _Reader:
             return True
         found = element.attribute("name")
         span = element.name_span if found is None else found.value_span
+        self.again.setdefault((element.name, name), element)
         labels = (Label(places[name].name_span, "first here"),)
         message = f"a {element.name} `{name}` is there already, and this one does not count"
-        self.values.tell(message, span, labels=labels)
+        help_text = "urdfdom reads no file with two of a name: rename one, or take it away"
+        self.values.tell(message, span, help_text, labels=labels)
         return False
 
     def _check_materials(self) -> None:

@@ -11,7 +11,6 @@ from plastron_tui.sources.splices import Splice, indent_of, line_end, line_start
 from plastron_tui.sources.xml.document import Element, XmlDocument
 from plastron_tui.sources.xml.layout import (
     behind_comments,
-    blanks_before,
     line_break,
     skip_blanks,
     starts_line,
@@ -19,6 +18,7 @@ from plastron_tui.sources.xml.layout import (
 from plastron_tui.sources.xml.new_element import NewElement, render
 from plastron_tui.sources.xml.places import after, before, removal
 
+from .comments import above_comments, headings
 from .habits import Habits, Order
 from .new_elements import joint_element, link_element, material_element
 from .reader import PartPlaces
@@ -184,55 +184,49 @@ def _ahead(
     for each, name in zip(new, following, strict=True):
         lines = 1 + habits.lines_between(each.name, name)
         written += indent + render(each, style, indent) + style.newline * lines
-    at = _above_comments(document, start)
+    at = above_comments(document, start)
     yield Splice(at, at, written)
-
-
-def _above_comments(document: XmlDocument, start: int) -> int:
-    """Return the start of the line of an element, or of the comments right above it."""
-    text = document.text
-    at = line_start(text, start)
-    comments = {each.end: each.start for each in document.comments}
-    while at:
-        end = at - (2 if text[:at].endswith(b"\r\n") else 1)
-        end -= len(blanks_before(text, end))
-        comment = comments.get(end)
-        if comment is None or not starts_line(text, comment):
-            return at
-        at = line_start(text, comment)
-    return at
 
 
 def removals(document: XmlDocument, gone: Iterable[Element], habits: Habits) -> Iterator[Splice]:
     """Yield what takes parts away, each with the empty lines that keep it apart."""
     taken = set(gone)
-    siblings = document.root.children
-    kept = [at for at, each in enumerate(siblings) if each not in taken]
-    first_kept = kept[0] if kept else len(siblings)
-    for at, element in enumerate(siblings):
-        if element in taken:
-            yield _removal(document, element, at, habits, is_first=at < first_kept)
+    tops = {each.part: each.start for each in headings(document, taken) if each.goes}
+    # Whether the empty lines below go: those above do not belong to a part that stays.
+    takes_below = True
+    for at, element in enumerate(document.root.children):
+        if element not in taken:
+            takes_below = False
+            continue
+        first = line_start(document.text, tops.get(element, element.span.start))
+        above = _empty_lines_above(document.text, first)
+        behind = None if at == 0 or takes_below else document.root.children[at - 1]
+        if behind is not None and not _is_end(document, above, behind):
+            takes_below, behind = above < first, None
+        yield _removal(document, at, first if behind is None else above, habits, takes_below)
 
 
 def _removal(
-    document: XmlDocument, element: Element, at: int, habits: Habits, *, is_first: bool
+    document: XmlDocument, at: int, first: int, habits: Habits, takes_below: bool
 ) -> Splice:
-    text, (start, end) = document.text, element.span
-    rest = skip_blanks(text, behind_comments(document, end))
-    broken = line_break(text, rest)
-    if not starts_line(text, start) or broken is None:
-        return removal(document, element, habits.style, closes=False)
-    first, last = line_start(text, start), broken.end
+    """Return what takes a part away, from the start of a line above it on."""
     siblings = document.root.children
-    above = first
-    while (higher := _empty_line_above(text, above)) is not None:
-        above = higher
-    if not is_first and _is_end(document, above, siblings[at - 1]):
-        return Splice(above, last)
-    if is_first and at + 1 < len(siblings):
+    text, (start, end) = document.text, siblings[at].span
+    broken = line_break(text, skip_blanks(text, behind_comments(document, end)))
+    if not starts_line(text, start) or broken is None:
+        return removal(document, siblings[at], habits.style, closes=False)
+    last = broken.end
+    if takes_below and at + 1 < len(siblings):
         while not text[last : line_end(text, last)].strip() and last < siblings[at + 1].span.start:
             last = line_end(text, last)
     return Splice(first, last)
+
+
+def _empty_lines_above(text: bytes, start: int) -> int:
+    """Return the start of the first of the empty lines above a line."""
+    while (higher := _empty_line_above(text, start)) is not None:
+        start = higher
+    return start
 
 
 def _empty_line_above(text: bytes, start: int) -> int | None:

@@ -10,6 +10,7 @@ from math import isfinite
 from plastron_tui.diagnostics import Diagnostic, Label, Span, codes
 from plastron_tui.diagnostics.severity import Severity
 from plastron_tui.ros.robots.description import ORIGIN, Rgba, Vector
+from plastron_tui.ros.robots.quaternions import Quaternion
 from plastron_tui.sources.xml.document import Attribute, Element, XmlDocument
 
 _NUMBER = re.compile(r"[+-]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][+-]?[0-9]+)?")
@@ -129,6 +130,14 @@ class Values:
             return None
         x, y, z = numbers
         return x, y, z
+
+    def quaternion(self, found: Attribute) -> Quaternion | None:
+        """Return the four numbers of an attribute, None where there are none."""
+        numbers = self._numbers(found, 4)
+        if numbers is None:
+            return None
+        x, y, z, w = numbers
+        return x, y, z, w
 
     def rgba(self, element: Element) -> Rgba | None:
         """Return the colour of an element."""

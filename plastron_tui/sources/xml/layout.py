@@ -24,12 +24,16 @@ class Style(NamedTuple):
         unit: by how much an element is indented more than its parent.
         quote: what is around a value.
         close: how an empty element ends, `/>` or ` />`.
+        inline: the names of elements that stand in one line with what they hold.
+        wraps: whether each attribute begins a line.
     """
 
     newline: bytes
     unit: bytes
     quote: str
     close: str
+    inline: frozenset[str] = frozenset()
+    wraps: bool = False
 
 
 def style_of(document: XmlDocument) -> Style:
@@ -39,7 +43,15 @@ def style_of(document: XmlDocument) -> Style:
     units: Counter[bytes] = Counter()
     quotes: Counter[str] = Counter()
     closes: Counter[str] = Counter()
+    inline: Counter[str] = Counter()
+    wrapped = 0
     for element in document.root.walk():
+        if element.children:
+            is_in_line = text.find(b"\n", *element.span) < 0
+            inline[element.name] += 1 if is_in_line else -1
+        if element.attributes:
+            start = element.attributes[0].span.start
+            wrapped += 1 if text.find(b"\n", element.name_span.end, start) >= 0 else -1
         for attribute in element.attributes:
             quotes[text[attribute.span.end - 1 : attribute.span.end].decode()] += 1
         if (close := close_of(document, element)) is not None:
@@ -52,6 +64,8 @@ def style_of(document: XmlDocument) -> Style:
         _most(units, _DEFAULT_INDENT),
         "'" if quotes["'"] > quotes['"'] else '"',
         _most(closes, "/>"),
+        frozenset(name for name, count in inline.items() if count > 0),
+        wrapped > 0,
     )
 
 

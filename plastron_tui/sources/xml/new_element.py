@@ -29,13 +29,16 @@ def render(new: NewElement, style: Style, indent: bytes | None) -> bytes:
         style: how.
         indent: the indentation of its first line, None for all in one line.
     """
-    tag = encoded(new.name)
+    tag, apart = encoded(new.name), b" "
+    if style.wraps and indent is not None:
+        apart = style.newline + indent + style.unit
     for name, value in new.attributes:
         quote = style.quote
-        tag += encoded(f" {name}={quote}{escaped_value(value, quote)}{quote}")
+        tag += apart + encoded(f"{name}={quote}{escaped_value(value, quote)}{quote}")
     if not new.text and not new.children:
         return b"<" + tag + style.close.encode()
     content = encoded(escaped_text(new.text))
+    indent = None if new.name in style.inline else indent
     inner = None if indent is None else indent + style.unit
     before = b"" if inner is None else style.newline + inner
     content += b"".join(before + render(child, style, inner) for child in new.children)

@@ -87,6 +87,9 @@ def removal(
     start, end = element.span
     if not starts_line(text, start):
         blanks = blanks_before(text, start)
+        closed = _closed_in_line(document, element, style) if closes else None
+        if closed is not None:
+            return closed
         is_behind_tag = text[start - len(blanks) - 1 : start - len(blanks)] == b">"
         return Splice(start - len(blanks) if is_behind_tag else start, end)
     first = line_start(text, start)
@@ -105,10 +108,28 @@ def _opened(document: XmlDocument, parent: Element, new: NewElement, style: Styl
     text, end = document.text, parent.start_tag.end
     start = end - len(b"/>")
     start -= blanks_before(text, start) == b" "
+    if not starts_line(text, parent.span.start):
+        written = render(new, style, None)
+        return Splice(start, end, b">" + written + f"</{parent.name}>".encode())
     indent = indent_of(text, parent.span.start)
     inner = indent + style.unit
     written = style.newline + inner + render(new, style, inner) + style.newline + indent
     return Splice(start, end, b">" + written + f"</{parent.name}>".encode())
+
+
+def _closed_in_line(document: XmlDocument, element: Element, style: Style) -> Splice | None:
+    """Let the parent of an only child close itself where both stand within a line."""
+    parent = document.parents[element]
+    if parent.content != element.span or starts_line(document.text, parent.span.start):
+        return None
+    return Splice(parent.start_tag.end - 1, parent.span.end, _own_close(document, element, style))
+
+
+def _own_close(document: XmlDocument, element: Element, style: Style) -> bytes:
+    """Return how the parent of an element closes itself without it."""
+    at = document.parents[element].start_tag.end - 1
+    inner = next((c for one in element.walk() if (c := close_of(document, one))), style.close)
+    return b"/>" if document.text[at - 1 : at].isspace() else inner.encode()
 
 
 def _closed(document: XmlDocument, element: Element, style: Style) -> Splice | None:
@@ -122,10 +143,7 @@ def _closed(document: XmlDocument, element: Element, style: Style) -> Splice | N
         return None
     if skip_blanks(text, tail.end) != parent.content.end:
         return None
-    at = parent.start_tag.end - 1
-    inner = next((c for one in element.walk() if (c := close_of(document, one))), style.close)
-    is_apart = text[at - 1 : at].isspace()
-    return Splice(at, parent.span.end, b"/>" if is_apart else inner.encode())
+    return Splice(parent.start_tag.end - 1, parent.span.end, _own_close(document, element, style))
 
 
 def _inserted(at: int, new: bytes) -> Splice:

@@ -104,13 +104,13 @@ def _offered(
 def _fitting_first(
     expected: Expectation, vocabulary: Vocabulary, session: Session
 ) -> Sequence[str]:
-    """Return the words of the language, behind a variable those first that go with it."""
+    """Return the words of the language, behind a variable those that go with it."""
     text, start = session.document.text, expected.span.start
     before = text[text.rfind(b"\n", 0, start) + 1 : start].strip()
     kind = vocabulary.kind_of(before.decode("utf-8", "replace")) if before else None
     if kind is None or expected.declaration is not None:
         return expected.keywords
-    return sorted(expected.keywords, key=lambda word: not _is_about(word, kind))
+    return [word for word in expected.keywords if _is_about(word, kind)] or expected.keywords
 
 
 def _is_about(word: str, kind: SlotKind) -> bool:

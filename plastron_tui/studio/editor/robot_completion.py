@@ -69,12 +69,21 @@ def _joints(expected: Expectation, vocabulary: Vocabulary) -> Iterator[Candidate
         yield from _named_after_link(expected, vocabulary)
         return
     is_moving = _type(expected) is not st.NoLongerHasJoint
-    own = expected.filled.get("joint", "").strip("'") if slot == "mimicked" else ""
     found = [each for each in joints.values() if each.type.has_axis or not is_moving]
     # What has to be limited, and is not yet, comes first.
     for joint in sorted(found, key=lambda each: each.limit is not None or not each.type.is_limited):
-        if joint.name != own:
-            yield _quoted(joint.name, joint.type.value)
+        yield _quoted(joint.name, joint.type.value)
+
+
+def _followed(expected: Expectation, vocabulary: Vocabulary) -> Iterator[Candidate]:
+    """Offer the joints that another one may follow; none where it follows one."""
+    joints = _robot(expected, vocabulary).joints
+    own = expected.filled.get("joint", "").strip("'")
+    there = joints.get(own)
+    if there is not None and there.mimic is not None:
+        yield Candidate("none", f"it no longer follows {there.mimic.joint}")
+    moving = (each for each in joints.values() if each.type.has_axis and each.name != own)
+    yield from (_quoted(each.name, each.type.value) for each in moving)
 
 
 def _named_after_link(expected: Expectation, vocabulary: Vocabulary) -> Iterator[Candidate]:
@@ -95,9 +104,12 @@ def _sizes(expected: Expectation, vocabulary: Vocabulary) -> Iterator[Candidate]
 
 
 def _colors(expected: Expectation, vocabulary: Vocabulary) -> Iterator[Candidate]:
-    own = _robot(expected, vocabulary).materials
-    yield from (Candidate(name, "of this robot") for name in own if name not in NAMES)
+    robot = _robot(expected, vocabulary)
+    there = robot.links.get(expected.filled.get("link", "").strip("'"))
+    yield from (Candidate(name, "of this robot") for name in robot.materials if name not in NAMES)
     yield from (Candidate(name, code, swatch=code) for name, code in NAMES.items())
+    if there is not None and any(each.material is not None for each in there.visuals):
+        yield Candidate("none", "no colour of its own")
 
 
 def _axes(expected: Expectation, vocabulary: Vocabulary) -> Iterator[Candidate]:
@@ -118,6 +130,7 @@ OFFERS: Mapping[SlotKind, Offer] = {
     SlotKind.ROBOT: lambda _, vocabulary: (Candidate(*each) for each in vocabulary.robots.items()),
     SlotKind.LINK: _links,
     SlotKind.JOINT: _joints,
+    SlotKind.FOLLOWED: _followed,
     SlotKind.SHAPE: lambda *_: (
         Candidate(name, each.about, f" {each.values}") for name, each in SHAPES.items()
     ),

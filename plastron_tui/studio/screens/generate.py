@@ -12,8 +12,9 @@ from textual.binding import Binding, BindingType
 from textual.containers import Horizontal, Vertical
 from textual.widgets import Button, Label
 
-from plastron_tui.diagnostics import Diagnostic, codes, has_errors
+from plastron_tui.diagnostics import has_errors
 from plastron_tui.generating.node_files import name_of
+from plastron_tui.generating.nothing import nothing_to_generate
 from plastron_tui.output.diff import file_diff, visible_patch
 from plastron_tui.output.plan import FilePlan, FileState, PlannedFile
 from plastron_tui.output.writer import WriteResult, write_current
@@ -101,13 +102,7 @@ class GenerateDialog(Dialog[bool]):
         tree.show_files(files)
 
     def _reasons(self) -> Lines:
-        found = self.problems or (
-            Diagnostic(
-                codes.NOTHING_TO_GENERATE,
-                "the program generates nothing",
-                help="end it with `generate_node` and the variable of a node",
-            ),
-        )
+        found = self.problems or (nothing_to_generate(self._session.workspace),)
         return tuple(
             (Piece(f" {one.message}" + (f" — {one.help}" if one.help else ""), "warning"),)
             for one in found

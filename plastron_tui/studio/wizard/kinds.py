@@ -52,6 +52,7 @@ from .package_kinds import (
 from .parameter_kinds import DefaultKind, ParameterKind, ParameterTypeKind, TextKind
 from .rename_kinds import NamedKind, NewNameKind, OldNameKind
 from .robot_kinds import (
+    FollowedKind,
     JointKind,
     JointTypeKind,
     LinkKind,
@@ -366,6 +367,7 @@ KINDS: Mapping[SlotKind, Kind] = {
     SlotKind.CONTAINER: Kind(),
     SlotKind.REMAPS: RemapsKind(),
     SlotKind.SETTINGS: SettingsKind(),
+    SlotKind.ROBOT_ARGUMENTS: SettingsKind(),
     SlotKind.PARAMS_FILE: Kind(),
     SlotKind.INCLUDED: IncludedKind(),
     SlotKind.ROBOT_NAME: RobotNameKind(),
@@ -374,6 +376,7 @@ KINDS: Mapping[SlotKind, Kind] = {
     SlotKind.ROBOT_FILE: RobotFileKind(),
     SlotKind.LINK: LinkKind(),
     SlotKind.JOINT: JointKind(),
+    SlotKind.FOLLOWED: FollowedKind(),
     SlotKind.SHAPE: ShapeKind(),
     SlotKind.SIZE: SizeKind(),
     SlotKind.WEIGHT: WeightKind(),

@@ -191,7 +191,7 @@ class RemapsKind(Kind):
 
 
 class SettingsKind(Kind):
-    """Parameters of a node, and their values."""
+    """Parameters of a node, or arguments of a robot's file, and their values."""
 
     def problem(self, ask: Ask, text: str) -> str | None:
         """Tell why a text cannot stand there."""

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 from plastron_tui.language import SlotKind
 from plastron_tui.language import statements as st
 from plastron_tui.language.declaration import Statement
+from plastron_tui.language.sentence import NOTHING
 from plastron_tui.ros.robots.description import Description, Joint, JointType
 from plastron_tui.ros.robots.names import FILE_ENDINGS
 from plastron_tui.ros.robots.tree import holders, roots
@@ -246,8 +247,6 @@ class JointKind(Kind):
     def suggest(self, ask: Ask) -> str:
         """Return a name after the child; of those that there are, the last one that is open."""
         robot = description_of(ask)
-        if ask.slot.name == "mimicked":
-            return ""
         if ask.form.declaration.type is st.HasJoint:
             return free_name(f"{_child_to_be(ask)}_joint", robot.joints)
         open_ = [each.text for each in self.choices(ask, "") if not each.closed]
@@ -256,10 +255,6 @@ class JointKind(Kind):
     def choices(self, ask: Ask, query: str) -> list[Choice]:
         """Return the joints of the robot that are meant."""
         joints = description_of(ask).joints
-        moving = [each for each in joints.values() if each.type.has_axis]
-        if ask.slot.name == "mimicked":
-            own = ask.text(SlotKind.JOINT)
-            return [Choice(each.name, each.type.value) for each in moving if each.name != own]
         if ask.form.declaration.type is st.HasJoint:
             return [Choice(name, "change it") for name in _untouched(ask, joints)]
         robot = robot_of(ask)
@@ -282,6 +277,35 @@ class JointKind(Kind):
         if not text:
             return "all joints are needed: others follow them"
         return f"the robot has no joint `{text}`: {OF_THE_LIST}"
+
+
+NONE = "none"
+"""What is entered for a joint that is to follow no other."""
+
+
+class FollowedKind(Kind):
+    """A joint that another one follows; none for one that follows a joint so far."""
+
+    def choices(self, ask: Ask, query: str) -> list[Choice]:
+        """Return the joints that move, and none."""
+        joints = description_of(ask).joints
+        own = ask.text(SlotKind.JOINT)
+        moving = (each for each in joints.values() if each.type.has_axis and each.name != own)
+        found = [Choice(each.name, each.type.value) for each in moving]
+        there = joints.get(own)
+        if there is None or there.mimic is None or NONE in joints:
+            return found
+        return [*found, Choice(NONE, f"it no longer follows {there.mimic.joint}")]
+
+    def written(self, ask: Ask, text: str) -> str:
+        """Return a name; the word for none is not in quotes."""
+        return NOTHING if text == NONE and NONE not in description_of(ask).joints else text
+
+    def problem(self, ask: Ask, text: str) -> str | None:
+        """Tell why a text cannot stand there."""
+        joints = description_of(ask).joints
+        is_right = text in joints or text == NONE
+        return None if is_right else f"the robot has no joint `{text}`: {OF_THE_LIST}"
 
 
 class JointTypeKind(Kind):

@@ -17,7 +17,7 @@ from .form import Cell
 from .kind import OF_THE_LIST, Kind
 from .parameter_kinds import BoundKind
 from .part_rows import VECTOR, Part
-from .robot_kinds import description_of, joint_of
+from .robot_kinds import NONE, description_of, joint_of
 from .values import NUMBER
 
 
@@ -105,9 +105,12 @@ class ColorKind(Kind):
 
     def choices(self, ask: Ask, query: str) -> list[Choice]:
         """Return the materials of the robot, and the colours that have names."""
-        known = description_of(ask).materials
-        own = [Choice(name, "of this robot") for name in known if name not in NAMES]
-        return [*own, *(Choice(name, code, swatch=code) for name, code in NAMES.items())]
+        robot = description_of(ask)
+        own = [Choice(name, "of this robot") for name in robot.materials if name not in NAMES]
+        there = robot.links.get(ask.text(SlotKind.LINK))
+        is_painted = there is not None and any(each.material for each in there.visuals)
+        none = [Choice(NONE, "no colour of its own")] if is_painted else []
+        return [*own, *(Choice(name, code, swatch=code) for name, code in NAMES.items()), *none]
 
     def written(self, ask: Ask, text: str) -> str:
         """Return a color as the program has it."""
@@ -193,7 +196,8 @@ class FactorKind(Kind):
 
     def fixed(self, ask: Ask) -> Cell | None:
         """Return nothing where it follows none."""
-        return None if ask.text_of("mimicked") else Cell("", "it follows none")
+        is_none = ask.text_of("mimicked") in ("", NONE)
+        return Cell("", "it follows none") if is_none else None
 
     def problem(self, ask: Ask, text: str) -> str | None:
         """Tell why a text is no number."""

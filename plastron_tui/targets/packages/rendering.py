@@ -209,6 +209,12 @@ def _entries(node: PackagedNode) -> list[str]:
 
 def _filled(spec: PackageSpec, template: str) -> bytes:
     """Return a file that says how a package is built."""
+    folders = [
+        *(["launch"] if spec.launches else []),
+        *(["config"] if spec.configs else []),
+        *([URDF_FOLDER] if spec.robots else []),
+    ]
+    data = sorted(spec.data)
 
     def of(kind: InterfaceKind) -> list[str]:
         return [PurePosixPath(each.path).name for each in spec.definitions if each.kind is kind]
@@ -225,11 +231,8 @@ def _filled(spec: PackageSpec, template: str) -> bytes:
             for each in spec.scripts
         ],
         "tested": _tested(spec),
-        "folders": [
-            *(["launch"] if spec.launches else []),
-            *(["config"] if spec.configs else []),
-            *([URDF_FOLDER] if spec.robots else []),
-        ],
+        "folders": list(dict.fromkeys((*folders, *(each.partition("/")[0] for each in data)))),
+        "data": [each for each in data if each not in folders],
         "main": _CONSOLE_MAIN,
         "maintainer": python_argument("maintainer", spec.person.name, 4),
         "maintainer_email": python_argument("maintainer_email", spec.person.mail, 4),

@@ -130,6 +130,7 @@ class PackageSpec:
         launches: the launch files that it installs.
         configs: the files in its folder `config`.
         robots: the descriptions of robots, in its folder `urdf`.
+        data: the folders with files beside those that it installs, such as `meshes/visual`.
         definitions: its types. In ROS 2 they are in a package of their own, see `interfaces_of`,
             unless it `builds_types`.
         packages: the packages with interface types that are known, to tell imports by.
@@ -150,6 +151,7 @@ class PackageSpec:
     launches: tuple[PackagedLaunch, ...] = ()
     configs: tuple[PackagedFile, ...] = ()
     robots: tuple[PackagedFile, ...] = ()
+    data: tuple[str, ...] = ()
     definitions: tuple[PackagedDefinition, ...] = ()
     packages: frozenset[str] = frozenset()
     build_type: BuildType | None = None

@@ -76,6 +76,40 @@ def test_offered(line: str, first: list[str]) -> None:
     assert texts(line)[: len(first)] == first
 
 
+ARM = """\
+create_robot 'arm' as arm
+arm has_link 'base' shaped sphere 0.1 painted blue
+arm has_link 'hand'
+arm has_joint 'turn' of joint_type continuous from 'base' to 'hand'
+arm has_link 'lid'
+arm has_joint 'open' of joint_type continuous from 'hand' to 'lid' mimicking 'turn'
+"""
+
+
+@pytest.mark.parametrize(
+    ("line", "found"),
+    [
+        (
+            "arm ",
+            [
+                *("has_link", "no_longer_has_link", "has_joint", "no_longer_has_joint"),
+                "limits_joint",
+            ],
+        ),
+        ("arm has_joint 'turn' mimicking ", ["'open'"]),
+        ("arm has_joint 'open' mimicking ", ["none", "'turn'"]),
+    ],
+)
+def test_offered_for_a_robot(line: str, found: list[str]) -> None:
+    assert [each.text for each in offered(line, ARM)] == found
+
+
+def test_no_colour_is_offered_to_what_has_one() -> None:
+    lines = ("arm has_link 'base' painted no", "arm has_link 'hand' painted no")
+    found = [[each.text for each in offered(line, ARM)] for line in lines]
+    assert [texts.count("none") for texts in found] == [1, 0]
+
+
 ROBOT = """\
 create_node 'robot' as robot using rclpy
 create_node 'old' as old using rospy

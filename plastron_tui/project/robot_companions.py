@@ -1,0 +1,253 @@
+"""The files that a robot's description names, for the package that contains it.
+
+Meshes, and what xacro includes, are copied into the package, so that what is generated runs by
+itself: they stand to the description as they stood where it comes from. What other packages have
+stays there, and is depended on.
+"""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterator
+from functools import cached_property
+from pathlib import Path
+from posixpath import normpath
+from typing import TYPE_CHECKING, NamedTuple
+
+from plastron_tui.diagnostics import Diagnostic, Span, codes
+from plastron_tui.generating.package_parts import Companion, Companions
+from plastron_tui.model.robots import Robot
+from plastron_tui.regular_files import read_regular
+from plastron_tui.ros.robots.description import Mesh
+from plastron_tui.sources.launch.around import is_plain, own_package
+from plastron_tui.sources.urdf.macros import read_includes
+from plastron_tui.sources.urdf.reach import package_of
+from plastron_tui.sources.xml.document import XmlDocument, read_xml
+from plastron_tui.sources.xml.outline import MOST_BYTES
+from plastron_tui.targets.packages.rendering import URDF_FOLDER
+
+if TYPE_CHECKING:
+    from .configuration import Configuration
+
+_MOST_NAMES = 1_000
+_MOST_FILES = 200
+_MOST_TOLD = 5
+_HERE = "$(dirname)/"
+_FILE = "file://"
+_COMPUTED = ("${", "$(")
+_PATTERN = frozenset("*?[")
+
+
+class _Left(Exception):  # noqa: N818 - control flow, from a name to what is told of it
+    """Why a package does not get a file, and what to do."""
+
+    def __init__(self, reason: str, remedy: str) -> None:
+        self.reason, self.remedy = reason, remedy
+
+
+class _Named(NamedTuple):
+    """A file that a description names: how, and the folder that a relative path starts from."""
+
+    name: str
+    folder: Path
+
+
+class CompanionFinder:
+    """Finds what the descriptions of robots name, within the project."""
+
+    def __init__(self, configuration: Configuration) -> None:
+        """Set where files are looked for: in the project, beyond which nothing is copied."""
+        self._configuration = configuration
+
+    def __call__(self, robot: Robot, package: str, span: Span) -> Companions:
+        """Return what a robot needs in a package.
+
+        Args:
+            robot: the robot, which is not in the package yet.
+            package: the package's name.
+            span: the statement that puts it there.
+        """
+        search = _Search(robot, package, self._configuration)
+        files: dict[str, Companion] = {}
+        told: dict[str, Diagnostic] = {}
+        for each in search.names():
+            found = search.found(each)
+            if isinstance(found, Companion):
+                found = _put(files, found)
+            if found is not None:
+                told.setdefault(each.name, _told(robot, each.name, found, span))
+        left_out = tuple(told.values())[:_MOST_TOLD]
+        return Companions(tuple(files.values()), frozenset(search.packages), left_out)
+
+
+def _put(files: dict[str, Companion], new: Companion) -> _Left | None:
+    """Add a file to those of a package; return why it does not get it."""
+    there = files.get(new.path)
+    if there is None and len(files) >= _MOST_FILES:
+        return _Left(f"does not get: it has {_MOST_FILES} files", "put it there by hand")
+    if there not in (None, new):
+        return _Left(f"does not get: it has another `{new.path}`", "rename one of them")
+    files[new.path] = new
+    return None
+
+
+class _Search:
+    def __init__(self, robot: Robot, package: str, configuration: Configuration) -> None:
+        source = robot.source
+        self._robot, self._package, self._boundary = robot, package, configuration.boundary
+        self._program = configuration.folder.absolute()
+        self._base = self._program if source is None else source.path.absolute().parent
+        self._there = configuration.output / package
+        self.packages: set[str] = set()
+
+    def names(self) -> Iterator[_Named]:
+        """Yield what the description names: meshes, and what its macros were made of."""
+        seen: set[_Named] = set()
+        for each in self._all_names():
+            if len(seen) >= _MOST_NAMES:
+                return
+            if each not in seen:
+                seen.add(each)
+                yield each
+
+    def _all_names(self) -> Iterator[_Named]:
+        for link in self._robot.shown.links.values():
+            for body in (*link.visuals, *link.collisions):
+                if isinstance(body.shape, Mesh):
+                    yield _Named(body.shape.uri, self._base)
+        source = self._robot.source
+        if source is None or source.macros is None:
+            return
+        is_known = source.expanded is not None
+        waiting = [(source.text, self._base)]
+        files: set[Path] = set()
+        while waiting and len(files) < _MOST_FILES:
+            text, folder = waiting.pop()
+            document = read_xml(text).document
+            if document is None:
+                continue
+            for name in _named_in(document, has_meshes=not is_known):
+                is_computed = _PATTERN.intersection(name) or any(x in name for x in _COMPUTED)
+                if is_known and is_computed and package_of(name) is None:
+                    # What that comes to is among the files that were opened.
+                    continue
+                yield _Named(name, folder)
+                path = self._beside(name, folder)
+                if path is not None and path not in files and os.path.isfile(path):  # noqa: PTH113
+                    files.add(path)
+                    waiting += _read(path)
+        for path in source.opened if is_known else ():
+            inner = os.path.relpath(path, self._base)
+            is_near = inner.count(os.pardir) < 2 and os.path.isfile(path)  # noqa: PTH113
+            if is_near and self._boundary.contains(Path(os.path.realpath(path))):
+                yield _Named(inner, self._base)
+
+    @cached_property
+    def _roots(self) -> tuple[Path, ...]:
+        """The folders that may be the package's, before it is made."""
+        own = own_package(self._base / "robot.urdf")
+        found = (own, self._base.parent, self._base, self._program)
+        return tuple(dict.fromkeys(each for each in found if each is not None))
+
+    def found(self, named: _Named) -> Companion | _Left | None:
+        """Return the file that a name leads to, or why the package does not get it.
+
+        None stands for one that another package has.
+        """
+        try:
+            return self._companion(named)
+        except _Left as left:
+            return left
+
+    def _companion(self, named: _Named) -> Companion | None:
+        name = named.name
+        package = package_of(name)
+        if package is not None and package[0] != self._package:
+            if is_plain(package[0]) and not _is_computed(package[0]):
+                self.packages.add(package[0])
+            return None
+        if package is not None:
+            return self._own(package[1])
+        if "://" in name and not name.startswith(_FILE):
+            return None
+        path = self._beside(name, named.folder)
+        if path is None:
+            by_hand = f"put it there by hand, where `{URDF_FOLDER}` has the description"
+            if _is_computed(name) or _PATTERN.intersection(name):
+                raise _Left("cannot get: which file it is, macros say", by_hand)
+            raise _Left("does not get: it is a place on this machine", "name it from the package")
+        inner = normpath(f"{URDF_FOLDER}/{_slashes(os.path.relpath(path, self._base))}")
+        return Companion(_checked(inner), self._allowed(path))
+
+    def _own(self, inner: str) -> Companion:
+        """Return a file of the package itself, which is not made yet, or was by an earlier run."""
+        if _is_computed(inner):
+            raise _Left("cannot get: which file it is, macros say", "put it there by hand")
+        inner = _checked(normpath(inner or "."))
+        there = os.path.realpath(self._there)
+        for root in self._roots:
+            path = root / inner
+            is_output = os.path.realpath(path).startswith(there + os.sep)
+            if not is_output and os.path.isfile(path):  # noqa: PTH113
+                return Companion(inner, self._allowed(path))
+        if (self._there / inner).is_file():
+            return Companion(inner, None)
+        raise _Left("does not get: it is not there", f"put it at `{inner}` beside the program")
+
+    def _beside(self, name: str, folder: Path) -> Path | None:
+        """Return where a path without a package leads, None where nobody knows, or it is whole."""
+        name = name.removeprefix(_HERE)
+        is_whole = name.startswith((_FILE, "/", "~")) or "://" in name
+        if is_whole or "\0" in name or _is_computed(name) or _PATTERN.intersection(name):
+            return None
+        return Path(os.path.normpath(folder / name))
+
+    def _allowed(self, path: Path) -> Path:
+        if not os.path.isfile(path):  # noqa: PTH113 - a path that is too long is not there
+            raise _Left("does not get: it is not there", "put it there")
+        if not self._boundary.contains(Path(os.path.realpath(path))):
+            raise _Left("does not get: it is outside of the project", "copy it into the project")
+        return path
+
+
+def _checked(inner: str) -> str:
+    """Return a path in the package, where its files are in folders.
+
+    Raises:
+        _Left: it is none.
+    """
+    first, _, rest = inner.partition("/")
+    if not rest or first in ("", os.pardir, ".") or not inner.isprintable() or "\\" in inner:
+        raise _Left("does not get: it would be in no folder of it", "keep it nearer to the robot")
+    return inner
+
+
+def _named_in(document: XmlDocument, *, has_meshes: bool) -> Iterator[str]:
+    """Yield what the text of a file with macros names, in the places that are certain."""
+    for include, _ in read_includes(document):
+        if include.is_certain and not include.is_optional:
+            yield include.file
+    for element in document.root.walk() if has_meshes else ():
+        if element.name == "mesh" and (name := element.get("filename")):
+            yield name
+
+
+def _read(path: Path) -> Iterator[tuple[bytes, Path]]:
+    try:
+        yield read_regular(path, MOST_BYTES), path.parent
+    except OSError:
+        return
+
+
+def _is_computed(name: str) -> bool:
+    return any(each in name for each in _COMPUTED)
+
+
+def _slashes(path: str) -> str:
+    return path.replace(os.sep, "/")
+
+
+def _told(robot: Robot, name: str, left: _Left, span: Span) -> Diagnostic:
+    file = f"{robot.stem}.urdf" if robot.source is None else robot.source.path.name
+    message = f"`{file}` names `{name}`, which the package {left.reason}"
+    return Diagnostic(codes.NOT_COPIED, message, span, help=left.remedy)

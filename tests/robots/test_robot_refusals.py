@@ -1,0 +1,54 @@
+"""What a robot's file refuses is told on the sentence that asks for it, with the file's line."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+from loaded_packages import run
+
+from plastron_tui.diagnostics import Severity
+
+ARM = """\
+<robot name="arm" xmlns:xacro="http://www.ros.org/wiki/xacro">
+  <link name="base"/>
+  <link name="hand"><visual><geometry><box size="${w} 1 1"/></geometry></visual></link>
+  <joint name="turn" type="prismatic">
+    <origin xyz="$(arg place)"/>
+    <parent link="base"/><child link="hand"/>
+    <limit lower="0" upper="${w}" effort="1" velocity="1"/>
+  </joint>
+</robot>
+"""
+JOINT = "arm has_joint 'turn' of joint_type prismatic from 'base' to 'hand' at 1, 2, 3\n"
+LIMIT = "arm limits_joint 'turn' between 0 and 1 m\n"
+LINK = "arm has_link 'hand' shaped box 2, 1, 1\n"
+IN_FILE = "change it in the file"
+
+
+@pytest.mark.parametrize(
+    ("said", "where", "message", "help_"),
+    [
+        (
+            JOINT,
+            JOINT,
+            "`$(arg place)` (in line 5 of `arm.xacro`)",
+            IN_FILE,
+        ),
+        (LIMIT + JOINT.partition(" at")[0] + "\n", LIMIT, "in line 7 of", IN_FILE),
+        (LINK, LINK, "in line 3 of", IN_FILE),
+        ("arm no_longer_has_joint 'turn'\n", "'turn'", "in line 5", IN_FILE),
+    ],
+)
+def test_a_refusal_is_told_on_its_sentence(
+    said: str, where: str, message: str, help_: str, tmp_path: Path
+) -> None:
+    (tmp_path / "arm.xacro").write_text(ARM)
+    program = f"load_robot 'arm.xacro' as arm\n{said}generate_robot arm\n"
+    [told] = [x for x in run(program, tmp_path, "rospy") if x.severity is Severity.ERROR]
+    assert (told.code, told.file) == ("edit-refused", None)
+    assert told.span is not None
+    assert program[told.span.start : told.span.end] == where.rstrip("\n")
+    assert message in told.message
+    assert help_ in (told.help or "")
+    assert not (tmp_path / "output").exists()
