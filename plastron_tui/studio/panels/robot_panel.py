@@ -173,14 +173,16 @@ class RobotPanel(Container):
 
 def _made(analysis: Analysis, looks: Looks) -> Shown:
     from .robot_entries import robot_entries
-    from .robot_picture import picture_of
+    from .robot_picture import picture_of, sides_of
 
     entries = analysis.once("robots", lambda: robot_entries(analysis))
     robot = analysis.workspace.robots.get(looks.robot or "")
     if robot is None or not looks.rows:
         return Shown(entries, ())
     size = looks.columns, looks.rows
-    picture = picture_of(analysis.session, robot, *size, view=looks.view, marked=looks.marked)
+    # What stands out, and how large all is, changes more often than the robot.
+    sides = analysis.once(("sides", robot.variable), lambda: sides_of(analysis.session, robot))
+    picture = picture_of(robot, sides, *size, view=looks.view, marked=looks.marked)
     return Shown(entries, picture)
 
 
