@@ -67,13 +67,24 @@ them if you like: `"#3060ff80"`.
 robot's name. That starts robot_state_publisher, which tells everybody where the parts are. Where the joints
 stand it hears on `joint_states`: from the nodes of the package that publish `sensor_msgs/JointState` there,
 which the launch file starts too unless another one of the program does, or, where joints move and no node
-of the program says it, from joint_state_publisher. A node that has a parameter `joint_names` (`string_list`) or `base_frame`
+of the program says it, from joint_state_publisher. Of several robots each has its own: the nodes whose
+messages name joints of it, or that publish to `ROBOT/joint_states`. A node that has a parameter `joint_names` (`string_list`) or `base_frame`
 (`string`) gets the names of the joints that move, or of the root. package.xml names what all of that needs.
 Another launch file takes it in with `includes 'PACKAGE/rover.launch'`, in ROS 2 with
 `'PACKAGE/rover.launch.xml'`, and `plastron run FILE rover` starts it. Where nodes in C++ make the output
 folder a package, `generate_robot` puts the same there.
 
+A package that the program creates gets what the description names, too: meshes by `package://PACKAGE/…` or
+by relative paths, and what a xacro file includes, as far as they are within the project. They stand to the
+description as they did. What belongs to other packages stays there, and is depended on; what is left is
+told.
+
 `load_robot 'urdf/rover.urdf' as rover` reads a description that exists. `has_link`, `has_joint` and
 `limits_joint` of a name that it has change just what they say, and every other byte of the file stays.
+`shaped` and `at` are about what is seen and what collides; where only one of them has a shape of that kind,
+only that one changes. What a part says that no sentence speaks of stays, or it is told that it goes. The
+arguments of a xacro file (`$(arg NAME)`) get values by `setting`: `load_robot 'ur.urdf.xacro' as arm setting
+'name' = "arm", 'ur_type' = "ur5e"`; what starts the robot gives it the same. `plastron inspect` and `plastron graph` take
+them behind the file, as `name:=arm ur_type:=ur5e`.
 
 """

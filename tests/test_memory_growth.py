@@ -11,7 +11,7 @@ import pytest
 
 @pytest.mark.long(2)
 @pytest.mark.parametrize(
-    ("work", "steps", "most"), [("rounds", 800, 1.1), ("keys", 1_500, 1.2)], ids=["rounds", "keys"]
+    ("work", "steps", "most"), [("rounds", 500, 1.1), ("keys", 1_200, 1.2)], ids=["rounds", "keys"]
 )
 def test_the_memory_stays(work: str, steps: int, most: float) -> None:
     command = [sys.executable, "-m", "benchmarks.memory", work, str(steps)]

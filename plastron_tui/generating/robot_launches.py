@@ -19,6 +19,7 @@ from plastron_tui.ros.robots.tree import roots
 from plastron_tui.targets.robots.launch import JOINT_PUBLISHER, JOINT_STATES, STATE_PUBLISHER
 
 _JOINT_STATE = ("sensor_msgs", "JointState")
+_NAMES = "name"
 _JOINT_NAMES = "joint_names"
 _BASE_FRAME = "base_frame"
 _NONE = object()
@@ -39,7 +40,8 @@ def robot_starts(
     """Return what starts a robot of a package.
 
     A node of the package that says where the joints are is started too, unless a launch file of
-    the program starts it. Where no node of the program says it, joint_state_publisher does.
+    the program starts it. Where no node of the program says it, joint_state_publisher does. Of
+    several robots each has its own nodes: those that name joints of it, or publish in its name.
 
     Args:
         robot: the robot.
@@ -50,7 +52,14 @@ def robot_starts(
     """
     launch = Launch(robot.stem, robot.variable, span)
     joints = driven_joints(robot.shown)
-    said = [(each, topic) for each in nodes for topic in _topics(each)]
+    robots = list(workspace.robots.values())
+    heard_of = {each.variable: tuple(_told(each, robots)) for each in nodes}
+    said = [
+        (each, told.topic)
+        for each in nodes
+        for told in heard_of[each.variable]
+        if robot.variable in told.robots or not told.robots
+    ]
     topics = tuple(dict.fromkeys(topic for _, topic in said))
     usual = f"/{JOINT_STATES}"
     heard = topics[0] if len(topics) == 1 else usual
@@ -73,15 +82,59 @@ def robot_starts(
             _add(launch, _own(node, span, tuple(_wired(node, robot.shown, joints))))
     apart = (node for name, node in tellers.items() if name not in package.contents)
     alone = (node for node in apart if node.home is None)
-    return RobotStarts(launch, tuple(_in_no_package(each, robot, span) for each in alone))
+    unsure = (
+        node
+        for name, node in tellers.items()
+        if name in package.contents and not all(told.robots for told in heard_of[name])
+    )
+    return RobotStarts(
+        launch,
+        (
+            *(_in_no_package(each, robot, span) for each in alone),
+            *(_of_unknown_robot(each, robots) for each in unsure),
+        ),
+    )
 
 
-def _topics(node: Node) -> Iterator[str]:
+class _Told(NamedTuple):
+    """A topic on which a node says where joints are, and the variables of the robots they are of.
+
+    Without any, nobody knows of which.
+    """
+
+    topic: str
+    robots: tuple[str, ...]
+
+
+def _told(node: Node, robots: Sequence[Robot]) -> Iterator[_Told]:
     """Yield the topics on which a node says where joints are; one may send wishes as well."""
     for each in node.of(Publisher).values():
         topic = resolved_name(node.name, each.name)
-        if each.type == _JOINT_STATE and topic.rpartition("/")[2] == JOINT_STATES:
-            yield topic
+        if each.type != _JOINT_STATE or topic.rpartition("/")[2] != JOINT_STATES:
+            continue
+        values = (sent.message.value.fields.get(_NAMES) for sent in each.publications)
+        names = {name for value in values if isinstance(value, tuple) for name in value}
+        folders = topic.split("/")
+        found = [
+            robot
+            for robot in robots
+            if not names.isdisjoint(robot.shown.joints)
+            or (not names and (robot.stem in folders or robot.variable in folders))
+        ]
+        chosen = robots if len(robots) == 1 else found
+        yield _Told(topic, tuple(robot.variable for robot in chosen))
+
+
+def _of_unknown_robot(node: Node, robots: Sequence[Robot]) -> Diagnostic:
+    """Tell a node that says where joints are, of which nobody knows whose they are."""
+    listed = ", ".join(f"`{each.variable}`" for each in robots)
+    return Diagnostic(
+        codes.UNCLEAR_ROBOT,
+        f"`{node.variable}` is started with each of {listed}: the program does not say which of "
+        "them it tells the joints of",
+        node.span,
+        help=f"name joints in its message, or publish to `'{robots[0].stem}/{JOINT_STATES}'`",
+    )
 
 
 def _in_no_package(node: Node, robot: Robot, span: Span) -> Diagnostic:

@@ -11,7 +11,7 @@ import dataclasses
 import re
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass, field
-from itertools import count, groupby
+from itertools import count, groupby, takewhile
 from typing import TYPE_CHECKING, Any, TypeAlias, TypeVar
 
 from tree_sitter import Node
@@ -119,6 +119,32 @@ class Declaration:
     def usage(self) -> str:
         """The sentence with its slots in capitals, and optional clauses in brackets."""
         return written(self.elements, lambda element, text: text)
+
+    def usage_around(self, part: Element | None) -> str:
+        """The sentence; of a long one, only the clause that a part is in is there in full."""
+        if len(self.usage) <= _LONG_USAGE:
+            return self.usage
+
+        def show(element: Element, text: str) -> str:
+            if not isinstance(element, Clause) or len(element.elements) == 1:
+                return text
+            if part is not None and part in tuple(_parts_of(element.elements)):
+                return text
+            words = takewhile(lambda each: isinstance(each, str), element.elements)
+            return " ".join([*map(str, words), "…"])
+
+        return written(self.elements, show)
+
+
+_LONG_USAGE = 100
+"""Characters of a sentence that is too long to be read in a message."""
+
+
+def _parts_of(elements: Iterable[Element]) -> Iterator[Element]:
+    for element in elements:
+        yield element
+        if isinstance(element, Clause):
+            yield from _parts_of(element.elements)
 
 
 def written(elements: Sequence[Element], show: Callable[[Element, str], str]) -> str:

@@ -8,7 +8,7 @@ from itertools import pairwise
 from plastron_tui.diagnostics import Diagnostic, Edit, Fix, Span, codes, write
 from plastron_tui.diagnostics.suggest import nearest
 
-from .declaration import Declaration, Form, Slot, SlotKind
+from .declaration import Declaration, Element, Form, Slot, SlotKind
 from .field_mistakes import without_fields
 from .keywords import KEYWORDS
 from .list_errors import first_unfit
@@ -52,13 +52,16 @@ class SentenceErrors:
     def __init__(self, declaration: Declaration, tokens: Sequence[Token]) -> None:
         self._declaration = declaration
         self._tokens = tokens
+        self._part: Element | None = None
 
     def first(self, match: SentenceMatch) -> Diagnostic:
         """Return what is wrong, as the match of the tokens tells."""
         for filled in match.slots:
+            self._part = filled.slot
             mistake = self._in_slot(filled)
             if mistake is not None:
                 return mistake
+        self._part = match.wanted
         token = self._tokens[match.end] if match.end < len(self._tokens) else None
         match match.wanted:
             case Slot(kind=kind) if token is None:
@@ -361,7 +364,7 @@ class SentenceErrors:
         return self._error(f"expected {what}, not `{shown(token.text)}`", token.span)
 
     def _error(self, message: str, span: Span) -> Diagnostic:
-        help_ = f"the sentence is: {self._declaration.usage}"
+        help_ = f"the sentence is: {self._declaration.usage_around(self._part)}"
         if any(slot.kind is SlotKind.FIELDS for slot in self._declaration.slots):
             help_ += f"; for example: {self._declaration.example}"
         return Diagnostic(codes.SYNTAX_ERROR, message, span, help=help_)

@@ -94,9 +94,17 @@ def check_robots(program: Program, workspace: Workspace) -> Iterator[Diagnostic]
         for fault in faults(robot.description if whole is None else whole, root):
             is_lack = fault.kind.is_lack and variable not in written
             is_open = whole is None and fault.kind in _OF_THE_WHOLE
+            is_unmeasured = fault.kind is FaultKind.WEIGHTLESS and _weighs(fault, said, variable)
             is_old = (fault.kind, fault.part) in before
-            if not (is_lack or is_open or is_old or fault.kind in _SAID):
+            is_told = is_unmeasured or fault.kind in _SAID
+            if not (is_lack or is_open or is_old or is_told):
                 yield _told(fault, robot, said)
+
+
+def _weighs(fault: Fault, said: _Said, robot: str) -> bool:
+    """Tell whether a link has a weight that no inertia follows from: that of a mesh, say."""
+    statement = said.of_parts.get((robot, "link", fault.part))
+    return isinstance(statement, st.HasLink) and statement.weight is not None
 
 
 def _heavy_root_of_file(program: Program, robot: Robot) -> Iterator[Diagnostic]:

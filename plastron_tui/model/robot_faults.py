@@ -28,6 +28,7 @@ CODES: Mapping[FaultKind, Code] = {
     FaultKind.SIZE: codes.BAD_SHAPE,
     FaultKind.INERTIA: codes.IMPOSSIBLE_INERTIA,
     FaultKind.ROOT_INERTIA: codes.ROOT_INERTIA,
+    FaultKind.WEIGHTLESS: codes.MISSING_WEIGHT,
     FaultKind.LONG: codes.UNIT_SLIP,
     FaultKind.HEAVY: codes.UNIT_SLIP,
     FaultKind.NAME: codes.BAD_ROBOT_NAME,
@@ -45,6 +46,7 @@ _OF_SEVERAL: Mapping[FaultKind, str] = {
     FaultKind.SIZE: "no positive size has {}",
     FaultKind.INERTIA: "no body can have the inertia of {}",
     FaultKind.ROOT_INERTIA: "the root {} has an inertia, which KDL leaves out of account",
+    FaultKind.WEIGHTLESS: "{} moves and has no weight: Gazebo leaves it out",
     FaultKind.LONG: f"more than {LONGEST:,.0f} m is said of {{}}",
     FaultKind.HEAVY: f"more than {HEAVIEST:,.0f} kg is said of {{}}",
     FaultKind.NAME: "tf2 takes no such name: {}",
@@ -108,6 +110,8 @@ def help_of(fault: Fault, robot: Robot) -> str | None:
             return f"call the joint `{part}_joint`"
         case FaultKind.ROOT_INERTIA:
             return _empty_root(part)
+        case FaultKind.WEIGHTLESS:
+            return "say what it weighs, such as `weighing 0.5`"
         case _:
             return None
 
@@ -122,13 +126,15 @@ def faults_of_file(source: RobotSource, where: Span) -> Iterator[Diagnostic]:
     Args:
         source: the file.
         where: the statement that loads it: what stands nowhere in it is told there.
+
+    That a link has no weight is not told: many files are for pictures alone.
     """
     whole = source.whole
     if whole is None:
         return
     found: dict[FaultKind, list[Fault]] = {}
     for fault in faults(whole):
-        if not _is_told_by_reader(fault, whole):
+        if fault.kind is not FaultKind.WEIGHTLESS and not _is_told_by_reader(fault, whole):
             found.setdefault(fault.kind, []).append(fault)
     for kind, each in found.items():
         for part, message in _messages(kind, each):

@@ -25,8 +25,8 @@ WITHOUT = {
     "invalid-qos", "not-in-ros-1", "still-needed", "unknown-parameter", "parameter-type-mismatch",
     "invalid-range", "nothing-received", "computed-type-mismatch",
     "robot-exists", "part-exists", "bad-shape", "bad-weight", "bad-unit", "bad-axis",
-    "missing-limits", "incomplete-joint", "bad-mimic", "bad-robot-number", "mesh-inertia",
-    "no-tree", "link-name-again",
+    "missing-limits", "incomplete-joint", "missing-weight", "bad-mimic", "bad-robot-number",
+    "mesh-inertia", "no-tree", "link-name-again",
 }  # fmt: skip
 
 MORE = [

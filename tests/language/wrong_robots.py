@@ -141,6 +141,8 @@ _ENDS: dict[str, list[tuple[str, str, str, str | None]]] = {
     ],
     "r has_joint 'j' of joint_type fixed from 'a' to 'b' ": [
         ("with", "", "expected `axis` here", SENTENCE),
+        ("at 0", "", "expected a comma, and two more numbers here", "'JOINT' [of joint_type …] "
+         "[from …] [at X, Y, Z] [turned …] [with axis …] [mimicking …]"),
         ("with axis", "", "expected three numbers, such as `0, 0, 1` here", SENTENCE),
         ("with axis z", "z", "an axis is three numbers: x, y and z", "write `0, 0, 1`"),
         ("with axis -y at 0, 0, 0", "-y", "an axis is three numbers: x, y and z",
@@ -178,7 +180,8 @@ _ENDS: dict[str, list[tuple[str, str, str, str | None]]] = {
         ("between 0 and 1 m between 0 and 2 m", "between",
          "`between` cannot stand here any more", SENTENCE),
         ("with", "", "expected `effort` or `damping` here", SENTENCE),
-        ("with effort", "", "expected a number here", SENTENCE),
+        ("with effort", "", "expected a number here", "[between …] [with effort EFFORT and "
+         "velocity VELOCITY] [with damping …]"),
         ("with damping 1", "", "expected `and` here", SENTENCE),
         ("with damping 1 and", "", "expected `friction` here", SENTENCE),
         ("with demping 1 and friction 2", "demping", "expected `effort` or `damping`",

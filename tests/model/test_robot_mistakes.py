@@ -163,6 +163,17 @@ WRITTEN: list[tuple[str, list[tuple[str, str, str]]]] = [
         "r has_link 'a'\nr has_link 'b'\nr has_joint 'j' of joint_type prismatic from 'a' to 'b'\n",
         [("missing-limits", "prismatic", "between 0 and 0.5 m")],
     ),
+    (
+        "r has_link 'a'\nr has_link 'b' shaped sphere 1\n"
+        "r has_joint 'j' of joint_type planar from 'a' to 'b'\n",
+        [("missing-weight", "'b'", "weighing 0.5")],
+    ),
+    # What is held fast becomes a part of what holds it.
+    (
+        "r has_link 'a'\nr has_link 'b' shaped sphere 1\n"
+        "r has_joint 'j' of joint_type fixed from 'a' to 'b'\n",
+        [],
+    ),
     ("r has_link 'a' shaped sphere 1 weighing 2\n", [("root-inertia", "2", "an empty link")]),
 ]
 
@@ -238,7 +249,10 @@ LOADED: list[tuple[str, list[tuple[str, str]]]] = [
     ("r has_joint 'hold' with axis 0, 0, 1", [("bad-axis", "0, 0, 1")]),
     ("r has_joint 'hold' mimicking 'turn'", [("bad-mimic", "'turn'")]),
     ("r has_joint 'slide' from 'hand' to 'arm'", [("no-tree", "'arm'"), ("no-tree", "'slide'")]),
-    ("r has_joint 'hold' of joint_type revolute", [("missing-limits", "revolute")]),
+    (
+        "r has_joint 'hold' of joint_type revolute",
+        [("missing-limits", "revolute"), ("missing-weight", "'hold'")],
+    ),
     ("r has_link 'tip' painted none", [("bad-shape", "none")]),
     ("r has_link 'arm' weighing 2\nr has_link 'arm' painted red", [("part-exists", "'arm'")]),
     ("r has_link 'hand' shaped sphere 1", [("several-shapes", "sphere")]),

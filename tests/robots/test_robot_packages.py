@@ -356,19 +356,35 @@ def test_what_a_robot_leaves_in_its_package_is_told(tmp_path: Path) -> None:
     assert "urdf" not in (package / "CMakeLists.txt").read_text()
 
 
+TWO = """\
+create_robot 'arm' as arm
+arm has_link 'base'
+arm has_link 'hand'
+arm has_joint 'elbow' of joint_type continuous from 'base' to 'hand'
+"""
+
+
 @pytest.mark.parametrize(
-    ("head", "path"),
+    ("joint", "topic", "of_rover", "of_arm"),
     [
-        (PACKAGE + END, "rover_demo/urdf/rover.urdf"),
-        (driver() + "generate_node driver\ngenerate_robot rover\n", "urdf/rover.urdf"),
+        ("wheel_joint", "joint_states", {"driver"}, {"joint_state_publisher"}),
+        ("elbow", "joint_states", {"joint_state_publisher"}, {"driver"}),
+        ("elbow", "rover/joint_states", {"joint_state_publisher"}, {"driver"}),
+        ("", "arm/joint_states", {"joint_state_publisher"}, {"driver"}),
+        ("", "joint_states", {"driver"}, {"driver"}),
     ],
 )
-def test_handwork_in_a_packages_robot_goes_by_values(head: str, path: str, tmp_path: Path) -> None:
-    program = ROBOT.format(type="fixed") + head
-    run(program, tmp_path, "rclcpp")
-    file = tmp_path / "output" / path
-    # The program changes the same line.
-    file.write_text(file.read_text().replace('<mass value="0.5"/>', '<mass  value="0.5" />'))
-    told = run(program.replace("weighing 0.5", "weighing 2"), tmp_path, "rclcpp")
-    assert [str(each.code) for each in told] == ["merged-by-hand"]
-    assert '<mass  value="2" />' in file.read_text()
+def test_each_robot_of_a_package_has_its_own_nodes(
+    joint: str, topic: str, of_rover: set[str], of_arm: set[str], tmp_path: Path
+) -> None:
+    program = ROBOT.format(type="continuous") + TWO + driver(topic)
+    program = program.replace('name=["wheel_joint"], ', f'name=["{joint}"], ' if joint else "")
+    inside = "demo contains driver\ndemo contains arm\n"
+    told = run(program + PACKAGE + inside + END, tmp_path, "rclpy")
+    assert not has_errors(told), told
+    for name, wanted in (("rover", of_rover), ("arm", of_arm)):
+        text = (tmp_path / f"output/rover_demo/launch/{name}.launch.xml").read_text()
+        nodes = {each for each in ("driver", "joint_state_publisher") if f'exec="{each}' in text}
+        assert (name, nodes) == (name, wanted)
+    unsure = [each for each in told if each.code == "unclear-robot"]
+    assert [each.severity.value for each in unsure] == ["warning"] * (of_rover == of_arm)

@@ -12,6 +12,8 @@ _FIXED = "rover has_joint 'hold' of joint_type fixed from 'base' to 'body'\n"
 _TURNING = "rover has_joint 'turn' of joint_type revolute from 'base' to 'body' with axis 0, 0, 1\n"
 _LIMITED = "rover limits_joint 'turn' between -90 and 90 deg with effort 10 and velocity 1\n"
 _END = "generate_robot rover\n"
+_MAST = f"{_BASE}rover has_link 'mast' shaped box 0.1, 0.1, 0.5"
+_TURN = "rover has_joint 'turn' of joint_type continuous from 'base' to 'mast' with axis 0, 0, 1\n"
 _WHOLE = f"{_BODY}{_FIXED}{_END}"
 
 UNKNOWN_ROBOT = Code(
@@ -80,6 +82,15 @@ BAD_WEIGHT = Code(
     "What a link weighs is a positive number of kilograms.",
     bad=f"{_BASE}rover has_link 'body' shaped sphere 0.1 weighing 0\n{_FIXED}{_END}",
     good=f"{_BASE}rover has_link 'body' shaped sphere 0.1 weighing 0.5\n{_FIXED}{_END}",
+)
+
+MISSING_WEIGHT = Code(
+    "missing-weight",
+    "A joint moves a link that has a shape and no weight: Gazebo leaves it out, and all that hangs "
+    "on it. Pictures do without a weight.",
+    severity=Severity.WARNING,
+    bad=f"{_MAST}\n{_TURN}{_END}",
+    good=f"{_MAST} weighing 1\n{_TURN}{_END}",
 )
 
 UNKNOWN_COLOR = Code(
@@ -164,6 +175,14 @@ BAD_ROBOT_ARGUMENT = Code(
     "bad-robot-argument",
     "A robot's file is given an argument that it does not ask for, or that is no name and value: "
     "the arguments of a xacro file, `$(arg NAME)`, are texts, numbers and booleans.",
+)
+
+UNCLEAR_ROBOT = Code(
+    "unclear-robot",
+    "A program has several robots, and a node that says where joints are does not say of which: it "
+    "is started with each of them. Joints that its message names tell it, or the robot's name in "
+    "the topic, `ROBOT/joint_states`.",
+    severity=Severity.WARNING,
 )
 
 SEVERAL_SHAPES = Code(

@@ -47,6 +47,9 @@ class FaultKind(Enum):
     """No body has the inertia of a link."""
     ROOT_INERTIA = auto()
     """The root has an inertia, which KDL leaves out (`kdl_parser`: `treeFromUrdfModel`)."""
+    WEIGHTLESS = auto()
+    """What a joint moves has a shape and no inertia: Gazebo leaves it out, and all that hangs on it
+    (sdformat: `CreateSDF`)."""
     LONG = auto()
     """A length or a place of a link or a joint is so far that it may be in millimetres."""
     HEAVY = auto()
@@ -63,7 +66,7 @@ class FaultKind(Enum):
 
     @property
     def is_lack(self) -> bool:
-        """Whether something is only missing yet: a link, a joint, limits, or an empty root."""
+        """Whether something is only missing yet: a link, a joint, limits, a weight, say."""
         return self in _LACKS
 
 
@@ -81,7 +84,10 @@ _OF_JOINTS = frozenset(
 )
 
 _LACKS = frozenset(
-    {FaultKind.NO_LINKS, FaultKind.LOOSE, FaultKind.NO_LIMITS, FaultKind.ROOT_INERTIA}
+    {
+        *(FaultKind.NO_LINKS, FaultKind.LOOSE, FaultKind.NO_LIMITS, FaultKind.ROOT_INERTIA),
+        FaultKind.WEIGHTLESS,
+    }
 )
 
 
@@ -114,6 +120,11 @@ def faults(robot: Description, root: str | None = None) -> Iterator[Fault]:
     yield from _mimic_faults(robot)
     for link in robot.links.values():
         yield from _link_faults(link)
+    for name, joint in holders(robot).items():
+        held = robot.links.get(name, Link(name))
+        is_shaped = held.visuals or held.collisions
+        if joint.type is not JointType.FIXED and is_shaped and held.inertial is None:
+            yield Fault(FaultKind.WEIGHTLESS, name)
     for joint in robot.joints.values():
         if any(abs(each) > LONGEST for each in joint.pose.position):
             yield Fault(FaultKind.LONG, joint.name)

@@ -50,7 +50,7 @@ def headings(document: XmlDocument, gone: Collection[Element]) -> Iterator[Headi
             continue
         first = line_start(document.text, element.span.start)
         comments = _right_above(document, first)
-        if not comments or comments[0].start < document.root.start_tag.end:
+        if not comments:
             continue
         group = _group(document, siblings, at)
         if all(each in gone for each in group):

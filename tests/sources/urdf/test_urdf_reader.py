@@ -216,6 +216,17 @@ def test_a_colour_that_does_not_count_is_told() -> None:
     assert found.severity is Severity.WARNING
 
 
+def test_what_is_odd_is_told_and_a_zero_is_a_zero() -> None:
+    odd = '<mass value="-1"/>' + INERTIA
+    text = inertial(odd) + joint('<mimic joint="k" multiplier="0"/>').replace(
+        '<link name="a"/>', ""
+    )
+    read = read_urdf(f'<robot name="r">{text}</robot>'.encode())
+    assert [each.message for each in read.diagnostics] == ["the mass is negative"]
+    assert read.description is not None
+    assert read.description.joints["j"].mimic == Mimic("k", 0)
+
+
 def test_another_file_is_no_robot() -> None:
     read = read_urdf(b"<sdf/>")
     assert read.description is None
@@ -226,8 +237,9 @@ def test_another_file_is_no_robot() -> None:
 
 def test_what_macros_compute_is_no_mistake() -> None:
     head = '<robot xmlns:xacro="http://www.ros.org/wiki/xacro">'
-    text = f"{head}<xacro:property name='r' value='1'/>{sphere('${r}')}</robot>"
+    painted = sphere("${r}").replace("</visual>", f"{BLUE}</visual>")
+    text = f"{head}<xacro:property name='r' value='1'/>{painted}</robot>"
     read = read_urdf(text.encode())
     assert read.diagnostics == ()
     assert read.description is not None
-    assert read.description.links["a"].visuals == (Body(None),)
+    assert read.description.links["a"].visuals == (Body(None, material=Material("blue")),)
