@@ -86,7 +86,7 @@ def run_launch_of(
             if isinstance(launch, Launch):
                 remedy = f"add `generate_launch {launch.variable}`, or {remedy}"
             elif not launch.home:
-                message = f"`{stem}` is in no package, which would have what starts it"
+                message = f"nothing starts `{stem}`: the launch file that does comes with a package"
                 package = next(iter(session.workspace.packages), "PACKAGE")
                 remedy = f"put it into one: `{package} contains {launch.variable}`"
             found = Diagnostic(codes.NOTHING_TO_GENERATE, message, launch.span, help=remedy)

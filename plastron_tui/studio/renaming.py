@@ -39,7 +39,7 @@ from plastron_tui.targets import ros_version
 
 from .analysis import Analysis
 from .editor.names import wrong_name as wrong_variable
-from .editor.robot_parts import Part, find_part, wrong_part_name, wrong_robot_name
+from .editor.robot_parts import Part, find_part, kept_name, wrong_part_name, wrong_robot_name
 from .insertion_point import placed
 from .panels.entry import HUBS, Entry, Subject
 
@@ -322,6 +322,12 @@ def _made_names(workspace: Workspace, subject: Subject | EndpointKind) -> set[st
     if subject is Subject.LAUNCH:
         return {each.name for each in workspace.launches.values()}
     return {each.name for each in workspace.robots.values()}
+
+
+def fixed_name(analysis: Analysis, entry: Entry) -> str | None:
+    """Return why something keeps the name that it has, None when it can have another one."""
+    part = _part_of(entry)
+    return None if part is None else kept_name(part, analysis.workspace.robots.get(part.robot))
 
 
 def wrong_name(analysis: Analysis, entry: Entry, new: str) -> str | None:

@@ -18,7 +18,7 @@ from plastron_tui.studio.panels.entry import Entry
 from plastron_tui.studio.panels.packages import PACKAGES
 from plastron_tui.studio.panels.preview import previews_of
 from plastron_tui.studio.panels.robot_panel import ROBOTS, Looks, Shown
-from plastron_tui.studio.renaming import renamed, wrong_name
+from plastron_tui.studio.renaming import fixed_name, renamed, wrong_name
 
 TEXT = """\
 create_robot 'rover' as rover
@@ -119,7 +119,8 @@ def test_a_part_of_a_file_says_where_it_stands(tmp_path: Path) -> None:
     assert found["arm"].statement == (
         "old no_longer_has_joint 'turn'\nold no_longer_has_link 'arm'"
     )
-    assert "`old.urdf` has the name" in (wrong_name(analysis, found["arm"], "other") or "")
+    for refused in (fixed_name(analysis, found["arm"]), wrong_name(analysis, found["arm"], "x")):
+        assert refused == "`old.urdf` has the name: change it there"
 
 
 def test_macros_that_are_not_expanded_stand_for_what_they_make(tmp_path: Path) -> None:
@@ -267,8 +268,9 @@ async def test_a_picture_fits_below_its_tree_before_any_key(program: Path) -> No
     program.write_text(TEXT.replace("generate_robot rover\n", f"{links}generate_robot rover\n"))
     async with studio(program, (120, 60)) as driver:
         panel = driver.main.panels["robots"]
+        await driver.until(lambda: len(panel.picture.lines) == panel.picture.size.height)
+        await driver.settle()
         assert panel.picture.display
-        assert len(panel.picture.lines) == panel.picture.size.height
         await driver.press("down")
         # The part at the cursor is one no longer, and nobody moves the cursor.
         await driver.type("x")

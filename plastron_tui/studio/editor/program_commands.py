@@ -15,7 +15,7 @@ from plastron_tui.regular_files import reason
 
 from .external_editor import EditedElsewhere, external_editor, run_editor
 from .names import Variable, variable_at, wrong_name
-from .robot_parts import find_part, part_at, wrong_part_name
+from .robot_parts import find_part, kept_name, part_at, wrong_part_name
 
 if TYPE_CHECKING:
     from .widget import ProgramEditor
@@ -47,7 +47,12 @@ def go_to_definition(editor: ProgramEditor) -> None:
 async def ask_name(editor: ProgramEditor) -> None:
     """Ask for another name of the variable under the cursor."""
     variable = _variable(editor)
-    if variable is not None:
+    document, offset = editor.session.document, editor.cursor_offset
+    part = None if variable_at(document, offset) is not None else part_at(document, offset)
+    kept = None if part is None else kept_name(part, editor.completer.names.known_robot(part.robot))
+    if kept is not None:
+        editor.warn(kept)
+    elif variable is not None:
         name = variable.name
         await editor.ask(f"rename {name} to", name, partial(rename, editor))
 

@@ -84,13 +84,24 @@ def wrong_part_name(document: Document, part: Part, new: str, robot: Robot | Non
     wrong = wrong_robot_name(new)
     if wrong is not None:
         return wrong
-    source = None if robot is None else robot.source
-    if source is not None and part.is_of(source.whole or source.description):
-        return f"`{source.path.name}` has the name: change it there"
+    kept = kept_name(part, robot)
+    if kept is not None:
+        return kept
     other = part._replace(name=new)
     is_there = robot is not None and other.is_of(robot.shown)
     if is_there or find_part(document, other).places:
         return f"the robot has a {part.kind} `{new}` already"
+    return None
+
+
+def kept_name(part: Part, robot: Robot | None) -> str | None:
+    """Return why a part keeps the name that it has, whatever the other one; None when it need not.
+
+    The robot is as it was last understood, None where nobody has yet.
+    """
+    source = None if robot is None else robot.source
+    if source is not None and part.is_of(source.whole or source.description):
+        return f"`{source.path.name}` has the name: change it there"
     return None
 
 
