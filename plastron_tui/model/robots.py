@@ -107,8 +107,8 @@ class Robot:
     Attributes:
         variable: the program's variable for it.
         span: the statement that created or loaded it.
-        description: what it consists of by now. What the program changes in a loaded one is what
-            differs from the source's.
+        description: what it consists of by now: later statements change its links and joints in
+            place. What the program changes in a loaded one is what differs from the source's.
         source: what a loaded one came from, None for one that was created.
         links: where the program speaks of its links, by name.
         joints: where it speaks of its joints, by name.

@@ -85,6 +85,19 @@ class RobotReader:
         text = self._texts.read(source, path)
         if isinstance(text, Diagnostic):
             return LoadedRobot(None, (text,))
+        return self.read_text(source, path, text, arguments)
+
+    def read_text(
+        self, source: str, path: Path, text: bytes, arguments: Arguments = ()
+    ) -> LoadedRobot:
+        """Read what a robot's file holds.
+
+        Args:
+            source: what the file is called where it is spoken of.
+            path: the file.
+            text: what it holds.
+            arguments: what its macros are given.
+        """
         if b"\0" in text:
             message = f"`{source}` is no text, and so no robot"
             help_text = "it is UTF-16: save it as UTF-8" if text.startswith(_UTF_16) else None
