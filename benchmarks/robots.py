@@ -39,7 +39,7 @@ def rows() -> Iterator[Row]:
     yield Row(
         "60 links in characters, tree and three views, 200 by 50 / where they are, ten times",
         ratio,
-        15,
+        10,
         detail=f"{drawn * 1e3:.1f} ms / {found * 1e3:.1f} ms",
     )
     large = many_links(480)

@@ -183,6 +183,21 @@ class Report:
         return self.status
 
 
+def read_input(file: Path, report: Report) -> bytes | None:
+    """Return what a file holds that is looked at as it is, None where it cannot be read."""
+    from plastron_tui.model.source import LARGEST_FILE
+    from plastron_tui.output.own_files import settled
+    from plastron_tui.regular_files import read_named, reason
+
+    report.add(settled(file.parent), lambda _: None)
+    try:
+        return read_named(file, LARGEST_FILE)
+    except (OSError, ValueError) as error:
+        message = f"`{file.name or file}` cannot be read: {reason(error)}"
+        report.unreadable([Diagnostic(codes.UNREADABLE_FILE, message, file=file)])
+        return None
+
+
 def open_session(file: Path, report: Report, options: Options | None = None) -> Session | None:
     """Read a program; None when that fails, which is then reported."""
     if str(file) == STANDARD_INPUT:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 from collections.abc import Iterable
 from dataclasses import replace
 from pathlib import Path
@@ -29,6 +28,7 @@ from .common import (
     format_option,
     open_sessions,
     print_text,
+    read_input,
     target_option,
 )
 from .file_words import files_and_arguments, robot_arguments, words_argument
@@ -135,16 +135,17 @@ def robots_of(
     files: Iterable[Path], report: Report, given: Arguments = (), *, is_drawn: bool = False
 ) -> list[Robot]:
     """Read the robots of files, whose arguments are given; what is drawn has to be measured."""
-    from plastron_tui.project.program_file import lines_of
-    from plastron_tui.project.robot_graph import robot_graph
+    from .robot_input import read_robot
 
     robots = []
     for file in files:
-        boundary = find_boundary(file.absolute().parent)
-        found = robot_graph(file, boundary, os.environ, given, is_drawn=is_drawn)
-        report.add(found.diagnostics, lambda path: None if path is None else lines_of(path))
-        if found.robot is not None:
-            robots.append(found.robot)
+        text = read_input(file, report)
+        if text is None:
+            continue
+        read = read_robot(file, text, given, is_drawn=is_drawn)
+        report.add(read.diagnostics, read.lines, file)
+        if read.robot is not None:
+            robots.append(read.robot)
     return robots
 
 

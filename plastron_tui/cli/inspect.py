@@ -10,14 +10,12 @@ import click
 from plastron_tui.diagnostics import Diagnostic, LineIndex, codes
 from plastron_tui.model.inspection import inspect_json, inspect_text
 from plastron_tui.model.program_text import program_of
-from plastron_tui.model.source import LARGEST_FILE, SourceUnit
-from plastron_tui.output.own_files import settled
+from plastron_tui.model.source import SourceUnit
 from plastron_tui.project.loader import read_node, with_others
-from plastron_tui.regular_files import read_named, reason
 from plastron_tui.ros.robots.names import FILE_ENDINGS
 from plastron_tui.targets import ros_version
 
-from .common import Report, finish, format_option, print_text
+from .common import Report, finish, format_option, print_text, read_input
 from .file_words import files_and_arguments, robot_arguments, words_argument
 from .inspect_robot import show_robot
 from .other_files import other_file
@@ -37,7 +35,7 @@ def command(words: tuple[str, ...], format_: str) -> None:
     given = robot_arguments(arguments)
     report = Report()
     for file in files:
-        text = _text(file, report)
+        text = read_input(file, report)
         if text is None:
             continue
         if file.suffix in FILE_ENDINGS:
@@ -55,16 +53,6 @@ def command(words: tuple[str, ...], format_: str) -> None:
     finish(report)
 
 
-def _text(file: Path, report: Report) -> bytes | None:
-    report.add(settled(file.parent), lambda _: None)
-    try:
-        return read_named(file, LARGEST_FILE)
-    except (OSError, ValueError) as error:
-        message = f"`{file.name or file}` cannot be read: {reason(error)}"
-        report.unreadable([_unreadable(file, message)])
-        return None
-
-
 def _read(file: Path, text: bytes, report: Report) -> SourceUnit | None:
     if file.suffix == ".plastron":
         report.add([_program(file)], lambda _: None)
@@ -76,10 +64,6 @@ def _read(file: Path, text: bytes, report: Report) -> SourceUnit | None:
         return None
     report.add(loaded.diagnostics, lambda _: LineIndex(text), file)
     return loaded.source
-
-
-def _unreadable(file: Path, message: str) -> Diagnostic:
-    return Diagnostic(codes.UNREADABLE_FILE, message, file=file)
 
 
 def _program(file: Path) -> Diagnostic:

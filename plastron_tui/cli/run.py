@@ -74,8 +74,8 @@ def command(
 ) -> None:
     """Write the nodes of a program and start them, all or those that are named.
 
-    Where a launch file of the program is named, the program is written, and what that says is
-    started.
+    Where a launch file of the program is named, or is all that it has to start, the program is
+    written, and what that says is started.
 
     The nodes run with a ROS of their client library's: a sourced one, else the Python packages of
     the extra `ros2`, or Debian's ROS 1, for which a master is started where none answers. Those

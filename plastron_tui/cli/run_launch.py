@@ -29,12 +29,14 @@ def find_launch(session: Session, names: Sequence[str]) -> Launch | Robot | None
     """Return what is started by a launch file and is named, None where the names are of nodes.
 
     That is a launch file of the program, or a robot, which has one in a package. A node goes
-    before a launch file of its name.
+    before a launch file of its name. Without names it is the only one of a program without nodes.
     """
     workspace = session.workspace
     nodes = {word for each in workspace.nodes.values() for word in (each.name, each.variable)}
     robots = workspace.robots.values()
     items: list[Launch | Robot] = [*workspace.launches.values(), *robots]
+    if not names and not nodes and len(items) == 1:
+        return items[0]
     for item in items:
         if any(name in (_stem(item), item.variable) and name not in nodes for name in names):
             return item
@@ -84,8 +86,9 @@ def run_launch_of(
             if isinstance(launch, Launch):
                 remedy = f"add `generate_launch {launch.variable}`, or {remedy}"
             elif not launch.home:
-                message = f"`{stem}` is in no package, which would have what starts it"
-                remedy = f"put it into one: `PACKAGE contains {launch.variable}`"
+                message = f"nothing starts `{stem}`: the launch file that does comes with a package"
+                package = next(iter(session.workspace.packages), "PACKAGE")
+                remedy = f"put it into one: `{package} contains {launch.variable}`"
             found = Diagnostic(codes.NOTHING_TO_GENERATE, message, launch.span, help=remedy)
             report.add([found], session.lines, session.path)
         if not report.status and file is not None:

@@ -31,12 +31,14 @@ from .package_parts import CompanionFinder, Copied, Parts, no_companions
 from .package_spec import package_spec
 from .program_launches import ProgramLaunches, configs
 from .program_robots import ProgramRobots
+from .robot_merges import merged_robot
 
 if TYPE_CHECKING:
     from pathlib import Path
 
     from plastron_tui.model.packages import Package
     from plastron_tui.model.workspace import Generation
+    from plastron_tui.output.merge3 import Merge
 
     from .apply_changes import Library
     from .generation import Generated
@@ -56,11 +58,18 @@ class Made(NamedTuple):
         files: what they hold.
         diagnostics: what there is to say.
         copies: the files that are copied as they are, where from.
+        robots: those of the files that describe robots.
     """
 
     files: Mapping[str, PackageFile]
     diagnostics: tuple[Diagnostic, ...] = ()
     copies: Mapping[str, Copied] = {}
+    robots: frozenset[str] = frozenset()
+
+    @property
+    def merges(self) -> dict[str, Merge]:
+        """How those are merged with handwork that need not go by lines."""
+        return dict.fromkeys(self.robots, merged_robot)
 
 
 class ProgramPackages:
@@ -113,10 +122,11 @@ class ProgramPackages:
         """Make the files."""
         own = list(own_specs(self._made, self._generations, self._libraries))
         files: dict[str, PackageFile] = {} if own else dict(self.robots.alone())
+        robots = set(files)
         diagnostics: list[Diagnostic] = []
         copies: dict[str, Copied] = {}
         if self._default is None:
-            return Made(files)
+            return Made(files, robots=frozenset(robots))
         last = {each.package.variable: each.package for each in self._workspace.written_packages}
         for part in (
             *(self._package(each) for each in last.values() if each.source is None),
@@ -125,9 +135,10 @@ class ProgramPackages:
         ):
             files.update(part.files)
             copies.update(part.copies)
+            robots |= part.robots
             diagnostics += part.diagnostics
         copies = {name: each for name, each in copies.items() if name not in files}
-        return Made(files, tuple(dict.fromkeys(diagnostics)), copies)
+        return Made(files, tuple(dict.fromkeys(diagnostics)), copies, frozenset(robots))
 
     def of_loaded(self, package: Package) -> tuple[Parts, tuple[Diagnostic, ...]]:
         """Return what a loaded package gets besides nodes, and why something is missing."""
@@ -182,7 +193,8 @@ class ProgramPackages:
             files |= {
                 f"{interfaces.name}/{path}": file for path, file in (beside.files or {}).items()
             }
-        return Made(files, tuple(found), robots.copies(f"{spec.name}/"))
+        folder = f"{spec.name}/"
+        return Made(files, tuple(found), robots.copies(folder), robots.paths(folder))
 
     def _own_packages(self, specs: Sequence[tuple[str, PackageSpec]]) -> Iterator[Made]:
         """Make the packages of nodes that have to be built, and are in none that is named.
@@ -216,7 +228,7 @@ class ProgramPackages:
                 if path not in nodes
             }
             found = (*robots.diagnostics, *rendered.diagnostics)
-            yield Made(files, found, robots.copies(folder))
+            yield Made(files, found, robots.copies(folder), robots.paths(folder))
 
     def _types_alone(self, spec: PackageSpec) -> Made:
         """Make a package that the program creates for nothing but types."""

@@ -55,6 +55,10 @@ class PackagedRobots(NamedTuple):
         """Their descriptions."""
         return tuple(each.file for each in self.robots.values() if each.file is not None)
 
+    def paths(self, folder: str) -> frozenset[str]:
+        """Return where their descriptions are, of a package in a folder that ends in `/`."""
+        return frozenset(f"{folder}{URDF_FOLDER}/{each.name}" for each in self.files)
+
     @property
     def launches(self) -> tuple[PackagedLaunch, ...]:
         """What starts them."""

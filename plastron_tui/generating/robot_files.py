@@ -5,9 +5,9 @@ from __future__ import annotations
 from typing import NamedTuple
 
 from plastron_tui.diagnostics import Diagnostic
-from plastron_tui.model.robots import Robot
+from plastron_tui.model.robots import Robot, RobotSource
 from plastron_tui.output.plan import OutputFile
-from plastron_tui.sources.urdf.edits import edited
+from plastron_tui.sources.urdf.edits import UrdfEdit, edited
 from plastron_tui.targets.packages.spec import PackageFile
 from plastron_tui.targets.robots.urdf import write_urdf
 
@@ -33,9 +33,14 @@ def robot_text(robot: Robot) -> RobotText:
     source = robot.source
     if source is None:
         return RobotText(f"{robot.stem}{URDF}", write_urdf(robot.description))
-    changed = edited(source.text, source.description, robot.description, source.path)
+    changed = _with_changes(source.text, robot, source)
     told = changed.diagnostics and tuple(told_at_sentences(robot, changed.diagnostics))
     return RobotText(source.path.name, changed.text, told)
+
+
+def _with_changes(text: bytes, robot: Robot, source: RobotSource) -> UrdfEdit:
+    """Return what a program that loads a robot makes of a text: its changes, and no more."""
+    return edited(text, source.description, robot.description, source.path)
 
 
 def robot_output(
@@ -53,7 +58,6 @@ def robot_output(
     assert source is not None, "the robot was loaded"
 
     def remade(original: bytes) -> bytes | None:
-        """Return what the program makes of another text: its changes, and no more."""
-        return edited(original, source.description, robot.description, source.path).text
+        return _with_changes(original, robot, source).text
 
     return changed_file(source, named, remade, folder, writing, ROBOT_FORM)

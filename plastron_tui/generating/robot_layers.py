@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Hashable, Iterator
-from pathlib import Path
 
 from plastron_tui.ros.robots.facts import facts_of
 from plastron_tui.sources.urdf.reader import read_urdf
@@ -22,9 +21,4 @@ def _names(text: bytes) -> set[Hashable]:
     return set() if found is None else set(found)
 
 
-def _merged(path: Path, before: bytes, new: bytes, present: bytes) -> bytes | None:
-    merged = merged_robot(path, before, new, present)
-    return None if merged is None else merged.text
-
-
-ROBOT_FORM = Form(_parts, _names, _merged)
+ROBOT_FORM = Form(_parts, _names, merged_robot)

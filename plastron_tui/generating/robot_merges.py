@@ -3,20 +3,13 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import NamedTuple
 
+from plastron_tui.output.merge3 import MergedText
 from plastron_tui.sources.urdf.edits import edited
 from plastron_tui.sources.urdf.reader import read_urdf
 
 
-class MergedRobot(NamedTuple):
-    """What becomes of a robot's file; None with the reason."""
-
-    text: bytes | None
-    reason: str = ""
-
-
-def merged_robot(path: Path, before: bytes, new: bytes, present: bytes) -> MergedRobot | None:
+def merged_robot(path: Path, before: bytes, new: bytes, present: bytes) -> MergedText | None:
     """Bring what a program changes in a robot into its file, value by value.
 
     Args:
@@ -33,4 +26,4 @@ def merged_robot(path: Path, before: bytes, new: bytes, present: bytes) -> Merge
         return None
     changed = edited(present, first, last, path)
     reason = "; ".join(each.message for each in changed.diagnostics)
-    return MergedRobot(changed.text, reason)
+    return MergedText(changed.text, reason)

@@ -15,7 +15,7 @@ from typing import NamedTuple
 from plastron_tui.diagnostics import Diagnostic, Severity, codes
 from plastron_tui.model.package_source import PackageSource
 from plastron_tui.output.manifest import Manifest
-from plastron_tui.output.merge3 import merge_lines
+from plastron_tui.output.merge3 import Merge, MergedText, merge_lines
 from plastron_tui.output.plan import OutputFile
 from plastron_tui.sources.packages.reading import CMAKE_LISTS, PACKAGE_XML
 from plastron_tui.targets.packages.spec import PackageFile
@@ -26,10 +26,11 @@ _TEXT = "text"
 _LISTS = (PACKAGE_XML, CMAKE_LISTS)
 """The files that nodes of several programs, and of hands, are entered in."""
 
-_ROBOT = ".urdf"
-_SAME_LINES = "the program changed the same lines"
+SAME_LINES = "the program changed the same lines"
+"""Why lines cannot be merged."""
 
 _NOWHERE_ELSE: Mapping[str, Path] = {}
+_BY_LINES: Mapping[str, Merge] = {}
 
 
 def entry_of(path: Path, output: Path) -> str:
@@ -54,7 +55,10 @@ class Folder(NamedTuple):
 
 
 def text_files(
-    files: Mapping[str, PackageFile], folder: Folder, places: Mapping[str, Path] = _NOWHERE_ELSE
+    files: Mapping[str, PackageFile],
+    folder: Folder,
+    places: Mapping[str, Path] = _NOWHERE_ELSE,
+    merges: Mapping[str, Merge] = _BY_LINES,
 ) -> tuple[list[OutputFile], list[Diagnostic]]:
     """Return files as they are to be written, and what is to be said of handwork in them.
 
@@ -62,13 +66,14 @@ def text_files(
         files: what the program makes, by the path in the output folder.
         folder: where they go.
         places: the folders that packages are written into instead, by their names.
+        merges: how those are merged that need not go by lines, by the path in the output folder.
     """
     made: list[OutputFile] = []
     notes: list[Diagnostic] = []
     for name, file in files.items():
         place = places.get(name.partition("/")[0])
         entry = name if place is None else entry_of(place / name, folder.output)
-        output, found = _text_file(entry, file, folder)
+        output, found = _text_file(entry, file, folder, merges.get(name))
         if place is not None:
             output = replace(output, name=name, path=place / name, entry=entry, seen=())
         made.append(output)
@@ -127,7 +132,9 @@ def _node_of(base: Mapping[str, object]) -> str | None:
     return node if isinstance(node, str) else None
 
 
-def _text_file(name: str, file: PackageFile, folder: Folder) -> tuple[OutputFile, list[Diagnostic]]:
+def _text_file(
+    name: str, file: PackageFile, folder: Folder, merge: Merge | None
+) -> tuple[OutputFile, list[Diagnostic]]:
     path, manifest = folder.output / name, folder.manifest
     text = file.text.decode("utf-8", "replace")
     base = {"program": folder.program, _TEXT: text}
@@ -143,14 +150,14 @@ def _text_file(name: str, file: PackageFile, folder: Folder) -> tuple[OutputFile
     if folder.force or manifest.has(name, present):
         return new, []
     before = known.get(_TEXT)
-    merged, reason = None, _SAME_LINES
+    merged = MergedText(None, SAME_LINES)
     if isinstance(before, str):
-        merged, reason = _merged(path, before.encode(), file.text, present)
-    if merged is None:
-        return replace(new, problem=unmergeable(path, reason)), []
+        merged = _merged(path, (before.encode(), file.text, present), merge)
+    if merged.text is None:
+        return replace(new, problem=unmergeable(path, merged.reason)), []
     kept = OutputFile(
         name,
-        merged,
+        merged.text,
         file.is_executable,
         merged_from=present,
         has_handwork=True,
@@ -161,16 +168,12 @@ def _text_file(name: str, file: PackageFile, folder: Folder) -> tuple[OutputFile
     return kept, [kept_handwork(path, path.name)] if is_news else []
 
 
-def _merged(path: Path, before: bytes, new: bytes, present: bytes) -> tuple[bytes | None, str]:
-    """Bring a file's handwork and its program together; None with the reason."""
-    if path.suffix == _ROBOT:
-        from .robot_merges import merged_robot
-
-        robot = merged_robot(path, before, new, present)
-        if robot is not None:
-            return robot
-    is_list = path.name in _LISTS
-    return merge_lines(before, new, present, is_list=is_list), _SAME_LINES
+def _merged(path: Path, texts: tuple[bytes, bytes, bytes], merge: Merge | None) -> MergedText:
+    """Bring a file's handwork and its program together: what it was made as, is now, and holds."""
+    found = None if merge is None else merge(path, *texts)
+    if found is not None:
+        return found
+    return MergedText(merge_lines(*texts, is_list=path.name in _LISTS), SAME_LINES)
 
 
 def changed_files(source: PackageSource, texts: Mapping[str, bytes]) -> list[OutputFile]:

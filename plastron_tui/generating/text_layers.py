@@ -17,22 +17,18 @@ from typing import NamedTuple, Protocol
 from plastron_tui.diagnostics import Diagnostic
 from plastron_tui.model.source import FileSet, TextOrigin
 from plastron_tui.output.manifest import Manifest
-from plastron_tui.output.merge3 import merge_lines, replay, split_lines
+from plastron_tui.output.merge3 import Merge, MergedText, merge_lines, replay, split_lines
 from plastron_tui.output.patch_stack import Author, Layer, Layers, digest_of, live_layers
 from plastron_tui.output.plan import OutputFile
 from plastron_tui.targets.packages.spec import PackageFile
 
 from .destination import Writing
 from .file_names import is_same_path
-from .text_files import Folder, text_files
+from .text_files import SAME_LINES, Folder, text_files
 from .user_edits import cover, kept_handwork, unmergeable
 
 Manifests = Callable[[Path], Manifest]
 """Gives what is remembered of the files of a folder."""
-
-
-def _no_merge(path: Path, before: bytes, new: bytes, present: bytes) -> bytes | None:
-    """Know no other way than by lines."""
 
 
 class Form(NamedTuple):
@@ -42,14 +38,12 @@ class Form(NamedTuple):
         parts: returns all that a text says, part by part; None for one that cannot be read.
         names: returns by what a program's work is known again in a text, which need not be
             readable.
-        merged: brings what became of a text on one side into what became of it on the other,
-            where lines do not fit; None where it cannot. It gets the file's path, the text, and
-            what became of it: by the program, and by hand.
+        merge: merges where lines do not fit; None for texts that are merged by lines alone.
     """
 
     parts: Callable[[bytes], Iterable[Hashable] | None]
     names: Callable[[bytes], set[Hashable]]
-    merged: Callable[[Path, bytes, bytes, bytes], bytes | None] = _no_merge
+    merge: Merge | None = None
 
 
 class LoadedText(Protocol):
@@ -166,7 +160,8 @@ def changed_file(
     """
     name, file = named
     if not writing.in_place and not is_same_path(folder.output / name, source.path):
-        (output,), notes = text_files({name: file}, folder)
+        merges = {} if form.merge is None else {name: form.merge}
+        (output,), notes = text_files({name: file}, folder, merges=merges)
         return output, tuple(notes)
     version = Version(source.text, file.text)
     original = None if source.origin is None else source.origin.original
@@ -212,12 +207,13 @@ def in_place(
     lower, upper = place.layers[: place.index], place.layers[place.index + 1 :]
     known, before = place.layers[place.index].written.main, place.before(present)
     notes: tuple[Diagnostic, ...] = ()
-    text: bytes | None = pure.made
+    made_of = MergedText(pure.made)
     if before != known and not force:
         notes = (kept_handwork(source.path, source.path.name),)
-        text = _merged(source, (known, before), version, pure, form)
+        made_of = _merged(source, (known, before), version, pure, form)
+    text = made_of.text
     if text is None:
-        problem = unmergeable(source.path, "the program changed the same lines")
+        problem = unmergeable(source.path, made_of.reason)
         return _with(output, pure.made, place.layers, place, problem), ()
     sets = (place.files(each) for each in (before, text, present))
     covered = cover(source.path, upper, *sets, force=force)
@@ -240,8 +236,8 @@ def _with(
 
 def _merged(
     source: LoadedText, texts: tuple[bytes, bytes], version: Version, pure: Version, form: Form
-) -> bytes | None:
-    """Bring what was changed by hand into what the program makes, None where both do not fit.
+) -> MergedText:
+    """Bring what was changed by hand into what the program makes.
 
     Args:
         source: the file.
@@ -252,11 +248,14 @@ def _merged(
     """
     known, before = texts
     merged = merge_lines(known, pure.made, before)
-    if merged is None or form.parts(merged) is None:
-        merged = form.merged(source.path, known, pure.made, before)
-    if merged is not None:
-        return merged
-    return version.made if source.origin is None or source.origin.is_whole else None
+    if merged is not None and form.parts(merged) is not None:
+        return MergedText(merged)
+    found = None if form.merge is None else form.merge(source.path, known, pure.made, before)
+    if found is not None and found.text is not None:
+        return found
+    if source.origin is None or source.origin.is_whole:
+        return MergedText(version.made)
+    return found or MergedText(None, SAME_LINES)
 
 
 def _find_place(

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, NamedTuple
 from plastron_tui.diagnostics import Diagnostic, codes
 from plastron_tui.ros.catalog import Catalog
 from plastron_tui.ros.interfaces import InterfaceKind
-from plastron_tui.ros.robots.changes import MeshBounds
+from plastron_tui.ros.robots.bodies import MeshBounds
 
 from .launches import LaunchReader, ParameterReader, no_launch, no_parameters
 from .libraries import Libraries

@@ -87,7 +87,7 @@ def _shape(shape: Shape | None) -> dict[str, Any]:
             return {"shape": "sphere", "radius": radius}
         case Mesh(uri=uri, scale=scale):
             return {"shape": "mesh", "uri": uri, "scale": list(scale)}
-        case _:
+        case None:
             return {"shape": None}
 
 

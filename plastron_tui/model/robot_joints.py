@@ -9,6 +9,7 @@ from plastron_tui.ros.robots.description import Joint, JointType, Mimic
 from plastron_tui.ros.robots.joint_changes import NO_MIMIC, JointValues, changed_joint
 
 from .mistake import Mistake
+from .robot_computed import check_not_computed
 from .robot_lookups import (
     check_makable,
     check_name,
@@ -40,6 +41,7 @@ def has_joint(run: Run, statement: st.HasJoint) -> None:
         mimic_of(run, statement),
     )
     name = statement.joint
+    check_not_computed(robot, statement)
     joint = robot.description.joints.get(name)
     places = robot.joints.get(name, Places())
     if joint is None:
@@ -112,7 +114,9 @@ def _check_whole(run: Run, robot: Robot, statement: st.HasJoint) -> None:
         near, fix = guess(name, open_, where, is_quoted=True)
     needs = " and ".join(lacking)
     message = f"`{robot.variable}` has no joint `{name}`, and a new one needs {needs}"
-    remedy = f"such as `{robot.variable} has_joint '{name}' of joint_type fixed from '…' to '…'`"
+    held = f"from '{statement.parent or '…'}' to '{statement.child or '…'}'"
+    said = f"has_joint '{name}' of joint_type {statement.type or 'fixed'} {held}"
+    remedy = f"such as `{robot.variable} {said}`"
     raise Mistake(Diagnostic(codes.INCOMPLETE_JOINT, message, where, help=near or remedy, fix=fix))
 
 

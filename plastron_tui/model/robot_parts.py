@@ -261,6 +261,9 @@ def material_of(statement: st.HasLink, robot: Robot | None) -> Material | None:
     if rgba is None:
         where = statement.span_of("color")
         near, fix = guess(statement.color, (*shared, *own, *NAMES), where)
+        if statement.color in ("nothing", "null", "unpainted"):
+            fix = write("none", where)
+            near = fix.title
         message = f"`{statement.color}` is no colour"
         help_text = near or 'write a name as `blue`, or a code as `"#3060ff"`'
         raise Mistake(Diagnostic(codes.UNKNOWN_COLOR, message, where, help=help_text, fix=fix))

@@ -49,7 +49,7 @@ def shape_words(shape: Shape | None) -> str:
             written = uri.replace("\\", "\\\\").replace('"', '\\"')
             sized = "" if scale == (1.0, 1.0, 1.0) else f", ({numbers(scale)})"
             return f'mesh "{written}"{sized}'
-        case _:
+        case None:
             return ""
 
 

@@ -33,6 +33,8 @@ class RobotSource(NamedTuple):
             the name.
         arguments: what the program gives its macros.
         opened: the files that its macros were expanded with.
+        computed: what macros compute of its links and joints: the value as it is written and its
+            line, by `link` or `joint` and the name, and where it is: `limit/lower`.
     """
 
     path: Path
@@ -44,6 +46,7 @@ class RobotSource(NamedTuple):
     spans: Mapping[tuple[str, str], Span] = {}
     arguments: Arguments = ()
     opened: tuple[Path, ...] = ()
+    computed: Mapping[tuple[str, str], Mapping[str, tuple[str, int]]] = {}
 
     @property
     def whole(self) -> Description | None:
@@ -104,8 +107,8 @@ class Robot:
     Attributes:
         variable: the program's variable for it.
         span: the statement that created or loaded it.
-        description: what it consists of by now. What the program changes in a loaded one is what
-            differs from the source's.
+        description: what it consists of by now: later statements change its links and joints in
+            place. What the program changes in a loaded one is what differs from the source's.
         source: what a loaded one came from, None for one that was created.
         links: where the program speaks of its links, by name.
         joints: where it speaks of its joints, by name.

@@ -5,8 +5,9 @@ Lines are bytes and end at a line feed, so that text in any encoding comes throu
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from difflib import SequenceMatcher
+from pathlib import Path
 from typing import NamedTuple
 
 from plastron_tui.model.source import FileSet
@@ -15,6 +16,20 @@ _MOST_LINES = 5_000
 """Texts that differ over more lines are not compared: the time grows with their square."""
 
 _Lines = list[bytes]
+
+
+class MergedText(NamedTuple):
+    """What comes of a text that two sides changed; None with the reason."""
+
+    text: bytes | None
+    reason: str = ""
+
+
+Merge = Callable[[Path, bytes, bytes, bytes], MergedText | None]
+"""Merges otherwise than by lines: what a text says, thing by thing.
+
+It gets the file's path, the text, and what became of that: by the program, and by hand. It returns
+None where one of them cannot be read."""
 
 
 class _Chunk(NamedTuple):

@@ -258,7 +258,7 @@ class Planner:
         launches, refused = packages.launches.loaded(folder, writing)
         robots, unchanged = packages.robots.loaded(folder, writing)
         places = places_beside(workspace, configuration.boundary) if in_place else {}
-        files, notes = text_files(made_of.files, folder, places)
+        files, notes = text_files(made_of.files, folder, places, made_of.merges)
         notes += self._leading_out(files)
         types = workspace.types.values() if workspace.is_written else ()
         files += loaded_definitions(types, in_place=in_place)

@@ -85,6 +85,19 @@ class RobotReader:
         text = self._texts.read(source, path)
         if isinstance(text, Diagnostic):
             return LoadedRobot(None, (text,))
+        return self.read_text(source, path, text, arguments)
+
+    def read_text(
+        self, source: str, path: Path, text: bytes, arguments: Arguments = ()
+    ) -> LoadedRobot:
+        """Read what a robot's file holds.
+
+        Args:
+            source: what the file is called where it is spoken of.
+            path: the file.
+            text: what it holds.
+            arguments: what its macros are given.
+        """
         if b"\0" in text:
             message = f"`{source}` is no text, and so no robot"
             help_text = "it is UTF-16: save it as UTF-8" if text.startswith(_UTF_16) else None
@@ -109,7 +122,10 @@ class RobotReader:
         expansion = self._expand(path, found.text, read.document, found.arguments)
         macros = read_macros(read.document)
         found = found._replace(
-            macros=macros, expanded=expansion.description, opened=expansion.opened
+            expanded=expansion.description,
+            macros=macros,
+            opened=expansion.opened,
+            computed=_computed(read.places),
         )
         told = (*read.diagnostics, *expansion.diagnostics)
         return LoadedRobot(found, told, expansion.asked, expansion.unused)
@@ -123,6 +139,26 @@ def _spans(places: PartPlaces) -> dict[tuple[str, str], Span]:
         for name, element in parts.items()
         if (attribute := element.attribute("name")) is not None
     }
+
+
+def _computed(places: PartPlaces) -> dict[tuple[str, str], dict[str, tuple[str, int]]]:
+    """Return what macros compute of links and joints, as a `RobotSource` has it."""
+    from plastron_tui.sources.urdf.values import is_computed
+
+    found: dict[tuple[str, str], dict[str, tuple[str, int]]] = {}
+    for kind, parts in (("link", places.links), ("joint", places.joints)):
+        for name, part in parts.items():
+            values: dict[str, tuple[str, int]] = {}
+            inner = [(each, each.name) for each in part.children]
+            while inner:
+                element, path = inner.pop()
+                for attribute in element.attributes:
+                    if is_computed(attribute.value):
+                        values[f"{path}/{attribute.name}"] = attribute.value, element.line
+                inner += ((each, f"{path}/{each.name}") for each in element.children)
+            if values:
+                found[kind, name] = values
+    return found
 
 
 def _why_none(source: str, read: UrdfRead) -> tuple[Diagnostic, ...]:

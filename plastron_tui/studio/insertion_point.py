@@ -65,12 +65,13 @@ def placed(
 ) -> Placing:
     """Return where statements take effect.
 
-    They go before the line on which their node is generated last, unless it is no place for
-    statements or something that they name is made further down; and else to the end.
+    They go before the line on which their node is generated last, or below the last one about a
+    robot that is not written, unless that is no place for statements or something that they name
+    is made further down; and else to the end.
 
     Args:
         ground: the program.
-        variable: the node that they change; None puts them at the end.
+        variable: the node, the robot and so on that they change; None puts them at the end.
         lines: the statements.
         late: more of them, for the end alone.
         after: what they have to follow.
@@ -85,6 +86,11 @@ def placed(
             return placing
     all_lines = (*lines, *late)
     end = len(text.rstrip())
+    below = _end_of_robot(ground, variable) if made is None else end
+    if below < end and (after is None or after.end <= below):
+        placing = _placing(all_lines, below, below, b"\n", b"")
+        if _takes_effect(ground, placing):
+            return placing
     if not end:
         return _placing(all_lines, 0, len(text), b"", b"\n")
     behind = b"" if text[end:].startswith((b"\n", b"\r\n")) else b"\n"
@@ -111,6 +117,16 @@ def _written_at(workspace: Workspace, variable: str | None) -> Span | None:
         if robot.robot.variable == variable:
             last["robot"] = robot.span
     return min(last.values(), default=None, key=lambda span: span.start)
+
+
+def _end_of_robot(ground: Ground, variable: str | None) -> int:
+    """Return where the line of the last statement about a robot ends; of what is none, the end."""
+    text, robot = ground.document.text, ground.workspace.robots.get(variable or "")
+    if robot is None:
+        return len(text)
+    about = (x.span for x in ground.program.statements if names_node(x, robot.variable))
+    end = text.find(b"\n", max(each.end for each in (robot.span, *about)))
+    return len(text) if end < 0 else end
 
 
 def _placing(lines: Sequence[str], start: int, end: int, before: bytes, behind: bytes) -> Placing:

@@ -39,9 +39,9 @@ from plastron_tui.targets import ros_version
 
 from .analysis import Analysis
 from .editor.names import wrong_name as wrong_variable
+from .editor.robot_parts import Part, find_part, kept_name, wrong_part_name, wrong_robot_name
 from .insertion_point import placed
 from .panels.entry import HUBS, Entry, Subject
-from .robot_renaming import PARTS, file_of_part, part_edits, wrong_part_name, wrong_robot_name
 
 _SLOTS = {
     InterfaceKind.MESSAGE: (SlotKind.TOPIC, SlotKind.TRIGGER),
@@ -109,10 +109,10 @@ def renamed(analysis: Analysis, entry: Entry, new: str) -> Renamed:
         return Renamed(tuple(_variable(program, old, new)))
     if entry.subject in _MADE:
         return Renamed(tuple(_made(analysis, entry, new)))
-    if entry.subject in PARTS:
-        file = file_of_part(workspace, entry)
-        edits = () if file is not None else tuple(part_edits(program, entry, old, new))
-        return Renamed(edits, () if file is None else (file,))
+    part = _part_of(entry)
+    if part is not None:
+        found = find_part(analysis.ground.document, part)
+        return Renamed(tuple(Edit(place, new) for place in found.places))
     if entry.subject is Subject.TYPE:
         return Renamed(tuple(_own_type(program, old, new)))
     if entry.subject is EndpointKind.PARAMETER:
@@ -121,6 +121,13 @@ def renamed(analysis: Analysis, entry: Entry, new: str) -> Renamed:
     edits = tuple(_written(program, entry, interface, old, new))
     more, files = _in_files(analysis, interface, old, entry.node, new)
     return Renamed((*edits, *more), files)
+
+
+def _part_of(entry: Entry) -> Part | None:
+    """Return the link or the joint that an entry is about, None for any other entry."""
+    if entry.subject not in (Subject.LINK, Subject.JOINT):
+        return None
+    return Part(entry.robot or "", entry.subject.word, entry.text)
 
 
 def _node(analysis: Analysis, node: Node, new: str) -> Iterator[Edit]:
@@ -317,14 +324,22 @@ def _made_names(workspace: Workspace, subject: Subject | EndpointKind) -> set[st
     return {each.name for each in workspace.robots.values()}
 
 
+def fixed_name(analysis: Analysis, entry: Entry) -> str | None:
+    """Return why something keeps the name that it has, None when it can have another one."""
+    part = _part_of(entry)
+    return None if part is None else kept_name(part, analysis.workspace.robots.get(part.robot))
+
+
 def wrong_name(analysis: Analysis, entry: Entry, new: str) -> str | None:
     """Return why something cannot have a name, None when it can."""
     nodes = analysis.workspace.nodes
     node = nodes.get(entry.node or "")
     if entry.subject in _MADE:
         return _wrong_made(analysis, entry, new)
-    if entry.subject in PARTS:
-        return wrong_part_name(analysis.workspace, entry, new)
+    part = _part_of(entry)
+    if part is not None:
+        robot = analysis.workspace.robots.get(part.robot)
+        return wrong_part_name(analysis.ground.document, part, new, robot)
     if entry.subject is Subject.TYPE:
         is_name = all(part.isascii() and part.isidentifier() for part in new.split("/"))
         if new in analysis.workspace.types:

@@ -99,10 +99,11 @@ def test_a_robot_that_is_not_written_is_told(run: Run, here: Path, command: str)
     assert b"`generate_robot rover`" in run(command, "a.plastron").stderr
 
 
-def test_a_robot_is_run_by_what_its_package_has(run: Run, here: Path) -> None:
+@pytest.mark.parametrize("named", [["rover"], []])
+def test_a_robot_is_run_by_what_its_package_has(run: Run, here: Path, named: list[str]) -> None:
     (here / "a.plastron").write_text(
         "create_robot 'rover' as rover\nrover has_link 'base'\ngenerate_robot rover\n"
     )
-    told = run("run", "a.plastron", "rover")
+    told = run("run", "a.plastron", *named)
     assert told.returncode == 1
     assert b"put it into one: `PACKAGE contains rover`" in told.stderr

@@ -54,6 +54,7 @@ MORE = [
     "load listner as listener\n",
     "load 'listner.py' as listener\n",
     "load 'nodes/talkr.py' as talker\n",
+    "create_launch 'a' as a\na starts 'p/x'\ngenerate_launch a\na starts 'p/y'\n",
     f"{TALKING}generate_node talker\nsubscribe talker to 'alarm' of message_type String",
 ]
 

@@ -212,16 +212,19 @@ _MARKED: dict[str, list[str]] = {
         " · at 0 , -1e-3 , .5 · turned 0 , 0 , 90 deg",
         'r1 has_link \'base\' · painted "#3060ff" · shaped mesh "package://a/b.stl" · turned 0 , 1'
         " , 0 rad",
+        "r1 has_link 'base' · painted none · weighing 1",
         "shaped has_link 'base' · painted painted · weighing 1 · shaped shaped 1",
     ],
     "no_longer_has_link_statement": [
         "r1 no_longer_has_link 'base'",
     ],
     "has_joint_statement": [
-        "r1 has_joint 'j' of joint_type fixed from 'a' to 'b'",
-        "r1 has_joint 'j' of joint_type revolute from 'a' to 'b' · with axis 0 , 1 , 0"
+        "r1 has_joint 'j' · of joint_type fixed · from 'a' to 'b'",
+        "r1 has_joint 'j' · mimicking none · from 'a' to 'b' · of joint_type fixed",
+        "r1 has_joint 'j' · of joint_type revolute · from 'a' to 'b' · with axis 0 , 1 , 0"
         " · mimicking 'k' · times -2 · turned 0 , 0 , 1 rad · at 1 , 2 , 3",
-        "axis has_joint 'j' of joint_type mimicking from 'a' to 'b' · at 0 , 0 , 1 · mimicking 'k'",
+        "axis has_joint 'j' · of joint_type mimicking · from 'a' to 'b' · at 0 , 0 , 1"
+        " · mimicking 'k'",
     ],
     "no_longer_has_joint_statement": [
         "r1 no_longer_has_joint 'j'",

@@ -7,7 +7,7 @@ from pathlib import Path
 
 from workspaces import LIBRARIES, FakeReader, catalog
 
-from plastron_tui.diagnostics import Diagnostic
+from plastron_tui.diagnostics import Diagnostic, Fix
 from plastron_tui.language import Document, lower
 from plastron_tui.model.context import Setting
 from plastron_tui.model.interpreter import Interpretation, interpret
@@ -88,3 +88,10 @@ def robot(text: str, loaded: RobotSource | None = None) -> Robot:
     found = run(text, loaded)
     assert found.diagnostics == ()
     return found.workspace.robots["r"]
+
+
+def applied(text: str, fix: Fix) -> str:
+    """Return a program after a remedy."""
+    for edit in sorted(fix.edits, key=lambda each: -each.span.start):
+        text = text[: edit.span.start] + edit.text + text[edit.span.end :]
+    return text

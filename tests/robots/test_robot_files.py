@@ -115,6 +115,30 @@ def test_handwork_stays_in_a_created_robot(
     assert file.read_text() == merged
 
 
+PACKAGE = """\
+create_package 'demo' as demo maintained_by "Ada <a@b.cc>" licensed_under "MIT"
+demo contains rover
+generate_package demo
+"""
+BUILT = """\
+create_node 'ear' as ear using rclcpp
+subscribe ear to 'x' of message_type String
+generate_node ear
+"""
+
+
+@pytest.mark.parametrize(
+    ("rest", "path"), [(PACKAGE, "demo/urdf/rover.urdf"), (BUILT, "urdf/rover.urdf")]
+)
+def test_handwork_in_a_packages_robot_goes_by_values(rest: str, path: str, tmp_path: Path) -> None:
+    run(created() + rest, tmp_path)
+    file = tmp_path / "output" / path
+    # The program changes the same line.
+    file.write_text(file.read_text().replace('<mass value="2"/>', '<mass  value="2" />'))
+    assert codes(run(created(3) + rest, tmp_path)) == ["merged-by-hand"]
+    assert '<mass  value="3" />' in file.read_text()
+
+
 def test_what_hand_and_program_both_changed_is_a_conflict(tmp_path: Path) -> None:
     file = tmp_path / "output/rover.urdf"
     run(created(), tmp_path)

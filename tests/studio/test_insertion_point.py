@@ -91,3 +91,29 @@ def test_an_empty_program_has_room_for_a_statement() -> None:
     ground = Ground(session.document, session.program, session.workspace)
     placing = placed(ground, None, ["create_node 'a' as a"], is_apart=True)
     assert placing.edit == Edit(Span(0, 3), "create_node 'a' as a\n")
+
+
+ROBOT = b"create_robot 'r' as r\n"
+LINK = b"r has_link 'arm'"
+
+
+@pytest.mark.parametrize(
+    ("rest", "text"),
+    [
+        (b"", b"%b\n"),
+        (b"create_node 'n' as n\n", b"%b\ncreate_node 'n' as n\n"),
+        (b"r has_link 'base' // the root\ncreate_node 'n' as n\n",
+         b"r has_link 'base' // the root\n%b\ncreate_node 'n' as n\n"),
+        (b"generate_robot r\ncreate_node 'n' as n\n",
+         b"%b\ngenerate_robot r\ncreate_node 'n' as n\n"),
+        # Within a remark nothing takes effect.
+        (b"/*\n*/ r has_link 'b' /*\n*/\ncreate_node 'n' as n\n",
+         b"/*\n*/ r has_link 'b' /*\n*/\ncreate_node 'n' as n\n%b\n"),
+    ],
+)  # fmt: skip
+def test_what_is_said_of_a_robot_stays_together(rest: bytes, text: bytes) -> None:
+    session = Session(ROBOT + rest, environ={})
+    ground = Ground(session.document, session.program, session.workspace)
+    edit = placed(ground, "r", [LINK.decode()]).edit
+    session.edit(edit.span.start, edit.span.end, edit.text.encode())
+    assert session.document.text == ROBOT + text.replace(b"%b", LINK)

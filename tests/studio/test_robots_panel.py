@@ -12,13 +12,13 @@ from plastron_tui.language.expectations import expected_at
 from plastron_tui.session import Session
 from plastron_tui.studio.analysis import Analysis, analyse
 from plastron_tui.studio.editor.completion import candidates
-from plastron_tui.studio.editor.robot_names import part_at, wrong_part_name
+from plastron_tui.studio.editor.robot_parts import Part, find_part, part_at, wrong_part_name
 from plastron_tui.studio.editor.vocabulary import Vocabulary
 from plastron_tui.studio.panels.entry import Entry
 from plastron_tui.studio.panels.packages import PACKAGES
 from plastron_tui.studio.panels.preview import previews_of
 from plastron_tui.studio.panels.robot_panel import ROBOTS, Looks, Shown
-from plastron_tui.studio.renaming import renamed, wrong_name
+from plastron_tui.studio.renaming import fixed_name, renamed, wrong_name
 
 TEXT = """\
 create_robot 'rover' as rover
@@ -31,6 +31,15 @@ rover has_link 'mast' shaped mesh "mast.stl"
 rover has_joint 'lift' of joint_type prismatic from 'body' to 'mast' mimicking 'turn'
 rover limits_joint 'lift' between 0 and 0.5 m with effort 20 and velocity 0.1
 generate_robot rover
+"""
+
+
+_TWO_LINKS = """\
+<robot name="r">
+  <link name="a"/>
+  <link name="b"/>
+  <joint name="j" type="fixed"><parent link="a"/><child link="b"/></joint>
+</robot>
 """
 
 
@@ -110,8 +119,8 @@ def test_a_part_of_a_file_says_where_it_stands(tmp_path: Path) -> None:
     assert found["arm"].statement == (
         "old no_longer_has_joint 'turn'\nold no_longer_has_link 'arm'"
     )
-    refused = renamed(analysis, found["arm"], "other")
-    assert (refused.edits, refused.files) == ((), ("old.urdf",))
+    for refused in (fixed_name(analysis, found["arm"]), wrong_name(analysis, found["arm"], "x")):
+        assert refused == "`old.urdf` has the name: change it there"
 
 
 def test_macros_that_are_not_expanded_stand_for_what_they_make(tmp_path: Path) -> None:
@@ -220,16 +229,30 @@ def test_another_name_is_put_everywhere(key: str, new: str, changed: list[str]) 
 def test_a_part_leads_to_where_it_is_made(at: str, definition: str, count: int) -> None:
     document = Document(TEXT.encode())
     offset = TEXT.index(at) + at.index("'") + 2
-    found = part_at(document, offset)
-    assert found is not None and found.definition is not None
+    part = part_at(document, offset)
+    assert part is not None
+    found = find_part(document, part)
+    assert found.definition is not None
     assert TEXT[found.definition.start :].startswith(definition)
-    assert {TEXT[start:end] for start, end in found.places} == {found.name}
+    assert {TEXT[start:end] for start, end in found.places} == {found.name} == {part.name}
     assert len(found.places) == count
-    assert wrong_part_name(document, offset, "new") is None
-    assert wrong_part_name(document, offset, "a b") is not None
-    loaded = Document(TEXT.replace("create_robot 'rover'", "load_robot 'r.urdf'").encode())
-    assert "file" in (wrong_part_name(loaded, offset - 1, "new") or "")
     assert part_at(document, 3) is None
+    none = "rover has_joint 'turn' mimicking none\n"
+    assert part_at(Document(none.encode()), none.index("none") + 1) is None
+
+
+def test_a_part_that_a_file_names_keeps_its_name(tmp_path: Path) -> None:
+    (tmp_path / "r.urdf").write_text(_TWO_LINKS)
+    text = "load_robot 'r.urdf' as r\nr has_link 'far' shaped sphere 1\nr has_link 'b'\n"
+    analysis = analysis_of(text, tmp_path / "x.plastron")
+    document, robot = analysis.session.document, analysis.workspace.robots["r"]
+    own, loaded = (Part("r", "link", name) for name in ("far", "b"))
+    assert "`r.urdf` has the name" in (wrong_part_name(document, loaded, "new", robot) or "")
+    assert wrong_part_name(document, own, "new", robot) is None
+    # What is taken is told of a program that nobody has understood yet, too.
+    for other, known in (("a", robot), ("b", robot), ("b", None), ("a b", robot), ("a b", None)):
+        assert wrong_part_name(document, own, other, known) is not None
+    assert wrong_part_name(document, own, "a", None) is None
 
 
 def test_the_preview_has_the_file_of_the_robot_at_the_cursor(tmp_path: Path) -> None:
@@ -239,6 +262,21 @@ def test_the_preview_has_the_file_of_the_robot_at_the_cursor(tmp_path: Path) -> 
     tones = {piece.tone for line in preview.lines for piece in line}
     assert {"keyword", "name", "string"} <= tones
     assert analysis.written_at(TEXT.index("rover has_joint")) == "rover"
+
+
+async def test_a_picture_fits_below_its_tree_before_any_key(program: Path) -> None:
+    # In a tall panel the tree of so many links leaves less room than an empty one.
+    links = "".join(f"rover has_link 'l{number}'\n" for number in range(20))
+    program.write_text(TEXT.replace("generate_robot rover\n", f"{links}generate_robot rover\n"))
+    async with studio(program, (120, 60)) as driver:
+        panel = driver.main.panels["robots"]
+        await driver.until(lambda: len(panel.picture.lines) == panel.picture.size.height)
+        await driver.settle()
+        assert panel.picture.display
+        await driver.press("down")
+        # The part at the cursor is one no longer, and nobody moves the cursor.
+        await driver.type("x")
+        assert panel._marked(driver.main.editor.cursor_offset) == ""
 
 
 async def test_a_robot_is_seen_while_it_is_typed(program: Path) -> None:

@@ -4,25 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable
 from enum import Enum, auto
-from math import isclose, isfinite
+from math import isfinite
 from typing import NamedTuple
 
+from .bodies import Bodies, MeshBounds
 from .description import Body, Inertial, Link, Material, Mesh, Pose, Shape, Tensor, Vector
-from .inertia import tensor_of, turned
-from .transforms import Transform, rotation_matrix, seen_from
-
-MeshBounds = Callable[[str], "tuple[Vector, Vector] | None"]
-"""Returns the lowest and the highest corner of a mesh, in its own lengths; None where nobody
-knows them."""
-
-_CLOSE = 1e-2
-"""How far an inertia may be from that of its shape, and still be meant to follow from it.
-
-People write two or three digits: 0.0417 for 5 / 120."""
-
-_SAME_PLACE = 1e-4
-"""Metres: how far the center of mass may be from the middle of the shape likewise."""
-
 
 NO_MATERIAL = Material("")
 """Said of a link that is to have no colour of its own."""
@@ -96,7 +82,7 @@ def new_link(name: str, values: LinkValues, mesh_bounds: MeshBounds) -> Changed:
     link = Link(name, (_painted(body, values.material),), (body,))
     if values.mass is None:
         return Changed(link)
-    return _with_inertia(link, values.mass, mesh_bounds)
+    return _with_inertia(link, values.mass, Bodies(mesh_bounds))
 
 
 def changed_link(link: Link, values: LinkValues, mesh_bounds: MeshBounds) -> Changed:
@@ -117,7 +103,7 @@ def changed_link(link: Link, values: LinkValues, mesh_bounds: MeshBounds) -> Cha
         notes: list[tuple[Note, str]] = []
     else:
         new, notes = _with_bodies(link, values)
-    changed = _with_inertial(link, new, values, mesh_bounds)
+    changed = _with_inertial(link, new, values, Bodies(mesh_bounds))
     return Changed(changed.link, tuple(dict.fromkeys((*notes, *changed.notes))))
 
 
@@ -218,13 +204,13 @@ def _stays(pose: Pose, main: Pose, values: LinkValues) -> bool:
     return is_elsewhere or (values.rotation is not None and pose != main)
 
 
-def _with_inertial(old: Link, new: Link, values: LinkValues, mesh_bounds: MeshBounds) -> Changed:
+def _with_inertial(old: Link, new: Link, values: LinkValues, bodies: Bodies) -> Changed:
     """Return a link with what it weighs after its bodies were changed."""
     inertial = old.inertial
     if inertial is None:
-        return Changed(new) if values.mass is None else _with_inertia(new, values.mass, mesh_bounds)
+        return Changed(new) if values.mass is None else _with_inertia(new, values.mass, bodies)
     pairs = list(zip(_bodies(old), _bodies(new), strict=False))
-    followed = [each for each in pairs if follows(inertial, each[0], mesh_bounds)]
+    followed = [each for each in pairs if bodies.follows(inertial, each[0])]
     is_left = bool(followed) and all(before == after for before, after in followed)
     if values.shape is not None and values.mass is None and is_left:
         # What it follows from is not what changes.
@@ -234,10 +220,10 @@ def _with_inertial(old: Link, new: Link, values: LinkValues, mesh_bounds: MeshBo
         # Its axes stay as they are where the file has some of its own.
         is_own = followed and inertial.pose.rotation != followed[0][0].pose.rotation
         rotation = inertial.pose.rotation if is_own else None
-        return _with_inertia(new, mass, mesh_bounds, rotation, values.shape)
+        return _with_inertia(new, mass, bodies, rotation, values.shape)
     notes = [] if values.shape is None else [(Note.INERTIA_STAYS, "shape")]
     if values.shape is None and followed:
-        inertial = _carried(inertial, *followed[0], mesh_bounds)
+        inertial = _carried(inertial, *followed[0], bodies)
     elif values.shape is None and pairs:
         main = pairs[0][0].pose
         if _stays(inertial.pose, main, values):
@@ -246,20 +232,20 @@ def _with_inertial(old: Link, new: Link, values: LinkValues, mesh_bounds: MeshBo
     if values.mass is not None:
         scaled = _scaled(inertial, values.mass)
         if scaled is None:
-            return _with_inertia(new._replace(inertial=inertial), values.mass, mesh_bounds)
+            return _with_inertia(new._replace(inertial=inertial), values.mass, bodies)
         inertial = scaled
     return Changed(new._replace(inertial=inertial), tuple(notes))
 
 
-def _carried(inertial: Inertial, before: Body, after: Body, mesh_bounds: MeshBounds) -> Inertial:
+def _carried(inertial: Inertial, before: Body, after: Body, bodies: Bodies) -> Inertial:
     """Return the inertia that followed from a body, after the body was moved or turned."""
     if before.pose == after.pose:
         return inertial
-    position = _middle(after, mesh_bounds)
+    position = bodies.middle(after)
     if inertial.pose.rotation == before.pose.rotation:
         return inertial._replace(pose=Pose(position, after.pose.rotation))
     # Its axes are those of the link, which is not turned.
-    tensor = _tensor(after, inertial.mass, mesh_bounds, inertial.pose.rotation)
+    tensor = bodies.tensor(after, inertial.mass, inertial.pose.rotation)
     pose = Pose(position, inertial.pose.rotation)
     return Inertial(inertial.mass, tensor or inertial.tensor, pose)
 
@@ -279,7 +265,7 @@ def _scaled(inertial: Inertial, mass: float) -> Inertial | None:
 def _with_inertia(
     link: Link,
     mass: float,
-    mesh_bounds: MeshBounds,
+    bodies: Bodies,
     rotation: Vector | None = None,
     shape: Shape | None = None,
 ) -> Changed:
@@ -288,17 +274,17 @@ def _with_inertia(
     Args:
         link: the link; an inertia that it has stays where none follows.
         mass: what it weighs.
-        mesh_bounds: tells where a mesh ends.
+        bodies: tells what follows from its shape.
         rotation: how the axes are turned that the inertia is in; None for those of the shape.
         shape: the one of several that is meant.
     """
     # What collides is what a simulation moves.
     collisions = sorted(link.collisions, key=lambda each: each.shape != shape)
     for body in (*collisions, *link.visuals):
-        tensor = _tensor(body, mass, mesh_bounds, rotation)
+        tensor = bodies.tensor(body, mass, rotation)
         if tensor is not None:
             turned_ = body.pose.rotation if rotation is None else rotation
-            inertial = Inertial(mass, tensor, Pose(_middle(body, mesh_bounds), turned_))
+            inertial = Inertial(mass, tensor, Pose(bodies.middle(body), turned_))
             is_mesh = isinstance(body.shape, Mesh)
             notes = ((Note.BOX_INERTIA, "mass"),) if is_mesh else ()
             return Changed(link._replace(inertial=inertial), notes)
@@ -308,59 +294,3 @@ def _with_inertia(
     has_mesh = any(isinstance(each.shape, Mesh) for each in _bodies(link))
     note = Note.UNKNOWN_SIZE if has_mesh else Note.INERTIA_STAYS
     return Changed(link, ((note, "mass"),))
-
-
-def follows(inertial: Inertial, body: Body, mesh_bounds: MeshBounds) -> bool:
-    """Tell whether an inertia is that of a body, its mass and its place."""
-    tensor = _tensor(body, inertial.mass, mesh_bounds, inertial.pose.rotation)
-    if tensor is None:
-        return False
-    slack = _CLOSE * max(map(abs, tensor))
-    return all(
-        isclose(one, other, abs_tol=slack)
-        for one, other in zip(inertial.tensor, tensor, strict=True)
-    ) and all(
-        isclose(one, other, abs_tol=_SAME_PLACE)
-        for one, other in zip(inertial.pose.position, _middle(body, mesh_bounds), strict=True)
-    )
-
-
-def _tensor(
-    body: Body, mass: float, mesh_bounds: MeshBounds, rotation: Vector | None = None
-) -> Tensor | None:
-    """Return the inertia of a body about its middle, in its axes or in those turned otherwise."""
-    shape = body.shape
-    if shape is None:
-        return None
-    size = None
-    if isinstance(shape, Mesh):
-        box = _box(shape, mesh_bounds)
-        size = None if box is None else _vector(high - low for low, high in box)
-    tensor = tensor_of(shape, mass, size)
-    if tensor is None or rotation in (None, body.pose.rotation):
-        return tensor
-    return turned(tensor, seen_from(rotation_matrix(rotation), rotation_matrix(body.pose.rotation)))
-
-
-def _middle(body: Body, mesh_bounds: MeshBounds) -> Vector:
-    """Return where the middle of a body is: that of a mesh is the middle of the box around it."""
-    box = _box(body.shape, mesh_bounds) if isinstance(body.shape, Mesh) else None
-    if box is None:
-        return body.pose.position
-    return Transform().then(body.pose).point(_vector((low + high) / 2 for low, high in box))
-
-
-def _box(mesh: Mesh, mesh_bounds: MeshBounds) -> list[tuple[float, float]] | None:
-    """Return where a mesh begins and ends along each of its axes, None where nobody knows.
-
-    One with a negative scale is mirrored, and ends before it begins.
-    """
-    corners = mesh_bounds(mesh.uri)
-    if corners is None:
-        return None
-    return [(a * scale, b * scale) for a, b, scale in zip(*corners, mesh.scale, strict=True)]
-
-
-def _vector(values: Iterable[float]) -> Vector:
-    x, y, z = values
-    return x, y, z

@@ -196,6 +196,9 @@ class Joint(NamedTuple):
 class Description:
     """A robot, as it is at one time; what changes it makes another one.
 
+    Its mappings are not frozen: whoever makes one may keep them and change them, as
+    `model.robots.Robot` does while a program runs, and gives `Robot.snapshot` to who keeps it.
+
     Attributes:
         name: what it is called.
         links: its links by name, in their order.

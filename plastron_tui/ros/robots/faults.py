@@ -6,7 +6,7 @@ from collections.abc import Iterator, Mapping
 from enum import Enum, auto
 from typing import NamedTuple
 
-from .description import Box, Cylinder, Description, JointType, Link, Shape, Sphere
+from .description import Box, Cylinder, Description, JointType, Link, Mesh, Shape, Sphere
 from .inertia import is_possible
 from .plausible import HEAVIEST, LONGEST
 from .tree import branches, holders
@@ -274,5 +274,5 @@ def _lengths(shape: Shape | None) -> tuple[float, ...]:
             return radius, length
         case Sphere(radius=radius):
             return (radius,)
-        case _:
+        case Mesh() | None:
             return ()

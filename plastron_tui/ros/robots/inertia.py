@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from .description import Box, Cylinder, Shape, Sphere, Tensor, Vector
+from .description import Box, Cylinder, Mesh, Shape, Sphere, Tensor, Vector
 from .transforms import Matrix
 
 _SLACK = 1e-6
@@ -31,7 +31,7 @@ def tensor_of(shape: Shape, mass: float, size: Vector | None = None) -> Tensor |
         case Sphere(radius=radius):
             each = mass * radius * radius * 2 / 5
             return Tensor(each, 0.0, 0.0, each, 0.0, each)
-        case _:
+        case Mesh():
             return None if size is None else _box(mass, *size)
 
 

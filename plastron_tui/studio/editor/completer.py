@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
 from plastron_tui.diagnostics import Span
 from plastron_tui.language.expectations import Expectation
 from plastron_tui.language.lowering import lower
@@ -13,9 +11,6 @@ from .history import Selection
 from .state import TextState
 from .view import EditorView
 from .vocabulary import Vocabulary
-
-if TYPE_CHECKING:
-    from plastron_tui.session import Session
 
 _SMALL = 64 * 1024
 """A text of so many bytes is understood at once; a longer one waits for its diagnostics."""
@@ -42,7 +37,7 @@ class Completer:
         ):
             self._view.close_popup()
             return
-        names = self._names(session)
+        names = self.names
         found = candidates(expected, names, session)
         if not found and is_asked:
             found = candidates_by_purpose(expected, names, session)
@@ -56,8 +51,11 @@ class Completer:
             self._replaced.start,
         )
 
-    def _names(self, session: Session) -> Vocabulary:
+    @property
+    def names(self) -> Vocabulary:
+        """The names of the program, as it was last understood; a short one is understood now."""
         if self.vocabulary is None:
+            session = self._state.buffer.session
             if self._state.buffer.size > _SMALL:
                 return Vocabulary(lower(type(session.document)()), type(session.workspace)())
             self.vocabulary = Vocabulary(session.program, session.workspace)

@@ -15,7 +15,7 @@ from plastron_tui.regular_files import reason
 
 from .external_editor import EditedElsewhere, external_editor, run_editor
 from .names import Variable, variable_at, wrong_name
-from .robot_names import part_at, wrong_part_name
+from .robot_parts import find_part, kept_name, part_at, wrong_part_name
 
 if TYPE_CHECKING:
     from .widget import ProgramEditor
@@ -23,10 +23,14 @@ if TYPE_CHECKING:
 
 def _variable(editor: ProgramEditor) -> Variable | None:
     document, offset = editor.session.document, editor.cursor_offset
-    variable = variable_at(document, offset) or part_at(document, offset)
-    if variable is None:
-        editor.warn("no variable, and no part of a robot, is under the cursor")
-    return variable
+    variable = variable_at(document, offset)
+    if variable is not None:
+        return variable
+    part = part_at(document, offset)
+    if part is not None:
+        return find_part(document, part)
+    editor.warn("no variable, and no part of a robot, is under the cursor")
+    return None
 
 
 def go_to_definition(editor: ProgramEditor) -> None:
@@ -43,22 +47,30 @@ def go_to_definition(editor: ProgramEditor) -> None:
 async def ask_name(editor: ProgramEditor) -> None:
     """Ask for another name of the variable under the cursor."""
     variable = _variable(editor)
-    if variable is not None:
+    document, offset = editor.session.document, editor.cursor_offset
+    part = None if variable_at(document, offset) is not None else part_at(document, offset)
+    kept = None if part is None else kept_name(part, editor.completer.names.known_robot(part.robot))
+    if kept is not None:
+        editor.warn(kept)
+    elif variable is not None:
         name = variable.name
         await editor.ask(f"rename {name} to", name, partial(rename, editor))
 
 
 def rename(editor: ProgramEditor, name: str) -> None:
-    """Give the variable under the cursor another name, everywhere, as one step to undo."""
+    """Give what is under the cursor another name, everywhere, as one step to undo."""
     name = name.strip()
     document, offset = editor.session.document, editor.cursor_offset
     variable = variable_at(document, offset)
     part = part_at(document, offset) if variable is None else None
-    found = variable or part
+    found = variable if part is None else find_part(document, part)
     if found is None or name == found.name:
         return
-    is_part = part is not None
-    problem = wrong_part_name(document, offset, name) if is_part else wrong_name(document, name)
+    if part is None:
+        problem = wrong_name(document, name)
+    else:
+        robot = editor.completer.names.known_robot(part.robot)
+        problem = wrong_part_name(document, part, name, robot)
     if problem is not None:
         editor.warn(problem)
         return

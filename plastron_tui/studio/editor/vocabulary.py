@@ -16,6 +16,7 @@ from plastron_tui.ros.names import spelled
 from plastron_tui.ros.robots.description import Description
 
 if TYPE_CHECKING:
+    from plastron_tui.model.robots import Robot
     from plastron_tui.model.workspace import Workspace
     from plastron_tui.ros.catalog import Catalog
 
@@ -137,12 +138,16 @@ class Vocabulary:
 
     def robot(self, variable: str) -> Description:
         """Return what a robot consists of, as it was last understood."""
-        found = self._workspace.robots.get(variable)
+        found = self.known_robot(variable)
         return Description("") if found is None else found.shown
+
+    def known_robot(self, variable: str) -> Robot | None:
+        """Return a robot as it was last understood, None for one that was not."""
+        return self._workspace.robots.get(variable)
 
     def made_parts(self, variable: str) -> frozenset[str]:
         """Return the links and joints of a robot that the program speaks of."""
-        found = self._workspace.robots.get(variable)
+        found = self.known_robot(variable)
         return frozenset() if found is None else frozenset({*found.links, *found.joints})
 
     def contents(self, package: str) -> Mapping[str, str]:

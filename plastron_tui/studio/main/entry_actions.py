@@ -75,11 +75,15 @@ class EntryActions:
         self._go_to(there.start)
 
     async def _rename(self, entry: Entry) -> None:
-        from ..renaming import old_name, renamed, wrong_name
+        from ..renaming import fixed_name, old_name, renamed, wrong_name
         from ..screens.question import Prompt
 
         analysis = self._current()
         if analysis is None:
+            return
+        fixed = fixed_name(analysis, entry)
+        if fixed is not None:
+            self._screen.notify(fixed, severity="warning", markup=False)
             return
         open_ = self._program.open
         old = old_name(entry, analysis.workspace)

@@ -292,7 +292,8 @@ def shape_text(shape: Shape | None) -> str:
             return f"sphere r {radius:g}"
         case Mesh(uri=uri):
             return f"mesh {uri.rpartition('/')[2]}"
-    return "a shape that is not known"
+        case None:
+            return "a shape that is not known"
 
 
 def joint_text(joint: Joint) -> str:

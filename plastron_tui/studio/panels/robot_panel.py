@@ -138,20 +138,21 @@ class RobotPanel(Container):
     def show(self, content: Shown | None) -> None:
         """Show the robots; None for none."""
         entries, picture = content or Shown(Entries(), ())
-        had = len(self.parts.entries.all)
+        is_other = entries is not self.parts.entries
         self.parts.show(entries)
         self.picture.show(picture)
         if self.has_focus_within:
             self.refresh_bindings()
-        if had != len(entries.all) and self.size:
-            before = self._room
+        if is_other and self.size:
+            # The tree may need more rows now, or fewer, and another part be at the cursor.
             self._lay_out()
-            if before != self._room:
-                self.post_message(Resized())
+            self.post_message(Resized())
 
     @on(Lit)
-    def lit(self) -> None:
-        """Let the part that the tree's cursor is on stand out."""
+    @on(events.DescendantFocus)
+    @on(events.DescendantBlur)
+    def mark(self) -> None:
+        """Let the part stand out that the tree's cursor is on, or else the one in the text."""
         self.post_message(Resized())
 
     def check_action(self, action: str, parameters: tuple[object, ...]) -> bool | None:
@@ -172,14 +173,16 @@ class RobotPanel(Container):
 
 def _made(analysis: Analysis, looks: Looks) -> Shown:
     from .robot_entries import robot_entries
-    from .robot_picture import picture_of
+    from .robot_picture import picture_of, sides_of
 
     entries = analysis.once("robots", lambda: robot_entries(analysis))
     robot = analysis.workspace.robots.get(looks.robot or "")
     if robot is None or not looks.rows:
         return Shown(entries, ())
     size = looks.columns, looks.rows
-    picture = picture_of(analysis.session, robot, *size, view=looks.view, marked=looks.marked)
+    # What stands out, and how large all is, changes more often than the robot.
+    sides = analysis.once(("sides", robot.variable), lambda: sides_of(analysis.session, robot))
+    picture = picture_of(robot, sides, *size, view=looks.view, marked=looks.marked)
     return Shown(entries, picture)
 
 

@@ -26,9 +26,10 @@ def code_of_robot(session: Session, robot: str) -> tuple[str, Lines]:
 
 def look_of_robot(session: Session, robot: str, part: str, width: int, height: int) -> Lines:
     """Return how a robot looks, as large as fits; one part of it stands out."""
-    from ..panels.robot_picture import picture_of
+    from ..panels.robot_picture import picture_of, sides_of
 
-    return picture_of(session, session.workspace.robots[robot], width, height, marked=part)
+    shown = session.workspace.robots[robot]
+    return picture_of(shown, sides_of(session, shown), width, height, marked=part)
 
 
 def code_of(session: Session, node: str | None) -> tuple[str, Lines]:

@@ -81,7 +81,9 @@ class ResultView(Vertical):
             name, lines, graph = await asyncio.to_thread(find)
         if is_due() and self.is_attached:
             self.query_one("#wizard-seen", Label).update(_GRAPH if robot is None else _LOOKS)
-            self.query_one("#wizard-graph", TextView).show(graph)
+            picture = self.query_one("#wizard-graph", TextView)
+            picture.set_class(robot is not None, "-robot")
+            picture.show(graph)
             self.query_one("#wizard-file", Label).update(name or "The file of the node")
             self._show_code(lines)
 

@@ -151,16 +151,18 @@ class LinkKind(Kind):
     """A link: a new one, one to be changed or taken away, or one that a joint holds or is on."""
 
     def suggest(self, ask: Ask) -> str:
-        """Return what fits: a free name, a link that nothing holds yet, or the last one."""
+        """Return what fits: a free name, a link that nothing holds yet, or the last one.
+
+        A joint that is changed keeps its links.
+        """
         robot = description_of(ask)
         if ask.form.declaration.type is st.HasLink:
             return new_link_name(robot.links)
         if ask.form.declaration.type is st.NoLongerHasLink:
             open_ = [each.text for each in self.choices(ask, "") if not each.closed]
             return next(reversed(open_), "")
-        joint = _joint_there(ask)
-        if joint is not None:
-            return str(getattr(joint, ask.slot.name))
+        if _joint_there(ask) is not None:
+            return ""
         names = _free_children(ask) if ask.slot.name == "child" else parents(robot)
         return next(iter(names), NEW)
 
@@ -312,9 +314,8 @@ class JointTypeKind(Kind):
     """How a joint moves."""
 
     def suggest(self, ask: Ask) -> str:
-        """Return that of the joint that is changed, or else the one that most joints have."""
-        joint = _joint_there(ask)
-        return JointType.FIXED.value if joint is None else joint.type.value
+        """Return the one that most joints have; a joint that is changed keeps its own."""
+        return JointType.FIXED.value if _joint_there(ask) is None else ""
 
     def choices(self, ask: Ask, query: str) -> list[Choice]:
         """Return all."""

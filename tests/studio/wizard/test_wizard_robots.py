@@ -143,17 +143,25 @@ def test_a_loaded_robot_is_changed_in_what_it_has(tmp_path: Path) -> None:
     (tmp_path / "old.urdf").write_text(
         '<?xml version="1.0"?>\n<robot name="old">\n  <link name="base"/>\n'
         '  <link name="arm"/>\n  <joint name="turn" type="continuous">\n'
-        '    <parent link="base"/>\n    <child link="arm"/>\n  </joint>\n</robot>\n'
+        '    <parent link="base"/>\n    <child link="arm"/>\n    <mimic joint="hand"/>\n'
+        '  </joint>\n  <link name="tip"/>\n  <joint name="hand" type="continuous">\n'
+        '    <parent link="arm"/>\n    <child link="tip"/>\n  </joint>\n</robot>\n'
     )
     it = course("load_robot 'old.urdf' as old\n", tmp_path)
     form = form_after(it, DESCRIBE, JOINT)
     filled = it.look().of(form)
     assert filled is not None
-    assert [each.text for each in it.choices(filled, "joint", None, "")] == ["turn"]
+    assert [each.text for each in it.choices(filled, "joint", None, "")] == ["turn", "hand"]
     form.enter("joint", "turn")
     form.values["position", "z"] = "0.2"
+    filled = it.look().of(form)
+    assert filled is not None
+    assert [each.text for each in it.choices(filled, "mimicked", None, "")] == ["hand", "none"]
+    form.enter("mimicked", "none")
+    assert lines_of(it)[1][0] == "old has_joint 'turn' at 0, 0, 0.2 mimicking none"
+    form.enter("mimicked", "")
     assert lines_of(it)[1] == [
-        "old has_joint 'turn' of joint_type continuous from 'base' to 'arm' at 0, 0, 0.2",
+        "old has_joint 'turn' at 0, 0, 0.2",
         "generate_robot old",
     ]
 

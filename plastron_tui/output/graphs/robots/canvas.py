@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from math import ceil, floor, sqrt
 
-from .polygons import middles, stretches
+from .polygons import Stretch, middles, stretches
 from .runs import Run, RunLines
 from .shades import contrast
 from .views import Point
@@ -52,8 +52,7 @@ class Canvas:
         """Fill a convex polygon: pixels whose middles are in it, at least one in each row."""
         if self.ascii_only:
             points = [(x, y / 2) for x, y in points]
-        for row, left, right in stretches(points, len(self._pixels)):
-            self._fill_row(row, left, right, color)
+        self._fill_rows(stretches(points, len(self._pixels)), color)
 
     def line(self, start: Point, end: Point, color: str) -> None:
         """Draw a line, a pixel wide."""
@@ -70,21 +69,29 @@ class Canvas:
     def fill_circle(self, middle: Point, radius: float, color: str) -> None:
         """Fill a circle."""
         flat = 2 if self.ascii_only else 1
+        found = []
         for row, at in middles(
             (middle.y - radius) / flat, (middle.y + radius) / flat, len(self._pixels)
         ):
             half = sqrt(max(0.0, radius**2 - (at * flat - middle.y) ** 2))
-            self._fill_row(row, middle.x - half, middle.x + half, color)
+            found.append((row, middle.x - half, middle.x + half))
+        self._fill_rows(found, color)
 
-    def _fill_row(self, row: int, left: float, right: float, color: str) -> None:
-        start, end = ceil(left - 0.5), floor(right + 0.5)
-        if start >= end:
-            # It is thinner than a pixel.
-            start = floor((left + right) / 2)
-            end = start + 1
-        start, end = max(start, 0), min(end, self.columns)
-        if 0 <= row < len(self._pixels) and end > start:
-            self._pixels[row][start:end] = [color] * (end - start)
+    def _fill_rows(self, found: Iterable[Stretch], color: str) -> None:
+        """Fill what is in each row; as there are many, without `min` and `max`."""
+        pixels, columns = self._pixels, self.columns
+        for row, left, right in found:
+            start, end = ceil(left - 0.5), floor(right + 0.5)
+            if start >= end:
+                # It is thinner than a pixel.
+                start = floor((left + right) / 2)
+                end = start + 1
+            if start < 0:
+                start = 0
+            if end > columns:
+                end = columns
+            if end > start:
+                pixels[row][start:end] = [color] * (end - start)
 
     def lines(self) -> RunLines:
         """Return what is drawn."""

@@ -2,52 +2,54 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from math import ceil, floor, inf
-from typing import NamedTuple
+from typing import TypeAlias
+
+Stretch: TypeAlias = tuple[int, float, float]
+"""What of a row is in a polygon: the row, its left end and its right one."""
 
 
-class Stretch(NamedTuple):
-    """What of a row is in a polygon."""
-
-    row: int
-    left: float
-    right: float
-
-
-def stretches(points: Sequence[tuple[float, float]], rows: int) -> Iterator[Stretch]:
-    """Yield what is in a convex polygon of each row from 0 on, at the middle of the row.
+def stretches(points: Sequence[tuple[float, float]], rows: int) -> list[Stretch]:
+    """Return what is in a convex polygon of each row from 0 on, at the middle of the row.
 
     What is thinner than a row has one all the same, as far as it is not above or below all rows.
     """
     heights = [y for _, y in points]
     found = middles(min(heights), max(heights), rows)
     if not found:
-        return
-    first, last = found[0][0], found[-1][0]
-    lefts, rights = [inf] * len(found), [-inf] * len(found)
+        return []
+    first, count = found[0][0], len(found)
+    # Where between its edges a row is looked at; this is where pictures take their time.
+    within = found[0][1] - first
+    lefts, rights = [inf] * count, [-inf] * count
     x, y = points[-1]
     for end_x, end_y in points:
-        # From the upper end of the edge to the lower one; this is where pictures take their time.
-        if y < end_y:
-            top_x, top, bottom_x, bottom = x, y, end_x, end_y
+        start_x, start_y, x, y = x, y, end_x, end_y
+        # From the upper end of the edge to the lower one.
+        if start_y < end_y:
+            top_x, top, bottom_x, bottom = start_x, start_y, end_x, end_y
         else:
-            top_x, top, bottom_x, bottom = end_x, end_y, x, y
-        x, y = end_x, end_y
-        slope = (bottom_x - top_x) / (bottom - top) if bottom > top else 0.0
-        start, end = max(first, floor(top)), min(last, floor(bottom))
-        for number in range(start - first, end - first + 1):
-            at = found[number][1]
-            if top <= at <= bottom:
-                edge = top_x + (at - top) * slope
-                for each in (edge,) if bottom > top else (top_x, bottom_x):
-                    if each < lefts[number]:
-                        lefts[number] = each
-                    if each > rights[number]:
-                        rights[number] = each
-    for (row, _), left, right in zip(found, lefts, rights, strict=True):
-        if left <= right:
-            yield Stretch(row, left, right)
+            top_x, top, bottom_x, bottom = end_x, end_y, start_x, start_y
+        low, high = ceil(top - within) - first, floor(bottom - within) - first
+        numbers = range(low if low > 0 else 0, (high if high < count else count - 1) + 1)
+        if not numbers:
+            continue
+        if bottom == top:
+            for number in numbers:
+                lefts[number] = min(lefts[number], top_x, bottom_x)
+                rights[number] = max(rights[number], top_x, bottom_x)
+            continue
+        slope = (bottom_x - top_x) / (bottom - top)
+        above = first + within - top
+        for number in numbers:
+            edge = top_x + (number + above) * slope
+            if edge < lefts[number]:
+                lefts[number] = edge
+            if edge > rights[number]:
+                rights[number] = edge
+    there = zip(range(first, first + count), lefts, rights, strict=True)
+    return [each for each in there if each[1] <= each[2]]
 
 
 def middles(low: float, high: float, rows: int) -> list[tuple[int, float]]:

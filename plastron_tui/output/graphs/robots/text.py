@@ -114,13 +114,39 @@ def render_views(
         mesh_bounds: tells how large meshes are.
         ascii_only: whether there is nothing but ASCII, and no colours.
     """
-    width, height = max(width, 1), max(height, 1)
+    sides = look_at(robot, mesh_bounds)
+    return draw_sides(sides, width, height, view=view, marked=marked, ascii_only=ascii_only)
+
+
+class Sides(NamedTuple):
+    """A robot from all sides, before anybody says how large it is drawn."""
+
+    scene: Scene
+    seen: tuple[Seen, ...]
+
+
+def look_at(robot: Description, mesh_bounds: MeshBounds = no_bounds) -> Sides:
+    """Return a robot from all sides: half of the work of drawing it, whatever is marked in it."""
     scene = scene_of(robot, mesh_bounds)
-    sides = seen_from_all(scene, _CORNERS)
-    chosen = next((side for side in sides if side.view.key == view), None)
+    return Sides(scene, seen_from_all(scene, _CORNERS))
+
+
+def draw_sides(
+    sides: Sides,
+    width: int,
+    height: int,
+    *,
+    view: str = "",
+    marked: str = "",
+    ascii_only: bool = False,
+) -> RunLines:
+    """Return what `render_views` does of a robot that was looked at before."""
+    width, height = max(width, 1), max(height, 1)
+    scene, seen = sides
+    chosen = next((side for side in seen if side.view.key == view), None)
     if chosen is None and width >= _VIEWS_WIDTH and height >= _VIEWS_HEIGHT:
-        return draw_views(scene, sides, width, height, marked, ascii_only)
-    return draw_view(scene, chosen or _best(sides), width, height, marked, ascii_only)
+        return draw_views(scene, seen, width, height, marked, ascii_only)
+    return draw_view(scene, chosen or _best(seen), width, height, marked, ascii_only)
 
 
 def _best(sides: tuple[Seen, ...]) -> Seen:
