@@ -71,6 +71,9 @@ def unused_arguments(
         if has_macros:
             span = places.get(name, Span(0, 0))
             near, fix = guess(name, loaded.asked, span, is_quoted=True)
+            if near is None and loaded.source.expanded is None:
+                # What is not expanded to its end may ask for it further down.
+                continue
             known = ", ".join(f"`{each}`" for each in loaded.asked)
             help_ = near or (f"it asks for {known}" if known else "it asks for none")
         yield Diagnostic(

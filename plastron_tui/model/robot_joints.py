@@ -9,6 +9,7 @@ from plastron_tui.ros.robots.description import Joint, JointType, Mimic
 from plastron_tui.ros.robots.joint_changes import NO_MIMIC, JointValues, changed_joint
 
 from .mistake import Mistake
+from .robot_computed import check_not_computed
 from .robot_lookups import (
     check_makable,
     check_name,
@@ -40,6 +41,7 @@ def has_joint(run: Run, statement: st.HasJoint) -> None:
         mimic_of(run, statement),
     )
     name = statement.joint
+    check_not_computed(robot, statement)
     joint = robot.description.joints.get(name)
     places = robot.joints.get(name, Places())
     if joint is None:

@@ -7,6 +7,7 @@ from plastron_tui.language import statements as st
 from plastron_tui.ros.robots.description import Dynamics, Joint, JointType, Limit
 
 from .mistake import Mistake
+from .robot_computed import check_not_computed
 from .robot_lookups import find_own_joint, find_robot, twice
 from .robot_numbers import as_float, numbers
 from .robot_parts import range_of
@@ -24,6 +25,7 @@ def limits_joint(run: Run, statement: st.LimitsJoint) -> None:
     joint = check_limited_once(run, statement)
     check_limits_fit(run, statement)
     check_strength(run, statement)
+    check_not_computed(robot, statement)
     ends = range_of(statement, joint.type)
     limit = joint.limit or Limit()
     if ends is not None:

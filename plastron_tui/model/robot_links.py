@@ -8,6 +8,7 @@ from plastron_tui.ros.robots.changes import LinkValues, Note, changed_link, new_
 from plastron_tui.ros.robots.description import Link, Mesh
 
 from .mistake import Mistake
+from .robot_computed import check_not_computed
 from .robot_lookups import (
     check_makable,
     check_name,
@@ -50,6 +51,7 @@ def has_link(run: Run, statement: st.HasLink) -> None:
         rotation_of(statement),
     )
     name = statement.link
+    check_not_computed(robot, statement)
     there = robot.description.links.get(name)
     if there is None:
         link, notes = new_link(name, values, run.setting.mesh_bounds)

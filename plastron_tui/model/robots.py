@@ -33,6 +33,8 @@ class RobotSource(NamedTuple):
             the name.
         arguments: what the program gives its macros.
         opened: the files that its macros were expanded with.
+        computed: what macros compute of its links and joints: the value as it is written and its
+            line, by `link` or `joint` and the name, and where it is: `limit/lower`.
     """
 
     path: Path
@@ -44,6 +46,7 @@ class RobotSource(NamedTuple):
     spans: Mapping[tuple[str, str], Span] = {}
     arguments: Arguments = ()
     opened: tuple[Path, ...] = ()
+    computed: Mapping[tuple[str, str], Mapping[str, tuple[str, int]]] = {}
 
     @property
     def whole(self) -> Description | None:

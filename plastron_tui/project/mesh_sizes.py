@@ -138,5 +138,21 @@ class MeshSizes:
             beside = self._folders[0] / "robot.urdf"
             self._known.reach = find_reach(self._boundary, beside, self._environ)
             self._is_reach_new = True
-        places = [self._known.reach.find(uri, folder) for folder in self._folders]
-        return next((each for each in places if each.path is not None), places[0])
+        reach = self._known.reach
+        places = [reach.find(uri, folder) for folder in self._folders]
+        return next((each for each in places if each.path is not None), None) or (
+            self._to_be_copied(uri, reach) or places[0]
+        )
+
+    def _to_be_copied(self, uri: str, reach: Reach) -> Place | None:
+        """Return where a mesh of a package is that the program is yet to make, None for none."""
+        from plastron_tui.sources.urdf.reach import package_of
+
+        package = package_of(uri)
+        if package is None or not package[1] or package[1].startswith("/"):
+            return None
+        there = reach.package(package[0])
+        if there is not None and not self._boundary.contains(there):
+            return None
+        places = (reach.find(package[1], folder) for folder in self._folders)
+        return next((each for each in places if each.path is not None), None)

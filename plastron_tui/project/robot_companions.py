@@ -8,11 +8,14 @@ stays there, and is depended on.
 from __future__ import annotations
 
 import os
+import re
 from collections.abc import Iterator
 from functools import cached_property
+from itertools import islice
 from pathlib import Path
 from posixpath import normpath
 from typing import TYPE_CHECKING, NamedTuple
+from urllib.parse import unquote
 
 from plastron_tui.diagnostics import Diagnostic, Span, codes
 from plastron_tui.generating.package_parts import Companion, Companions
@@ -26,16 +29,30 @@ from plastron_tui.sources.xml.document import XmlDocument, read_xml
 from plastron_tui.sources.xml.outline import MOST_BYTES
 from plastron_tui.targets.packages.rendering import URDF_FOLDER
 
+from .package_copy import MOST_BYTES as MOST_COPIED
+
 if TYPE_CHECKING:
     from .configuration import Configuration
 
 _MOST_NAMES = 1_000
 _MOST_FILES = 200
 _MOST_TOLD = 5
+_MOST_AROUND = 100
 _HERE = "$(dirname)/"
 _FILE = "file://"
 _COMPUTED = ("${", "$(")
 _PATTERN = frozenset("*?[")
+
+_REFERENCES = {
+    ".dae": re.compile(rb"<init_from>([^<>]{1,300})</init_from>"),
+    ".obj": re.compile(rb"^mtllib[ \t]{1,20}([^\r\n]{1,300})", re.MULTILINE),
+    # Bounded, so that no line takes longer the longer it is.
+    ".mtl": re.compile(
+        rb"^[ \t]{0,20}map_\w{1,40}[ \t]{1,20}(?:[^\r\n]{0,300}[ \t])?(\S{1,300})[ \t]{0,20}\r?$",
+        re.MULTILINE,
+    ),
+}
+"""Where meshes name other files (COLLADA 1.4.1, `init_from`; Wavefront OBJ and MTL)."""
 
 
 class _Left(Exception):  # noqa: N818 - control flow, from a name to what is told of it
@@ -73,7 +90,9 @@ class CompanionFinder:
         for each in search.names():
             found = search.found(each)
             if isinstance(found, Companion):
-                found = _put(files, found)
+                new = [found] if found.path in files else [found, *search.around(found)]
+                refused = [left for one in new if (left := _put(files, one)) is not None]
+                found = refused[0] if refused else None
             if found is not None:
                 told.setdefault(each.name, _told(robot, each.name, found, span))
         left_out = tuple(told.values())[:_MOST_TOLD]
@@ -159,6 +178,31 @@ class _Search:
         except _Left as left:
             return left
 
+    def around(self, mesh: Companion) -> Iterator[Companion]:
+        """Yield the materials and images that a mesh names, as far as they are there."""
+        waiting = [mesh]
+        seen = {mesh.path}
+        while waiting and len(seen) < _MOST_AROUND:
+            each = waiting.pop()
+            pattern = _REFERENCES.get(os.path.splitext(each.path)[1].lower())  # noqa: PTH122
+            if pattern is None or each.file is None:
+                continue
+            for text, folder in _read(each.file, MOST_COPIED):
+                for found in islice(pattern.finditer(text), _MOST_AROUND):
+                    name = unquote(found.group(1).decode("utf-8", "replace")).strip()
+                    inner = normpath(f"{each.path}/../{name}")
+                    path = self._beside(name, folder)
+                    if path is None or inner in seen:
+                        continue
+                    try:
+                        other = Companion(_checked(inner), self._allowed(path))
+                    except _Left:
+                        # In a mesh, names of what is in it stand in the same places.
+                        continue
+                    seen.add(inner)
+                    waiting.append(other)
+                    yield other
+
     def _companion(self, named: _Named) -> Companion | None:
         name = named.name
         package = package_of(name)
@@ -184,12 +228,9 @@ class _Search:
         if _is_computed(inner):
             raise _Left("cannot get: which file it is, macros say", "put it there by hand")
         inner = _checked(normpath(inner or "."))
-        there = os.path.realpath(self._there)
         for root in self._roots:
-            path = root / inner
-            is_output = os.path.realpath(path).startswith(there + os.sep)
-            if not is_output and os.path.isfile(path):  # noqa: PTH113
-                return Companion(inner, self._allowed(path))
+            if os.path.isfile(root / inner):  # noqa: PTH113
+                return Companion(inner, self._allowed(root / inner))
         if (self._there / inner).is_file():
             return Companion(inner, None)
         raise _Left("does not get: it is not there", f"put it at `{inner}` beside the program")
@@ -232,9 +273,10 @@ def _named_in(document: XmlDocument, *, has_meshes: bool) -> Iterator[str]:
             yield name
 
 
-def _read(path: Path) -> Iterator[tuple[bytes, Path]]:
+def _read(path: Path, most: int = MOST_BYTES) -> Iterator[tuple[bytes, Path]]:
+    """Yield what a file holds, and its folder, where it can be read."""
     try:
-        yield read_regular(path, MOST_BYTES), path.parent
+        yield read_regular(path, most), path.parent
     except OSError:
         return
 

@@ -19,6 +19,9 @@ if TYPE_CHECKING:
     from plastron_tui.sources.urdf.reader import PartPlaces, UrdfRead
     from plastron_tui.sources.xml.document import XmlDocument
 
+_UTF_16 = (b"\xff\xfe", b"\xfe\xff", b"<\0", b"\0<")
+"""What XML in that encoding begins with."""
+
 _EXPORT = "export it as URDF from what it was made with"
 _OTHER_ROOTS = {
     "sdf": ("a model of Gazebo (SDF), not URDF", _EXPORT),
@@ -84,7 +87,8 @@ class RobotReader:
             return LoadedRobot(None, (text,))
         if b"\0" in text:
             message = f"`{source}` is no text, and so no robot"
-            return LoadedRobot(None, (Diagnostic(codes.UNREADABLE_FILE, message),))
+            help_text = "it is UTF-16: save it as UTF-8" if text.startswith(_UTF_16) else None
+            return LoadedRobot(None, (Diagnostic(codes.UNREADABLE_FILE, message, help=help_text),))
         self._found(path.parent)
         start = self._texts.started(path, text, _form)
         origin = None if start is None else start.origin
@@ -105,7 +109,10 @@ class RobotReader:
         expansion = self._expand(path, found.text, read.document, found.arguments)
         macros = read_macros(read.document)
         found = found._replace(
-            macros=macros, expanded=expansion.description, opened=expansion.opened
+            expanded=expansion.description,
+            macros=macros,
+            opened=expansion.opened,
+            computed=_computed(read.places),
         )
         told = (*read.diagnostics, *expansion.diagnostics)
         return LoadedRobot(found, told, expansion.asked, expansion.unused)
@@ -119,6 +126,26 @@ def _spans(places: PartPlaces) -> dict[tuple[str, str], Span]:
         for name, element in parts.items()
         if (attribute := element.attribute("name")) is not None
     }
+
+
+def _computed(places: PartPlaces) -> dict[tuple[str, str], dict[str, tuple[str, int]]]:
+    """Return what macros compute of links and joints, as a `RobotSource` has it."""
+    from plastron_tui.sources.urdf.values import is_computed
+
+    found: dict[tuple[str, str], dict[str, tuple[str, int]]] = {}
+    for kind, parts in (("link", places.links), ("joint", places.joints)):
+        for name, part in parts.items():
+            values: dict[str, tuple[str, int]] = {}
+            inner = [(each, each.name) for each in part.children]
+            while inner:
+                element, path = inner.pop()
+                for attribute in element.attributes:
+                    if is_computed(attribute.value):
+                        values[f"{path}/{attribute.name}"] = attribute.value, element.line
+                inner += ((each, f"{path}/{each.name}") for each in element.children)
+            if values:
+                found[kind, name] = values
+    return found
 
 
 def _why_none(source: str, read: UrdfRead) -> tuple[Diagnostic, ...]:

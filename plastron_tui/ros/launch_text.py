@@ -120,6 +120,7 @@ class Scope:
         folder: the folder of the launch file, None where it has none.
         find_package: returns the folder of a package that others find its files in.
         read_file: returns what a file holds.
+        run_command: returns what a command says besides `cat`, of which that is known without.
     """
 
     arguments: Mapping[str, str] = field(default_factory=dict)
@@ -127,6 +128,7 @@ class Scope:
     folder: str | None = None
     find_package: Callable[[str], str | None] = _nowhere
     read_file: Callable[[str], str | None] = _nowhere
+    run_command: Callable[[str], str | None] = _nowhere
 
     def value(self, of: Text) -> str | None:
         """Return what a text comes to, None where that is not known."""
@@ -146,9 +148,9 @@ class Scope:
         )
 
     def _shown(self, command: str) -> str | None:
-        """Return what a command says; none is started, and of `cat` it is known without."""
+        """Return what a command says."""
         word, _, path = command.partition(" ")
-        return self.read_file(path.strip()) if word == "cat" else None
+        return self.read_file(path.strip()) if word == "cat" else self.run_command(command)
 
     def _part(self, part: str | Substitution) -> str | None:
         if isinstance(part, str):

@@ -23,6 +23,7 @@ from .build_output import Progress
 from .environment import Environment, missing_package, missing_packages
 from .launch import Loaded, NodeFile
 from .launch_packages import Packages, find_packages
+from .robot_commands import XACRO, RobotCommands
 from .source_interfaces import with_built
 
 _ARGUMENTS = ("args", "ros_args")
@@ -58,7 +59,10 @@ def prepare(
     """
     file = Path.cwd() / file
     packages = find_packages(file, environment, environ)
-    resolved = _resolved(launch, file, arguments, environment.ros_version, packages, environ)
+    robots = None if environment.ros_version == 1 else RobotCommands(packages.has, environ)
+    resolved = _resolved(
+        launch, file, arguments, environment.ros_version, packages, environ, robots
+    )
     if environment.ros_version == 1:
         # roslaunch tells the rest itself, but follows files that include each other without end.
         wrong = [each for each in resolved.unresolved if each.is_wrong]
@@ -69,7 +73,9 @@ def prepare(
             return prepared
         return _built(prepared.nodes[0], packages, resolved, environment, tell, environ)
     found = [*wrong_arguments(launch, file, arguments)]
-    found += (_told(each.message, each.file, each.place) for each in resolved.unresolved)
+    for each in resolved.unresolved:
+        help_ = None if robots is None or XACRO not in each.message else robots.problem or None
+        found.append(_told(each.message, each.file, each.place)._replace(help=help_))
     if not resolved.started and not found:
         found.append(_told("the launch file starts no node", str(file), None))
     nodes, problems = _nodes(resolved.started, environment, packages)
@@ -157,6 +163,7 @@ def _resolved(
     ros_version: int,
     packages: Packages,
     environ: Mapping[str, str],
+    robots: RobotCommands | None,
 ) -> Resolved:
     def beyond(file: Path) -> str:
         return "" if packages.has(file) else "it is neither in the project nor installed"
@@ -165,6 +172,8 @@ def _resolved(
         return file_content(path, beyond)
 
     scope = Scope(arguments, environ, str(file.parent), packages.share, content)
+    if robots is not None:
+        scope = replace(scope, run_command=robots)
 
     def opened(path: str) -> Opened:
         return open_included(Path(path), beyond)

@@ -8,10 +8,14 @@ import pytest
 
 from plastron_tui.diagnostics import Severity
 from plastron_tui.ros.installations import Origin
+from plastron_tui.ros.parameter_values import yaml_text
+from plastron_tui.runtime import xacro
 from plastron_tui.runtime.environment import Environment
 from plastron_tui.runtime.launch import NodeFile
 from plastron_tui.runtime.launch_run import Prepared, prepare
+from plastron_tui.runtime.xacro import Expanded
 from plastron_tui.sources.launch.reader import is_launch_file, read_launch
+from plastron_tui.trust import TrustStore
 
 MANIFEST = """<package format="3"><name>{}</name><version>0.1.0</version>
 <description>d</description><maintainer email="a@b.cc">a</maintainer><license>MIT</license>
@@ -223,3 +227,49 @@ def test_near_names_are_offered(project: Path) -> None:
 )
 def test_launch_files_are_known_by_their_names(name: str, is_launch: bool) -> None:
     assert is_launch_file(Path(name)) is is_launch
+
+
+@pytest.mark.parametrize(
+    ("command", "given", "help_"),
+    [
+        ("xacro $(find-pkg-share demo)/r.xacro name:='a b'", (("name", "a b"),), None),
+        ("xacro $(find-pkg-share demo)/r.xacro", (), "are not expanded: no"),
+        ("xacro /etc/hosts", None, "`hosts` is neither in the project nor installed"),
+        ("xacro $(find-pkg-share demo)/none.xacro", None, "`none.xacro` cannot be read"),
+        ("touch $(find-pkg-share demo)/out", None, ""),
+        ("xacro $(find-pkg-share demo)/r.xacro -o out", None, ""),
+    ],
+)
+def test_a_robot_is_expanded_where_the_project_is_trusted(
+    project: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    command: str,
+    given: tuple[tuple[str, str], ...] | None,
+    help_: str | None,
+) -> None:
+    monkeypatch.setenv("XDG_STATE_HOME", str(project / "state"))
+    (project / "src/demo/r.xacro").write_text("<robot/>")
+    calls: list[object] = []
+
+    def expand(*arguments: object) -> Expanded:
+        calls.append(arguments[-1])
+        return Expanded(b"<robot name='r'/>") if arguments[-1] else Expanded(None, "no")
+
+    monkeypatch.setattr(xacro, "expand", expand)
+    words = command.replace("'", "\\'")
+    words = f"""<node pkg="demo" exec="talker">
+      <param name="robot_description" type="str" value="$(command '{words}')"/></node>"""
+    is_untrusted = any(
+        "plastron trust" in (x.help or "") for x in _prepared(project, words).diagnostics
+    )
+    assert is_untrusted == (help_ is None or (".xacro" in command and "-o" not in command))
+    assert calls == []
+    TrustStore().add(project / "src/demo")
+    prepared = _prepared(project, words)
+    assert calls == ([] if given is None else [given])
+    assert not (project / "src/demo/out").exists()
+    if help_ is None:
+        assert "robot_description:=" + yaml_text("<robot name='r'/>") in _one(prepared).arguments
+    else:
+        [told] = prepared.diagnostics
+        assert help_ in (told.help or "")

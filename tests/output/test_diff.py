@@ -1,6 +1,7 @@
 from __future__ import annotations
 
 import re
+import subprocess
 from pathlib import Path
 
 import pytest
@@ -44,9 +45,7 @@ def apply(before: bytes, patch: bytes) -> bytes:
 
 
 # No text here starts a line with "-- " or "++ ", which this reader takes for a header.
-TEXTS = st.lists(
-    st.sampled_from([b"a", b"b", b"\n", b"\r\n", b"\r", b"\xff", b"\0", b"\n\n", b"c"])
-)
+TEXTS = st.lists(st.sampled_from([b"a", b"b", b"\n", b"\r\n", b"\r", b"\xff", b"\n\n", b"c"]))
 
 
 @given(TEXTS.map(b"".join), TEXTS.map(b"".join))
@@ -102,3 +101,23 @@ def test_identical_is_empty_and_a_missing_bit_is_shown(tmp_path: Path) -> None:
 )
 def test_a_terminal_is_told_nothing_by_a_patch(patch: bytes, shown: str) -> None:
     assert visible_patch(patch) == shown
+
+
+@pytest.mark.long
+@pytest.mark.parametrize("before", [None, b"", b"text\n", bytes(range(256)) * 9])
+@pytest.mark.parametrize("after", [b"\0", b"a\0b" * 20, bytes(range(255, -1, -1)) * 99])
+def test_git_applies_the_patch_of_what_is_no_text(
+    before: bytes | None, after: bytes, tmp_path: Path
+) -> None:
+    file = tmp_path / "a.py"
+    if before is not None:
+        file.write_bytes(before)
+    patch = file_diff(planned(before, after))
+    command = ["git", "apply", "-"]
+    subprocess.run(command, input=patch, cwd=tmp_path, check=True, capture_output=True)
+    assert file.read_bytes() == after
+
+
+def test_what_is_no_text_is_only_named_for_people() -> None:
+    patch = file_diff(planned(b"text\n", b"\0" * 1_000))
+    assert visible_patch(patch).splitlines()[2:] == ["Binary files differ"]

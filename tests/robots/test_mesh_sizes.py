@@ -89,6 +89,10 @@ def test_meshes_are_found_and_measured_once(project: Path, monkeypatch: pytest.M
     (project / "here.stl").write_text("changed")
     assert sizes().bounds("here.stl") == corners
     assert asked[3:] == ["here.stl"]
+    # What the program puts into a package is beside the program before.
+    assert sizes().bounds("package://made/here.stl") == corners
+    assert sizes().bounds("package://rover/here.stl") == corners
+    assert sizes().bounds("package://made/../../beyond.stl") is None
     # A package that comes later is found then.
     assert sizes().bounds("package://arm/arm.stl") is None
     (project / "arm").mkdir()

@@ -117,6 +117,14 @@ def test_a_mistake_is_told_on_its_word(
     assert text[told[0].span.start : told[0].span.end] == where
 
 
+def test_what_is_not_expanded_to_its_end_may_ask_for_more(
+    folder: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    expanding(monkeypatch)
+    [told] = loading(folder, " setting 'other' = 1")
+    assert told.code == "not-expanded"
+
+
 def test_a_file_without_macros_takes_none(folder: Path) -> None:
     [told] = loading(folder, " setting 'name' = 1", "plain.urdf")
     assert told.code == "bad-robot-argument"

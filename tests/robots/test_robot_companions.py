@@ -11,7 +11,8 @@ from loaded_packages import KINDS, lay, run
 
 from plastron_tui.diagnostics import Diagnostic, has_errors
 from plastron_tui.project import package_copy, robot_companions
-from plastron_tui.runtime import xacro
+from plastron_tui.runtime import meshes, xacro
+from plastron_tui.runtime.meshes import Bounds
 from plastron_tui.runtime.xacro import Expanded
 from plastron_tui.trust import TrustStore
 
@@ -170,6 +171,43 @@ def test_a_mesh_is_copied_or_told(
         assert left.message == told_all
         assert left.span is not None
         assert left.help
+
+
+def test_materials_and_images_of_meshes_come_along(folder: Path) -> None:
+    around = {
+        "meshes/fine/arm.dae": b"<init_from>../skin%20s/a.png</init_from>"
+        b"<init_from>a-png</init_from>",
+        "meshes/skin s/a.png": BINARY,
+        "meshes/b.obj": b"# obj\nmtllib b.mtl\nv 0 0 0\n",
+        "meshes/b.mtl": b"newmtl x\nmap_Kd -s 1 1 1 b.png\r\n  map_Bump ../../../beyond/a.stl\n",
+        "meshes/b.png": BINARY,
+    }
+    for path, text in around.items():
+        (folder / path).parent.mkdir(exist_ok=True)
+        (folder / path).write_bytes(text)
+    program = """\
+create_robot 'r' as r
+r has_link 'l' shaped mesh "package://demo/meshes/fine/arm.dae"
+r has_link 'm' shaped mesh "package://demo/meshes/b.obj"
+r has_joint 'j' of joint_type fixed from 'l' to 'm'
+"""
+    told = run(program + PACKAGE.format("r"), folder, "rospy")
+    assert [each for each in told if each.code == "not-copied"] == []
+    made = folder / "output/demo"
+    there = {str(each.relative_to(made)) for each in made.glob("meshes/**/*") if each.is_file()}
+    assert there == set(around)
+
+
+def test_a_package_is_the_same_the_next_time(folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """What a mesh weighs follows from its size, wherever it is found."""
+    box = Bounds((0.0, 0.0, 0.0), (1.0, 2.0, 3.0))
+    monkeypatch.setattr(meshes, "measure", lambda paths: (box,) * len(paths))
+    uri = 'package://demo/meshes/base.stl" weighing 2 painted "#ffffff'
+    package, _ = created(folder, uri)
+    before = (package / "urdf/rover.urdf").read_text()
+    assert "<inertia " in before
+    created(folder, uri)
+    assert (package / "urdf/rover.urdf").read_text() == before
 
 
 def test_what_somebody_put_into_the_package_stays_and_is_installed(folder: Path) -> None:

@@ -58,6 +58,7 @@ def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
         "bringup.xml": b"<launch/>",
         "page.xml": b"<html/>",
         "base.stl": b"STL\0\0\0",
+        "wide.urdf": "<robot name='r'/>".encode("utf-16"),
         "broken.urdf": b"<robot name='r'><link></robot>",
         "bomb.urdf": b"<!DOCTYPE r [<!ENTITY a 'aa'>]><robot name='&a;'/>",
     }.items():
@@ -82,6 +83,7 @@ def test_what_is_no_robot_is_told(folder: Path) -> None:
         "../beyond.urdf": ("outside-project", "is outside of the project", "plastron trust"),
         "link.urdf": ("outside-project", "is outside of the project", "plastron trust"),
         "large.urdf": ("unreadable-file", "it is larger than 4 MB", ""),
+        "wide.urdf": ("unreadable-file", "is no text", "it is UTF-16: save it as UTF-8"),
         "base.stl": ("unreadable-file", "is no text", ""),
         "world.sdf": ("broken-urdf", "is a model of Gazebo (SDF), not URDF", export),
         "ant.xml": ("broken-urdf", "is a model of MuJoCo (MJCF), not URDF", export),

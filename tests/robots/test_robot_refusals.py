@@ -16,8 +16,12 @@ ARM = """\
   <joint name="turn" type="prismatic">
     <origin xyz="$(arg place)"/>
     <parent link="base"/><child link="hand"/>
-    <limit lower="0" upper="${w}" effort="1" velocity="1"/>
+    <limit lower="${-w}" upper="${w}" effort="1" velocity="1"/>
   </joint>
+  <link name="eye">
+    <visual><origin xyz="${w} 0 0"/><geometry><sphere radius="1"/></geometry></visual>
+  </link>
+  <joint name="look" type="fixed"><parent link="base"/><child link="eye"/></joint>
 </robot>
 """
 JOINT = "arm has_joint 'turn' of joint_type prismatic from 'base' to 'hand' at 1, 2, 3\n"
@@ -29,13 +33,10 @@ IN_FILE = "change it in the file"
 @pytest.mark.parametrize(
     ("said", "where", "message", "help_"),
     [
-        (
-            JOINT,
-            JOINT,
-            "`$(arg place)` (in line 5 of `arm.xacro`)",
-            IN_FILE,
-        ),
-        (LIMIT + JOINT.partition(" at")[0] + "\n", LIMIT, "in line 7 of", IN_FILE),
+        (JOINT, "1, 2, 3", "`$(arg place)` (in line 5 of `arm.xacro`)", IN_FILE),
+        (JOINT.replace("1, 2, 3", "0, 0, 0"), "0, 0, 0", "`$(arg place)`", IN_FILE),
+        (LIMIT, "0", "`lower` of `<limit>` is computed by a macro: `${-w}` (in line 7", IN_FILE),
+        ("arm has_link 'eye' weighing 1 at 0, 0, 0\n", "0, 0, 0", "`${w} 0 0`", IN_FILE),
         (LINK, LINK, "in line 3 of", IN_FILE),
         ("arm no_longer_has_joint 'turn'\n", "'turn'", "in line 5", IN_FILE),
     ],
@@ -52,3 +53,12 @@ def test_a_refusal_is_told_on_its_sentence(
     assert message in told.message
     assert help_ in (told.help or "")
     assert not (tmp_path / "output").exists()
+
+
+def test_what_no_macro_computes_changes(tmp_path: Path) -> None:
+    (tmp_path / "arm.xacro").write_text(ARM)
+    program = "load_robot 'arm.xacro' as arm\n"
+    program += "arm limits_joint 'turn' with effort 2 and velocity 3\ngenerate_robot arm\n"
+    run(program, tmp_path, "rospy")
+    wanted = ARM.replace('effort="1" velocity="1"', 'effort="2" velocity="3"')
+    assert (tmp_path / "output/arm.xacro").read_text() == wanted

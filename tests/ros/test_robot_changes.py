@@ -247,6 +247,15 @@ def test_what_is_elsewhere_stays_there() -> None:
     found = change(APART, position=UP).link
     assert found.visuals[0].pose.position == UP
     assert (found.collisions, found.inertial) == (APART.collisions, APART.inertial)
+    turned = change(APART, rotation=QUARTER).link
+    assert turned.visuals[0].pose.rotation == QUARTER
+    assert (turned.collisions, turned.inertial) == (APART.collisions, APART.inertial)
+
+
+def test_an_inertia_of_nothing_follows_from_the_shape() -> None:
+    none = Tensor(0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
+    found, _ = change(link(inertial=Inertial(1.0, none)), mass=2.0)
+    assert close(found.inertial, Inertial(2.0, tensor(BOX, 2.0)))
 
 
 def test_an_inertia_in_other_axes_follows_in_them() -> None:
@@ -327,6 +336,11 @@ HELD = Joint("j", JointType.FIXED, "a", "b", Pose(UP))
             TURNING,
             JointType.PRISMATIC,
             TURNING._replace(type=JointType.PRISMATIC, limit=None, dynamics=None, mimic=None),
+        ),
+        (
+            TURNING._replace(type=JointType.PRISMATIC),
+            JointType.REVOLUTE,
+            TURNING._replace(limit=None, dynamics=None, mimic=None),
         ),
         (TURNING, JointType.FIXED, HELD),
         (TURNING, JointType.FLOATING, HELD._replace(type=JointType.FLOATING)),

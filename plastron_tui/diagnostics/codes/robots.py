@@ -276,6 +276,14 @@ BROKEN_URDF = Code(
     "what is wrong counts as not said.",
 )
 
+SIDE_EFFECT = Code(
+    "side-effect",
+    "A change of a robot's file takes along something that no sentence speaks of, or leaves "
+    "something that does not fit any more: an attribute of a newer version of URDF, a comment, "
+    "what Gazebo or a transmission says of a part that is taken away. The change is made.",
+    severity=Severity.WARNING,
+)
+
 UNTRUSTED_MACROS = Code(
     "untrusted-macros",
     "The macros of a robot's file (xacro) are expanded by running expressions that stand in it, so "

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Collection, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from typing import NamedTuple
 
 from plastron_tui.diagnostics import Span
@@ -38,22 +38,22 @@ def above_comments(document: XmlDocument, start: int) -> int:
     return line_start(document.text, found[0].start) if found else line_start(document.text, start)
 
 
-def headings(document: XmlDocument, gone: Collection[Element]) -> Iterator[Heading]:
+def headings(document: XmlDocument, gone: Iterable[Element]) -> Iterator[Heading]:
     """Yield the comments above parts that go, unless they head a part that stays as well.
 
     A part stands under the comments above an earlier one if neither an empty line nor another
     comment is between them.
     """
-    siblings = document.root.children
+    siblings, taken = document.root.children, set(gone)
     for at, element in enumerate(siblings):
-        if element not in gone or not starts_line(document.text, element.span.start):
+        if element not in taken or not starts_line(document.text, element.span.start):
             continue
         first = line_start(document.text, element.span.start)
         comments = _right_above(document, first)
         if not comments:
             continue
         group = _group(document, siblings, at)
-        if all(each in gone for each in group):
+        if all(each in taken for each in group):
             start = line_start(document.text, comments[0].start)
             text = " ".join(document.slice(each)[4:-3] for each in comments)
             yield Heading(start, comments[-1], element, _names_only(text, group))

@@ -8,7 +8,6 @@ from pathlib import Path
 from typing import NamedTuple, TypeVar
 
 from plastron_tui.diagnostics import Diagnostic, Span, codes
-from plastron_tui.diagnostics.severity import Severity
 from plastron_tui.ros.robots.description import Description
 from plastron_tui.ros.robots.materials import kept_apart, said_as_before
 from plastron_tui.sources.splices import Splice, apply, line_number
@@ -220,10 +219,7 @@ def _left_above(document: XmlDocument, gone: list[Element]) -> Iterator[Diagnost
                 f"a comment stays that stood above `{each.part.get('name')}`, which is taken away: "
                 f"line {line}"
             )
-            severity = Severity.WARNING
-            yield Diagnostic(
-                codes.EDIT_REFUSED, message, each.span, document.file, severity=severity
-            )
+            yield Diagnostic(codes.SIDE_EFFECT, message, each.span, document.file)
 
 
 def _still_named(read: UrdfRead, wanted: Description) -> Iterator[Diagnostic]:
@@ -245,8 +241,7 @@ def _still_named(read: UrdfRead, wanted: Description) -> Iterator[Diagnostic]:
 def _dangling(document: XmlDocument, element: Element, name: str) -> Diagnostic:
     line = element.line
     message = f"`<{element.name}>` in line {line} still names `{name}`, which is taken away"
-    span, severity = element.name_span, Severity.WARNING
-    return Diagnostic(codes.EDIT_REFUSED, message, span, document.file, severity=severity)
+    return Diagnostic(codes.SIDE_EFFECT, message, element.name_span, document.file)
 
 
 def _not_as_asked(

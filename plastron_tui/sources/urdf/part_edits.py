@@ -6,7 +6,6 @@ from collections.abc import Iterable, Sequence
 from typing import TypeAlias
 
 from plastron_tui.diagnostics import Diagnostic, Span, codes
-from plastron_tui.diagnostics.severity import Severity
 from plastron_tui.sources.splices import line_start
 from plastron_tui.sources.xml.document import Element, XmlDocument, read_xml
 from plastron_tui.sources.xml.edits import (
@@ -189,8 +188,7 @@ class PartEdits:
     def tell(self, message: str) -> None:
         """Note what somebody is to know of the change, though it is made."""
         where, file = self._element.name_span, self._whole.file
-        severity = Severity.WARNING
-        self.told.append(Diagnostic(codes.EDIT_REFUSED, message, where, file, severity=severity))
+        self.told.append(Diagnostic(codes.SIDE_EFFECT, message, where, file))
 
     def _tell_lost(self, element: Element, new: NewElement | None = None) -> None:
         """Tell what goes along with an element, and is no word that a description has."""

@@ -50,7 +50,12 @@ FIRST_VERSION, WITH_QUATERNIONS, LAST_VERSION = (1, 0), (1, 1), (1, 2)
 of the name `capsule` (`URDFVersion`, `parsePoseInternal`, `parseGeometry`)."""
 
 _VERSION = re.compile(r"([0-9]+)\.([0-9]+)")
-_SEVERAL = ("visual", "collision")
+_SINGLE: Mapping[str, frozenset[str]] = {
+    "link": frozenset(("inertial",)),
+    "joint": frozenset((*CHILDREN["joint"], SAFETY, CALIBRATION)),
+    **{each: frozenset(CHILDREN[each]) for each in ("visual", "collision", "material", "inertial")},
+}
+"""What an element has one of."""
 
 
 def version_of(robot: Element) -> tuple[int, int] | None:
@@ -75,9 +80,9 @@ def second_children(element: Element) -> Iterator[Element]:
     if element.name == "geometry":
         yield from element.children[1:]
         return
-    single = {*CHILDREN.get(element.name, ())}.difference(_SEVERAL)
-    if element.name == "joint":
-        single |= {SAFETY, CALIBRATION}
+    single = _SINGLE.get(element.name)
+    if single is None or len(element.children) < 2:
+        return
     seen: set[str] = set()
     for child in element.children:
         if child.name in single and child.name in seen:

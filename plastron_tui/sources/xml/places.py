@@ -108,7 +108,7 @@ def _opened(document: XmlDocument, parent: Element, new: NewElement, style: Styl
     text, end = document.text, parent.start_tag.end
     start = end - len(b"/>")
     start -= blanks_before(text, start) == b" "
-    if not starts_line(text, parent.span.start):
+    if not starts_line(text, parent.span.start) or parent.name in style.inline:
         written = render(new, style, None)
         return Splice(start, end, b">" + written + f"</{parent.name}>".encode())
     indent = indent_of(text, parent.span.start)

@@ -116,6 +116,25 @@ def moved(x: float, y: float, z: float) -> Change:
     return changed
 
 
+def visual(color: str) -> str:
+    material = f'<material name="m"><color rgba="{color}"/></material>'
+    return f'<visual><geometry><sphere radius="1"/></geometry>{material}</visual>'
+
+
+SHADOWED = f"""\
+<robot name="r">
+  <link name="a">{visual("1 0 0 1")}</link>
+  <link name="b">{visual("0 0 1 1")}{visual("0 0 1 1")}</link>
+  <link name="c">{visual("1 0 0 1")}</link>
+</robot>
+"""
+
+
+def blue_c(robot: Description) -> Description:
+    body = robot.links["c"].visuals[0]._replace(material=Material("m", (0, 0, 1, 1)))
+    return replace(robot, links={**robot.links, "c": Link("c", (body, body))})
+
+
 PAINTED = visuals({"material": GREEN}, {"material": GREEN})
 WITH_GREEN = '<material name="green"><color rgba="0 1 0 1"/></material>'
 CASES: dict[str, tuple[str, Change, dict[str, str]]] = {
@@ -189,7 +208,32 @@ CASES: dict[str, tuple[str, Change, dict[str, str]]] = {
         visuals({"material": Material("m", (1, 0, 0, 1))}, {}),
         {'<material name="m"/>': '<material name="m"><color rgba="1 0 0 1"/></material>'},
     ),
-    "numbers as they are there": (JOINED, moved(3, 4, 5), {"1.0 2.0 0.5": "3.0 4.0 5.0"}),
+    "a name that means something else, also where it is not looked at": (
+        SHADOWED,
+        blue_c,
+        {
+            f'"c">{visual("1 0 0 1")}</link>': f'"c">{visual("0 0 1 1")}'.replace('"m"', '"m_2"')
+            + '<visual><geometry><sphere radius="1"/></geometry><material name="m_2"/></visual>'
+            "</link>"
+        },
+    ),
+    "a link that held nothing, in its line": (
+        SHADOWED.replace('"c">' + visual("1 0 0 1") + "</link>", '"c"/>'),
+        lambda robot: replace(
+            robot, links={**robot.links, "c": Link("c", (Body(Sphere(1)),), (Body(Sphere(2)),))}
+        ),
+        {
+            '"c"/>': '"c"><visual><geometry><sphere radius="1"/></geometry></visual>'
+            '<collision><geometry><sphere radius="2"/></geometry></collision></link>'
+        },
+    ),
+    "numbers as they are there": (
+        JOINED.replace(
+            '<link name="b"/>', '<link name="b"><inertial><origin xyz="0 0 3"/></inertial></link>'
+        ),
+        moved(3, 4, 5),
+        {"1.0 2.0 0.5": "3.0 4.0 5.0"},
+    ),
     "numbers that tell nothing, as elsewhere": (
         JOINED.replace("1.0 2.0 0.5", "0.1 0.2 0.5"),
         moved(3, 4, 0.5),
@@ -281,6 +325,10 @@ CASES: dict[str, tuple[str, Change, dict[str, str]]] = {
 }
 
 
+BACK = {"a link that held nothing, in its line": ('"c"/>', '"c"></link>')}
+"""What is not written back as it was."""
+
+
 @pytest.mark.parametrize("name", CASES)
 def test_what_is_new_is_written_as_the_rest_and_goes_again(name: str) -> None:
     text, change, places = CASES[name]
@@ -295,4 +343,5 @@ def test_what_is_new_is_written_as_the_rest_and_goes_again(name: str) -> None:
     assert edit.text.decode() == expected
     after = read_urdf(edit.text).description
     assert after is not None
-    assert edited(edit.text, after, before).text == text.encode()
+    back = BACK.get(name, ("", ""))
+    assert edited(edit.text, after, before).text == text.replace(*back).encode()
