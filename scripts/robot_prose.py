@@ -34,7 +34,8 @@ is, seen from the link, and where the child of a joint is, seen from its parent.
 
 A link with a shape is seen and collides; with a weight as well it has the inertia of that shape, as of one
 solid body. A mesh counts as the box around it, and a warning says so; where its file is not there, the
-inertia is left out. A link without a shape is a place.
+inertia is left out. A link without a shape is a place. What moves should have a weight: Gazebo leaves out a
+link that has none, unless it is held fast.
 
 | `joint_type` | how the child moves | limits |
 |---|---|---|
@@ -80,7 +81,10 @@ description as they did. What belongs to other packages stays there, and is depe
 told.
 
 `load_robot 'urdf/rover.urdf' as rover` reads a description that exists. `has_link`, `has_joint` and
-`limits_joint` of a name that it has change just what they say, and every other byte of the file stays.
+`limits_joint` of a name that it has change just what they say, and every other byte of the file stays. So a
+joint that is there need not be told its type and its links again: `rover has_joint 'mast_joint' at 0, 0, 0.3`.
+`painted none` takes a colour away, and `mimicking none` lets a joint follow no other; limits go where a joint
+becomes one that has none: `rover has_joint 'elbow' of joint_type continuous`.
 `shaped` and `at` are about what is seen and what collides; where only one of them has a shape of that kind,
 only that one changes. What a part says that no sentence speaks of stays, or it is told that it goes. The
 arguments of a xacro file (`$(arg NAME)`) get values by `setting`: `load_robot 'ur.urdf.xacro' as arm setting

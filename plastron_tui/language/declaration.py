@@ -120,16 +120,23 @@ class Declaration:
         """The sentence with its slots in capitals, and optional clauses in brackets."""
         return written(self.elements, lambda element, text: text)
 
-    def usage_around(self, part: Element | None) -> str:
-        """The sentence; of a long one, only the clause that a part is in is there in full."""
+    def usage_around(
+        self,
+        part: Element | None,
+        mark: Callable[[Element, str], str] = lambda element, text: text,
+    ) -> str:
+        """The sentence; of a long one, only the clause that a part is in is there in full.
+
+        `mark` is handed each part and its text, and says how it looks.
+        """
         if len(self.usage) <= _LONG_USAGE:
-            return self.usage
+            return written(self.elements, mark)
 
         def show(element: Element, text: str) -> str:
             if not isinstance(element, Clause) or len(element.elements) == 1:
-                return text
-            if part is not None and part in tuple(_parts_of(element.elements)):
-                return text
+                return mark(element, text)
+            if part is not None and part in (element, *_parts_of(element.elements)):
+                return mark(element, text)
             words = takewhile(lambda each: isinstance(each, str), element.elements)
             return " ".join([*map(str, words), "…"])
 

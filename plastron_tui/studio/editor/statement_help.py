@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from plastron_tui.language import Slot
-from plastron_tui.language.declaration import Element, written
+from plastron_tui.language.declaration import Element
 from plastron_tui.language.expectations import Expectation
 
 START = "a statement starts with create_node, load, subscribe, …, or with a node"
@@ -23,6 +23,6 @@ def help_of(expected: Expectation) -> str:
     def marked(element: Element, text: str) -> str:
         return f"‹{text}›" if element is expected.element else text
 
-    sentence = written(declaration.elements, marked)
+    sentence = declaration.usage_around(expected.element, marked)
     slot = expected.element if isinstance(expected.element, Slot) else None
     return f"{sentence}{GAP}{slot.help if slot else declaration.summary}"
