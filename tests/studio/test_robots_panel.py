@@ -182,6 +182,16 @@ def test_completion_offers_what_a_robot_has(line: str, first: list[str]) -> None
     assert [each.text for each in found][: len(first)] == first
 
 
+def test_completion_offers_what_turns_no_metres() -> None:
+    text = TEXT.replace("joint_type prismatic", "joint_type revolute").replace("0.5 m", "90 deg")
+    line = "rover limits_joint 'lift' between 0 and 1 "
+    session = Session((text + line + "\n").encode(), environ={})
+    known = Session(text.encode(), environ={})
+    expected = expected_at(session.document, len((text + line).encode()))
+    found = candidates(expected, Vocabulary(known.program, known.workspace), session)
+    assert "m" not in [each.text for each in found]
+
+
 def test_completion_offers_the_files_of_robots(tmp_path: Path) -> None:
     for name in ("urdf/arm.urdf", "rover.xacro", "other.xml"):
         (tmp_path / name).parent.mkdir(exist_ok=True)
