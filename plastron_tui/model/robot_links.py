@@ -172,6 +172,7 @@ def no_longer_has_link(run: Run, statement: st.NoLongerHasLink) -> None:
     robot = find_robot(run, statement)
     name, where = statement.link, statement.span_of("link")
     find_own_link(run, robot, name, where)
+    check_not_computed(robot, statement)
     holding = next(robot.holding(name), None)
     if holding is not None:
         raise _held(run, robot, statement, holding.name)

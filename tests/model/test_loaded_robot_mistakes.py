@@ -216,3 +216,13 @@ def test_the_remedy_for_the_root_of_a_file_with_inertia_mends_it() -> None:
     # What is said of the root tells it once, and with its own place.
     text = f"{LOAD}r has_link 'base' weighing 2\n"
     assert [each.code for each in run(text, loaded).diagnostics] == [codes.ROOT_INERTIA]
+
+
+def test_a_change_elsewhere_leaves_the_root_that_a_file_means() -> None:
+    # The first link is a mere place, and no joint holds what weighs something.
+    base = FILE.links["arm"]._replace(name="base")
+    loaded = source(replace(FILE, links={"world": Link("world"), **FILE.links, "base": base}))
+    for line in ("", "r has_joint 'turn' at 0, 0, 1\n"):
+        (found,) = run(f"{LOAD}{line}generate_robot r\n", loaded).diagnostics
+        assert (found.code, found.severity) == (codes.NO_TREE, Severity.WARNING)
+        assert found.message == "no joint holds `base`"
