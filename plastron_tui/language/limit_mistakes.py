@@ -101,8 +101,8 @@ def effort(place: Place, found: Diagnostic) -> Diagnostic | None:
     return mended(found, what, span_from(token, pair[0]), right)
 
 
-def _per_second(number: str, unit: str) -> str | None:
-    if not unit.startswith(("deg", "°")):
+def _per_second(number: str | None, unit: str) -> str | None:
+    if number is None or not unit.startswith(("deg", "°")):
         return number
     return rounded(math.radians(float(number)))
 

@@ -59,12 +59,13 @@ def rounded(number: float) -> str | None:
 
 
 def number_at(text: str, at: int) -> tuple[WrittenNumber, int] | None:
-    """Return a number that begins at a place of a text, and where it ends."""
+    """Return a number that begins at a place of a text, and where it ends; None for none."""
     found = _PART.match(text, at)
-    if found is None:
+    number = None if found is None else in_digits(found[2])
+    if found is None or number is None:
         return None
-    name, number, unit = found[1] or "", found[2], found[3] or ""
-    return WrittenNumber(name.lower(), in_digits(number), _unit(unit.lower())), found.end()
+    name, unit = found[1] or "", found[3] or ""
+    return WrittenNumber(name.lower(), number, _unit(unit.lower())), found.end()
 
 
 def _unit(word: str) -> str:
@@ -78,14 +79,17 @@ def is_unit(word: str) -> bool:
     return re.fullmatch(_UNIT, word, re.IGNORECASE) is not None
 
 
-def in_digits(number: str) -> str:
-    """Return a number as the language has it: `pi` is written in digits."""
+def in_digits(number: str) -> str | None:
+    """Return a number as the language has it: `pi` is written in digits.
+
+    None for what is no number, as `pi/0`.
+    """
     found = _OF_PI.fullmatch(number)
     if found is None:
         return number
     value, divisor = float(found[2] or 1) * math.pi, float(found[3] or 1)
     digits = rounded(value / divisor) if divisor else None
-    return number if digits is None else f"{found[1]}{digits}"
+    return None if digits is None else f"{found[1]}{digits}"
 
 
 def with_points(text: str) -> str | None:

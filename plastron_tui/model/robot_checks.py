@@ -9,7 +9,7 @@ from plastron_tui.diagnostics import Diagnostic, Edit, Fix, Label, Span
 from plastron_tui.language import statements as st
 from plastron_tui.language.declaration import Statement
 from plastron_tui.language.lowering import Program
-from plastron_tui.ros.robots.faults import Fault, FaultKind, faults, heavy_root, main_root
+from plastron_tui.ros.robots.faults import Fault, FaultKind, faults, heavy_root, meant_root
 
 from .robot_faults import CODES, help_of, message_of
 from .robots import Robot
@@ -90,7 +90,7 @@ def check_robots(program: Program, workspace: Workspace) -> Iterator[Diagnostic]
         whole, source = robot.whole, robot.source
         start = None if source is None else source.whole or source.description
         before = set() if start is None else {(each.kind, each.part) for each in faults(start)}
-        root = None if start is None else main_root(start)
+        root = None if start is None else meant_root(start)
         for fault in faults(robot.description if whole is None else whole, root):
             is_lack = fault.kind.is_lack and variable not in written
             is_open = whole is None and fault.kind in _OF_THE_WHOLE

@@ -47,12 +47,17 @@ _SLOTS: Mapping[type[Statement], tuple[str, Mapping[str, tuple[str, ...]]]] = {
             "rotation": tuple(f"{each}/origin/rpy" for each in _BODIES),
         },
     ),
+    st.NoLongerHasJoint: ("joint", {}),
+    st.NoLongerHasLink: ("link", {}),
 }
-"""Where the values of statements stand: elements, one within the other, and an attribute."""
+"""Where the values of statements stand: elements, one within the other, and an attribute.
+
+What takes a part away says none of its values, and changes all.
+"""
 
 
 def check_not_computed(robot: Robot, statement: Any) -> None:
-    """Check that a statement changes nothing of a part that macros compute.
+    """Check that a statement changes, and takes away, nothing that macros compute.
 
     Raises:
         Mistake: it does.
@@ -60,19 +65,24 @@ def check_not_computed(robot: Robot, statement: Any) -> None:
     kind, slots = _SLOTS[type(statement)]
     part = kind, getattr(statement, kind)
     source = robot.source
-    if source is None or part in robot.taken:
+    computed = {} if source is None else source.computed.get(part, {})
+    asked = [
+        (slot, path)
+        for slot, paths in slots.items()
+        for path in paths
+        if path in computed and getattr(statement, slot) is not None
+    ]
+    if computed and not slots:
+        # All of it would go; the first in the file is told.
+        asked = [(kind, min(computed, key=lambda path: computed[path][1]))]
+    if source is None or not asked:
         return
-    computed = source.computed.get(part, {})
-    for slot, paths in slots.items() if computed else ():
-        found = next((each for each in paths if each in computed), None)
-        if found is None or getattr(statement, slot) is None:
-            continue
-        value, line = computed[found]
-        *_, element, name = found.split("/")
-        where = f"`{source.path.name}`"
-        if source.origin is None:
-            where = f"line {line} of {where}"
-        message = f"`{name}` of `<{element}>` is computed by a macro: `{value}` (in {where})"
-        where_said = statement.span_of(slot)
-        help_ = "change it in the file"
-        raise Mistake(Diagnostic(codes.EDIT_REFUSED, message, where_said, help=help_))
+    slot, path = asked[0]
+    value, line = computed[path]
+    *_, element, name = path.split("/")
+    where = f"`{source.path.name}`"
+    if source.origin is None:
+        where = f"line {line} of {where}"
+    message = f"`{name}` of `<{element}>` is computed by a macro: `{value}` (in {where})"
+    help_ = "change it in the file"
+    raise Mistake(Diagnostic(codes.EDIT_REFUSED, message, statement.span_of(slot), help=help_))

@@ -175,6 +175,7 @@ def no_longer_has_joint(run: Run, statement: st.NoLongerHasJoint) -> None:
     robot = find_robot(run, statement)
     name, where = statement.joint, statement.span_of("joint")
     find_own_joint(run, robot, name, where)
+    check_not_computed(robot, statement)
     following = next(robot.following(name), None)
     if following is not None:
         if run.consequences.has_part(following.name):

@@ -149,7 +149,9 @@ def _instead_of_one(run: Run, statement: st.HasLink, field: str) -> str:
         line = robot.source.text.count(b"\n", 0, span.start) + 1
         where = f"in line {line} of its file"
     if field in ("position", "rotation") and joint is not None:
-        return f"the joint `{joint.name}` places all of it; one alone is changed {where}"
+        way = "at" if field == "position" else "turned"
+        whole = f"{robot.variable} has_joint '{joint.name}' {way} …"
+        return f"`{whole}` is about all of it; one alone is changed {where}"
     return f"change it {where}, or take the link away and make it anew"
 
 
@@ -170,6 +172,7 @@ def no_longer_has_link(run: Run, statement: st.NoLongerHasLink) -> None:
     robot = find_robot(run, statement)
     name, where = statement.link, statement.span_of("link")
     find_own_link(run, robot, name, where)
+    check_not_computed(robot, statement)
     holding = next(robot.holding(name), None)
     if holding is not None:
         raise _held(run, robot, statement, holding.name)

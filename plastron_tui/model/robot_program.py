@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterable, Iterator
-from math import isclose
 from typing import Any
 
 from plastron_tui.diagnostics import Diagnostic, Severity, codes
@@ -17,32 +16,29 @@ from plastron_tui.language.statements import (
     HasLink,
     LimitsJoint,
 )
+from plastron_tui.ros.robots.bodies import Bodies
 from plastron_tui.ros.robots.description import (
     ORIGIN,
     Body,
     Description,
-    Inertial,
     Joint,
     JointType,
     Limit,
     Link,
-    Mesh,
     Pose,
 )
-from plastron_tui.ros.robots.inertia import tensor_of
+from plastron_tui.ros.robots.names import is_name
 
 from .program_text import Variables
 from .robot_words import angle_words, color_words, limit_words, number, numbers, shape_words
-
-_NAME = re.compile(r"[A-Za-z_][\w.-]*", re.ASCII)
-_CLOSE = 1e-3
-"""How far an inertia may be from that of its shape and still follow from it."""
-
 
 _OF_THE_WHOLE = (codes.NO_TREE, codes.MISSING_LIMITS)
 """What is wrong with a robot, and no better without one of its statements."""
 
 _MOST_TURNS = 10
+
+_BODIES = Bodies(lambda _: None)
+"""What follows from shapes, without meshes: their files are not looked at."""
 
 Check = Callable[[bytes], Iterable[Diagnostic]]
 """Returns what is wrong with a program."""
@@ -87,10 +83,10 @@ def _left_out(line: str, message: str) -> str:
 def _program(robot: Description, stem: str) -> str:
     lines: list[str] = []
     name = robot.name
-    if not _NAME.fullmatch(name):
+    if not is_name(name):
         lines.append(f"// the robot's name is {_shown(name)}")
         name = re.sub(r"[^\w.-]+", "_", stem, flags=re.ASCII).strip("_.-") or "robot"
-        name = name if _NAME.fullmatch(name) else f"robot_{name}"
+        name = name if is_name(name) else f"robot_{name}"
     variable = Variables().new(name)
     lines.append(_sentence(CreateRobot, {"name": name, "variable": variable}))
     for link in robot.links.values():
@@ -108,7 +104,7 @@ def _sentence(statement: Any, slots: dict[str, str]) -> str:
 
 
 def _link(variable: str, link: Link, robot: Description) -> Iterator[str]:
-    if not _NAME.fullmatch(link.name):
+    if not is_name(link.name):
         yield f"// a link is called {_shown(link.name)}, which no program can say"
         return
     bodies = (*link.visuals, *link.collisions)
@@ -156,24 +152,13 @@ def _unsaid(link: Link, body: Body | None, slots: dict[str, str]) -> Iterator[st
         yield "what collides is something else" if link.collisions else "it does not collide"
     if any(each.material is not None for each in link.visuals) and not slots.get("color"):
         yield "its material is one that a program has no words for"
-    if link.inertial is not None and not _follows(link.inertial, body):
+    if link.inertial is not None and not _BODIES.follows(link.inertial, body):
         yield "its inertia is another one than that of its shape"
-
-
-def _follows(inertial: Inertial, body: Body) -> bool:
-    if body.shape is None or isinstance(body.shape, Mesh) or inertial.pose != body.pose:
-        return False
-    tensor = tensor_of(body.shape, inertial.mass)
-    if tensor is None:
-        return False
-    near = _CLOSE * max(map(abs, tensor))
-    pairs = zip(inertial.tensor, tensor, strict=True)
-    return all(isclose(one, other, rel_tol=_CLOSE, abs_tol=near) for one, other in pairs)
 
 
 def _joint(variable: str, joint: Joint, robot: Description) -> Iterator[str]:
     names = (joint.name, joint.parent, joint.child)
-    strange = next((each for each in names if not _NAME.fullmatch(each)), None)
+    strange = next((each for each in names if not is_name(each)), None)
     if strange is not None:
         yield f"// a joint says {_shown(strange)}, which no program can say"
         return

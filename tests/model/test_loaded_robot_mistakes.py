@@ -94,6 +94,20 @@ def test_a_joint_that_is_misspelt_is_guessed() -> None:
     assert run(applied(text, found.fix)).diagnostics == ()
 
 
+@pytest.mark.parametrize(
+    ("said", "remedy"),
+    [
+        ("at 0, 0, 1", "`r has_joint 'hold' at …` is about all of it; one alone is changed in its"),
+        ("turned 0, 0, 1 rad", "`r has_joint 'hold' turned …` is about all of it"),
+        ("shaped sphere 1", "change it in its file, or take the link away and make it anew"),
+    ],
+)
+def test_several_shapes_have_a_way_out(said: str, remedy: str) -> None:
+    (found,) = run(f"{LOAD}r has_link 'hand' {said}\n").diagnostics
+    assert "`hand` has 2 visuals and 0 collisions" in found.message
+    assert (found.help or "").startswith(remedy)
+
+
 def test_what_is_broken_in_a_file_can_be_changed() -> None:
     broken = Diagnostic(codes.BROKEN_URDF, "`x` is no number", Span(3, 4), Path("a.urdf"))
     found = run(f"{LOAD}r has_link 'arm' painted red\n", told=(broken,))
@@ -202,3 +216,13 @@ def test_the_remedy_for_the_root_of_a_file_with_inertia_mends_it() -> None:
     # What is said of the root tells it once, and with its own place.
     text = f"{LOAD}r has_link 'base' weighing 2\n"
     assert [each.code for each in run(text, loaded).diagnostics] == [codes.ROOT_INERTIA]
+
+
+def test_a_change_elsewhere_leaves_the_root_that_a_file_means() -> None:
+    # The first link is a mere place, and no joint holds what weighs something.
+    base = FILE.links["arm"]._replace(name="base")
+    loaded = source(replace(FILE, links={"world": Link("world"), **FILE.links, "base": base}))
+    for line in ("", "r has_joint 'turn' at 0, 0, 1\n"):
+        (found,) = run(f"{LOAD}{line}generate_robot r\n", loaded).diagnostics
+        assert (found.code, found.severity) == (codes.NO_TREE, Severity.WARNING)
+        assert found.message == "no joint holds `base`"

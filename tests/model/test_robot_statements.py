@@ -240,6 +240,12 @@ def test_what_is_generated_is_the_robot_as_it_was_then() -> None:
     assert list(found.workspace.robots["r"].description.links) == ["a", "b"]
 
 
+def test_where_a_written_robot_is_spoken_of_stays() -> None:
+    later = "r has_joint 'turn' at 0, 0, 1\nr no_longer_has_joint 'slide'\n"
+    (written,) = run(f"{LOAD}generate_robot r\n{later}").workspace.written_robots
+    assert (written.robot.joints, written.robot.taken) == ({}, {})
+
+
 def test_no_statement_changes_what_was_loaded() -> None:
     found = robot(f"{LOAD}r no_longer_has_joint 'slide'\nr no_longer_has_link 'tip'\n")
     assert "tip" not in found.description.links

@@ -201,7 +201,7 @@ r has_joint 'j' of joint_type fixed from 'l' to 'm'
 def test_a_package_is_the_same_the_next_time(folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """What a mesh weighs follows from its size, wherever it is found."""
     box = Bounds((0.0, 0.0, 0.0), (1.0, 2.0, 3.0))
-    monkeypatch.setattr(meshes, "measure", lambda paths: (box,) * len(paths))
+    monkeypatch.setattr(meshes, "measure", lambda paths, _: (box,) * len(paths))
     uri = 'package://demo/meshes/base.stl" weighing 2 painted "#ffffff'
     package, _ = created(folder, uri)
     before = (package / "urdf/rover.urdf").read_text()
@@ -244,6 +244,21 @@ r has_joint 'j' of joint_type fixed from 'l' to 'm'
     assert [each.code for each in told] == ["not-copied"]
 
 
+def test_two_files_for_one_place_are_told(folder: Path) -> None:
+    (folder / "urdf/meshes").mkdir(parents=True)
+    (folder / "urdf/meshes/base.stl").write_bytes(b"another")
+    program = """\
+create_robot 'r' as r
+r has_link 'l' shaped mesh "meshes/base.stl"
+r has_link 'm' shaped mesh "package://demo/urdf/meshes/base.stl"
+r has_joint 'j' of joint_type fixed from 'l' to 'm'
+"""
+    told = run(program + PACKAGE.format("r"), folder, "rospy")
+    [left] = [each for each in told if each.code == "not-copied"]
+    assert "it has another `urdf/meshes/base.stl`" in left.message
+    assert (folder / "output/demo/urdf/meshes/base.stl").read_bytes() == BINARY
+
+
 def test_a_loaded_package_is_told_what_it_lacks(tmp_path: Path) -> None:
     library, files = KINDS["ament_cmake"]
     lay(tmp_path, files)
@@ -266,3 +281,10 @@ def test_a_copy_without_what_it_names_is_told(folder: Path, in_place: bool) -> N
     for each in told:
         assert "names `parts/wheel.xacro`, which is not beside the copy" in each.message
     assert os.path.isfile(folder / "output/arm.urdf.xacro") == (not in_place)  # noqa: PTH113
+
+
+def test_a_copy_finds_what_packages_have(folder: Path) -> None:
+    text = ARM.replace('  <xacro:include filename="parts/wheel.xacro"/>\n', "")
+    (folder / "models/arm.urdf.xacro").write_text(text)
+    program = "load_robot 'models/arm.urdf.xacro' as arm\ngenerate_robot arm\n"
+    assert [x for x in run(program, folder, "rospy") if x.code == "not-copied"] == []

@@ -26,6 +26,10 @@ ARM = """\
 """
 JOINT = "arm has_joint 'turn' of joint_type prismatic from 'base' to 'hand' at 1, 2, 3\n"
 LIMIT = "arm limits_joint 'turn' between 0 and 1 m\n"
+ANEW = (
+    "arm no_longer_has_joint 'turn'\n"
+    "arm has_joint 'turn' of joint_type prismatic from 'base' to 'hand'\n"
+)
 LINK = "arm has_link 'hand' shaped box 2, 1, 1\n"
 IN_FILE = "change it in the file"
 
@@ -39,6 +43,8 @@ IN_FILE = "change it in the file"
         ("arm has_link 'eye' weighing 1 at 0, 0, 0\n", "0, 0, 0", "`${w} 0 0`", IN_FILE),
         (LINK, LINK, "in line 3 of", IN_FILE),
         ("arm no_longer_has_joint 'turn'\n", "'turn'", "in line 5", IN_FILE),
+        # Made anew, it would keep what is computed without a word.
+        (ANEW, "'turn'", "`xyz` of `<origin>`", IN_FILE),
     ],
 )
 def test_a_refusal_is_told_on_its_sentence(

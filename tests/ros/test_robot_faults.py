@@ -20,7 +20,7 @@ from plastron_tui.ros.robots.description import (
     Sphere,
     Tensor,
 )
-from plastron_tui.ros.robots.faults import Fault, FaultKind, faults, main_root
+from plastron_tui.ros.robots.faults import Fault, FaultKind, faults, meant_root
 
 FIXED, TURNING, LIMITED = JointType.FIXED, JointType.CONTINUOUS, JointType.REVOLUTE
 FINE = Tensor(1.0, 0.0, 0.0, 1.0, 0.0, 1.0)
@@ -179,8 +179,8 @@ def test_a_root_that_is_meant_counts(
     described = robot("abc", held("j", "b", "c"))
     found = list(faults(described, root))
     assert found == [Fault(FaultKind.LOOSE, *each) for each in loose]
-    assert main_root(described) == "b"
-    assert main_root(robot("")) is None
+    assert meant_root(described) == "b"
+    assert meant_root(robot("")) is None
 
 
 def test_a_chain_of_any_length_is_looked_at() -> None:

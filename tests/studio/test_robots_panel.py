@@ -123,6 +123,21 @@ def test_a_part_of_a_file_says_where_it_stands(tmp_path: Path) -> None:
         assert refused == "`old.urdf` has the name: change it there"
 
 
+def test_colours_and_axes_are_those_of_the_picture(tmp_path: Path) -> None:
+    body = '<visual><geometry><sphere radius="1"/></geometry><material name="m">{}</material>'
+    red = body.format('<color rgba="1 0 0 1"/>')
+    (tmp_path / "r.urdf").write_text(
+        f'<robot name="r"><link name="a">{red}</visual></link>'
+        f'<link name="b">{body.format("")}</visual></link><joint name="j" type="continuous">'
+        '<parent link="a"/><child link="b"/><axis xyz="0 0 2"/></joint></robot>'
+    )
+    analysis = analysis_of("load_robot 'r.urdf' as r\n", tmp_path / "x.plastron")
+    found = {each.text: each for each in entries(analysis)}
+    # A name means the first material that has it, wherever that stands.
+    assert (found["a"].tone, found["b"].tone) == ("#ff0000", "#ff0000")
+    assert found["j"].detail == "continuous z"
+
+
 def test_macros_that_are_not_expanded_stand_for_what_they_make(tmp_path: Path) -> None:
     (tmp_path / "old.xacro").write_text(
         '<robot name="old" xmlns:xacro="http://www.ros.org/wiki/xacro">\n  <link name="base"/>\n'
@@ -180,6 +195,16 @@ def test_completion_offers_what_a_robot_has(line: str, first: list[str]) -> None
     expected = expected_at(session.document, len((TEXT + line).encode()))
     found = candidates(expected, Vocabulary(known.program, known.workspace), session)
     assert [each.text for each in found][: len(first)] == first
+
+
+def test_completion_offers_what_turns_no_metres() -> None:
+    text = TEXT.replace("joint_type prismatic", "joint_type revolute").replace("0.5 m", "90 deg")
+    line = "rover limits_joint 'lift' between 0 and 1 "
+    session = Session((text + line + "\n").encode(), environ={})
+    known = Session(text.encode(), environ={})
+    expected = expected_at(session.document, len((text + line).encode()))
+    found = candidates(expected, Vocabulary(known.program, known.workspace), session)
+    assert "m" not in [each.text for each in found]
 
 
 def test_completion_offers_the_files_of_robots(tmp_path: Path) -> None:

@@ -9,7 +9,7 @@ from typing import NamedTuple
 from .description import Box, Cylinder, Description, JointType, Link, Mesh, Shape, Sphere
 from .inertia import is_possible
 from .plausible import HEAVIEST, LONGEST
-from .tree import branches, holders
+from .tree import branches, holders, roots
 
 
 class FaultKind(Enum):
@@ -135,10 +135,29 @@ def faults(robot: Description, root: str | None = None) -> Iterator[Fault]:
             yield Fault(FaultKind.NAME, name)
 
 
-def main_root(robot: Description) -> str | None:
-    """Return the root that most hangs on, the first of several; None where there is no root."""
+def meant_root(robot: Description, root: str | None = None) -> str | None:
+    """Return which root is meant to be the one, None where there is none.
+
+    Of several that is what most hangs on; but where it has a weight, the first link, if that is
+    a mere place.
+
+    Args:
+        robot: the robot.
+        root: the link that is meant to be the root, as for `faults`.
+    """
     sizes = _root_sizes(robot)
-    return max(sizes, key=sizes.__getitem__) if sizes else None
+    if not sizes or root in sizes:
+        return root if root in sizes else None
+    first, most = next(iter(robot.links.values())), max(sizes, key=sizes.__getitem__)
+    is_place = first.inertial is None and not first.visuals and not first.collisions
+    is_meant = first.name in sizes and is_place and robot.links[most].inertial is not None
+    return first.name if is_meant else most
+
+
+def heavy_root(robot: Description, root: str | None = None) -> str | None:
+    """Return the root that is meant if it has an inertia, else None; as `meant_root`."""
+    main = meant_root(robot, root)
+    return None if main is None or robot.links[main].inertial is None else main
 
 
 def _root_sizes(robot: Description) -> dict[str, int]:
@@ -149,20 +168,6 @@ def _root_sizes(robot: Description) -> dict[str, int]:
         root = branch.link if branch.joint is None else root
         sizes[root] = sizes.get(root, 0) + 1
     return sizes
-
-
-def heavy_root(robot: Description, root: str | None = None) -> str | None:
-    """Return the root if it has an inertia, else None.
-
-    Args:
-        robot: the robot.
-        root: the link that is meant to be the root, as for `faults`.
-    """
-    sizes = _root_sizes(robot)
-    if not sizes:
-        return None
-    main = root if root in sizes else _meant_root(robot, sizes)
-    return None if robot.links[main].inertial is None else main
 
 
 def _tree_faults(robot: Description, root: str | None) -> Iterator[Fault]:
@@ -177,24 +182,12 @@ def _tree_faults(robot: Description, root: str | None) -> Iterator[Fault]:
             yield Fault(FaultKind.HELD_TWICE, joint.name, others)
     above = {joint.name: held[joint.parent].name for joint in held.values() if joint.parent in held}
     yield from _circles(FaultKind.CIRCLE, robot, above)
-    sizes = _root_sizes(robot)
-    if not sizes:
+    main = meant_root(robot, root)
+    if main is None:
         return
-    main = root if root in sizes else _meant_root(robot, sizes)
-    yield from (Fault(FaultKind.LOOSE, each, (main,)) for each in sizes if each != main)
+    yield from (Fault(FaultKind.LOOSE, each, (main,)) for each in roots(robot) if each != main)
     if robot.links[main].inertial is not None:
         yield Fault(FaultKind.ROOT_INERTIA, main)
-
-
-def _meant_root(robot: Description, sizes: Mapping[str, int]) -> str:
-    """Return which of several roots is meant to be the one.
-
-    That is what most hangs on; but where it has a weight, the first link, if that is a mere place.
-    """
-    first, most = next(iter(robot.links.values())), max(sizes, key=sizes.__getitem__)
-    is_place = first.inertial is None and not first.visuals and not first.collisions
-    is_meant = first.name in sizes and is_place and robot.links[most].inertial is not None
-    return first.name if is_meant else most
 
 
 def _circles(kind: FaultKind, robot: Description, after: Mapping[str, str]) -> Iterator[Fault]:

@@ -17,21 +17,23 @@ from plastron_tui.language.statements import (
     NoLongerHasLink,
 )
 from plastron_tui.model.robot_macros import call_words
+from plastron_tui.output.graphs.robots.captions import axis_text
+from plastron_tui.output.graphs.robots.shades import color_of
 from plastron_tui.ros.robots.description import (
     Body,
     Box,
     Cylinder,
-    Description,
     Joint,
     JointType,
     Limit,
     Link,
+    Material,
     Mesh,
     Rgba,
     Shape,
     Sphere,
-    Vector,
 )
+from plastron_tui.ros.robots.materials import defined_materials, meant
 from plastron_tui.ros.robots.tree import Branch, branches, held_by, holders
 
 from .entry import SIGNS, Entries, Entry, Subject
@@ -59,10 +61,6 @@ _JOINT_SIGNS = {
     JointType.PLANAR: "▱",
     JointType.FLOATING: "∗",
 }
-_AXES: Mapping[Vector, str] = {
-    (1, 0, 0): "x", (0, 1, 0): "y", (0, 0, 1): "z",
-    (-1, 0, 0): "-x", (0, -1, 0): "-y", (0, 0, -1): "-z",
-}  # fmt: skip
 
 
 def robot_entries(analysis: Analysis) -> Entries:
@@ -104,6 +102,7 @@ class _Tree:
         self._robot = robot
         self._description = robot.shown
         self._holders = holders(robot.shown)
+        self._materials = defined_materials(robot.shown)
         self._faults = faults
         source = robot.source
         self._in_file = {} if source is None else faults_in(source, faults.all)
@@ -163,7 +162,7 @@ class _Tree:
 
     def _link(self, branch: Branch, is_branch: bool) -> Entry:
         link = self._description.links[branch.link]
-        sign, tone = _swatch(link, self._description)
+        sign, tone = _swatch(link, self._materials)
         return self._part(
             Subject.LINK, link.name, self._robot.links.get(link.name), link_text(link), sign, tone,
             branch.depth + 1, is_branch=is_branch,
@@ -246,26 +245,18 @@ def _without_effect(robot: Robot, program: Program, faults: _Faults) -> Iterator
         )
 
 
-def _swatch(link: Link, robot: Description) -> tuple[str, str]:
+def _swatch(link: Link, materials: Mapping[str, Material]) -> tuple[str, str]:
     """Return a square in the colour of a link; an empty one of a link without a shape."""
     if not (link.visuals or link.collisions):
         return _PLACE_ONLY, "quiet"
-    rgba = _color_of(link.visuals, robot)
-    return SIGNS[Subject.LINK] if rgba is None else (SIGNS[Subject.LINK][0], code_of(rgba))
+    rgba = _color_of(link.visuals, materials)
+    return SIGNS[Subject.LINK] if rgba is None else (SIGNS[Subject.LINK][0], color_of(rgba))
 
 
-def _color_of(bodies: Iterable[Body], robot: Description) -> Rgba | None:
-    materials = (body.material for body in bodies if body.material is not None)
-    for each in materials:
-        known = each if each.rgba is not None else robot.materials.get(each.name)
-        if known is not None and known.rgba is not None:
-            return known.rgba
-    return None
-
-
-def code_of(rgba: Rgba) -> str:
-    """Return a colour as a code, without its opacity: `#3060ff`."""
-    return "#" + "".join(f"{round(min(max(each, 0.0), 1.0) * 255):02x}" for each in rgba[:3])
+def _color_of(bodies: Iterable[Body], materials: Mapping[str, Material]) -> Rgba | None:
+    """Return the first colour of bodies, by what the names of materials mean."""
+    found = (each.material for each in bodies if each.material is not None)
+    return next((rgba for each in found if (rgba := meant(each, materials).rgba)), None)
 
 
 def link_text(link: Link) -> str:
@@ -300,17 +291,12 @@ def joint_text(joint: Joint) -> str:
     """Return how a joint moves: its type, axis and limits."""
     parts = [joint.type.value]
     if joint.type.has_axis:
-        parts[0] += f" {axis_text(joint.axis or (1.0, 0.0, 0.0))}"
+        parts[0] += f" {axis_text(joint.axis)}"
     if joint.limit is not None:
         parts += limit_texts(joint.limit, joint.type)
     if joint.mimic is not None:
         parts.append(f"follows {joint.mimic.joint}")
     return _BETWEEN.join(parts)
-
-
-def axis_text(axis: Vector) -> str:
-    """Return an axis: its letter, or its numbers."""
-    return _AXES.get(axis) or ", ".join(f"{each:g}" for each in axis)
 
 
 def limit_texts(limit: Limit, type_: JointType) -> Iterator[str]:

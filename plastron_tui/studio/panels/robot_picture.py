@@ -19,7 +19,6 @@ _NOTHING = "what has a shape is seen here"
 _TONES = {
     "title": "strong",
     "link": "primary",
-    "joint": "success",
     "quiet": "quiet",
     "axis": "secondary",
     "marked": "warning",

@@ -15,6 +15,7 @@ from machine import examples
 from plastron_tui.model.graph import Graph, graph_of
 from plastron_tui.output.graphs import FORMATS, render
 from plastron_tui.output.graphs.robots.captions import axis_text, joint_text, link_text
+from plastron_tui.output.graphs.robots.rows import MOST_LANES, tree_rows
 from plastron_tui.ros.interfaces import InterfaceKind
 from plastron_tui.ros.robots.description import (
     Body,
@@ -163,3 +164,17 @@ def test_captions_of_joints(
 def test_captions_of_links(shapes: list[Shape], mass: float | None, text: str) -> None:
     inertial = None if mass is None else Inertial(mass, Tensor(1, 0, 0, 1, 0, 1))
     assert link_text(Link("a", tuple(map(Body, shapes)), (), inertial)) == text
+
+
+def test_a_tree_goes_no_farther_to_the_right_than_there_is_room() -> None:
+    names = [f"l{at}" for at in range(3 * MOST_LANES)]
+    # Each second link is a leaf beside the one that goes on.
+    parents = {name: names[max(0, at - 1 - at % 2)] for at, name in enumerate(names) if at}
+    joints = {
+        f"j{name}": Joint(f"j{name}", JointType.FIXED, parent, name)
+        for name, parent in parents.items()
+    }
+    rows = tree_rows(Description("r", {name: Link(name) for name in names}, joints))
+    assert [row.link for row in rows if row.joint is None] == ["l0"]
+    assert max(row.lane for row in rows) == MOST_LANES
+    assert len(rows) == len(names)

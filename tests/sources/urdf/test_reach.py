@@ -8,6 +8,7 @@ from pathlib import Path
 import pytest
 
 from plastron_tui.boundary import find_boundary
+from plastron_tui.sources.urdf import includes
 from plastron_tui.sources.urdf.includes import check_includes
 from plastron_tui.sources.urdf.reach import Reach, find_reach
 from plastron_tui.sources.xml.document import read_xml
@@ -168,3 +169,22 @@ def test_includes_are_looked_at_before_anything_is_expanded(
     assert all(each in message for each, message in zip(told, messages, strict=True)), messages
     # Each is told in the file that it is in.
     assert all(each.file is not None and each.span is not None for each in found)
+
+
+def test_a_file_that_includes_itself_is_looked_at_once(
+    above: Path, reach: Reach, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    folder = above / "project" / "rover_description" / "urdf"
+    text = XACRO.format('<xacro:include filename="self.xacro"/>').encode()
+    (folder / "self.xacro").write_bytes(text)
+    read: list[Path] = []
+
+    def read_regular(path: Path, _: int) -> bytes:
+        read.append(path)
+        return text
+
+    monkeypatch.setattr(includes, "read_regular", read_regular)
+    document = read_xml(text).document
+    assert document is not None
+    assert check_includes(document, folder / "main.xacro", reach).diagnostics == ()
+    assert read == [folder / "self.xacro"]

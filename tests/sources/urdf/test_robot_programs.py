@@ -27,6 +27,7 @@ from plastron_tui.ros.robots.description import (
     Mimic,
     Pose,
     Sphere,
+    Tensor,
 )
 from plastron_tui.ros.robots.inertia import tensor_of
 from plastron_tui.session import Session
@@ -100,6 +101,16 @@ def test_what_a_program_can_say_comes_back(wanted: Description, tmp_path: Path) 
 def test_what_no_program_says_is_a_comment(link: Link, told: str) -> None:
     comments = [x for x in program_of_robot(robot(link), "r").splitlines() if x.startswith("//")]
     assert any(told in each for each in comments), comments
+
+
+def test_an_inertia_of_two_digits_follows_from_its_shape() -> None:
+    # 0.054, 0.042 and 0.021 for 0.054167, 0.041667 and 0.020833.
+    shape = Box((0.1, 0.2, 0.3))
+    exact = tensor_of(shape, 5)
+    assert exact is not None
+    rough = Tensor(*(round(each, 3) for each in exact))
+    link = same(shape)._replace(inertial=Inertial(5, rough, TURNED))
+    assert "//" not in program_of_robot(robot(link), "r")
 
 
 @pytest.mark.parametrize(

@@ -234,6 +234,20 @@ CASES: dict[str, tuple[str, Change, dict[str, str]]] = {
         moved(3, 4, 5),
         {"1.0 2.0 0.5": "3.0 4.0 5.0"},
     ),
+    "parts no farther apart than anybody reads": (
+        JOINED.replace('"a"/>\n', '"a"/>' + "\n" * 9).replace('"b"/>\n', '"b"/>' + "\n" * 9),
+        lambda robot: replace(robot, links={**robot.links, "c": Link("c")}),
+        {"  </joint>\n": '  </joint>\n\n\n\n  <link name="c"/>\n'},
+    ),
+    "colours with points": (
+        OWN.replace("1 0 0 1", "1.0 0.0 0.0 1.0"),
+        visuals({}, {"material": GREEN}),
+        {
+            "</geometry></visual>": "</geometry>"
+            + WITH_GREEN.replace("0 1 0 1", "0.0 1.0 0.0 1.0")
+            + "</visual>"
+        },
+    ),
     "numbers that tell nothing, as elsewhere": (
         JOINED.replace("1.0 2.0 0.5", "0.1 0.2 0.5"),
         moved(3, 4, 0.5),
