@@ -312,6 +312,12 @@ def axis_of(statement: st.HasJoint, type_: JointType | None) -> Vector | None:
     return axis
 
 
+_JOINT_TYPES = (
+    "what turns between two angles is `revolute`, without end `continuous`; what slides is "
+    "`prismatic`; the others are `fixed`, `planar` and `floating`"
+)
+
+
 def joint_type_of(statement: st.HasJoint) -> JointType | None:
     """Return how a joint moves, None where nothing is said."""
     if statement.type is None:
@@ -322,7 +328,7 @@ def joint_type_of(statement: st.HasJoint) -> JointType | None:
     where = statement.span_of("type")
     near, fix = guess(statement.type, names, where)
     message = f"`{statement.type}` is no joint type"
-    help_text = near or f"it is {', '.join(f'`{each}`' for each in names[:-1])} or `{names[-1]}`"
+    help_text = near or _JOINT_TYPES
     raise Mistake(Diagnostic(codes.UNKNOWN_JOINT_TYPE, message, where, help=help_text, fix=fix))
 
 

@@ -72,6 +72,7 @@ MISTAKES: list[tuple[str, str, str, str]] = [
     ("r no_longer_has_link 'a'", "part-in-use", "'a'", "no_longer_has_joint 'j'"),
     (f"{JOINT} fixed from 'a' to 'x'", "unknown-link", "'x'", "make it first"),
     (f"{JOINT} fixed from 'a' to 'a'", "no-tree", "'a'", "two links"),
+    (f"{JOINT} hinge from 'a' to 'c'", "unknown-joint-type", "hinge", "two angles is `revolute`"),
     (f"{JOINT} fix from 'a' to 'c'", "unknown-joint-type", "fix", "did you mean `fixed`?"),
     (f"{JOINT} fixed from 'a' to 'c' with axis 0, 0, 1", "bad-axis", "0, 0, 1", ""),
     (f"{JOINT} planar from 'a' to 'c' with axis 0, 0, 0", "bad-axis", "0, 0, 0", "points up"),
