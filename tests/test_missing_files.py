@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from pathlib import Path
 
 import pytest
@@ -30,6 +31,13 @@ def test_what_may_be_meant_by_a_path(tmp_path: Path, source: str, name: str | No
     found = missing(source, path, lambda each: each.suffix == ".yaml")
     assert found.name == name
     assert found.remedy == (f"did you mean `{name}`?" if name else f"it is looked for as `{path}`")
+
+
+def test_a_path_that_leads_to_no_file_is_not_told_as_its_own_remedy(tmp_path: Path) -> None:
+    path = tmp_path / "pipe.yaml"
+    os.mkfifo(path)
+    found = missing("pipe.yaml", path, lambda each: each.suffix == ".yaml")
+    assert found == (None, f"it is looked for as `{path}`")
 
 
 def test_files_of_a_package_are_none_of_others_or_of_builds(tmp_path: Path) -> None:

@@ -54,7 +54,7 @@ def command(
     in_place: bool,
     force: bool,
 ) -> None:
-    """Write the nodes of programs.
+    """Write the nodes and robots of programs.
 
     When a program has an error, or a file is in conflict, nothing is written. Files that were
     changed by hand are never lost: they are merged, or reported as a conflict.

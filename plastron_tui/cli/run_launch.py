@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import sys
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from pathlib import Path, PurePath
 from typing import TYPE_CHECKING
 
@@ -87,8 +87,7 @@ def run_launch_of(
                 remedy = f"add `generate_launch {launch.variable}`, or {remedy}"
             elif not launch.home:
                 message = f"nothing starts `{stem}`: the launch file that does comes with a package"
-                package = next(iter(session.workspace.packages), "PACKAGE")
-                remedy = f"put it into one: `{package} contains {launch.variable}`"
+                remedy = _into_package(launch.variable, session.workspace.packages)
             found = Diagnostic(codes.NOTHING_TO_GENERATE, message, launch.span, help=remedy)
             report.add([found], session.lines, session.path)
         if not report.status and file is not None:
@@ -97,6 +96,18 @@ def run_launch_of(
                 run_launch(file, words, options, (), report)
                 return
     finish(report)
+
+
+def _into_package(robot: str, packages: Collection[str]) -> str:
+    """Say how a robot gets into a package that is written."""
+    if packages:
+        return f"put it into one: `{next(iter(packages))} contains {robot}`"
+    package = "package" if robot != "package" else "home"
+    made = f"create_package '{robot.lower()}_description' as {package}"
+    return (
+        f"put it into one: `{made}`, then `{package} contains {robot}` and "
+        f"`generate_package {package}`"
+    )
 
 
 def _written(session: Session, launch: Launch | Robot, plan: FilePlan) -> Path | None:

@@ -255,6 +255,18 @@ def _swapped(place: Place, found: Diagnostic) -> Diagnostic | None:
     return mended(found, message, span, f"{second} {first}")
 
 
+def _point(place: Place, found: Diagnostic) -> Diagnostic | None:
+    """Recognise `rover.has_link 'base'`."""
+    tokens = place.tokens
+    is_point = text_at(tokens, 1) == "." and text_at(tokens, 2) in VERBS
+    if place.at != 0 or not is_point or not place.is_name(0):
+        return None
+    verb = tokens[2].text
+    span = Span(tokens[0].end, tokens[2].start)
+    what = f"no point stands before `{verb}`"
+    return mended(found, what, span, " ")._replace(help=f"write `{tokens[0].text} {verb}`")
+
+
 def _takes(keyword: str, index: int, kind: SlotKind) -> bool:
     """Tell whether a statement has a slot of a kind at a place among its slots."""
     return BY_KEYWORD[keyword].slots[index].kind is kind
@@ -307,6 +319,7 @@ _SLIPS: tuple[Callable[[Place, Diagnostic], Diagnostic | None], ...] = (
     _type_of_python,
     _quoted,
     _swapped,
+    _point,
     _two_words,
     variable_left_out,
     *VALUE_SLIPS,

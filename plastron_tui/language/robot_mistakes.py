@@ -58,7 +58,7 @@ def color(place: Place, found: Diagnostic) -> Diagnostic | None:
         return None
     if before.text not in ("light", "dark"):
         return found._replace(message=f"unexpected `{token.text}`", help=_ONE_WORD, fix=None)
-    right = f"{before.text}_{token.text}"
+    right = f"{before.text}_{token.text}".replace("grey", "gray")
     return mended(found, _ONE_WORD, place.span(place.at - 1, place.at + 1), right)
 
 
@@ -208,11 +208,28 @@ def type_word(place: Place, found: Diagnostic) -> Diagnostic | None:
     return found._replace(help=f"write `{right}`", fix=write(right, token.span))
 
 
+def bare_shape(place: Place, found: Diagnostic) -> Diagnostic | None:
+    """Recognise `has_link 'a' box 1, 2, 3`, `with box`, and `is a box`."""
+    at = place.at
+    if place.declaration is None or place.declaration.type is not HasLink or at != FIRST_CLAUSE:
+        return None
+    first = next((i for i in range(at, at + 4) if place.text(i) in _SHAPES), None)
+    if first is None or any(place.text(i) not in _BEFORE_SHAPES for i in range(at, first)):
+        return None
+    right = f"shaped {place.text(first)}"
+    return mended(found, "a shape stands behind `shaped`", place.span(at, first + 1), right)
+
+
 def ends(place: Place, found: Diagnostic) -> Diagnostic | None:
-    """Recognise `to 'b' from 'a'`."""
+    """Recognise `to 'b' from 'a'`, `'a' to 'b'` and `from 'a' 'b'`."""
     at = place.at
     if place.declaration is None or place.declaration.type is not HasJoint:
         return None
+    if at >= FIRST_CLAUSE and place.token.kind in QUOTED_KINDS:
+        word = "to" if place.text(at - 2) == "from" else "from"
+        if word == "to" or place.text(at + 1) == "to":
+            right = f"{word} {place.token.text}"
+            return mended(found, "a joint goes from one link to another", place.token.span, right)
     if (place.token.text, place.text(at + 2)) != ("to", "from") or at + 3 >= len(place.tokens):
         return None
     right = f"from {place.text(at + 3)} to {place.text(at + 1)}"
@@ -252,6 +269,9 @@ _UNLIMITING = frozenset(
 )
 """What somebody writes who wants to take limits away."""
 
+_BEFORE_SHAPES = frozenset({"is", "of", "with", "as", "like", "a", "shape", "="})
+"""What somebody writes before a shape who does not know `shaped`."""
+
 _TYPES = frozenset({"revolute", "continuous", "prismatic", "fixed", "floating", "planar"})
 
 
@@ -268,6 +288,7 @@ ROBOT_SLIPS: tuple[Callable[[Place, Diagnostic], Diagnostic | None], ...] = (
     limits_of_joint,
     pair_word,
     ends,
+    bare_shape,
     type_word,
     clause_word,
 )

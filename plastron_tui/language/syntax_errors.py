@@ -19,6 +19,7 @@ from .sentence_errors import SentenceErrors
 from .sentence_match import intended, match_sentence
 from .token_errors import unexpected
 from .tokens import MOST_WORDS, QUOTED_KINDS, UNKNOWN, WORD_KINDS, Token, tokens_of
+from .verbs import kindred_verbs, nearest_verb
 
 __all__ = ["MOST_BROKEN_LINES", "explain"]
 
@@ -103,14 +104,21 @@ def _has_variable(declaration: Declaration, tokens: Sequence[Token]) -> bool:
 
 def _misspelt(tokens: Sequence[Token]) -> tuple[Token, str] | None:
     """Return the token that a keyword was to be, and the keyword."""
-    guesses = [(tokens[0], FIRST_WORDS)]
-    if len(tokens) > 1 and tokens[0].kind in WORD_KINDS:
-        guesses.append((tokens[1], VERBS))
-    for token, names in guesses:
-        name = nearest(token.text, names) if token.kind in WORD_KINDS else None
-        if name is not None:
-            return token, name
-    return None
+    first = tokens[0]
+    if first.kind not in WORD_KINDS:
+        return None
+    name = None if _beginning_with(first.text) else nearest(first.text, FIRST_WORDS)
+    if name is not None:
+        return first, name
+    if len(tokens) < 2 or tokens[1].kind not in WORD_KINDS:
+        return None
+    name = nearest_verb(tokens[1].text)
+    return None if name is None else (tokens[1], name)
+
+
+def _beginning_with(word: str) -> tuple[str, ...]:
+    """Return the words that start a statement and go on, where it ends, with what is made."""
+    return tuple(each for each in FIRST_WORDS if each.startswith(f"{word}_"))
 
 
 def _guessed(tokens: Sequence[Token]) -> Declaration | None:
@@ -139,9 +147,18 @@ def _unknown_statement(tokens: Sequence[Token]) -> Diagnostic:
             first.span,
             help=f"after a variable comes {', '.join(VERBS)}",
         )
+    wrong = first
+    help_ = f"a statement starts with {', '.join(FIRST_WORDS)}, or with a variable"
+    if longer := _beginning_with(first.text):
+        help_ = _did_you_mean_one_of(longer)
+    elif verbs := kindred_verbs(tokens[1].text):
+        wrong = tokens[1]
+        help_ = _did_you_mean_one_of(verbs)
     return Diagnostic(
-        codes.UNKNOWN_STATEMENT,
-        f"`{first.text}` starts no statement",
-        first.span,
-        help=f"a statement starts with {', '.join(FIRST_WORDS)}, or with a variable",
+        codes.UNKNOWN_STATEMENT, f"`{wrong.text}` starts no statement", wrong.span, help=help_
     )
+
+
+def _did_you_mean_one_of(words: Sequence[str]) -> str:
+    *others, last = (f"`{each}`" for each in words)
+    return f"did you mean {', '.join(others)} or {last}?" if others else f"did you mean {last}?"

@@ -45,7 +45,7 @@ _OF_SEVERAL: Mapping[FaultKind, str] = {
     FaultKind.MASS: "no positive mass has {}",
     FaultKind.SIZE: "no positive size has {}",
     FaultKind.INERTIA: "no body can have the inertia of {}",
-    FaultKind.ROOT_INERTIA: "the root {} has an inertia, which KDL leaves out of account",
+    FaultKind.ROOT_INERTIA: "the weight of the root {} is ignored by KDL, ROS's library for motion",
     FaultKind.WEIGHTLESS: "{} moves and has no weight: Gazebo leaves it out",
     FaultKind.LONG: f"more than {LONGEST:,.0f} m is said of {{}}",
     FaultKind.HEAVY: f"more than {HEAVIEST:,.0f} kg is said of {{}}",

@@ -24,7 +24,7 @@ from plastron_tui.language.inputs import (
     NestedValue,
     Nothing,
 )
-from plastron_tui.language.written_numbers import with_points, without_enclosure
+from plastron_tui.language.written_numbers import METRES, with_points, without_enclosure
 from plastron_tui.ros.robots.changes import NO_MATERIAL
 from plastron_tui.ros.robots.colors import NAMES, material_name, rgba_of
 from plastron_tui.ros.robots.description import (
@@ -312,6 +312,12 @@ def axis_of(statement: st.HasJoint, type_: JointType | None) -> Vector | None:
     return axis
 
 
+_JOINT_TYPES = (
+    "what turns between two angles is `revolute`, without end `continuous`; what slides is "
+    "`prismatic`; the others are `fixed`, `planar` and `floating`"
+)
+
+
 def joint_type_of(statement: st.HasJoint) -> JointType | None:
     """Return how a joint moves, None where nothing is said."""
     if statement.type is None:
@@ -322,7 +328,7 @@ def joint_type_of(statement: st.HasJoint) -> JointType | None:
     where = statement.span_of("type")
     near, fix = guess(statement.type, names, where)
     message = f"`{statement.type}` is no joint type"
-    help_text = near or f"it is {', '.join(f'`{each}`' for each in names[:-1])} or `{names[-1]}`"
+    help_text = near or _JOINT_TYPES
     raise Mistake(Diagnostic(codes.UNKNOWN_JOINT_TYPE, message, where, help=help_text, fix=fix))
 
 
@@ -373,12 +379,26 @@ def _bad_ends(statement: st.LimitsJoint) -> Iterator[Diagnostic]:
 _OUT_OF_RANGE = f"a limit is between -{FARTHEST:,.0f} and {FARTHEST:,.0f}"
 
 
+def _in_metres(statement: st.LimitsJoint, factor: float, unit: Span) -> Fix:
+    """Return the fix that writes limits, and their unit, in metres."""
+    ends = [*numbers(statement, "minimum"), *numbers(statement, "maximum")]
+    edits = [Edit(each.span, f"{each.value * factor:.12g}") for each in ends]
+    least, most = (edit.text for edit in edits)
+    return Fix(f"write `between {least} and {most} m`", (*edits, Edit(unit, "m")))
+
+
 def bad_unit(statement: Any, unit: str, right: tuple[str, ...]) -> Mistake:
     """Return the mistake of a unit that is not one of those that are right."""
     where = statement.span_of("unit")
     near, fix = guess(unit, right, where)
-    if near is None and unit == "m" and isinstance(statement, st.LimitsJoint):
-        near = "a joint that slides, and is in `m`, is `prismatic`"
+    if isinstance(statement, st.LimitsJoint):
+        if unit in METRES and right == ("m",):
+            fix = _in_metres(statement, METRES[unit], where)
+            near = fix.title
+        elif unit == "m":
+            near = "a joint that slides, and is in `m`, is `prismatic`"
+        elif unit in _ANGLES:
+            near = "a joint that turns between two angles is `revolute`"
     words = " or ".join(f"`{each}`" for each in right)
     what = "the limits of this joint are" if isinstance(statement, st.LimitsJoint) else "a turn is"
     message = f"{what} in {words}, not in `{unit}`"

@@ -240,6 +240,11 @@ class Workspace:
             or self.written_robots
         )
 
+    @property
+    def may_run(self) -> bool:
+        """Whether it writes what can be started; no robot alone is, and no type."""
+        return bool(self.generations or self.written_packages or self.written_launches)
+
     def ros_versions(self, version_of: Callable[[str | None], int]) -> set[int]:
         """Return the generations of ROS that it is for, by that of a client library.
 

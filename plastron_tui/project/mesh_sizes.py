@@ -13,7 +13,7 @@ from plastron_tui.ros.robots.description import Description, Mesh, Vector
 
 if TYPE_CHECKING:
     from plastron_tui.boundary import Boundary
-    from plastron_tui.runtime.meshes import Bounds
+    from plastron_tui.runtime.meshes import Bounds, Patience
     from plastron_tui.sources.urdf.reach import Place, Reach
 
 _MOST = 2_000
@@ -56,6 +56,7 @@ class MeshSizes:
         self._environ = environ
         self._known = known
         self._is_reach_new = False
+        self._patience: Patience | None = None
 
     def add_folder(self, folder: Path) -> None:
         """Look for meshes beside a robot's file, too, and there first."""
@@ -98,8 +99,9 @@ class MeshSizes:
         return found.reason, REMEDY if found.is_unable else None
 
     def _measured(self, uris: list[str]) -> dict[str, Bounds]:
-        from plastron_tui.runtime.meshes import Bounds, measure
+        from plastron_tui.runtime.meshes import Bounds, Patience, measure
 
+        self._patience = self._patience or Patience()
         places = {uri: self._place(uri) for uri in uris}
         stamps = {each.path: stamp_of(each.path) for each in places.values() if each.path}
         known = self._known.bounds
@@ -109,11 +111,11 @@ class MeshSizes:
             if stamp is not None and (path, stamp) in known
         }
         new = [path for path in stamps if path not in found]
-        for path, bounds in zip(new, measure(new), strict=True):
+        for path, bounds in zip(new, measure(new, self._patience), strict=True):
             found[path] = bounds
             stamp = stamps[path]
-            # What measures them may be installed meanwhile.
-            if stamp is not None and not bounds.is_unable:
+            # What measures them may be installed meanwhile, and the next time has time again.
+            if stamp is not None and not (bounds.is_unable or bounds.is_late):
                 if len(known) >= _MOST:
                     known.clear()
                 known[path, stamp] = bounds

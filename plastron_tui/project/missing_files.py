@@ -30,7 +30,9 @@ def missing(source: str, path: Path, is_meant: Callable[[Path], bool]) -> Missin
         is_meant: whether it could be this neighbour.
     """
     try:
-        names = sorted(each.name for each in path.parent.iterdir() if is_meant(each))
+        found_there = (each.name for each in path.parent.iterdir() if is_meant(each))
+        # What has the name itself is no file that can be read: a pipe, or a link to nothing.
+        names = sorted(each for each in found_there if each != path.name)
     except (OSError, ValueError):
         names = []
     found = nearest(path.name, names)

@@ -8,14 +8,14 @@ import json
 import os
 import pickle
 import sys
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from math import cos, pi, sin, sqrt
 from pathlib import Path
 from typing import Any, NamedTuple
 from xml.parsers import expat
 
 from plastron_tui.limited_process import Limits, limit_itself
-from plastron_tui.regular_files import read_regular
+from plastron_tui.regular_files import read_regular, reason
 
 from .file_guard import guard_files, leave_network
 
@@ -44,13 +44,15 @@ def main() -> int:
     reply = os.dup(1)
     with Path(os.devnull).open("w") as nowhere:
         sys.stdout = sys.stderr = nowhere
-        answer = json.dumps(_answer(request)).encode()
-    while answer:
-        answer = answer[os.write(reply, answer) :]
+        # Each at once: one that ends this process does not take those before it along.
+        for each in _answers(request):
+            answer = json.dumps(each).encode() + b"\n"
+            while answer:
+                answer = answer[os.write(reply, answer) :]
     return 0
 
 
-def _answer(request: Request) -> list[dict[str, Any]]:
+def _answers(request: Request) -> Iterator[dict[str, Any]]:
     trimesh = importlib.import_module("trimesh")
     try:
         importlib.import_module("collada")
@@ -60,37 +62,37 @@ def _answer(request: Request) -> list[dict[str, Any]]:
     leave_network()
     limit_itself(request.limits)
     guard_files(_allowed(request.paths))
-    answers: list[dict[str, Any]] = []
     for path in request.paths:
         if _kind(path) == "dae" and not reads_collada:
-            answers.append({"missing": True})
+            yield {"missing": True}
             continue
         try:
-            answers.append(_measured(trimesh, path, request.largest))
+            answer = _measured(trimesh, read_regular(path, request.largest), _kind(path))
+        except OSError as error:
+            answer = {"reason": reason(error)[:_LONGEST_REASON]}
         except MemoryError:
             most = request.limits.memory // 1024**2
-            answers.append({"reason": f"it needs more than {most} MB of memory"})
+            answer = {"reason": f"it needs more than {most} MB of memory"}
         # What a file has that is no mesh may be anything.
         except (Exception, SystemExit) as error:
             said = " ".join(str(error).split()) or type(error).__name__
-            answers.append({"reason": said[:_LONGEST_REASON]})
-    return answers
+            answer = {"reason": said[:_LONGEST_REASON]}
+        yield answer
 
 
 def _kind(path: Path) -> str:
     return path.suffix.lower().removeprefix(".")
 
 
-def _measured(trimesh: Any, path: Path, largest: int) -> dict[str, Any]:
+def _measured(trimesh: Any, text: bytes, kind: str) -> dict[str, Any]:
     """Return the corners of a mesh and points of its hull, in metres where it has a unit.
 
     Raises:
         Exception: whatever is raised for what is no mesh.
     """
-    text = read_regular(path, largest)
-    metres = _metres(text) if _kind(path) == "dae" else 1.0
+    metres = _metres(text) if kind == "dae" else 1.0
     # Of bytes, without what would find other files: no texture matters here.
-    scene = trimesh.load(io.BytesIO(text), file_type=_kind(path), force="scene", process=False)
+    scene = trimesh.load(io.BytesIO(text), file_type=kind, force="scene", process=False)
     if scene.bounds is None:
         raise ValueError("it has no surface")
     return {

@@ -66,7 +66,7 @@ ACTIONS: tuple[Action, ...] = (
         "Show what would be written, then write it.", footer=True,
     ),
     Action("wizard", "Wizard", "screen.wizard", "ctrl+u,alt+w",
-           "Build nodes from menus and forms; the statements appear in the text."),
+           "Build nodes and robots from menus; the statements appear in the text."),
     Action("next_panel", "Panels", "screen.next_panel", "f7", "Go to the next panel.", footer=True),
     Action("panels", "Show or hide the panels", "screen.panels", "f9",
            "Make room for the text, or show the panels again."),

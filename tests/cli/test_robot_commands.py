@@ -106,4 +106,7 @@ def test_a_robot_is_run_by_what_its_package_has(run: Run, here: Path, named: lis
     )
     told = run("run", "a.plastron", *named)
     assert told.returncode == 1
-    assert b"put it into one: `PACKAGE contains rover`" in told.stderr
+    assert (
+        b"put it into one: `create_package 'rover_description' as package`, then "
+        b"`package contains rover` and `generate_package package`"
+    ) in told.stderr

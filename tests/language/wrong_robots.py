@@ -14,6 +14,8 @@ UNITS = "angles are in `deg` or `rad`, what slides is in `m`"
 ELSEWHERE = "limits have a line of their own: `r limits_joint 'j' between …`"
 TYPE = "how a joint moves stands behind `of joint_type`"
 NO_LIMITS = "limits are not taken away: `revolute` and `prismatic` need them"
+SHAPED = "a shape stands behind `shaped`"
+ENDS = "a joint goes from one link to another"
 SHAPES = "`box`, `cylinder`, `sphere` or `mesh`"
 
 # How lines begin; of each how it goes on, the text of the span, the message, what the help says.
@@ -26,6 +28,11 @@ _ENDS: dict[str, list[tuple[str, str, str, str | None]]] = {
         ('"base"', '"base"', "expected the name of a link, in single quotes", "write 'base'"),
     ],
     "r has_link 'base' ": [
+        ("cylinder 0.1, 0.05", "cylinder", SHAPED, "write `shaped cylinder`"),
+        ("with box 1, 2, 3", "with box", SHAPED, "write `shaped box`"),
+        ("is a sphere 0.1", "is a sphere", SHAPED, "write `shaped sphere`"),
+        ("with shape box 1, 2, 3", "with shape box", SHAPED, "write `shaped box`"),
+        ("painted dark grey", "dark grey", "a colour is one word", "write `dark_gray`"),
         ("at", "", "expected three numbers of metres, such as `0, 0.2, 0` here", SENTENCE),
         ("at 0", "", "expected a comma, and two more numbers here", SENTENCE),
         ("at 0,", "", "expected a second number here", SENTENCE),
@@ -112,6 +119,9 @@ _ENDS: dict[str, list[tuple[str, str, str, str | None]]] = {
         ("rotated 0, 0, 90 deg", "rotated", "this clause begins with `turned`", "write `turned`"),
     ],
     "r has_joint 'j' ": [
+        ("'a' to 'b'", "'a'", ENDS, "write `from 'a'`"),
+        ("of joint_type fixed 'a' to 'b'", "'a'", ENDS, "write `from 'a'`"),
+        ("of joint_type fixed from 'a' 'b'", "'b'", ENDS, "write `to 'b'`"),
         ("fixed from 'a' to 'b'", "fixed", TYPE, "write `of joint_type fixed`"),
         ("fixed", "fixed", TYPE, "write `of joint_type fixed`"),
         ("type fixed from 'a' to 'b'", "type", TYPE, "write `of joint_type`"),
@@ -230,6 +240,18 @@ _ENDS: dict[str, list[tuple[str, str, str, str | None]]] = {
          "did you mean `has_joint`?"),
         ("r limit_joint 'j' between 0 and 1 m", "limit_joint", "`limit_joint` starts no statement",
          "did you mean `limits_joint`?"),
+        ("r has_camera 'c'", "has_camera", "`has_camera` starts no statement",
+         "did you mean `has_parameter`, `has_field`, `has_argument`, `has_link` or `has_joint`?"),
+        ("r remove_link 'a'", "remove_link", "`remove_link` starts no statement",
+         "did you mean `no_longer_has_link`?"),
+        ("r delete_joint 'a'", "delete_joint", "`delete_joint` starts no statement",
+         "did you mean `no_longer_has_joint`?"),
+        ("r joint_limits 'j' -90 90", "joint_limits", "`joint_limits` starts no statement",
+         "did you mean `has_joint` or `limits_joint`?"),
+        ("r has a link 'w'", "has", "`has` starts no statement", "`has_link` or `has_joint`?"),
+        ("r.has_link 'a'", ".", "no point stands before `has_link`", "write `r has_link`"),
+        ("generate r", "generate", "`generate` starts no statement",
+         "`generate_launch` or `generate_robot`?"),
         ("has_link r 'base'", "has_link r",
          "`has_link` comes second, after the variable of the robot", "write `r has_link`"),
         ("r no longer has joint 'j'", "no longer has joint",
@@ -243,6 +265,9 @@ _ENDS: dict[str, list[tuple[str, str, str, str | None]]] = {
 
 _CODES = {"the quote is ": "unclosed-quote", "`joint` starts": "unknown-statement",
           "`limit_joint` starts": "unknown-statement",
+          **dict.fromkeys((f"`{word}` starts" for word in (
+              "has_camera", "remove_link", "delete_joint", "joint_limits", "has", "generate")),
+              "unknown-statement"),
           "no statement takes": "unknown-statement"}  # fmt: skip
 """How messages begin that are of another code than the rest."""
 

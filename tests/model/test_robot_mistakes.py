@@ -18,6 +18,10 @@ r has_joint 'f' of joint_type fixed from 'b' to 'c'
 LONG = "d" * 196
 LIMIT = "r limits_joint 'j'"
 JOINT = "r has_joint 'k' of joint_type"
+SLIDES = (
+    "r has_link 'd'\nr has_joint 's' of joint_type prismatic from 'c' to 'd'\n"
+    "r limits_joint 's' between {} with effort 1 and velocity 1"
+)
 
 # The line, the code, what is marked, what the help says.
 MISTAKES: list[tuple[str, str, str, str]] = [
@@ -68,6 +72,7 @@ MISTAKES: list[tuple[str, str, str, str]] = [
     ("r no_longer_has_link 'a'", "part-in-use", "'a'", "no_longer_has_joint 'j'"),
     (f"{JOINT} fixed from 'a' to 'x'", "unknown-link", "'x'", "make it first"),
     (f"{JOINT} fixed from 'a' to 'a'", "no-tree", "'a'", "two links"),
+    (f"{JOINT} hinge from 'a' to 'c'", "unknown-joint-type", "hinge", "two angles is `revolute`"),
     (f"{JOINT} fix from 'a' to 'c'", "unknown-joint-type", "fix", "did you mean `fixed`?"),
     (f"{JOINT} fixed from 'a' to 'c' with axis 0, 0, 1", "bad-axis", "0, 0, 1", ""),
     (f"{JOINT} planar from 'a' to 'c' with axis 0, 0, 0", "bad-axis", "0, 0, 0", "points up"),
@@ -90,6 +95,9 @@ MISTAKES: list[tuple[str, str, str, str]] = [
     ),
     (f"{LIMIT} between 9 and 9 deg with effort 1 and velocity 1", "bad-limits", "9 and 9", "fixed"),
     (f"{LIMIT} between 0 and 1 m with effort 1 and velocity 1", "bad-unit", "m", ""),
+    (SLIDES.format("0 and 90 deg"), "bad-unit", "deg", "is `revolute`"),
+    (SLIDES.format("-5 and 30 cm"), "bad-unit", "cm", "write `between -0.05 and 0.3 m`"),
+    (SLIDES.format("0 and 30 inches"), "bad-unit", "inches", ""),
     (f"{LIMIT} between 0 and 1 rad with effort -1 and velocity 1", "bad-limits", "-1", ""),
     (f"{LIMIT} between 0 and 1 rad with effort 0 and velocity 0", "bad-limits", "0", "how fast"),
     (f"{LIMIT} with damping 1 and friction 1e999", "bad-limits", "1e999", ""),

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-import json
 import pickle
+import signal
 from collections.abc import Sequence
+from itertools import takewhile
 from math import hypot
 from pathlib import Path
 
@@ -15,7 +16,7 @@ from plastron_tui.limited_process import Limits, Reply
 from plastron_tui.project.mesh_sizes import KnownMeshes, MeshSizes
 from plastron_tui.ros.robots.description import Body, Description, Link, Mesh
 from plastron_tui.runtime import meshes
-from plastron_tui.runtime.meshes import Bounds, measure
+from plastron_tui.runtime.meshes import Bounds, Patience, measure
 
 CUBE = Bounds((0.0, -1.0, 0.0), (1.0, 1.0, 3.0))
 OBJ = "v 0 0 0\nv 1 0 0\nv 0 2 3\nf 1 2 3\n"
@@ -63,7 +64,7 @@ def project(tmp_path: Path) -> Path:
 def test_meshes_are_found_and_measured_once(project: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     asked: list[str] = []
 
-    def measured(paths: Sequence[Path]) -> tuple[Bounds, ...]:
+    def measured(paths: Sequence[Path], _: object) -> tuple[Bounds, ...]:
         asked.extend(each.name for each in paths)
         return (CUBE,) * len(paths)
 
@@ -110,7 +111,7 @@ def test_what_measures_meshes_may_come_later(
     reason, remedy = sizes.problem("here.stl")
     assert reason == "what measures meshes is not installed"
     assert remedy == "install what measures meshes with `pip install 'plastron-tui[meshes]'`"
-    monkeypatch.setattr(meshes, "measure", lambda paths: (CUBE,) * len(paths))
+    monkeypatch.setattr(meshes, "measure", lambda paths, _: (CUBE,) * len(paths))
     assert sizes.bounds("here.stl") == (CUBE.least, CUBE.most)
 
 
@@ -164,35 +165,84 @@ def test_meshes_of_strangers_are_measured_or_refused(
     for name, (_, reason) in wrong.items():
         assert size(found[name]) is None, name
         assert reason in found[name].reason, found[name].reason
-    assert "No such file" in found["none.obj"].reason
+    assert "no such file" in found["none.obj"].reason
+
+
+def answers(monkeypatch: pytest.MonkeyPatch, fails: str, status: int = -9) -> list[list[str]]:
+    """Let processes measure what they are asked for until they come to one mesh; return that."""
+    asked: list[list[str]] = []
+
+    def run(code: str, request: bytes, limits: Limits, **_: object) -> Reply:
+        names = [each.name for each in pickle.loads(request).paths]
+        asked.append(names)
+        fine = list(takewhile(lambda name: not name.startswith(fails), names))
+        lines = b"".join(b'{"bounds": [[0, 0, 0], [1, 2, 3]]}\n' for _ in fine)
+        is_whole = len(fine) == len(names)
+        return Reply(0, lines) if is_whole else Reply(status, lines + b'{"bounds": [[0, 0, 0]')
+
+    monkeypatch.setattr(meshes, "run_limited", run)
+    return asked
 
 
 def test_a_mesh_that_ends_the_process_takes_no_other_with_it(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    def run(code: str, request: bytes, limits: Limits, **_: object) -> Reply:
-        paths = pickle.loads(request).paths
-        if any(each.name == "bad.obj" for each in paths):
-            return Reply(-9, b"")
-        return Reply(0, json.dumps([{"bounds": [[0, 0, 0], [1, 2, 3]]} for _ in paths]).encode())
-
-    monkeypatch.setattr(meshes, "run_limited", run)
+    asked = answers(monkeypatch, "bad")
     found = measure([tmp_path / name for name in ("a.obj", "bad.obj", "b.obj")])
     assert [size(each) for each in found] == [(1, 2, 3), None, (1, 2, 3)]
     assert found[1].reason == "its process ended with signal 9"
+    # It may be the others that used up the time: it is tried by itself.
+    assert asked == [["a.obj", "bad.obj", "b.obj"], ["bad.obj", "b.obj"], ["b.obj"]]
+
+
+def test_meshes_that_take_long_are_not_measured_without_end(
+    project: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    asked = answers(monkeypatch, "bad", -signal.SIGXCPU)
+    monkeypatch.setattr(meshes, "_work", lambda: 20.0 * len(asked))
+    for number in range(50):
+        (project / f"bad{number}.obj").touch()
+    (project / "here.obj").touch()
+    known = KnownMeshes()
+    sizes = MeshSizes(project, find_boundary(project), {}, known)
+    uris = [*(f"bad{number}.obj" for number in range(50)), "here.obj"]
+    links = {uri: Link(uri, (Body(Mesh(uri)),)) for uri in uris}
+    assert sizes.outermost(Description("r", links)) == {}
+    assert len(asked) == 3
+    assert sizes.problem("bad2.obj") == ("it works for more than 20 s", None)
+    assert sizes.problem("bad3.obj") == ("other meshes take too long", None)
+    assert len(asked) == 3
+    # The next time those are measured that were not, and those that fail are not tried again.
+    later = MeshSizes(project, find_boundary(project), {}, known)
+    assert later.bounds("here.obj") == ((0, 0, 0), (1, 2, 3))
+    assert asked[3:] == [["here.obj"]]
+    assert later.problem("bad0.obj") == ("it works for more than 20 s", None)
+    assert len(asked) == 4
+
+
+def test_meshes_that_are_measured_take_no_patience(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    asked = answers(monkeypatch, "bad")
+    monkeypatch.setattr(meshes, "_work", lambda: 1.5 * len(asked))
+    patience = Patience()
+    for number in range(3):
+        measure([tmp_path / f"{number}.obj"], patience)
+    assert patience == Patience()
 
 
 @pytest.mark.parametrize(
     "answer",
     [
         b"",
-        b"\xff",
-        b"{}",
-        b"[1]",
-        b"[]",
-        b'[{"bounds": [[0, 0], [1]]}]',
-        b"[" * 100_000,
-        b"[{}, {}]",
+        b"\xff\n",
+        b"{}\n",
+        b"1\n",
+        b"[]\n",
+        b'{"bounds": [[0, 0], [1]]}\n',
+        b"[" * 100_000 + b"\n",
+        b"{}\n{}\n",
+        b'{"bounds": [[0, 0, 0], [1, 2, 3]]}',
     ],
 )
 def test_what_a_process_answers_is_not_believed(

@@ -201,7 +201,7 @@ r has_joint 'j' of joint_type fixed from 'l' to 'm'
 def test_a_package_is_the_same_the_next_time(folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """What a mesh weighs follows from its size, wherever it is found."""
     box = Bounds((0.0, 0.0, 0.0), (1.0, 2.0, 3.0))
-    monkeypatch.setattr(meshes, "measure", lambda paths: (box,) * len(paths))
+    monkeypatch.setattr(meshes, "measure", lambda paths, _: (box,) * len(paths))
     uri = 'package://demo/meshes/base.stl" weighing 2 painted "#ffffff'
     package, _ = created(folder, uri)
     before = (package / "urdf/rover.urdf").read_text()

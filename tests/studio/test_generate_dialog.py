@@ -41,6 +41,17 @@ def seen(dialog: object) -> tuple[str, str]:
     return str(title), dialog.query_one("TextView").text  # type: ignore[attr-defined]
 
 
+async def test_a_robot_alone_is_written_and_not_run(tmp_path: Path) -> None:
+    path = tmp_path / "robot.plastron"
+    path.write_text("create_robot 'r' as r\nr has_link 'base'\ngenerate_robot r\n")
+    async with studio(path) as driver:
+        dialog = await ask(driver)
+        await driver.pilot.press("enter")
+        await driver.until(lambda: dialog.is_written)
+        assert said(dialog) == "Written."
+        assert not dialog.query_one("#run", Button).display
+
+
 @pytest.mark.parametrize("size", [*SIZES, (60, 20)])
 async def test_a_loaded_node_is_shown_as_what_differs_from_its_file(
     loaded: Path, size: tuple[int, int]

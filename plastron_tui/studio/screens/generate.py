@@ -118,11 +118,12 @@ class GenerateDialog(Dialog[bool]):
         all_there = self.is_written or all(
             file.state is FileState.IDENTICAL for file in self.plan.files
         )
-        self.query_one("#run", Button).display = bool(self.plan.files) and all_there
+        may_run = self._session.workspace.may_run
+        self.query_one("#run", Button).display = bool(self.plan.files) and all_there and may_run
         said = []
         if self.plan.files and all_there and not has_problem:
-            said.append(f"{'Written' if self.is_written else 'All is there'}. To run: F5, or "
-                        f"in a shell: plastron run {self._program()}")  # fmt: skip
+            how = f" To run: F5, or in a shell: plastron run {self._program()}" if may_run else ""
+            said.append(f"{'Written' if self.is_written else 'All is there'}.{how}")
         elif conflicts and not has_problem:
             said.append("Files marked ! were changed by hand, and are left alone.")
         if not self.is_written and self.plan.files:

@@ -24,11 +24,11 @@ def done_items(session: Session, heard: str) -> dict[str, Item]:
         closed = "a mistake in the program has to be mended first"
     elif not workspace.is_written:
         closed = "the program writes nothing to a file yet"
-    idle = closed or ("" if workspace.generations else "the program has no node to run yet")
+    idle = closed or ("" if workspace.may_run else "the program has no node to run yet")
     is_whole = not closed and Scene(session).lonely == 0
     items = {
         "more": Item("something more", "",
-                     "Another node, or something more for one that is there.",
+                     "Another node or robot, or something more for one that is there.",
                      is_advised=not is_whole),
         "screen.generate": Item("write the files", "", "Shows each file before it is written.",
                                 closed, is_whole),
@@ -78,9 +78,9 @@ def question(page: Page, look: Look, group: Aim | None = None) -> str:
 def review(look: Look) -> str:
     """Return what is said on the last page."""
     count = 0 if look.outcome is None else len(look.outcome.lines)
-    what = "statement goes" if count == 1 else "statements go"
+    what, it = ("statement goes", "it") if count == 1 else ("statements go", "them")
     return (
-        f"{count} {what} into the program as one step. Finish writes them there; Back changes them."
+        f"{count} {what} into the program as one step. Finish writes {it} there; Back changes {it}."
     )
 
 

@@ -10,6 +10,7 @@ from wizard_driver import wizard
 
 from plastron_tui.session import Session
 from plastron_tui.studio.wizard.flow import Course, Look, PageKind
+from plastron_tui.studio.wizard.strings import done_items
 
 NEW = "describe a robot: its parts, and how they move"
 PART = "give it a part"
@@ -42,6 +43,15 @@ def test_a_new_robot_begins_with_a_body() -> None:
     assert [option.key for option in it.options(look)] == ["base", "write"]
     it.want("base", False)
     assert "rover has_link 'base_link'" not in it.look().outcome.lines  # type: ignore[union-attr]
+
+
+def test_what_can_be_done_with_a_robot_names_it_and_its_package() -> None:
+    alone = done_items(Session(f"{ROVER}generate_robot rover\n".encode(), None, environ={}), "")
+    assert "robot" in alone["more"].about
+    assert alone["screen.run(True)"].closed == "the program has no node to run yet"
+    lines = "create_package 'pack' as pack\npack contains rover\ngenerate_package pack\n"
+    packed = done_items(Session(f"{ROVER}{lines}".encode(), None, environ={}), "")
+    assert packed["screen.run(True)"].closed == ""
 
 
 def test_a_part_is_held_where_it_would_be_a_second_root() -> None:

@@ -29,6 +29,9 @@ _CELL = 5.0
 """How finely it is known where bodies are."""
 
 _BUCKET = 48.0
+_FINE = 2.0
+"""So many parts of a pixel are told apart where names may not stand."""
+
 _OVER_A_BODY = 34.0
 """So much farther away a name may be for standing on nothing."""
 
@@ -86,6 +89,7 @@ class Sheet:
         """Begin with an empty one."""
         self._whole = Frame(0.0, 0.0, width, height)
         self._taken = _Buckets[Frame]()
+        self._kept: set[tuple[int, ...]] = set()
         self._leaders = _Buckets["tuple[Point, Point]"]()
         self._covered: set[tuple[int, int]] = set()
         self._rows = int(height / _CELL) + 1
@@ -101,7 +105,11 @@ class Sheet:
 
     def keep(self, frame: Frame) -> None:
         """Say where no name may stand."""
-        self._taken.add(frame, frame)
+        # Of thousands of joints at one place each would be looked at for each name.
+        about = tuple(round(_FINE * each) for each in frame)
+        if about not in self._kept:
+            self._kept.add(about)
+            self._taken.add(frame, frame)
 
     def mark(self, point: Point, radius: float) -> None:
         """Say where something is that is named: no other name may stand there."""
