@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from typing import Any
 
 from plastron_tui.diagnostics import Diagnostic, Severity, codes
@@ -25,8 +25,10 @@ from plastron_tui.ros.robots.description import (
     JointType,
     Limit,
     Link,
+    Material,
     Pose,
 )
+from plastron_tui.ros.robots.materials import defined_materials, meant
 from plastron_tui.ros.robots.names import is_name
 
 from .program_text import Variables
@@ -89,8 +91,9 @@ def _program(robot: Description, stem: str) -> str:
         name = name if is_name(name) else f"robot_{name}"
     variable = Variables().new(name)
     lines.append(_sentence(CreateRobot, {"name": name, "variable": variable}))
+    materials = defined_materials(robot)
     for link in robot.links.values():
-        lines += _link(variable, link, robot)
+        lines += _link(variable, link, materials)
     # A joint follows one that is there.
     joints = sorted(robot.joints.values(), key=lambda each: each.mimic is not None)
     for joint in joints:
@@ -103,7 +106,7 @@ def _sentence(statement: Any, slots: dict[str, str]) -> str:
     return sentence(DECLARATIONS[statement], slots)
 
 
-def _link(variable: str, link: Link, robot: Description) -> Iterator[str]:
+def _link(variable: str, link: Link, materials: Mapping[str, Material]) -> Iterator[str]:
     if not is_name(link.name):
         yield f"// a link is called {_shown(link.name)}, which no program can say"
         return
@@ -117,9 +120,7 @@ def _link(variable: str, link: Link, robot: Description) -> Iterator[str]:
             slots["weight"] = number(link.inertial.mass)
         material = next((each.material for each in link.visuals if each.material), None)
         if material is not None:
-            known = robot.materials.get(material.name, material)
-            own = material if material.rgba is not None or material.texture else known
-            slots["color"] = color_words(own) or ""
+            slots["color"] = color_words(meant(material, materials)) or ""
     yield from (f"// {link.name}: {each}" for each in _unsaid(link, body, slots))
     yield _sentence(HasLink, slots)
 

@@ -103,6 +103,13 @@ def test_what_no_program_says_is_a_comment(link: Link, told: str) -> None:
     assert any(told in each for each in comments), comments
 
 
+def test_a_colour_is_that_of_the_first_material_of_its_name() -> None:
+    red = Body(Sphere(1), material=Material("m", (1, 0, 0, 1)))
+    links = {"a": Link("a", (red,)), "b": Link("b", (red._replace(material=Material("m")),))}
+    lines = program_of_robot(Description("r", links), "r").splitlines()
+    assert [each.rpartition(" ")[2] for each in lines if " has_link " in each] == ["red", "red"]
+
+
 def test_an_inertia_of_two_digits_follows_from_its_shape() -> None:
     # 0.054, 0.042 and 0.021 for 0.054167, 0.041667 and 0.020833.
     shape = Box((0.1, 0.2, 0.3))
