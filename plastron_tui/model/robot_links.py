@@ -16,7 +16,8 @@ from .robot_lookups import (
     find_own_link,
     find_robot,
 )
-from .robot_parts import material_of, position_of, rotation_of, shape_of, weight_of
+from .robot_parts import material_of, position_of, rotation_of, weight_of
+from .robot_shapes import shape_of
 from .robot_slips import link_slips
 from .robots import Places, Robot
 from .run import Run

@@ -18,9 +18,9 @@ from .robot_parts import (
     material_of,
     position_of,
     rotation_of,
-    shape_of,
     weight_of,
 )
+from .robot_shapes import shape_of
 from .robot_statements import check_robot_named
 from .run import Run
 
