@@ -47,7 +47,7 @@ def read_robot_file(
     place = path.absolute()
     texts = NamedTexts(place.parent, boundary, "", b"", load_manifest)
     files = RobotFiles(texts, environ, say=said_by_command)
-    loaded = files.read.read_text(path.name, place, text, arguments)
+    loaded = files.read.read_given(path.name, place, text, arguments)
     told = (*loaded.diagnostics, *unused_arguments(path.name, arguments, loaded))
     found = tuple(x._replace(file=path) if x.file in (None, place) else x for x in told)
     source = loaded.source

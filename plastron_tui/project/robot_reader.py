@@ -85,9 +85,9 @@ class RobotReader:
         text = self._texts.read(source, path)
         if isinstance(text, Diagnostic):
             return LoadedRobot(None, (text,))
-        return self.read_text(source, path, text, arguments)
+        return self.read_given(source, path, text, arguments)
 
-    def read_text(
+    def read_given(
         self, source: str, path: Path, text: bytes, arguments: Arguments = ()
     ) -> LoadedRobot:
         """Read what a robot's file holds.

@@ -79,7 +79,9 @@ def shows_how_to_close(document: XmlDocument, parent: Element, new: NewElement) 
 
 
 def is_open(document: XmlDocument, element: Element) -> bool:
-    return document.slice(element.content).strip(" \t") in ("\n", "\r\n")
+    content = document.slice(element.content)
+    line = document.text[: element.span.start].rpartition(b"\n")[2]
+    return content.strip(" \t") in ("\n", "\r\n") or (not content and line.strip() != b"")
 
 
 @given(files(), st.integers(0, 1000), st.sampled_from(["", "x", "\"'<&>\t\n", "é"]))
