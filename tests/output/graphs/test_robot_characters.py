@@ -12,6 +12,7 @@ from machine import examples
 
 from plastron_tui.diagnostics.terminal import width
 from plastron_tui.output.graphs.robots.runs import ROLES, RunLines
+from plastron_tui.output.graphs.robots.solids import scene_of
 from plastron_tui.output.graphs.robots.text import draw_sides, look_at
 from plastron_tui.ros.robots.description import Box, Description, JointType, Mesh, Pose
 
@@ -98,6 +99,31 @@ def test_what_is_marked_stands_out() -> None:
     by_joint = drawn(rover(), 60, 20, view="front", marked="zoom")
     assert "zoom" in [run.text for line in by_joint for run in line if run.role == "marked"]
     assert orange in colors(by_joint)
+
+
+@pytest.mark.parametrize("marked", ["pan", "tilt"])
+def test_of_joints_in_one_place_the_marked_one_is_seen(marked: str) -> None:
+    make = RobotMaker()
+    for name in ("base", "neck", "head"):
+        make.link(name, Box((1, 1, 1)))
+    make.joint("pan", "base", "neck", JointType.REVOLUTE, Pose((0, 0, 1)), (0, 0, 1))
+    make.joint("tilt", "neck", "head", JointType.REVOLUTE, Pose((0, 0, 0)), (0, 1, 0))
+    lines = drawn(make.robot, 30, 14, view="side", marked=marked)
+    found = "".join(run.text for line in lines for run in line if run.role == "marked")
+    assert sorted(found) == sorted(marked + ("↑" if marked == "pan" else "⊗"))
+
+
+def test_a_link_that_a_loose_joint_holds_too_is_where_the_first_one_has_it() -> None:
+    make = RobotMaker()
+    for name in ("base", "arm", "a", "b"):
+        make.link(name, Box((1, 1, 1)))
+    make.joint("hold", "base", "arm", JointType.REVOLUTE, Pose((0, 0, 1)))
+    make.joint("again", "a", "arm", JointType.REVOLUTE)
+    make.joint("one", "a", "b")
+    make.joint("other", "b", "a")
+    scene = scene_of(make.robot)
+    assert [axis.joint for axis in scene.axes] == ["hold"]
+    assert scene.missing == ("a", "b")
 
 
 def test_a_mesh_of_unknown_size_has_a_sign_and_holds_on_to_the_others() -> None:

@@ -207,6 +207,15 @@ def test_blanks_that_only_other_tools_take_are_told(blank: str) -> None:
     assert read.description.links["a"].visuals[0].pose.position == (0, 1, 2)
 
 
+def test_a_blank_behind_a_number_is_told() -> None:
+    read = read_urdf(f'<robot name="r">{sphere("0.5 ")}</robot>'.encode())
+    (found,) = read.diagnostics
+    assert found.message == "`radius` has a blank behind the number, which urdfdom does not take"
+    assert found.severity is Severity.WARNING
+    assert read.description is not None
+    assert read.description.links["a"].visuals[0].shape == Sphere(0.5)
+
+
 def test_a_colour_that_does_not_count_is_told() -> None:
     red = seen(SPHERE + '<material name="m"><color rgba="1 0 0 1"/></material>')
     green = red.replace("1 0 0", "0 1 0").replace('"a"', '"b"')

@@ -106,6 +106,16 @@ def test_a_joint_comes_with_the_link_that_it_holds(
     assert lines_of(it)[1] == lines
 
 
+def test_the_ends_of_what_slides_are_in_metres() -> None:
+    it = course(
+        ROVER + "rover has_link 'fork' shaped box 1, 1, 1 weighing 1\n"
+        "rover has_joint 'lift' of joint_type prismatic from 'base_link' to 'fork'\n"
+    )
+    form_after(it, DESCRIBE, LIMIT).enter("joint", "lift")
+    limit = "rover limits_joint 'lift' between 0 and 0.5 m with effort 10 and velocity 1"
+    assert lines_of(it)[1][0] == limit
+
+
 def test_a_link_goes_along_with_the_joint_that_held_it() -> None:
     it = course(ROVER + "generate_robot rover\n")
     choose(it, DESCRIBE, LET_GO)
@@ -157,6 +167,13 @@ def test_a_loaded_robot_is_changed_in_what_it_has(tmp_path: Path) -> None:
         '  </joint>\n  <link name="tip"/>\n  <joint name="hand" type="continuous">\n'
         '    <parent link="arm"/>\n    <child link="tip"/>\n  </joint>\n</robot>\n'
     )
+    it = course("load_robot 'old.urdf' as old\n", tmp_path)
+    part = form_after(it, DESCRIBE, PART)
+    part.enter("link", "arm")
+    part.enter("shape", "sphere")
+    # It is held already.
+    arm = "old has_link 'arm' shaped sphere 0.05 weighing 1"
+    assert lines_of(it)[1] == [arm, "generate_robot old"]
     it = course("load_robot 'old.urdf' as old\n", tmp_path)
     form = form_after(it, DESCRIBE, JOINT)
     filled = it.look().of(form)

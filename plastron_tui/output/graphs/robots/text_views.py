@@ -201,10 +201,11 @@ class _Drawing:
             if axis.along is not None:
                 sign = axis_sign(seen.view.point(axis.along), seen.view.depth(axis.along))
             role = "marked" if axis.joint == self.marked else "axis"
-            cell = int(at.x), int(at.y / 2)
-            places.append((axis.joint, role, cell))
+            places.append((axis.joint, role, (int(at.x), int(at.y / 2)), sign))
+        # What is pointed out has its sign over others, and its name before theirs.
+        for _, role, cell, sign in reversed(places):
             self._write(*cell, sign, role)
-        for joint, role, cell in places:
+        for joint, role, cell, _ in places:
             may_hide = len(moving) <= _FEW or role == "marked"
             self._name(visible(joint), role, cell, place, may_hide=may_hide)
 
