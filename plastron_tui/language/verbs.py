@@ -8,7 +8,8 @@ from .keywords import VERBS
 
 _BEGINNINGS = ("no_longer_has_", "has_")
 _ENDING_VERBS = ("no_longer_", "stop_")
-_ENDING = frozenset({"remove", "delete", "drop", "clear", "unset", "not", "no", "longer", "stop"})
+_REMOVING = frozenset({"remove", "delete", "drop", "clear", "unset"})
+_ENDING = _REMOVING | {"not", "no", "longer", "stop"}
 _SAYING_NOTHING = frozenset({"has", "have", "add", "set", "new", "create", "make", "with", "to"})
 
 
@@ -35,7 +36,7 @@ def _is_ending(word: str) -> bool:
 def kindred_verbs(word: str) -> tuple[str, ...]:
     """Return the verbs that speak of what a word of several parts speaks of: `remove_link`.
 
-    Where none does, they are those that begin as it does: `has_camera`.
+    Where none does, they are those that begin as it does: `has_camera`, `remove`.
     """
     parts = word.split("_")
     about = {each.removesuffix("s") for each in parts} - _ENDING - _SAYING_NOTHING
@@ -46,4 +47,5 @@ def kindred_verbs(word: str) -> tuple[str, ...]:
         and about & {each.removesuffix("s") for each in verb.split("_")}
         and _is_ending(word) == verb.startswith(_ENDING_VERBS)
     ]
-    return tuple(found or [each for each in VERBS if each.startswith(f"{parts[0]}_")])
+    beginning = "no_longer_" if parts[0] in _REMOVING else f"{parts[0]}_"
+    return tuple(found or [each for each in VERBS if each.startswith(beginning)])

@@ -98,7 +98,10 @@ def help_of(fault: Fault, robot: Robot) -> str | None:
         case FaultKind.LOOSE:
             parent = fault.others[0]
             joint = f"'{part}_joint' of joint_type fixed from '{parent}' to '{part}'"
-            return f"a joint is missing, such as `{variable} has_joint {joint}`"
+            remedy = f"a joint is missing, such as `{variable} has_joint {joint}`"
+            if robot.source is None:
+                return remedy
+            return f"{remedy}; or take the link away: `{variable} no_longer_has_link '{part}'`"
         case FaultKind.CIRCLE | FaultKind.MIMIC_CIRCLE | FaultKind.HELD_TWICE:
             return f"take one of them away: `{variable} no_longer_has_joint '{part}'`"
         case FaultKind.NO_LIMITS | FaultKind.NO_RANGE:

@@ -80,7 +80,8 @@ def check_limits_fit(run: Run, statement: st.LimitsJoint) -> None:
         return
     if not (joint.type.is_limited or joint.type is JointType.CONTINUOUS):
         message = f"a joint that is {joint.type.value} has no limits"
-        raise Mistake(Diagnostic(codes.BAD_LIMITS, message, where))
+        help_text = "one that turns between two angles is `revolute`, one that slides `prismatic`"
+        raise Mistake(Diagnostic(codes.BAD_LIMITS, message, where, help=help_text))
     if joint.type is JointType.CONTINUOUS and has_range:
         first, last = statement.span_of("minimum"), statement.span_of("unit")
         message = "a joint that is continuous turns without end"

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from plastron_tui.diagnostics import Code, Diagnostic, Edit, Fix, Label, Span, codes
+from plastron_tui.diagnostics import Code, Diagnostic, Edit, Fix, Label, Span, codes, guess
 from plastron_tui.language import statements as st
 from plastron_tui.ros.robots.changes import LinkValues, Note, changed_link, new_link
 from plastron_tui.ros.robots.description import Link, Mesh
@@ -60,7 +60,8 @@ def has_link(run: Run, statement: st.HasLink) -> None:
         link, notes = changed_link(there, values, run.setting.mesh_bounds)
     told = [_told(run, statement, there or link, note, field) for note, field in notes]
     if any(note.is_refusal for note, _ in notes):
-        raise Mistake(*told)
+        misspelt = None if there is not None else _misspelt(robot, statement)
+        raise Mistake(*(told if misspelt is None else (misspelt,)))
     for each in (*told, *link_slips(statement)):
         run.report(statement, each)
     robot.put_link(link)
@@ -69,6 +70,18 @@ def has_link(run: Run, statement: st.HasLink) -> None:
     robot.links[name] = (
         places._replace(made=statement.span) if is_new else places._replace(changed=statement.span)
     )
+
+
+def _misspelt(robot: Robot, statement: st.HasLink) -> Diagnostic | None:
+    """Say which link a new one may have been meant to be, that lacks a shape."""
+    if statement.shape is not None:
+        return None
+    where = statement.span_of("link")
+    near, fix = guess(statement.link, robot.description.links, where, is_quoted=True)
+    if near is None:
+        return None
+    message = f"`{robot.variable}` has no link `{statement.link}`, and a new one lacks its shape"
+    return Diagnostic(codes.BAD_SHAPE, message, where, help=near, fix=fix)
 
 
 def check_link_named(run: Run, statement: st.HasLink) -> None:

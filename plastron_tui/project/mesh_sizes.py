@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+import re
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from itertools import islice
 from pathlib import Path
@@ -19,6 +20,7 @@ if TYPE_CHECKING:
 _MOST = 2_000
 _MOST_DRAWN = 200
 _MOST_FOLDERS = 16
+_NAMED = re.compile(rb'\bmesh +(?:uri *= *)?"([^"\\\n]+)"')
 
 
 @dataclass(slots=True)
@@ -41,7 +43,12 @@ class MeshSizes:
     """
 
     def __init__(
-        self, folder: Path, boundary: Boundary, environ: Mapping[str, str], known: KnownMeshes
+        self,
+        folder: Path,
+        boundary: Boundary,
+        environ: Mapping[str, str],
+        known: KnownMeshes,
+        program: bytes = b"",
     ) -> None:
         """Set where meshes are looked for.
 
@@ -50,6 +57,7 @@ class MeshSizes:
             boundary: the project.
             environ: the environment variables that say which ROS is sourced.
             known: what earlier ones have measured.
+            program: the program; the meshes that it seems to name are measured with the first.
         """
         self._folders = [folder.absolute()]
         self._boundary = boundary
@@ -57,6 +65,7 @@ class MeshSizes:
         self._known = known
         self._is_reach_new = False
         self._patience: Patience | None = None
+        self._program = program
 
     def add_folder(self, folder: Path) -> None:
         """Look for meshes beside a robot's file, too, and there first."""
@@ -69,8 +78,14 @@ class MeshSizes:
 
         They are in metres where the file says what its unit is, else in its lengths.
         """
-        found = self._measured([uri])[uri]
+        found = self._measured([uri, *self._expected()])[uri]
         return None if found.reason else (found.least, found.most)
+
+    def _expected(self) -> Iterator[str]:
+        """Yield once what may be asked for next: a process for each mesh takes longest to start."""
+        program, self._program = self._program, b""
+        for each in islice(_NAMED.finditer(program), _MOST_DRAWN):
+            yield each.group(1).decode(errors="replace")
 
     def outermost(self, robot: Description) -> dict[str, tuple[Vector, ...]]:
         """Return points of a robot's meshes whose hulls are about theirs, as far as known.

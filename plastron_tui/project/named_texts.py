@@ -35,6 +35,7 @@ class NamedTexts:
     Attributes:
         folder: the program's folder.
         boundary: how far the project reaches.
+        text: the program.
     """
 
     def __init__(
@@ -52,7 +53,7 @@ class NamedTexts:
         self.folder = folder
         self.boundary = boundary
         self._program = program
-        self._text = text
+        self.text = text
         self._manifest = manifest
 
     def find(self, source: str, is_meant: Callable[[Path], bool]) -> Path | Diagnostic:
@@ -102,7 +103,7 @@ class NamedTexts:
         from plastron_tui.output.manifest import digest
         from plastron_tui.output.patch_stack import Author
 
-        author = Author(self._program, digest(self._text), self.folder)
+        author = Author(self._program, digest(self.text), self.folder)
         return find_start(path, present, author, lambda folder: self._manifest(folder)[0], form())
 
 

@@ -50,7 +50,7 @@ class RobotFiles:
             say: says how an argument of macros without a value gets one.
         """
         known = known or KnownRobots()
-        self.sizes = MeshSizes(texts.folder, texts.boundary, environ, known.meshes)
+        self.sizes = MeshSizes(texts.folder, texts.boundary, environ, known.meshes, texts.text)
         expander = RobotExpander(texts.boundary, environ, known.expansions, say)
         self.read = RobotReader(texts, expander, self.sizes.add_folder)
 

@@ -11,6 +11,7 @@ from typing import NamedTuple
 
 from plastron_tui.diagnostics import Diagnostic, Severity, Span, codes, did_you_mean
 from plastron_tui.import_path import command
+from plastron_tui.ros.installations import Origin
 from plastron_tui.ros.launch import LaunchFile, Place, loaded_nodelet
 from plastron_tui.ros.launch_resolution import resolve
 from plastron_tui.ros.launch_started import SHOWN, Opened, Resolved, Started
@@ -21,6 +22,7 @@ from plastron_tui.sources.launch.unresolved import wrong_arguments
 
 from .build_output import Progress
 from .environment import Environment, missing_package, missing_packages
+from .installing import of_distribution
 from .launch import Loaded, NodeFile
 from .launch_packages import Packages, find_packages
 from .robot_commands import XACRO, RobotCommands
@@ -181,6 +183,14 @@ def _resolved(
     return resolve(launch, ros_version, scope, str(file), opened)
 
 
+def _installed_by(package: str, environment: Environment) -> str | None:
+    """Say how a package that a launch file starts nodes of gets there, if it is one of ROS."""
+    if environment.origin is Origin.EXTRA:
+        return f"{environment.words} has no such nodes: source a whole ROS 2"
+    command = of_distribution(package, environment.distribution)
+    return None if command is None else f"if it is one of ROS, `{command}` installs it"
+
+
 def _node(started: Started, environment: Environment, packages: Packages) -> NodeFile | Diagnostic:
     """Return the process of a node, or why it cannot be started."""
 
@@ -192,7 +202,8 @@ def _node(started: Started, environment: Environment, packages: Packages) -> Nod
     if executable is None:
         if packages.share(started.package) is None:
             near = did_you_mean(started.package, packages.sources)
-            return wrong(f"the package `{started.package}` is not found", near)
+            remedy = near or _installed_by(started.package, environment)
+            return wrong(f"the package `{started.package}` is not found", remedy)
         known = packages.names(started.package, environment.python)
         message = f"the package `{started.package}` has no executable `{started.executable}`"
         return wrong(message, did_you_mean(started.executable, known))

@@ -59,6 +59,9 @@ def _answers(request: Request) -> Iterator[dict[str, Any]]:
         reads_collada = True
     except ImportError:
         reads_collada = False
+    numpy = importlib.import_module("numpy")
+    # The library behind it takes its memory at the first product, and ends the process without.
+    numpy.ones((256, 256)) @ numpy.ones((256, 256))
     leave_network()
     limit_itself(request.limits)
     guard_files(_allowed(request.paths))

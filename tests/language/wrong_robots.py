@@ -244,6 +244,8 @@ _ENDS: dict[str, list[tuple[str, str, str, str | None]]] = {
          "did you mean `has_parameter`, `has_field`, `has_argument`, `has_link` or `has_joint`?"),
         ("r remove_link 'a'", "remove_link", "`remove_link` starts no statement",
          "did you mean `no_longer_has_link`?"),
+        ("r remove 'a'", "remove", "`remove` starts no statement",
+         "`no_longer_has_link` or `no_longer_has_joint`?"),
         ("r delete_joint 'a'", "delete_joint", "`delete_joint` starts no statement",
          "did you mean `no_longer_has_joint`?"),
         ("r joint_limits 'j' -90 90", "joint_limits", "`joint_limits` starts no statement",
@@ -263,17 +265,16 @@ _ENDS: dict[str, list[tuple[str, str, str, str | None]]] = {
     ],
 }  # fmt: skip
 
-_CODES = {"the quote is ": "unclosed-quote", "`joint` starts": "unknown-statement",
-          "`limit_joint` starts": "unknown-statement",
-          **dict.fromkeys((f"`{word}` starts" for word in (
-              "has_camera", "remove_link", "delete_joint", "joint_limits", "has", "generate")),
-              "unknown-statement"),
-          "no statement takes": "unknown-statement"}  # fmt: skip
-"""How messages begin that are of another code than the rest."""
+_CODES = {
+    "the quote is ": "unclosed-quote",
+    "starts no statement": "unknown-statement",
+    "no statement takes": "unknown-statement",
+}
+"""What is in messages that are of another code than the rest."""
 
 
 def _code(message: str) -> str:
-    found = (code for start, code in _CODES.items() if message.startswith(start))
+    found = (code for words, code in _CODES.items() if words in message)
     return next(found, "syntax-error")
 
 

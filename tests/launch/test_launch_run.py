@@ -46,12 +46,18 @@ def project(tmp_path: Path) -> Path:
     return tmp_path
 
 
-def _prepared(project: Path, words: str, name: str = "x.launch.xml", **arguments: str) -> Prepared:
+def _prepared(
+    project: Path,
+    words: str,
+    name: str = "x.launch.xml",
+    origin: Origin = Origin.EXTRA,
+    **arguments: str,
+) -> Prepared:
     file = project / "src/demo/launch" / name
     file.write_text(f"<launch>{words}</launch>" if name.endswith("xml") else words)
     read = read_launch(file.read_bytes(), file)
     assert read.launch is not None
-    environment = Environment(Origin.EXTRA, 2, "kilted", project / "python/bin/python3")
+    environment = Environment(origin, 2, "kilted", project / "python/bin/python3")
     return prepare(read.launch, file, arguments, environment, {})
 
 
@@ -203,6 +209,21 @@ def test_why_a_component_is_not_started_is_said(project: Path) -> None:
     assert found.help is not None
     assert "C++" in found.help
     assert "ros2 launch" in found.help
+
+
+@pytest.mark.parametrize(
+    ("origin", "remedy"),
+    [
+        (Origin.EXTRA, "has no such nodes: source a whole ROS 2"),
+        (Origin.SOURCED, "`sudo apt install ros-kilted-robot-state-publisher` installs it"),
+    ],
+)
+def test_how_a_package_of_ros_gets_there_is_said(
+    project: Path, origin: Origin, remedy: str
+) -> None:
+    words = '<node pkg="robot_state_publisher" exec="robot_state_publisher"/>'
+    (found,) = _prepared(project, words, origin=origin).diagnostics
+    assert (found.help or "").endswith(remedy)
 
 
 def test_near_names_are_offered(project: Path) -> None:

@@ -94,6 +94,21 @@ def test_a_joint_that_is_misspelt_is_guessed() -> None:
     assert run(applied(text, found.fix)).diagnostics == ()
 
 
+def test_a_link_that_is_misspelt_is_guessed() -> None:
+    text = f"{LOAD}r has_link 'amr' painted red weighing 2\n"
+    (found,) = run(text).diagnostics
+    assert (found.code, marked(text, found)) == ("bad-shape", "'amr'")
+    assert found.help == "did you mean `arm`?"
+    assert found.fix is not None
+    assert run(applied(text, found.fix)).diagnostics == ()
+
+
+def test_a_link_that_hangs_loose_in_a_loaded_robot_may_go() -> None:
+    text = f"{LOAD}r no_longer_has_joint 'slide'\ngenerate_robot r\n"
+    (found,) = run(text).diagnostics
+    assert (found.help or "").endswith("; or take the link away: `r no_longer_has_link 'tip'`")
+
+
 @pytest.mark.parametrize(
     ("said", "remedy"),
     [

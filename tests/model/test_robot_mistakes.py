@@ -103,7 +103,7 @@ MISTAKES: list[tuple[str, str, str, str]] = [
     (f"{LIMIT} with damping 1 and friction 1e999", "bad-limits", "1e999", ""),
     (f"{LIMIT} with effort 1 and velocity 1", "missing-limits", "'j'", "between"),
     (f"{LIMIT} between 0 and 1 rad", "missing-limits", "'j'", "with effort"),
-    ("r limits_joint 'f' between 0 and 1 deg", "bad-limits", "'f'", ""),
+    ("r limits_joint 'f' between 0 and 1 deg", "bad-limits", "'f'", "two angles is `revolute`"),
     ("r limits_joint 'f' with damping 0 and friction 1", "bad-limits", "'f'", ""),
     # What no further sentence mends is told of a robot that is not written, too.
     (f"{JOINT} fixed from 'a' to 'c'", "no-tree", "'c'", "no_longer_has_joint 'k'"),

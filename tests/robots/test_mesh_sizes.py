@@ -220,6 +220,29 @@ def test_meshes_that_take_long_are_not_measured_without_end(
     assert len(asked) == 4
 
 
+def test_meshes_that_a_program_names_are_measured_together(
+    project: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Starting a process takes a second: of 20 meshes a check took 20."""
+    asked = answers(monkeypatch, "bad")
+    for name in ("a.obj", "b.obj", "c.obj"):
+        (project / name).touch()
+    program = b"""\
+r has_link 'a' shaped mesh "a.obj" weighing 1
+r has_link 'b' shaped mesh uri="b.obj", scale=[1, 1, 1] weighing 1
+r has_link 'c' shaped mesh "none.obj" weighing 1
+r has_link 'd' shaped mesh "../../beyond.obj" weighing 1
+"""
+    boundary = find_boundary(project)
+    sizes = MeshSizes(project, boundary, {}, KnownMeshes(), program)
+    for name in ("a.obj", "b.obj"):
+        assert sizes.bounds(name) == ((0, 0, 0), (1, 2, 3))
+    assert asked == [["a.obj", "b.obj"]]
+    assert sizes.bounds("none.obj") is None
+    assert sizes.bounds("c.obj") == ((0, 0, 0), (1, 2, 3))
+    assert asked[1:] == [["c.obj"]]
+
+
 def test_meshes_that_are_measured_take_no_patience(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
