@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
+from dataclasses import replace
 
 from plastron_tui.diagnostics import Diagnostic, LineIndex, Span, codes, has_errors
 from plastron_tui.model.robots import Places, Robot, RobotSource
+from plastron_tui.sources.urdf.edits import edited
 from plastron_tui.sources.urdf.reader import read_urdf
-
-_LIMITING = (b"limit", b"dynamics")
 
 
 def told_at_sentences(robot: Robot, found: Iterable[Diagnostic]) -> Iterator[Diagnostic]:
@@ -47,7 +47,20 @@ def _sentence(robot: Robot, source: RobotSource, place: Span) -> Span | None:
         for name, element in parts.items():
             if element.span.start <= place.start < element.span.end:
                 said = spoken.get(name, Places())
-                is_limit = source.text[place.start : place.end] in _LIMITING
-                both = (said.limited, said.changed) if is_limit else (said.changed, said.limited)
-                return both[0] or both[1] or said.made or robot.taken.get((kind, name))
+                if said.limited and said.changed and _is_of_limits(robot, source, name, place):
+                    return said.limited
+                said_of = said.changed or said.limited or said.made
+                return said_of or robot.taken.get((kind, name))
     return None
+
+
+def _is_of_limits(robot: Robot, source: RobotSource, name: str, place: Span) -> bool:
+    """Tell whether a file refuses no more of a joint where its limits stay as they are."""
+    before, after = source.description, robot.description
+    was, now = before.joints.get(name), after.joints.get(name)
+    if was is None or now is None:
+        return False
+    kept = now._replace(limit=was.limit, dynamics=was.dynamics)
+    wanted = replace(after, joints={**after.joints, name: kept})
+    again = edited(source.text, before, wanted, source.path)
+    return all(each.span != place for each in again.diagnostics)

@@ -61,6 +61,42 @@ def test_a_refusal_is_told_on_its_sentence(
     assert not (tmp_path / "output").exists()
 
 
+MADE_BY_MACRO = """\
+<robot name="arm" xmlns:xacro="http://www.ros.org/wiki/xacro">
+  <xacro:macro name="{0}"><{0}/></xacro:macro>
+  <link name="base"/>
+  <link name="hand"/>
+  <joint name="turn" type="revolute">
+    <parent link="base"/><child link="hand"/>
+    <xacro:{0}/>
+  </joint>
+</robot>
+"""
+
+
+@pytest.mark.parametrize(
+    ("macro", "where"),
+    [("limit", "arm limits_joint"), ("origin", "arm has_joint"), ("axis", "arm has_joint")],
+)
+def test_of_two_sentences_the_one_that_is_refused_is_told(
+    macro: str, where: str, tmp_path: Path
+) -> None:
+    text = MADE_BY_MACRO.format(macro)
+    changed = "at 0, 0, 1" if macro == "origin" else "with axis 0, 0, 1"
+    if macro == "limit":
+        changed = "of joint_type revolute"
+    else:
+        limit = '<limit lower="-1" upper="1" effort="1" velocity="1"/>'
+        text = text.replace("    <parent", f"    {limit}\n    <parent")
+    (tmp_path / "arm.xacro").write_text(text)
+    program = f"load_robot 'arm.xacro' as arm\narm has_joint 'turn' {changed}\n"
+    program += "arm limits_joint 'turn' between 0 and 45 deg with effort 1 and velocity 1\n"
+    program += "generate_robot arm\n"
+    [told] = [x for x in run(program, tmp_path, "rospy") if x.severity is Severity.ERROR]
+    assert told.span is not None
+    assert program[told.span.start : told.span.end].startswith(where)
+
+
 def test_what_no_macro_computes_changes(tmp_path: Path) -> None:
     (tmp_path / "arm.xacro").write_text(ARM)
     program = "load_robot 'arm.xacro' as arm\n"
