@@ -55,9 +55,17 @@ def change_material(part: PartEdits, path: Path, before: Material, after: Materi
     else:
         part.set_numbers(color, "rgba", before.rgba, after.rgba)
     if after.texture is None or before.texture is None:
+        _tell_texture(part, before, after)
         put(part, texture, written.get("texture"), was_there=before.texture is not None)
     else:
         part.set_text(texture, "filename", after.texture)
+
+
+def _tell_texture(part: PartEdits, before: Material | None, after: Material | None) -> None:
+    """Tell that a texture goes, of which no sentence speaks: with it nobody sees the colour."""
+    texture = None if before is None else before.texture
+    if texture is not None and (after is None or after.texture is None):
+        part.tell(f"the texture `{texture}` goes with the colour that was there")
 
 
 def change_pose(part: PartEdits, path: Path, before: Pose, after: Pose) -> None:
@@ -176,6 +184,7 @@ def _change_body(part: PartEdits, path: Path, before: Body, after: Body) -> None
     material = (*path, ("material", 0))
     if before.material is None or after.material is None:
         new = None if after.material is None else material_element(after.material)
+        _tell_texture(part, before.material, after.material)
         put(part, material, new, was_there=before.material is not None)
     else:
         change_material(part, material, before.material, after.material)

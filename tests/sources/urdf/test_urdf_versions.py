@@ -17,6 +17,7 @@ from plastron_tui.ros.robots.description import (
     JointType,
     Limit,
     Link,
+    Material,
     Pose,
     Sphere,
 )
@@ -185,3 +186,38 @@ def test_what_stands_there_twice_is_not_changed(kind: str) -> None:
     assert "stands here a second time" in told.message
     assert told.span is not None
     assert told.span.start == text.rindex(parts[kind]) + 1
+
+
+TEXTURED = """\
+<robot name="r">
+  <link name="a">
+    <visual>
+      <geometry><sphere radius="1"/></geometry>
+      <material name="wood"><texture filename="oak.png"/></material>
+    </visual>
+  </link>
+</robot>
+"""
+
+
+@pytest.mark.parametrize(
+    ("material", "told"),
+    [
+        (Material("red", (1, 0, 0, 1)), ["the texture `oak.png` goes with the colour"]),
+        (None, ["the texture `oak.png` goes with the colour"]),
+        (Material("wood", (1, 0, 0, 1), "oak.png"), []),
+        (Material("wood", None, "elm.png"), []),
+    ],
+)
+def test_a_texture_that_goes_is_told(material: Material | None, told: list[str]) -> None:
+    before = read_urdf(TEXTURED.encode()).description
+    assert before is not None
+    link = before.links["a"]
+    bodies = (link.visuals[0]._replace(material=material),)
+    edit = edited(
+        TEXTURED.encode(), before, replace(before, links={"a": link._replace(visuals=bodies)})
+    )
+    assert edit.text is not None, edit.diagnostics
+    assert [each.message for each in edit.diagnostics] == [
+        f"{each} that was there" for each in told
+    ]
