@@ -121,12 +121,13 @@ class ProgramPackages:
     def made(self) -> Made:
         """Make the files."""
         own = list(own_specs(self._made, self._generations, self._libraries))
-        files: dict[str, PackageFile] = {} if own else dict(self.robots.alone())
+        alone = [] if own else list(self.robots.alone())
+        files = dict(each for each in alone if not isinstance(each, Diagnostic))
         robots = set(files)
-        diagnostics: list[Diagnostic] = []
+        diagnostics = [each for each in alone if isinstance(each, Diagnostic)]
         copies: dict[str, Copied] = {}
         if self._default is None:
-            return Made(files, robots=frozenset(robots))
+            return Made(files, tuple(diagnostics), robots=frozenset(robots))
         last = {each.package.variable: each.package for each in self._workspace.written_packages}
         for part in (
             *(self._package(each) for each in last.values() if each.source is None),

@@ -104,12 +104,13 @@ class ProgramRobots:
         self._launches = launches
         self._companions = companions
 
-    def alone(self) -> Iterator[tuple[str, PackageFile]]:
+    def alone(self) -> Iterator[tuple[str, PackageFile] | Diagnostic]:
         """Yield the robots that the program creates and writes for their own sake, by file."""
-        for robot, _ in self._alone():
+        for robot, span in self._alone():
             written = robot_text(robot)
-            assert written.text is not None, "what is created is written as it is"
-            yield written.name, PackageFile(written.text)
+            if written.text is not None:
+                yield written.name, PackageFile(written.text)
+            yield from _told_at(span, written.diagnostics)
 
     def _alone(self) -> Iterator[RobotGeneration]:
         held = held_variables(self._workspace)

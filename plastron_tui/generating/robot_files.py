@@ -4,10 +4,11 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-from plastron_tui.diagnostics import Diagnostic
+from plastron_tui.diagnostics import Diagnostic, codes
 from plastron_tui.model.robots import Robot, RobotSource
 from plastron_tui.output.plan import OutputFile
 from plastron_tui.sources.urdf.edits import UrdfEdit, edited
+from plastron_tui.sources.xml.outline import MOST_BYTES
 from plastron_tui.targets.packages.spec import PackageFile
 from plastron_tui.targets.robots.urdf import write_urdf
 
@@ -32,10 +33,20 @@ def robot_text(robot: Robot) -> RobotText:
     """Return the text of a robot's file; of a loaded one with what the program changes in it."""
     source = robot.source
     if source is None:
-        return RobotText(f"{robot.stem}{URDF}", write_urdf(robot.description))
+        name, text = f"{robot.stem}{URDF}", write_urdf(robot.description)
+        if len(text) > MOST_BYTES:
+            return RobotText(name, None, (_too_large(name, len(text)),))
+        return RobotText(name, text)
     changed = _with_changes(source.text, robot, source)
     told = changed.diagnostics and tuple(told_at_sentences(robot, changed.diagnostics))
     return RobotText(source.path.name, changed.text, told)
+
+
+def _too_large(name: str, size: int) -> Diagnostic:
+    """Say that a file would be one that nobody could load, change or look at afterwards."""
+    message = f"`{name}` would hold {size / 1024**2:.1f} MB, and at most {MOST_BYTES // 1024**2} MB"
+    help_ = "describe it as several robots"
+    return Diagnostic(codes.FILE_TOO_LARGE, f"{message} are read of a robot", help=help_)
 
 
 def _with_changes(text: bytes, robot: Robot, source: RobotSource) -> UrdfEdit:

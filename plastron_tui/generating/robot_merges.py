@@ -19,11 +19,14 @@ def merged_robot(path: Path, before: bytes, new: bytes, present: bytes) -> Merge
         present: what it holds.
 
     Returns:
-        None where one of the texts is no robot.
+        None where what the program makes can be read by nobody, as with some macros; no text,
+        and why, where that is so of what the file holds.
     """
     first, last = read_urdf(before).description, read_urdf(new).description
-    if first is None or last is None or read_urdf(present).description is None:
+    if first is None or last is None:
         return None
+    if read_urdf(present).description is None:
+        return MergedText(None, "it holds no robot that can be read")
     changed = edited(present, first, last, path)
     reason = "; ".join(each.message for each in changed.diagnostics)
     return MergedText(changed.text, reason)

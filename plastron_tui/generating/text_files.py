@@ -170,6 +170,9 @@ def _text_file(
 
 def _merged(path: Path, texts: tuple[bytes, bytes, bytes], merge: Merge | None) -> MergedText:
     """Bring a file's handwork and its program together: what it was made as, is now, and holds."""
+    before, _, present = texts
+    if before.strip() and not present.strip():
+        return MergedText(None, "nothing is left of it")
     found = None if merge is None else merge(path, *texts)
     if found is not None:
         return found

@@ -9,7 +9,8 @@ from __future__ import annotations
 
 import os
 import re
-from collections.abc import Iterator
+from collections.abc import Collection, Iterator
+from enum import Enum, auto
 from functools import cached_property
 from itertools import islice
 from pathlib import Path
@@ -38,6 +39,42 @@ _MOST_NAMES = 1_000
 _MOST_FILES = 200
 _MOST_TOLD = 5
 _MOST_AROUND = 100
+_MESHES = frozenset(
+    (
+        ".stl",
+        ".stlb",
+        ".dae",
+        ".obj",
+        ".mesh",
+        ".ply",
+        ".off",
+        ".glb",
+        ".gltf",
+        ".fbx",
+        ".3ds",
+        ".wrl",
+    )
+)
+"""What the files end in that RViz, Gazebo or MoveIt take for a mesh."""
+
+_BESIDE = frozenset(
+    (
+        ".mtl",
+        ".bin",
+        ".png",
+        ".jpg",
+        ".jpeg",
+        ".bmp",
+        ".tga",
+        ".dds",
+        ".tif",
+        ".tiff",
+        ".gif",
+        ".hdr",
+    )
+)
+"""What the files end in that a mesh may name: materials, buffers and images."""
+
 _HERE = "$(dirname)/"
 _FILE = "file://"
 _COMPUTED = ("${", "$(")
@@ -47,12 +84,16 @@ _REFERENCES = {
     ".dae": re.compile(rb"<init_from>([^<>]{1,300})</init_from>"),
     ".obj": re.compile(rb"^mtllib[ \t]{1,20}([^\r\n]{1,300})", re.MULTILINE),
     # Bounded, so that no line takes longer the longer it is.
+    ".gltf": re.compile(rb'"uri"\s{0,20}:\s{0,20}"([^"]{1,300})"'),
     ".mtl": re.compile(
         rb"^[ \t]{0,20}map_\w{1,40}[ \t]{1,20}(?:[^\r\n]{0,300}[ \t])?(\S{1,300})[ \t]{0,20}\r?$",
         re.MULTILINE,
     ),
 }
-"""Where meshes name other files (COLLADA 1.4.1, `init_from`; Wavefront OBJ and MTL)."""
+"""Where meshes name other files.
+
+COLLADA 1.4.1, `init_from`; Wavefront OBJ and MTL; glTF 2.0, `uri`.
+"""
 
 
 class _Left(Exception):  # noqa: N818 - control flow, from a name to what is told of it
@@ -62,11 +103,21 @@ class _Left(Exception):  # noqa: N818 - control flow, from a name to what is tol
         self.reason, self.remedy = reason, remedy
 
 
+class _Kind(Enum):
+    """What a file is named as."""
+
+    MESH = auto()
+    INCLUDED = auto()
+    OPENED = auto()
+    """Read while macros were expanded, which happens in a trusted folder alone."""
+
+
 class _Named(NamedTuple):
-    """A file that a description names: how, and the folder that a relative path starts from."""
+    """A file that a description names: how, what as, and where a relative path starts from."""
 
     name: str
     folder: Path
+    kind: _Kind
 
 
 class CompanionFinder:
@@ -95,8 +146,10 @@ class CompanionFinder:
                 found = refused[0] if refused else None
             if found is not None:
                 told.setdefault(each.name, _told(robot, each.name, found, span))
-        left_out = tuple(told.values())[:_MOST_TOLD]
-        return Companions(tuple(files.values()), frozenset(search.packages), left_out)
+        notes = list(told.values())
+        if len(notes) > _MOST_TOLD + 1:
+            notes[_MOST_TOLD:] = [_told_more(robot, len(notes) - _MOST_TOLD, span)]
+        return Companions(tuple(files.values()), frozenset(search.packages), tuple(notes))
 
 
 def _put(files: dict[str, Companion], new: Companion) -> _Left | None:
@@ -133,7 +186,7 @@ class _Search:
         for link in self._robot.shown.links.values():
             for body in (*link.visuals, *link.collisions):
                 if isinstance(body.shape, Mesh):
-                    yield _Named(body.shape.uri, self._base)
+                    yield _Named(body.shape.uri, self._base, _Kind.MESH)
         source = self._robot.source
         if source is None or source.macros is None:
             return
@@ -145,12 +198,12 @@ class _Search:
             document = read_xml(text).document
             if document is None:
                 continue
-            for name in _named_in(document, has_meshes=not is_known):
+            for name, kind in _named_in(document, has_meshes=not is_known):
                 is_computed = _PATTERN.intersection(name) or any(x in name for x in _COMPUTED)
                 if is_known and is_computed and package_of(name) is None:
                     # What that comes to is among the files that were opened.
                     continue
-                yield _Named(name, folder)
+                yield _Named(name, folder, kind)
                 path = self._beside(name, folder)
                 if path is not None and path not in files and os.path.isfile(path):  # noqa: PTH113
                     files.add(path)
@@ -159,7 +212,7 @@ class _Search:
             inner = os.path.relpath(path, self._base)
             is_near = inner.count(os.pardir) < 2 and os.path.isfile(path)  # noqa: PTH113
             if is_near and self._boundary.contains(Path(os.path.realpath(path))):
-                yield _Named(inner, self._base)
+                yield _Named(inner, self._base, _Kind.OPENED)
 
     @cached_property
     def _roots(self) -> tuple[Path, ...]:
@@ -195,7 +248,7 @@ class _Search:
                     if path is None or inner in seen:
                         continue
                     try:
-                        other = Companion(_checked(inner), self._allowed(path))
+                        other = Companion(_checked(inner), self._allowed(path, _BESIDE))
                     except _Left:
                         # In a mesh, names of what is in it stand in the same places.
                         continue
@@ -211,7 +264,7 @@ class _Search:
                 self.packages.add(package[0])
             return None
         if package is not None:
-            return self._own(package[1])
+            return self._own(package[1], named.kind)
         if "://" in name and not name.startswith(_FILE):
             return None
         path = self._beside(name, named.folder)
@@ -221,16 +274,16 @@ class _Search:
                 raise _Left("cannot get: which file it is, macros say", by_hand)
             raise _Left("does not get: it is a place on this machine", "name it from the package")
         inner = normpath(f"{URDF_FOLDER}/{_slashes(os.path.relpath(path, self._base))}")
-        return Companion(_checked(inner), self._allowed(path))
+        return Companion(_checked(inner), self._of_kind(path, named.kind))
 
-    def _own(self, inner: str) -> Companion:
+    def _own(self, inner: str, kind: _Kind) -> Companion:
         """Return a file of the package itself, which is not made yet, or was by an earlier run."""
         if _is_computed(inner):
             raise _Left("cannot get: which file it is, macros say", "put it there by hand")
         inner = _checked(normpath(inner or "."))
         for root in self._roots:
             if os.path.isfile(root / inner):  # noqa: PTH113
-                return Companion(inner, self._allowed(root / inner))
+                return Companion(inner, self._of_kind(root / inner, kind))
         if (self._there / inner).is_file():
             return Companion(inner, None)
         raise _Left("does not get: it is not there", f"put it at `{inner}` beside the program")
@@ -243,11 +296,26 @@ class _Search:
             return None
         return Path(os.path.normpath(folder / name))
 
-    def _allowed(self, path: Path) -> Path:
+    def _of_kind(self, path: Path, kind: _Kind) -> Path:
+        """Return a file that may be copied as what it is named as.
+
+        A description may come from somebody else; what it names as a mesh is no reason to hand on
+        any file of the project.
+        """
+        allowed = self._allowed(path, _MESHES if kind is _Kind.MESH else None)
+        if kind is _Kind.INCLUDED and not any(read_xml(text).document for text, _ in _read(path)):
+            raise _Left("does not get: it is no XML that can be read", "name the right file")
+        return allowed
+
+    def _allowed(self, path: Path, endings: Collection[str] | None) -> Path:
         if not os.path.isfile(path):  # noqa: PTH113 - a path that is too long is not there
             raise _Left("does not get: it is not there", "put it there")
-        if not self._boundary.contains(Path(os.path.realpath(path))):
+        real = Path(os.path.realpath(path))
+        if not self._boundary.contains(real):
             raise _Left("does not get: it is outside of the project", "copy it into the project")
+        if endings is not None and any(x.suffix.lower() not in endings for x in (path, real)):
+            kinds = ", ".join(f"`{each}`" for each in sorted(endings))
+            raise _Left("does not get: it ends as no mesh does", f"meshes end in {kinds}")
         return path
 
 
@@ -263,14 +331,14 @@ def _checked(inner: str) -> str:
     return inner
 
 
-def _named_in(document: XmlDocument, *, has_meshes: bool) -> Iterator[str]:
+def _named_in(document: XmlDocument, *, has_meshes: bool) -> Iterator[tuple[str, _Kind]]:
     """Yield what the text of a file with macros names, in the places that are certain."""
     for include, _ in read_includes(document):
         if include.is_certain and not include.is_optional:
-            yield include.file
+            yield include.file, _Kind.INCLUDED
     for element in document.root.walk() if has_meshes else ():
         if element.name == "mesh" and (name := element.get("filename")):
-            yield name
+            yield name, _Kind.MESH
 
 
 def _read(path: Path, most: int = MOST_BYTES) -> Iterator[tuple[bytes, Path]]:
@@ -289,7 +357,17 @@ def _slashes(path: str) -> str:
     return path.replace(os.sep, "/")
 
 
+def _told_more(robot: Robot, count: int, span: Span) -> Diagnostic:
+    message = f"`{_file_of(robot)}` names {count} more files that the package does not get"
+    return Diagnostic(
+        codes.NOT_COPIED, message, span, help="mend the ones that are told, and generate again"
+    )
+
+
+def _file_of(robot: Robot) -> str:
+    return f"{robot.stem}.urdf" if robot.source is None else robot.source.path.name
+
+
 def _told(robot: Robot, name: str, left: _Left, span: Span) -> Diagnostic:
-    file = f"{robot.stem}.urdf" if robot.source is None else robot.source.path.name
-    message = f"`{file}` names `{name}`, which the package {left.reason}"
+    message = f"`{_file_of(robot)}` names `{name}`, which the package {left.reason}"
     return Diagnostic(codes.NOT_COPIED, message, span, help=left.remedy)

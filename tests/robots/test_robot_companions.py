@@ -76,6 +76,10 @@ def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
         (folder / path).write_bytes(text)
     (folder / "plastron.yaml").write_text("")
     (folder / "out.stl").symlink_to(tmp_path / "beyond/a.stl")
+    (folder / "meshes/posing.stl").symlink_to(folder / "config/sizes.yaml")
+    for path in ("meshes/skin.png", ".git/config.stl"):
+        (folder / path).parent.mkdir(exist_ok=True)
+        (folder / path).write_bytes(BINARY)
     return folder
 
 
@@ -155,6 +159,10 @@ def test_what_macros_open_is_copied_where_they_are_expanded(
         ("file://$(find demo)/meshes/base.stl", "meshes/base.stl", None),
         ("https://example.org/a.stl", None, None),
         ("package://demo/meshes/" + "x" * 300 + ".stl", None, "it is not there"),
+        ("package://demo/config/sizes.yaml", None, "it ends as no mesh does"),
+        ("package://demo/meshes/skin.png", None, "it ends as no mesh does"),
+        ("meshes/posing.stl", None, "it ends as no mesh does"),
+        (".git/config.stl", None, "it is outside of the project"),
     ],
 )
 def test_a_mesh_is_copied_or_told(
@@ -176,7 +184,9 @@ def test_a_mesh_is_copied_or_told(
 def test_materials_and_images_of_meshes_come_along(folder: Path) -> None:
     around = {
         "meshes/fine/arm.dae": b"<init_from>../skin%20s/a.png</init_from>"
-        b"<init_from>a-png</init_from>",
+        b"<init_from>a-png</init_from><init_from>../../config/sizes.yaml</init_from>",
+        "meshes/c.gltf": b'{"buffers": [{"uri": "c.bin"}, {"uri": "../plastron.yaml"}]}',
+        "meshes/c.bin": BINARY,
         "meshes/skin s/a.png": BINARY,
         "meshes/b.obj": b"# obj\nmtllib b.mtl\nv 0 0 0\n",
         "meshes/b.mtl": b"newmtl x\nmap_Kd -s 1 1 1 b.png\r\n  map_Bump ../../../beyond/a.stl\n",
@@ -189,7 +199,9 @@ def test_materials_and_images_of_meshes_come_along(folder: Path) -> None:
 create_robot 'r' as r
 r has_link 'l' shaped mesh "package://demo/meshes/fine/arm.dae"
 r has_link 'm' shaped mesh "package://demo/meshes/b.obj"
+r has_link 'n' shaped mesh "package://demo/meshes/c.gltf"
 r has_joint 'j' of joint_type fixed from 'l' to 'm'
+r has_joint 'k' of joint_type fixed from 'l' to 'n'
 """
     told = run(program + PACKAGE.format("r"), folder, "rospy")
     assert [each for each in told if each.code == "not-copied"] == []
@@ -208,6 +220,29 @@ def test_a_package_is_the_same_the_next_time(folder: Path, monkeypatch: pytest.M
     assert "<inertia " in before
     created(folder, uri)
     assert (package / "urdf/rover.urdf").read_text() == before
+
+
+def test_what_is_included_is_xml(folder: Path) -> None:
+    text = ARM.replace("parts/wheel.xacro", "../config/sizes.yaml")
+    (folder / "models/arm.urdf.xacro").write_text(text)
+    package, told = loaded(folder)
+    assert "config/sizes.yaml" not in copied(package, folder)
+    assert ["it is no XML" in each.message for each in told if each.code == "not-copied"] == [True]
+
+
+@pytest.mark.parametrize("count", [5, 6, 7, 30])
+def test_of_many_that_are_left_the_number_is_told(folder: Path, count: int) -> None:
+    links = "".join(f"r has_link 'l{i}' shaped mesh \"meshes/{i}.stl\"\n" for i in range(count))
+    joints = "".join(
+        f"r has_joint 'j{i}' of joint_type fixed from 'l0' to 'l{i}'\n" for i in range(1, count)
+    )
+    program = f"create_robot 'r' as r\n{links}{joints}{PACKAGE.format('r')}"
+    told = [each for each in run(program, folder, "rospy") if each.code == "not-copied"]
+    if count <= 6:
+        assert len(told) == count
+    else:
+        assert len(told) == 6
+        assert f"names {count - 5} more files" in told[-1].message
 
 
 def test_what_somebody_put_into_the_package_stays_and_is_installed(folder: Path) -> None:

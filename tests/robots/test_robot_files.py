@@ -7,6 +7,7 @@ from pathlib import Path
 import pytest
 
 from plastron_tui.diagnostics import Diagnostic, has_errors
+from plastron_tui.generating import robot_files
 from plastron_tui.output.writer import write
 from plastron_tui.session import Options, Session
 from plastron_tui.sources.urdf.reader import read_urdf
@@ -150,6 +151,48 @@ def test_what_hand_and_program_both_changed_is_a_conflict(tmp_path: Path) -> Non
     assert file.read_text() == by_hand
     run(created(3), tmp_path, force=True)
     assert '<mass value="3"/>' in file.read_text()
+
+
+@pytest.mark.parametrize(
+    ("text", "reason"),
+    [
+        ("", "nothing is left of it"),
+        (" \n\n", "nothing is left of it"),
+        ('<robot name="rover">\n', "holds no robot that can be read"),
+        ("<launch/>\n", "holds no robot that can be read"),
+    ],
+)
+def test_a_file_that_is_no_robot_any_more_is_a_conflict(
+    text: str, reason: str, tmp_path: Path
+) -> None:
+    run(created(), tmp_path)
+    file = tmp_path / "output/rover.urdf"
+    file.write_text(text)
+    for mass in (2, 3):
+        told = run(created(mass), tmp_path)
+        assert codes(told) == ["file-conflict"]
+        assert reason in told[0].message
+        assert file.read_text() == text
+    run(created(), tmp_path, force=True)
+    assert read_urdf(file.read_bytes()).description is not None
+
+
+@pytest.mark.parametrize("in_package", [False, True])
+def test_what_could_not_be_loaded_is_not_written(
+    in_package: bool, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(robot_files, "MOST_BYTES", 500)
+    program = created()
+    if in_package:
+        program = program.replace(
+            "generate_robot rover",
+            'create_package \'demo\' as demo maintained_by "Ada <a@b.cc>" licensed_under "MIT"\n'
+            "demo contains rover\ngenerate_package demo",
+        )
+    [told] = run(program, tmp_path)
+    assert told.code == "file-too-large"
+    assert told.span is not None
+    assert not list(tmp_path.glob("output/**/*.urdf"))
 
 
 def test_a_file_that_nobody_knows_is_not_written_over(tmp_path: Path) -> None:

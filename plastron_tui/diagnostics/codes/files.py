@@ -92,7 +92,8 @@ NO_NODE = Code(
 FILE_TOO_LARGE = Code(
     "file-too-large",
     "A file is larger than any node that a person writes, or has more comments in a row "
-    "or more classes, and is not read.",
+    "or more classes, and is not read; or it would be larger than what is read of a robot, and is "
+    "not written.",
 )
 
 ENDPOINT_IN_USE = Code(
