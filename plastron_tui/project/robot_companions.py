@@ -23,6 +23,7 @@ from plastron_tui.generating.package_parts import Companion, Companions
 from plastron_tui.model.robots import Robot
 from plastron_tui.regular_files import read_regular
 from plastron_tui.ros.robots.description import Mesh
+from plastron_tui.runtime.meshes import KINDS
 from plastron_tui.sources.launch.around import is_plain, own_package
 from plastron_tui.sources.urdf.macros import read_includes
 from plastron_tui.sources.urdf.reach import package_of
@@ -40,39 +41,12 @@ _MOST_FILES = 200
 _MOST_TOLD = 5
 _MOST_AROUND = 100
 _MESHES = frozenset(
-    (
-        ".stl",
-        ".stlb",
-        ".dae",
-        ".obj",
-        ".mesh",
-        ".ply",
-        ".off",
-        ".glb",
-        ".gltf",
-        ".fbx",
-        ".3ds",
-        ".wrl",
-    )
+    (*KINDS, ".stlb", ".mesh", ".ply", ".off", ".glb", ".gltf", ".fbx", ".3ds", ".wrl")
 )
 """What the files end in that RViz, Gazebo or MoveIt take for a mesh."""
 
-_BESIDE = frozenset(
-    (
-        ".mtl",
-        ".bin",
-        ".png",
-        ".jpg",
-        ".jpeg",
-        ".bmp",
-        ".tga",
-        ".dds",
-        ".tif",
-        ".tiff",
-        ".gif",
-        ".hdr",
-    )
-)
+_IMAGES = (".png", ".jpg", ".jpeg", ".bmp", ".tga", ".dds", ".tif", ".tiff", ".gif", ".hdr")
+_BESIDE = frozenset((".mtl", ".bin", *_IMAGES))
 """What the files end in that a mesh may name: materials, buffers and images."""
 
 _HERE = "$(dirname)/"
@@ -83,8 +57,8 @@ _PATTERN = frozenset("*?[")
 _REFERENCES = {
     ".dae": re.compile(rb"<init_from>([^<>]{1,300})</init_from>"),
     ".obj": re.compile(rb"^mtllib[ \t]{1,20}([^\r\n]{1,300})", re.MULTILINE),
-    # Bounded, so that no line takes longer the longer it is.
     ".gltf": re.compile(rb'"uri"\s{0,20}:\s{0,20}"([^"]{1,300})"'),
+    # Bounded, so that no line takes longer the longer it is.
     ".mtl": re.compile(
         rb"^[ \t]{0,20}map_\w{1,40}[ \t]{1,20}(?:[^\r\n]{0,300}[ \t])?(\S{1,300})[ \t]{0,20}\r?$",
         re.MULTILINE,
@@ -204,7 +178,7 @@ class _Search:
                     # What that comes to is among the files that were opened.
                     continue
                 yield _Named(name, folder, kind)
-                path = self._beside(name, folder)
+                path = None if kind is _Kind.MESH else self._beside(name, folder)
                 if path is not None and path not in files and os.path.isfile(path):  # noqa: PTH113
                     files.add(path)
                     waiting += _read(path)
@@ -360,7 +334,7 @@ def _slashes(path: str) -> str:
 def _told_more(robot: Robot, count: int, span: Span) -> Diagnostic:
     message = f"`{_file_of(robot)}` names {count} more files that the package does not get"
     return Diagnostic(
-        codes.NOT_COPIED, message, span, help="mend the ones that are told, and generate again"
+        codes.NOT_COPIED, message, span, help="see to those that are told, and generate again"
     )
 
 

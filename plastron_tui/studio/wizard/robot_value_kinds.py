@@ -9,6 +9,7 @@ from plastron_tui.language import statements as st
 from plastron_tui.language.sentence import quoted
 from plastron_tui.ros.robots.colors import NAMES
 from plastron_tui.ros.robots.description import JointType
+from plastron_tui.runtime.meshes import KINDS
 
 from ..folder_files import found_files, path_text
 from ..robot_words import AXES, SHAPES
@@ -38,7 +39,6 @@ _PARTS: Mapping[str, tuple[Part, ...]] = {
 
 _PLACE = tuple(Part(name, "m", without="0") for name in "xyz")
 _ANGLES = ("roll", "pitch", "yaw")
-_MESHES = frozenset({".stl", ".dae", ".obj"})
 
 
 class ShapeKind(Kind):
@@ -67,7 +67,7 @@ class SizeKind(Kind):
         parts = _PARTS.get(shape, ())
         if shape == "mesh":
             folder = ask.scene.session.folder
-            found = ask.scene.surroundings.once("meshes", lambda: found_files(_MESHES, folder))
+            found = ask.scene.surroundings.once("meshes", lambda: found_files(KINDS, folder))
             usual = path_text(found[0], folder) if found else ""
             return (parts[0]._replace(usual=usual), *parts[1:])
         return parts
