@@ -230,6 +230,16 @@ def test_what_is_included_is_xml(folder: Path) -> None:
     assert ["it is no XML" in each.message for each in told if each.code == "not-copied"] == [True]
 
 
+def test_a_mesh_includes_nothing(folder: Path) -> None:
+    mesh = MESH.format("../meshes/fine/wheel.dae")
+    (folder / "models/arm.urdf.xacro").write_text(ARM.replace("  <xacro:wheel/>", mesh))
+    (folder / "meshes/fine/wheel.dae").write_text(ARM.replace("parts/wheel", "more"))
+    (folder / "meshes/fine/more.xacro").write_text(WHEEL)
+    package, _ = loaded(folder)
+    assert (package / "meshes/fine/wheel.dae").is_file()
+    assert not (package / "meshes/fine/more.xacro").exists()
+
+
 @pytest.mark.parametrize("count", [5, 6, 7, 30])
 def test_of_many_that_are_left_the_number_is_told(folder: Path, count: int) -> None:
     links = "".join(f"r has_link 'l{i}' shaped mesh \"meshes/{i}.stl\"\n" for i in range(count))
