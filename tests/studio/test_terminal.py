@@ -69,7 +69,9 @@ class Terminal:
         # tmux has a TERM of its own for what it starts.
         settings = [f"{name}={value}" for name, value in self._environ.items()]
         session = ["new-session", "-d", *self._size, "-c", str(self._folder)]
-        command = [*session, "-P", "-F", "#{pane_pid}", "env", *settings, *words]
+        # With these in the environment no window is ever of another size.
+        unset = ["-u", "COLUMNS", "-u", "LINES"]
+        command = [*session, "-P", "-F", "#{pane_pid}", "env", *unset, *settings, *words]
 
         def is_started() -> bool:
             # A server that is about to end takes nothing new.
