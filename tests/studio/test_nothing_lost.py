@@ -150,7 +150,8 @@ async def test_the_window_changes_its_size_at_any_moment(program: Path, seed: in
         for _ in range(4):
             await driver.pilot.press("escape")
         await driver.until(lambda: driver.app.screen is driver.main)
-        driver.main.editor.focus()
+        # The palette may have closed it, or brought another one in front.
+        driver.main.open_path(program)
         await driver.settle()
         for _ in range(60):
             driver.main.editor.undo()

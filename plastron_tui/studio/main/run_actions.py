@@ -15,8 +15,8 @@ from plastron_tui.regular_files import reason
 
 from ..delay import Delay
 from ..panels.output import OutputPanel
-from ..panels.styles import Piece
-from .active_program import ActiveProgram
+from ..panels.styles import Lines, Piece
+from .active_program import ActiveProgram, Tab
 from .dock_layout import DockLayout
 from .file_actions import FileActions
 from .trust_prompt import TrustPrompt
@@ -36,7 +36,7 @@ class Printed(Message):
 
 
 class RunActions:
-    """Generates, starts and stops nodes."""
+    """Generates, starts and stops nodes; those of each tab go on while another is in front."""
 
     def __init__(
         self,
@@ -67,12 +67,23 @@ class RunActions:
         self._output = output
         self._trust = trust
         self._on_change = on_change
-        self._running: Running | None = None
+        self._runs: dict[Tab, Running] = {}
+        """What was started; a run that ended stays until its end was shown."""
+        self._printed: dict[Tab, Lines] = {}
+        """What the output shows of the tabs that are not in front."""
+        self._shown = program.tab
+        self._told: set[Tab] = set()
+        """Those not in front of which it was said that their nodes have ended."""
+
+    def runs_in(self, tab: Tab) -> bool:
+        """Tell whether nodes of a tab run."""
+        running = self._runs.get(tab)
+        return running is not None and running.status is None
 
     @property
     def is_running(self) -> bool:
-        """Whether nodes run."""
-        return self._running is not None
+        """Whether nodes of the program in front run."""
+        return self._program.tab in self._runs
 
     async def generate(self) -> bool:
         """Show what would be written, then write it; tell whether files may be other ones now."""
@@ -87,13 +98,17 @@ class RunActions:
 
     async def run(self, *, anew: bool = False) -> None:
         """Save, then start the nodes; those that run are stopped, and started `anew` if asked."""
-        if self._running is not None:
+        tab = self._program.tab
+        if tab in self._runs:
             self._layout.bring("output", focus=True)
-            self._running.stop()
+            self._runs[tab].stop()
             if not anew:
                 return
-            while self._running is not None:
+            while self.runs_in(tab):
                 await asyncio.sleep(_LOOK)
+            if tab is not self._program.tab:
+                return
+            self._show()
         if not await self._has_place() or await self._has_errors():
             return
         if self._program.open.is_changed and not await self._files.save():
@@ -102,16 +117,38 @@ class RunActions:
         self._start(self._program.path)
 
     def stop(self) -> None:
-        """Stop what runs."""
-        if self._running is None:
-            self._screen.notify("nothing runs", timeout=2)
-        else:
-            self._running.stop()
+        """Stop what runs of the program in front; say where else nodes run."""
+        running = self._runs.get(self._program.tab)
+        if running is not None:
+            running.stop()
+            return
+        others = [tab.open.name for tab in self._runs if self.runs_in(tab)]
+        said = f"nothing runs here; nodes run of {', '.join(others)}" if others else "nothing runs"
+        self._screen.notify(said, timeout=2, markup=False)
 
     def close(self) -> None:
-        """Have the nodes ended, because the studio ends."""
-        if self._running is not None:
-            self._running.close()
+        """Have all nodes ended, because the studio ends."""
+        for running in self._runs.values():
+            running.close()
+
+    def forget(self, tab: Tab) -> None:
+        """Have the nodes of a tab ended, because it is gone."""
+        if self.runs_in(tab):
+            self._screen.notify(f"the nodes of {tab.open.name} were stopped", markup=False)
+        running = self._runs.pop(tab, None)
+        if running is not None:
+            running.close()
+        self._printed.pop(tab, None)
+        self._told.discard(tab)
+
+    def follow(self) -> None:
+        """Show what the nodes of the program in front have printed, and print from now on."""
+        tab = self._program.tab
+        if tab is not self._shown:
+            self._printed[self._shown] = self._output.lines
+            self._shown = tab
+            self._output.show(self._printed.pop(tab, ()))
+            self._show()
 
     async def _has_place(self) -> bool:
         """Make sure that there is a folder to generate into: that of the program."""
@@ -143,8 +180,9 @@ class RunActions:
     def _start(self, path: Path) -> None:
         from ..running import Running
 
+        options, tab = self._program.open.session.options, self._program.tab
         try:
-            self._running = Running(path, self._program.open.session.options, self._news)
+            self._runs[tab] = Running(path, options, self._news)
         except OSError as error:
             message = f"cannot run: {reason(error)}"
             self._screen.notify(message, severity="error", markup=False)
@@ -163,12 +201,19 @@ class RunActions:
             self._delay.start(_SHOWN_AFTER)
 
     def _show(self) -> None:
-        running = self._running
+        tab = self._program.tab
+        for other, each in self._runs.items():
+            if other is not tab and each.status is not None and other not in self._told:
+                self._told.add(other)
+                self._screen.notify(f"the nodes of {other.open.name} have ended", markup=False)
+                self._on_change()
+        running = self._runs.get(tab)
         if running is None:
             return
         status, end = running.status, None
         if status is not None:
-            self._running = None
+            del self._runs[tab]
+            self._told.discard(tab)
             words = "stopped" if running.was_stopped else f"ended with status {status}"
             tone = "quiet" if running.was_stopped else "success" if status == 0 else "error"
             end = Piece(words, tone)

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from pathlib import Path
 from typing import ClassVar
 
 from textual import on, work
 from textual.app import ComposeResult
 from textual.binding import Binding, BindingType
-from textual.geometry import Region
 from textual.screen import Screen
 
 from ..actions import ACTIONS, BY_ID, bindings
@@ -33,6 +33,8 @@ from .panel_feed import PanelFeed
 from .program_bars import StatusBar, TitleBar
 from .recovery import Recovery
 from .run_actions import Printed, RunActions
+from .tab_actions import TabActions
+from .tab_line import TabLine
 from .trust_prompt import TrustPrompt
 from .wizard_host import WizardHost
 
@@ -44,7 +46,7 @@ _LEAST_ROWS = 8
 
 
 class MainScreen(Screen[None]):
-    """Shows one program: takes keys and messages, and hands them to the part that they are for.
+    """Shows the programs that are open: hands keys and messages to the part that they are for.
 
     Attributes:
         panels: the widget of each panel, by the panel's name.
@@ -53,10 +55,11 @@ class MainScreen(Screen[None]):
     BINDINGS: ClassVar[list[BindingType]] = [*bindings()]
     AUTO_FOCUS = "EditorView"
 
-    def __init__(self, open_: Open, profile: Profile) -> None:
+    def __init__(self, open_: Open, profile: Profile, others: Sequence[Open] = ()) -> None:
         super().__init__()
         self.profile = profile
-        self.program = ActiveProgram(open_)
+        self.program = ActiveProgram(open_, others)
+        self.tab_line = TabLine(id="tabs")
         self._title, self._status = TitleBar(id="title"), StatusBar(id="status")
         widgets = {panel: panel.widget(id=panel.name) for panel in PANELS}
         self.panels = {panel.name: widget for panel, widget in widgets.items()}
@@ -77,6 +80,7 @@ class MainScreen(Screen[None]):
         self.runner = RunActions(
             self, self.program, self.files, self.dock_layout, output, self._trust, self.show_title
         )
+        self._tabs = TabActions(self, self.program, self.files, self.runner.forget, self._show_anew)
         self._entries = EntryActions(self, self.program)
         self._wizard = WizardHost(self, self.program)
 
@@ -93,6 +97,7 @@ class MainScreen(Screen[None]):
     def compose(self) -> ComposeResult:
         """Make the parts."""
         yield self._title
+        yield self.tab_line
         yield self.dock_layout
         yield self._status
         yield KeyBar()
@@ -158,8 +163,10 @@ class MainScreen(Screen[None]):
     def _show_anew(self) -> None:
         """Show nothing of the program before: another one is there."""
         self.feed.clear()
+        self.runner.follow()
         self.show_title()
         self.feed.ask_anew()
+        self.call_later(self.look_at_disk)
 
     # What panels say.
 
@@ -197,8 +204,10 @@ class MainScreen(Screen[None]):
     # The lines above and below.
 
     def show_title(self) -> None:
-        """Show the program's name, whether it is saved, and what is the case with it."""
+        """Show the program's name, whether it is saved, and what is the case with it; the tabs."""
         self._title.show_program(self.open, self.key_of("run") if self.runner.is_running else None)
+
+        self.tab_line.show_programs(self.program, self.runner.runs_in)
 
     def show_status(self) -> None:
         """Show the sentence of the statement at the cursor, and where the cursor is."""
@@ -248,22 +257,38 @@ class MainScreen(Screen[None]):
         """Build statements from menus and forms."""
         self._wizard.open()
 
-    # Actions: files. Each asks what it has to, one at a time.
+    # Actions: tabs.
+
+    @on(TabLine.Picked)
+    def tab_picked(self, message: TabLine.Picked) -> None:
+        """Bring a tab in front, or close it."""
+        self._tabs.bring(message.number)
+        if message.closes:
+            self.action_close_tab()
+
+    def action_turn_tab(self, by: int) -> None:
+        """Bring the next program in front, or with -1 the one before."""
+        self._tabs.turn(by)
 
     @work(exclusive=True, group="file")
-    async def action_new(self) -> None:
+    async def action_close_tab(self) -> None:
+        """Close the program in front."""
+        await self._tabs.close()
+
+    # Actions: files. Each asks what it has to, one at a time.
+
+    def action_new(self) -> None:
         """Start an empty program."""
-        await self.files.new()
+        self.files.new()
 
     @work(exclusive=True, group="file")
     async def action_open(self) -> None:
         """Open a program."""
         await self.files.choose()
 
-    @work(exclusive=True, group="file")
-    async def open_path(self, path: Path) -> None:
+    def open_path(self, path: Path) -> None:
         """Open a file that was chosen elsewhere."""
-        await self.files.open_path(path)
+        self.files.open_file(path)
 
     @work(exclusive=True, group="file")
     async def action_save(self) -> None:
@@ -282,20 +307,21 @@ class MainScreen(Screen[None]):
 
     @work(exclusive=True, group="recipe")
     async def action_start_from(self, path: str) -> None:
-        """Open the recipe of a path in the place of the program at hand."""
+        """Open the recipe of a path."""
         await self.files.start_from(path)
 
     @work(exclusive=True, group="kept", description="kept")
-    async def offer_kept(self, kept: Kept, after: str | None = None) -> None:
-        """Offer a text that was not saved before the studio ended; then do an action."""
-        await self.files.offer(kept)
+    async def offer_kept(self, kept: Sequence[Kept], after: str | None = None) -> None:
+        """Offer texts that were not saved before the studio ended; then do an action."""
+        for each in kept:
+            await self.files.offer(each)
         if after is not None:
             await self.run_action(after)
 
     @work(exclusive=True, group="file")
     async def action_quit(self) -> None:
         """Leave the studio."""
-        if await self.files.may_leave():
+        if await self._tabs.may_quit():
             self.recovery.stop()
             self.dock_layout.remember()
             self.app.exit()
@@ -354,19 +380,10 @@ class MainScreen(Screen[None]):
     @work(exclusive=True, group="tour")
     async def action_tour(self) -> None:
         """Take the tour, with a recipe when there is no text."""
-        from ..recipes import recipes
-        from ..screens.tour import Tour
+        from .take_tour import take_tour
 
-        if not self.open.text.strip():
-            for recipe in recipes()[:1]:
-                await self.files.take_recipe(recipe)
-        await self.app.push_screen_wait(Tour(self.dock_layout.bring, self._region_of))
+        await take_tour(self, self.program, self.files, self.dock_layout)
         self.profile.remembered.toured = True
-        self.editor.focus()
-
-    def _region_of(self, panel: str | None) -> Region:
-        """Return where a panel is, or the editor."""
-        return (self.editor if panel is None else self.dock_layout.dock_of(panel)).region
 
     @work(exclusive=True, group="file")
     async def action_config(self) -> None:
