@@ -34,6 +34,7 @@ from .control_characters import ONLY_TEXT
 from .files import open_file
 from .folder_labels import not_saved
 from .key_order import InOrder
+from .legibility import LEGIBLE
 from .main.screen import MainScreen
 from .open_program import opened
 from .terminal_keys import teach
@@ -142,8 +143,8 @@ class StudioApp(InOrder, inherit_bindings=False):
         await self.run_action(call, self.main)
 
     def get_line_filters(self) -> Sequence[LineFilter]:
-        """Return what each line of the screen passes through: nothing in it is obeyed."""
-        return [*super().get_line_filters(), ONLY_TEXT]
+        """Return what each line passes through: nothing in it is obeyed, and it can be read."""
+        return [*super().get_line_filters(), ONLY_TEXT, LEGIBLE]
 
     def notify(
         self,
