@@ -88,7 +88,7 @@ ACTIONS: tuple[Action, ...] = (
     Action("new", "New program", "screen.new", "ctrl+n,alt+n", "Start an empty program.", "File"),
     Action("open", "Open", "screen.open", "ctrl+o", "Open a program, in a tab.", "File",
            footer=True),
-    Action("next_tab", "Next program", "screen.turn_tab(1)", "ctrl+pagedown,alt+x",
+    Action("next_tab", "Next program", "screen.turn_tab(1)", "ctrl+pagedown,alt+e",
            "Bring the next program that is open in front.", "File"),
     Action("previous_tab", "Previous program", "screen.turn_tab(-1)", "ctrl+pageup,alt+y",
            "Bring the program before in front.", "File"),

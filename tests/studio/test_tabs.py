@@ -42,7 +42,7 @@ async def test_each_program_has_a_tab_with_its_own_undo_cursor_and_panels(
         assert main.program.tabs[0].open.analysis is None
         await driver.press("ctrl+z")
         assert driver.text == OTHER
-        await driver.press("alt+x")
+        await driver.press("alt+e")
         assert driver.text == "// hi\n" + PROGRAM
         assert main.editor.cursor_offset == place
         assert driver.shown("nodes")[0].startswith("● talker")
@@ -64,7 +64,7 @@ async def test_each_program_has_a_tab_with_its_own_undo_cursor_and_panels(
 async def test_what_is_not_saved_in_any_tab_is_asked_about_once(program: Path, other: Path) -> None:
     async with studio(program, (80, 24), others=[other]) as driver:
         await driver.type("// one\n")
-        await driver.press("alt+x")
+        await driver.press("alt+e")
         await driver.type("// two\n")
         # A new program is no reason to lose anything, nor is closing one.
         await driver.press("ctrl+n")

@@ -18,7 +18,6 @@ from ..editor import ProgramEditor
 from ..editor.statement_help import help_of
 from ..journal import Kept
 from ..open_program import Open
-from ..panels.dock import Dock
 from ..panels.entry_keys import Asked, Chosen, Lit
 from ..panels.key_bar import KeyBar
 from ..panels.output import OutputPanel
@@ -365,21 +364,12 @@ class MainScreen(Screen[None]):
     def action_help(self) -> None:
         """Show help for what has the focus."""
         from ..screens.help import Help, action_lines
+        from .panel_keys import panel_keys
 
         around = [] if self.focused is None else self.focused.ancestors_with_self
         part = next((each.id for each in around if each.id in self.panels), None)
         keys = {action.id: self.key_of(action.id) for action in ACTIONS}
-        self.app.push_screen(Help(part or "editor", self._keys_here(), action_lines(keys.items())))
-
-    def _keys_here(self) -> list[tuple[str, str]]:
-        """Return the keys of the panel with the focus."""
-        rows: dict[str, list[str]] = {}
-        for active in self.active_bindings.values():
-            binding = active.binding
-            if any(isinstance(each, Dock) for each in active.node.ancestors_with_self):
-                key = self.app.get_key_display(binding)
-                rows.setdefault(binding.tooltip or binding.description, []).append(key)
-        return [(" ".join(keys), what) for what, keys in rows.items()]
+        self.app.push_screen(Help(part or "editor", panel_keys(self), action_lines(keys.items())))
 
     def action_keys(self) -> None:
         """Show the keys of what has the focus, at the side."""
