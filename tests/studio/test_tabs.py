@@ -107,7 +107,7 @@ async def test_a_file_of_another_tab_is_not_written_over(program: Path, other: P
         await driver.until(lambda: "talk.plastron is open in another tab" in driver.notes())
         # What others write is asked about when the program is in front.
         program.write_text("// theirs\n")
-        await driver.pilot.press("alt+x")
+        await driver.pilot.press("alt+e")
         assert await said(driver) == "talk.plastron was changed by another program"
 
 
