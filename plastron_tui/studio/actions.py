@@ -85,6 +85,8 @@ ACTIONS: tuple[Action, ...] = (
     ),
     Action("fix", "Mend the problem at the cursor", "screen.fix", "alt+enter",
            "Apply the remedy of the mistake on this line.", "Edit"),
+    Action("code", "Go to the code", "screen.code", "alt+v",
+           "Show the file that this is in, or becomes, at its line; from there $EDITOR.", "Edit"),
     Action("new", "New program", "screen.new", "ctrl+n,alt+n", "Start an empty program.", "File"),
     Action("open", "Open", "screen.open", "ctrl+o", "Open a program, in a tab.", "File",
            footer=True),

@@ -18,12 +18,14 @@ from ..editor import ProgramEditor
 from ..editor.statement_help import help_of
 from ..journal import Kept
 from ..open_program import Open
+from ..panels.entry import Entry
 from ..panels.entry_keys import Asked, Chosen, Lit
 from ..panels.key_bar import KeyBar
 from ..panels.output import OutputPanel
 from ..panels.panel import Resized
 from ..panels.registry import PANELS
 from .active_program import ActiveProgram
+from .code_actions import CodeActions
 from .disk_watch import DiskWatch
 from .dock_layout import DockLayout
 from .entry_actions import EntryActions
@@ -80,7 +82,8 @@ class MainScreen(Screen[None]):
             self, self.program, self.files, self.dock_layout, output, self._trust, self.show_title
         )
         self._tabs = TabActions(self, self.program, self.files, self.runner.forget, self._show_anew)
-        self._entries = EntryActions(self, self.program)
+        self._entries = EntryActions(self, self.program, self.action_code)
+        self._code = CodeActions(self, self.program)
         self._wizard = WizardHost(self, self.program)
 
     @property
@@ -252,6 +255,11 @@ class MainScreen(Screen[None]):
         """Apply the remedy of the mistake on the cursor's line."""
         self._entries.fix()
 
+    @work(exclusive=True, group="code")
+    async def action_code(self, entry: Entry | None = None) -> None:
+        """Show the code of an entry, or of what the cursor is on."""
+        await (self._code.show_here() if entry is None else self._code.show(entry))
+
     def action_wizard(self) -> None:
         """Build statements from menus and forms."""
         self._wizard.open()
@@ -367,9 +375,9 @@ class MainScreen(Screen[None]):
         from .panel_keys import panel_keys
 
         around = [] if self.focused is None else self.focused.ancestors_with_self
-        part = next((each.id for each in around if each.id in self.panels), None)
-        keys = {action.id: self.key_of(action.id) for action in ACTIONS}
-        self.app.push_screen(Help(part or "editor", panel_keys(self), action_lines(keys.items())))
+        part = next((each.id for each in around if each.id in self.panels), "editor")
+        actions = action_lines((action.id, self.key_of(action.id)) for action in ACTIONS)
+        self.app.push_screen(Help(part, panel_keys(self), actions))
 
     def action_keys(self) -> None:
         """Show the keys of what has the focus, at the side."""
