@@ -29,6 +29,7 @@ class Action:
         help: a sentence about it.
         group: the heading that it is listed under.
         footer: whether the footer shows it.
+        kept: whether the footer shows it however narrow the window is.
         own: whether the editor binds the keys itself.
     """
 
@@ -39,6 +40,7 @@ class Action:
     help: str = ""
     group: str = "Studio"
     footer: bool = False
+    kept: bool = False
     own: bool = False
 
     @property
@@ -57,9 +59,9 @@ def _of(command: Command) -> Action:
 
 ACTIONS: tuple[Action, ...] = (
     Action("help", "Help", "screen.help", "f1,alt+question_mark",
-           "Help for what has the focus.", footer=True),
+           "Help for what has the focus.", footer=True, kept=True),
     Action("run", "Run", "screen.run", "f5",
-           "Generate the nodes and start them; stop them where they run.", footer=True),
+           "Generate the nodes and start them; stop them where they run.", footer=True, kept=True),
     Action("stop", "Stop the nodes", "screen.stop", "shift+f5", "Stop what runs."),
     Action(
         "generate", "Generate", "screen.generate", "f6",
@@ -71,7 +73,7 @@ ACTIONS: tuple[Action, ...] = (
     Action("panels", "Show or hide the panels", "screen.panels", "f9",
            "Make room for the text, or show the panels again."),
     Action("menu", "Menu", "screen.menu", "f10,ctrl+p",
-           "All actions, by their names.", footer=True),
+           "All actions, by their names.", footer=True, kept=True),
     Action("zoom", "Enlarge the panel", "screen.zoom", "ctrl+t,alt+m",
            "Let the panel have the whole window, or its place again."),
     Action("wider", "Make the panel larger", "screen.resize(4)", "alt+plus,alt+equals_sign",
@@ -88,8 +90,6 @@ ACTIONS: tuple[Action, ...] = (
     Action("code", "Go to the code", "screen.code", "alt+v",
            "Show the file that this is in, or becomes, at its line; from there $EDITOR.", "Edit"),
     Action("new", "New program", "screen.new", "ctrl+n,alt+n", "Start an empty program.", "File"),
-    Action("open", "Open", "screen.open", "ctrl+o", "Open a program, in a tab.", "File",
-           footer=True),
     Action("next_tab", "Next program", "screen.turn_tab(1)", "ctrl+pagedown,alt+e",
            "Bring the next program that is open in front.", "File"),
     Action("previous_tab", "Previous program", "screen.turn_tab(-1)", "ctrl+pageup,alt+y",
@@ -97,6 +97,8 @@ ACTIONS: tuple[Action, ...] = (
     Action("close_tab", "Close the program", "screen.close_tab", "alt+q",
            "Close the program in front; ask first, where it is not saved.", "File"),
     Action("save", "Save", "screen.save", "ctrl+s", "Write the program to its file.", "File",
+           footer=True),
+    Action("open", "Open", "screen.open", "ctrl+o", "Open a program, in a tab.", "File",
            footer=True),
     Action("save_as", "Save as", "screen.save_as", "alt+s", "Write the program to another file.",
            "File"),
@@ -111,11 +113,14 @@ ACTIONS: tuple[Action, ...] = (
            "Keys and other settings, in a file."),
     Action("suspend", "Suspend", "app.suspend_process", "alt+j",
            "Go back to the shell; `fg` returns."),
-    Action("quit", "Quit", "screen.quit", "ctrl+q", "Leave the studio.", footer=True),
+    Action("quit", "Quit", "screen.quit", "ctrl+q", "Leave the studio.", footer=True, kept=True),
     *(_of(command) for command in COMMANDS if command.help),
 )  # fmt: skip
 
 BY_ID = {action.id: action for action in ACTIONS}
+
+KEPT = frozenset(action.id for action in ACTIONS if action.kept)
+"""What the footer shows however narrow the window is."""
 
 
 def bindings() -> list[Binding]:

@@ -16,7 +16,7 @@ from typing import ClassVar
 
 from textual import on
 from textual.app import App
-from textual.binding import BindingType
+from textual.binding import Binding, BindingType
 from textual.filter import LineFilter
 from textual.notifications import SeverityLevel
 from textual.screen import Screen
@@ -34,6 +34,7 @@ from .control_characters import ONLY_TEXT
 from .files import OnDisk, open_file
 from .folder_labels import not_saved
 from .journal import Kept
+from .key_display import key_name
 from .key_order import InOrder
 from .legibility import LEGIBLE
 from .main.screen import MainScreen
@@ -151,6 +152,10 @@ class StudioApp(InOrder, inherit_bindings=False):
     async def run_call(self, call: str) -> None:
         """Do an action by its call."""
         await self.run_action(call, self.main)
+
+    def get_key_display(self, binding: Binding) -> str:
+        """Return what a key is called, everywhere in the studio."""
+        return key_name(binding.key)
 
     def get_line_filters(self) -> Sequence[LineFilter]:
         """Return what each line passes through: nothing in it is obeyed, and it can be read."""

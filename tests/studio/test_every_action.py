@@ -98,6 +98,7 @@ CASES: dict[str, Case] = {
     "narrower": Case(lambda driver: _grown(driver) < 0, before=("alt+1",)),
     **{each.name: panel(each.name) for each in PANELS},
     "fix": text(PROGRAM, program=WRONG, cursor="generate_node talkr"),
+    "code": Case(cursor="subscribe listener", opens="CodeView"),
     "new": Case(lambda driver: driver.main.open.path is None and not driver.text),
     "open": Case(opens="ChooseFile"),
     "next_tab": Case(lambda driver: driver.text == PROGRAM, before=("ctrl+n", "x")),

@@ -43,6 +43,7 @@ class ActiveProgram:
         self.tab = Tab(open_)
         self.tabs = [self.tab, *map(Tab, others)]
         self.editor = ProgramEditor(open_.session, id="editor")
+        self.editor.border_title = "Program"
 
     @property
     def open(self) -> Open:

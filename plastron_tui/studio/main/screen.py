@@ -11,7 +11,7 @@ from textual.app import ComposeResult
 from textual.binding import Binding, BindingType
 from textual.screen import Screen
 
-from ..actions import ACTIONS, BY_ID, bindings
+from ..actions import BY_ID, KEPT, bindings
 from ..analysis_worker import Analysed, AnalysisFailed
 from ..config import Profile
 from ..editor import ProgramEditor
@@ -30,6 +30,7 @@ from .disk_watch import DiskWatch
 from .dock_layout import DockLayout
 from .entry_actions import EntryActions
 from .file_actions import FileActions
+from .key_help import choose_action, show_help, toggle_keys
 from .panel_feed import PanelFeed
 from .program_bars import StatusBar, TitleBar
 from .recovery import Recovery
@@ -62,6 +63,7 @@ class MainScreen(Screen[None]):
         self.program = ActiveProgram(open_, others)
         self.tab_line = TabLine(id="tabs")
         self._title, self._status = TitleBar(id="title"), StatusBar(id="status")
+        self._keys = KeyBar(KEPT)
         widgets = {panel: panel.widget(id=panel.name) for panel in PANELS}
         self.panels = {panel.name: widget for panel, widget in widgets.items()}
         self.dock_layout = DockLayout(
@@ -102,7 +104,7 @@ class MainScreen(Screen[None]):
         yield self.tab_line
         yield self.dock_layout
         yield self._status
-        yield KeyBar()
+        yield self._keys
 
     def on_mount(self) -> None:
         """Start the worker, and look at the files from time to time."""
@@ -128,7 +130,7 @@ class MainScreen(Screen[None]):
 
     def on_resize(self) -> None:
         """Lay the panels out for another size."""
-        self.query_one(KeyBar).display = self.app.size.height >= _LEAST_ROWS
+        self._keys.display = self.app.size.height >= _LEAST_ROWS
         self.dock_layout.lay_out()
 
     def look_at_disk(self) -> None:
@@ -207,8 +209,9 @@ class MainScreen(Screen[None]):
 
     def show_title(self) -> None:
         """Show the program's name, whether it is saved, and what is the case with it; the tabs."""
-        self._title.show_program(self.open, self.key_of("run") if self.runner.is_running else None)
-
+        is_running = self.runner.is_running
+        self._title.show_program(self.open, self.key_of("run") if is_running else None)
+        self._keys.retitle({"run": "Stop"} if is_running else {})
         self.tab_line.show_programs(self.program, self.runner.runs_in)
 
     def show_status(self) -> None:
@@ -361,30 +364,17 @@ class MainScreen(Screen[None]):
     @work(exclusive=True, group="menu")
     async def action_menu(self) -> None:
         """Offer all actions, and do the one that is chosen."""
-        from ..screens.menu import ActionMenu
-
-        remembered = self.profile.remembered
-        action = await self.app.push_screen_wait(ActionMenu(remembered.actions, self.key_of))
+        action = await choose_action(self, self.profile.remembered, self.key_of)
         if action is not None:
-            remembered.did(action.id)
             await self.app.run_action(action.call, self)
 
     def action_help(self) -> None:
         """Show help for what has the focus."""
-        from ..screens.help import Help, action_lines
-        from .panel_keys import panel_keys
-
-        around = [] if self.focused is None else self.focused.ancestors_with_self
-        part = next((each.id for each in around if each.id in self.panels), "editor")
-        actions = action_lines((action.id, self.key_of(action.id)) for action in ACTIONS)
-        self.app.push_screen(Help(part, panel_keys(self), actions))
+        show_help(self, self.panels, self.key_of)
 
     def action_keys(self) -> None:
         """Show the keys of what has the focus, at the side."""
-        if self.query("HelpPanel"):
-            self.app.action_hide_help_panel()
-        else:
-            self.app.action_show_help_panel()
+        toggle_keys(self)
 
     @work(exclusive=True, group="tour")
     async def action_tour(self) -> None:

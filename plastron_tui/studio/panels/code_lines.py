@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, overload
 
 from plastron_tui.targets import language_of
 
-from .source_lines import LONGEST, coloured
+from .source_lines import LONGEST, coloured, lexer_of
 from .styles import Line, Piece
 
 if TYPE_CHECKING:
@@ -145,16 +145,21 @@ class CodeLines(Sequence[Line]):
         self._grammar = _grammar_of(path)
         if self._grammar is not None:
             self._tree = self._parsed(0, len(text)) if len(text) <= _LARGE else None
-        elif len(self.starts) <= LONGEST and len(text) <= _LARGE:
-            self._made = dict(enumerate(coloured(text.decode("utf-8", "replace"), path)))
+        elif lexer_of(path) and len(self.starts) <= LONGEST and len(text) <= _LARGE:
+            shown = text.decode("utf-8", "replace").replace("\r\n", "\n")
+            self._made = dict(enumerate(coloured(shown, path)))
 
     def _rows(self) -> range:
         return range(len(self.starts))
 
     def _end(self, row: int) -> int:
         """Return where a line ends, its end of line left out."""
-        end = self.starts[row + 1] - 1 if row + 1 < len(self.starts) else len(self.text)
-        return end - 1 if self.text[end - 1 : end] == b"\r" and end > self.starts[row] else end
+        start = self.starts[row]
+        end = self.starts[row + 1] if row + 1 < len(self.starts) else len(self.text)
+        for sign in (b"\n", b"\r"):
+            if end > start and self.text[end - 1 : end] == sign:
+                end -= 1
+        return end
 
     def row_at(self, offset: int) -> int:
         """Return the row of an offset, from 0."""
