@@ -14,9 +14,10 @@ from pathlib import Path
 from types import FrameType
 from typing import ClassVar
 
-from textual import on
+from textual import events, on
 from textual.app import App, SystemCommand
 from textual.binding import BindingType
+from textual.driver import Driver
 from textual.filter import LineFilter
 from textual.notifications import SeverityLevel
 from textual.screen import Screen
@@ -36,7 +37,9 @@ from .folder_labels import not_saved
 from .key_order import InOrder
 from .main.screen import MainScreen
 from .open_program import opened
+from .terminal_driver import for_terminal
 from .terminal_keys import teach
+from .terminal_output import ShownScreen
 
 DEFAULT_THEME = "textual-dark"
 _ENDS_WITHIN = 5.0
@@ -65,6 +68,7 @@ class StudioApp(InOrder, inherit_bindings=False):
             options: what the command line sets.
             first: the action of the main screen that is done first, instead of the welcome.
         """
+        self._shown = ShownScreen()
         super().__init__()
         folder = state_folder()
         config, self._messages = load_config(config_file(), ids(), self.available_themes)
@@ -100,6 +104,7 @@ class StudioApp(InOrder, inherit_bindings=False):
         self.theme_changed_signal.subscribe(self, lambda theme: self._themed(theme.name, first))
         if self.profile.config.keys:
             self.set_keymap(self.profile.config.keys)
+        self.app_resume_signal.subscribe(self, lambda _: self.refresh(layout=True))
         sweep(self.profile.folder)
         for message in self._messages:
             self.notify(message, severity="warning", timeout=10, markup=False)
@@ -148,6 +153,10 @@ class StudioApp(InOrder, inherit_bindings=False):
     async def run_call(self, call: str) -> None:
         """Do an action by its call."""
         await self.run_action(call, self.main)
+
+    def get_driver_class(self) -> type[Driver]:
+        """Return what writes to the terminal, and reads what comes from there."""
+        return for_terminal(super().get_driver_class(), self._shown)
 
     def get_line_filters(self) -> Sequence[LineFilter]:
         """Return what each line of the screen passes through: nothing in it is obeyed."""
@@ -224,6 +233,12 @@ class StudioApp(InOrder, inherit_bindings=False):
         """Let the editor have the keys, when the window gets the focus before anything else."""
         if self.screen is self.main and self.main.focused is None:
             self.main.editor.focus()
+
+    def on_resize(self, event: events.Resize) -> None:
+        """Draw all anew, for the same size too: there may have been another one meanwhile."""
+        self._shown.forget()
+        if event.size == self.size:
+            self.refresh()
 
     def on_unmount(self) -> None:
         """Remember what lasts."""

@@ -17,6 +17,7 @@ from __future__ import annotations
 
 import asyncio
 from collections import deque
+from collections.abc import Sequence
 from contextlib import suppress
 
 from textual import events
@@ -26,7 +27,11 @@ from textual.widgets import Input
 from textual.worker import Worker
 
 from .editor.commands import COMMANDS
+from .key_bursts import is_pasted
+from .terminal_driver import Burst
 from .textual_private import Failing, hear_messages
+
+_TYPED = (events.Key, events.Paste, Burst)
 
 _ASKING = frozenset(command.id for command in COMMANDS if command.asks)
 """What opens a line in the editor, which the keys that follow are for."""
@@ -54,8 +59,8 @@ class Paged:
 class InOrder(Failing, inherit_bindings=False):
     """An app in which a key that may open something is done with before the next one comes."""
 
-    _waiting: deque[events.Key]
-    _let_in: events.Key | None = None
+    _waiting: deque[events.Event]
+    _let_in: events.Event | None = None
     _keys_worker: Worker[None] | None = None
     _handled = 0
     """How many messages were handled since the start."""
@@ -74,17 +79,27 @@ class InOrder(Failing, inherit_bindings=False):
             self._handled += 1
 
     async def on_event(self, event: events.Event) -> None:
-        """Keep a key as long as one before it is on its way."""
-        if isinstance(event, events.Key) and not event.is_forwarded and event is not self._let_in:
+        """Keep a key, or a text that is pasted, as long as a key before it is on its way."""
+        if isinstance(event, _TYPED) and not event.is_forwarded and event is not self._let_in:
             is_first = self._keys_worker is None or self._keys_worker.is_finished
             if not is_first or self._is_turning or self._waiting:
                 self._waiting.append(event)
                 if is_first:
                     self._keep_order(None)
                 return
-            if self._may_open(event):
+            if isinstance(event, Burst):
+                for each in self._taken_as(event):
+                    await self.on_event(each)
+                return
+            if isinstance(event, events.Key) and self._may_open(event):
                 self._keep_order(self._key_path())
         await super().on_event(event)
+
+    def _taken_as(self, burst: Burst) -> Sequence[events.Event]:
+        """Return what a text that came as keys is for what has the focus: a paste, or keys."""
+        if getattr(self.focused, "takes_bursts", False) or is_pasted(burst.text):
+            return [events.Paste(burst.text)]
+        return burst.keys
 
     @property
     def _is_turning(self) -> bool:
@@ -118,10 +133,14 @@ class InOrder(Failing, inherit_bindings=False):
             event = self._waiting[0]
             # Who wants to leave need not wait for a page.
             while isinstance(self.screen, Paged) and not self.screen.is_settled:
-                if event.key == "escape":
+                if isinstance(event, events.Key) and event.key == "escape":
                     break
                 await asyncio.sleep(_PAUSE)
-            self._let_in = self._waiting.popleft()
+            event = self._waiting.popleft()
+            if isinstance(event, Burst):
+                self._waiting.extendleft(reversed(self._taken_as(event)))
+                continue
+            self._let_in = event
             nodes = self._key_path()
             self.post_message(event)
             await self._settled(nodes)

@@ -248,7 +248,7 @@ COMMANDS: tuple[Command, ...] = (
             "Go to the mistake before.", "f20"),
     Command("accept", "Complete", "tab", _accept),
     Command("dismiss", "Close the list", "escape", _dismiss, applies=_can_dismiss),
-    Command("newline", "New line", "enter", _new_line),
+    Command("newline", "New line", "enter,ctrl+j", _new_line),
     Command("delete_left", "Delete left", "backspace", _delete(motions.left)),
     Command("delete_right", "Delete right", "delete", _delete(motions.right)),
     Command("delete_word_left", "Delete the word", "ctrl+w,alt+backspace,ctrl+backspace",

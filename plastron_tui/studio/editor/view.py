@@ -50,6 +50,9 @@ class EditorView(ScrollView, can_focus=True, inherit_bindings=False):
     EditorView { width: 1fr; height: 1fr; scrollbar-gutter: stable; overflow-x: auto; }
     """
 
+    takes_bursts = True
+    """A text that comes as keys, many at once, is put in as one: a terminal has pasted it."""
+
     soft_wrap: reactive[bool] = reactive(False)
     line_numbers: reactive[bool] = reactive(True)
 
