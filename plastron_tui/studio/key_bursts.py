@@ -8,23 +8,37 @@ is read at once from a terminal is looked at before it is taken apart into keys.
 from __future__ import annotations
 
 import re
+from enum import Enum
 from typing import NamedTuple
 
 _START, _STOP = "\x1b[200~", "\x1b[201~"
 _TEXT = re.compile(r"[^\x00-\x08\x0b\x0c\x0e-\x1f\x7f-\x9f]+")
 _LONG = 64
 """Characters that nobody types between two readings of a terminal, however slow the line to it."""
+_ENDS = re.compile(r"[\r\n]+")
+_MOST_LINES = 5
+"""Ends of lines that are no answers any more, typed ahead for menus and forms."""
 _SOON = 0.1
 """Seconds within which what comes belongs to the burst before it, or to an end of a line."""
 _LONGEST_SEQUENCE = 32
 """Characters that the sequence of one key has at most."""
 
 
+class Kind(Enum):
+    """What came."""
+
+    KEYS = "keys"
+    BURST = "burst"
+    """A text, where the focus takes one; keys that somebody typed ahead, where it takes those."""
+    PASTE = "paste"
+    """More than anybody types ahead."""
+
+
 class Part(NamedTuple):
-    """What was read in one piece: keys, or a text."""
+    """What was read in one piece."""
 
     text: str
-    is_burst: bool = False
+    kind: Kind = Kind.KEYS
 
 
 class Bursts:
@@ -38,6 +52,7 @@ class Bursts:
         self._before = ""
         self._time = -1.0
         self._burst_time = -1.0
+        self._burst = Kind.BURST
 
     def parts(self, data: str, now: float) -> list[Part]:
         """Return what was read at a time, in seconds, as keys and bursts in its order."""
@@ -63,20 +78,16 @@ class Bursts:
             self._is_bracketed = start > stop
 
     def _told_apart(self, text: str, now: float) -> list[Part]:
-        if now - self._burst_time < _SOON:
+        is_going_on = now - self._burst_time < _SOON
+        if is_going_on or len(text) >= _LONG:
+            line = text.rstrip("\r\n")
+            if not is_going_on and "\r" not in line and "\n" not in line:
+                # Enter after a line is somebody's answer.
+                end = text[len(line) :]
+                return [Part(line, Kind.BURST), *([Part(end)] if end else [])]
+            if not is_going_on:
+                is_long = len(_ENDS.findall(text)) >= _MOST_LINES
+                self._burst = Kind.PASTE if is_long else Kind.BURST
             self._burst_time = now
-            return [Part(text, is_burst=True)]
-        if len(text) < _LONG:
-            return [Part(text)]
-        line = text.rstrip("\r\n")
-        if "\r" in line or "\n" in line:
-            self._burst_time = now
-            return [Part(text, is_burst=True)]
-        # Enter after a line is somebody's answer.
-        rest = text[len(line) :]
-        return [Part(line, is_burst=True), *([Part(rest)] if rest else [])]
-
-
-def is_pasted(text: str) -> bool:
-    """Tell whether a burst can only be a paste: nobody types so much ahead into a menu."""
-    return len(re.findall(r"[\r\n]+", text)) > 2 and len(text) > 2 * _LONG
+            return [Part(text, self._burst)]
+        return [Part(text)]

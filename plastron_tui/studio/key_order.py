@@ -27,7 +27,6 @@ from textual.widgets import Input
 from textual.worker import Worker
 
 from .editor.commands import COMMANDS
-from .key_bursts import is_pasted
 from .terminal_driver import Burst
 from .textual_private import Failing, hear_messages
 
@@ -97,7 +96,7 @@ class InOrder(Failing, inherit_bindings=False):
 
     def _taken_as(self, burst: Burst) -> Sequence[events.Event]:
         """Return what a text that came as keys is for what has the focus: a paste, or keys."""
-        if getattr(self.focused, "takes_bursts", False) or is_pasted(burst.text):
+        if getattr(self.focused, "takes_bursts", False):
             return [events.Paste(burst.text)]
         return burst.keys
 

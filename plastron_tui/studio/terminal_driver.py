@@ -11,7 +11,7 @@ from textual import events
 from textual.driver import Driver
 from textual.message import Message
 
-from .key_bursts import Bursts
+from .key_bursts import Bursts, Kind
 from .terminal_output import ShownScreen
 from .textual_private import linux_driver, parse_input_with
 
@@ -82,10 +82,13 @@ def _with_bursts(parser: type[XTermParser]) -> type[XTermParser]:
                 yield from super().feed(data)
                 return
             for part in self._bursts.parts(data, monotonic()):
-                found = super().feed(part.text)
-                if part.is_burst:
-                    yield Burst(part.text, cast("list[events.Key]", list(found)))
-                else:
-                    yield from found
+                match part.kind:
+                    case Kind.KEYS:
+                        yield from super().feed(part.text)
+                    case Kind.BURST:
+                        keys = cast("list[events.Key]", list(super().feed(part.text)))
+                        yield Burst(part.text, keys)
+                    case Kind.PASTE:
+                        yield events.Paste(part.text)
 
     return BurstParser

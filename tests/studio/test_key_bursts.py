@@ -6,10 +6,11 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from plastron_tui.studio.key_bursts import Bursts, Part, is_pasted
+from plastron_tui.studio.key_bursts import Bursts, Kind, Part
 
 LINE = "node1 publish message1 to 'chatter' of message_type String\r"
-LINES = LINE * 3
+LINES = LINE * 2
+PAGE = LINE * 5
 
 
 def told(*reads: tuple[float, str]) -> list[Part]:
@@ -22,7 +23,11 @@ def key(text: str) -> Part:
 
 
 def burst(text: str) -> Part:
-    return Part(text, is_burst=True)
+    return Part(text, Kind.BURST)
+
+
+def paste(text: str) -> Part:
+    return Part(text, Kind.PASTE)
 
 
 @pytest.mark.parametrize(
@@ -41,6 +46,10 @@ def burst(text: str) -> Part:
             [(0, LINES), (0.02, "the\rend\r"), (9, "a")],
             [burst(LINES), burst("the\rend\r"), key("a")],
         ),
+        # So much is nobody's answers, nor is its rest.
+        ([(0, PAGE)], [paste(PAGE)]),
+        ([(0, PAGE), (0.02, "end\r")], [paste(PAGE), paste("end\r")]),
+        ([(0, PAGE.replace("\r", "\r\n") + "\r"), (0.01, "\nx")], [paste(PAGE + "\r"), paste("x")]),
         # An answer is long, and then Enter.
         ([(0, "x" * 80 + "\r")], [burst("x" * 80), key("\r")]),
         ([(0, LINES + "\x13" + "b")], [burst(LINES), key("\x13"), burst("b")]),
@@ -61,8 +70,3 @@ def test_no_character_is_lost(reads: list[str]) -> None:
     # Each is read a second after the one before it.
     parts = told(*enumerate(reads))
     assert "".join(part.text for part in parts) == "".join(reads)
-
-
-def test_a_menu_takes_few_lines_as_keys() -> None:
-    assert not is_pasted("talker\rchatter\rString\r")
-    assert is_pasted(LINES)
