@@ -19,6 +19,7 @@ import asyncio
 from collections import deque
 from collections.abc import Sequence
 from contextlib import suppress
+from time import monotonic
 
 from textual import events
 from textual.dom import DOMNode
@@ -37,6 +38,8 @@ _ASKING = frozenset(command.id for command in COMMANDS if command.asks)
 _LONGEST = 5.0
 """Seconds for which the keys after one wait, at most: where messages never stop coming, or somebody
 keeps the others waiting, they are to be had for leaving."""
+QUIET = 0.7
+"""Seconds without a key, after which somebody has seen what came by itself."""
 _PAUSE = 0.005
 """Seconds between two looks at a page that is on its way: a thread finds out what is in it."""
 
@@ -55,12 +58,31 @@ class Paged:
         return not self.is_turning
 
 
+class Unasked:
+    """A screen that may come by itself: keys that are typed for what it covers are not for it.
+
+    It takes keys once none has come for a while, and from then on all of them.
+
+    Attributes:
+        appeared: when it came by itself, as `time.monotonic` has it; None where it was asked for.
+    """
+
+    appeared: float | None = None
+
+    def hears(self, last: float, now: float) -> bool:
+        """Tell whether a key counts, when the one before it came, on whatever screen, at `last`."""
+        if self.appeared is not None and now - max(self.appeared, last) >= QUIET:
+            self.appeared = None
+        return self.appeared is None
+
+
 class InOrder(Failing, inherit_bindings=False):
     """An app in which a key that may open something is done with before the next one comes."""
 
     _waiting: deque[events.Event]
     _let_in: events.Event | None = None
     _keys_worker: Worker[None] | None = None
+    _last_typed = 0.0
     _handled = 0
     """How many messages were handled since the start."""
 
@@ -80,6 +102,10 @@ class InOrder(Failing, inherit_bindings=False):
     async def on_event(self, event: events.Event) -> None:
         """Keep a key, or a text that is pasted, as long as a key before it is on its way."""
         if isinstance(event, _TYPED) and not event.is_forwarded and event is not self._let_in:
+            now, last = monotonic(), self._last_typed
+            self._last_typed = now
+            if isinstance(self.screen, Unasked) and not self.screen.hears(last, now):
+                return
             is_first = self._keys_worker is None or self._keys_worker.is_finished
             if not is_first or self._is_turning or self._waiting:
                 self._waiting.append(event)

@@ -16,6 +16,8 @@ from pathlib import Path
 
 import pytest
 
+from plastron_tui.studio.key_order import QUIET
+
 pytestmark = pytest.mark.skipif(shutil.which("tmux") is None, reason="there is no tmux")
 
 PUBLISHER = """\
@@ -213,6 +215,8 @@ def test_what_was_typed_survives_a_kill(terminal: Terminal, tmp_path: Path, home
     terminal.wait_end()
     start(terminal, "mine.plastron")
     terminal.wait(lambda screen: "mine.plastron was not saved" in screen)
+    # What comes by itself is deaf for so long.
+    time.sleep(QUIET)
     terminal.keys("Enter")
     terminal.wait(lambda screen: "topic1 geometry_msgs/Point" in screen)
     terminal.keys("C-s")

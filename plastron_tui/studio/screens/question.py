@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from time import monotonic
 from typing import ClassVar
 
 from textual import on
@@ -13,12 +14,13 @@ from textual.widgets import Button, Input, Label
 
 from plastron_tui.diagnostics.terminal import visible, visible_text
 
+from ..key_order import Unasked
 from ..panels.styles import Lines
 from ..panels.text_view import TextView
 from .dialog import Dialog
 
 
-class Question(Dialog[str]):
+class Question(Dialog[str], Unasked):
     """Asks; the result is the id of the answer, "" for none."""
 
     BINDINGS: ClassVar[list[BindingType]] = [
@@ -34,6 +36,7 @@ class Question(Dialog[str]):
         *,
         text: str = "",
         lines: Lines | None = None,
+        is_unasked: bool = False,
     ) -> None:
         """Make a question.
 
@@ -43,12 +46,14 @@ class Question(Dialog[str]):
                 letter that starts the words, pressed, gives the answer too.
             text: an explanation.
             lines: something to look at, a diff say.
+            is_unasked: whether it comes by itself, while somebody may be typing.
         """
         super().__init__()
         self._title = title
         self._answers = list(answers)
         self._text = text
         self._lines = lines
+        self._is_unasked = is_unasked
 
     def compose(self) -> ComposeResult:
         """Make the question and its answers."""
@@ -65,6 +70,8 @@ class Question(Dialog[str]):
 
     def on_mount(self) -> None:
         """Let Enter give the first answer."""
+        if self._is_unasked:
+            self.appeared = monotonic()
         self.query(Button).first().focus()
 
     @on(Button.Pressed)
