@@ -6,9 +6,9 @@ import random
 from collections.abc import Iterator, Sequence
 
 from plastron_tui.output.graphs.boxes import Box, Shape
-from plastron_tui.output.graphs.grid import grid_of
+from plastron_tui.output.graphs.grid import Grid, grid_of
 from plastron_tui.output.graphs.layers import Link, columns_of, components
-from plastron_tui.output.graphs.layout import layout
+from plastron_tui.output.graphs.layout import Layout, layout
 from plastron_tui.output.graphs.ordering import ordered
 from plastron_tui.output.graphs.sheet import Measure, Sheet
 
@@ -80,11 +80,10 @@ def _columns(nodes: int, links: Sequence[Link]) -> list[Sheet]:
     return sheets
 
 
-def _in_cells(nodes: int, links: Sequence[Link], room: int) -> None:
-    for sheet in _columns(nodes, links):
-        grid_of(sheet, room)
+def _in_cells(nodes: int, links: Sequence[Link], room: int) -> list[Grid]:
+    return [grid_of(sheet, room) for sheet in _columns(nodes, links)]
 
 
-def _in_pixels(nodes: int, links: Sequence[Link]) -> None:
+def _in_pixels(nodes: int, links: Sequence[Link]) -> Layout:
     shapes = [Shape.NODE] * nodes + [Shape.TOPIC] * nodes
-    layout([Box(shape, 120.0, 46.0) for shape in shapes], links)
+    return layout([Box(shape, 120.0, 46.0) for shape in shapes], links)
