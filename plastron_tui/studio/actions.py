@@ -6,13 +6,13 @@ palette as well. The configuration file binds other keys by the ids.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable
 from dataclasses import dataclass
 
 from textual.binding import Binding
-from textual.widget import Widget
 
 from .editor.commands import COMMANDS, Command
+from .key_conflicts import EDITOR, EVERYWHERE, KeyOwner
 from .panels.dock import Dock
 from .panels.registry import PANELS
 
@@ -72,7 +72,7 @@ ACTIONS: tuple[Action, ...] = (
     Action("next_panel", "Panels", "screen.next_panel", "f7", "Go to the next panel.", footer=True),
     Action("panels", "Show or hide the panels", "screen.panels", "f9",
            "Make room for the text, or show the panels again."),
-    Action("menu", "Menu", "app.command_palette", "f10,ctrl+p",
+    Action("menu", "Menu", "screen.menu", "f10,ctrl+p",
            "All actions, by their names.", footer=True, kept=True),
     Action("zoom", "Enlarge the panel", "screen.zoom", "ctrl+t,alt+m",
            "Let the panel have the whole window, or its place again."),
@@ -119,14 +119,29 @@ def bindings() -> list[Binding]:
     return [action.binding for action in ACTIONS if action.keys and not action.own]
 
 
-def ids() -> Iterator[str]:
-    """Yield the names under which the configuration file can bind keys."""
-    yield from (action.id for action in ACTIONS)
-    widgets: tuple[type[Widget], ...] = (Dock, *(panel.widget for panel in PANELS))
-    for widget in widgets:
-        for base in widget.__mro__:
-            bound = base.__dict__.get("BINDINGS", ())
-            yield from (each.id for each in bound if isinstance(each, Binding) and each.id)
+def key_owners() -> tuple[KeyOwner, ...]:
+    """Return what has keys, in the place where it has them, for the configuration file."""
+    owners = [
+        KeyOwner(action.id, action.title, frozenset({EVERYWHERE}), _split(action.keys))
+        for action in ACTIONS
+        if not action.own
+    ]
+    owners += [
+        KeyOwner(command.id, command.title, frozenset({EDITOR}), _split(command.binding.key))
+        for command in COMMANDS
+    ]
+    for panel in PANELS:
+        for base in (*panel.widget.__mro__, *Dock.__mro__):
+            owners += [
+                KeyOwner(each.id or "", each.description, frozenset({panel.name}), _split(each.key))
+                for each in base.__dict__.get("BINDINGS", ())
+                if isinstance(each, Binding) and base.__module__.startswith(__package__ or "")
+            ]
+    return tuple(dict.fromkeys(owners))
+
+
+def _split(keys: str) -> tuple[str, ...]:
+    return tuple(key for key in keys.split(",") if key)
 
 
 def grouped() -> Iterable[tuple[str, list[Action]]]:

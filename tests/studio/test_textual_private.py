@@ -17,8 +17,10 @@ from plastron_tui.studio.app import StudioApp
 from plastron_tui.studio.terminal_keys import teach
 from plastron_tui.studio.textual_private import (
     Failing,
+    forget_notes,
     forget_removed_widgets,
     known_sequences,
+    notes_in_sight,
 )
 
 
@@ -30,6 +32,15 @@ def test_this_version_of_textual_has_it() -> None:
     assert isinstance(App[None]()._exit_renderables, list)
     assert callable(StylesCache.get_inner_outer.cache_clear)
     assert isinstance(message_hook, ContextVar)
+    assert callable(App._unnotify)
+    assert notes_in_sight(App[None]()) == []
+
+
+def test_without_the_list_of_notes_they_go_with_time() -> None:
+    app = App[None]()
+    del app._notifications
+    assert notes_in_sight(app) == []
+    forget_notes(app, lambda _: True)
 
 
 @pytest.mark.parametrize("module", [None, type(sys)("without")])

@@ -32,7 +32,7 @@ if TYPE_CHECKING:
 _SHOWN_AFTER = 0.05
 """Seconds for which lines that nodes print are gathered."""
 
-_TWICE = 0.7
+TWICE = 0.7
 """Seconds in which the key that starts the nodes is pressed again by mistake."""
 
 _LOOK = 0.01
@@ -101,7 +101,7 @@ class RunActions:
     async def run(self, *, anew: bool = False) -> None:
         """Save, then start the nodes; those that run are stopped, and started `anew` if asked."""
         if self._running is not None:
-            if not anew and monotonic() - self._started_at < _TWICE:
+            if not anew and monotonic() - self._started_at < TWICE:
                 return
             self._layout.reveal("output")
             self._running.stop()

@@ -331,6 +331,17 @@ class MainScreen(Screen[None]):
 
     # Actions: help and settings.
 
+    @work(exclusive=True, group="menu")
+    async def action_menu(self) -> None:
+        """Offer all actions, and do the one that is chosen."""
+        from ..screens.menu import ActionMenu
+
+        remembered = self.profile.remembered
+        action = await self.app.push_screen_wait(ActionMenu(remembered.actions, self.key_of))
+        if action is not None:
+            remembered.did(action.id)
+            await self.app.run_action(action.call, self)
+
     def action_help(self) -> None:
         """Show help for what has the focus."""
         from ..screens.help import Help, action_lines
