@@ -34,7 +34,7 @@ from .config import Profile, config_file, load_config, load_remembered, save_rem
 from .control_characters import ONLY_TEXT
 from .files import open_file
 from .folder_labels import not_saved
-from .key_labels import key_label
+from .key_display import key_name
 from .key_order import InOrder
 from .legibility import LEGIBLE
 from .main.screen import MainScreen
@@ -150,7 +150,7 @@ class StudioApp(InOrder, inherit_bindings=False):
 
     def get_key_display(self, binding: Binding) -> str:
         """Return what a key is called, everywhere in the studio."""
-        return key_label(binding.key)
+        return key_name(binding.key)
 
     def get_line_filters(self) -> Sequence[LineFilter]:
         """Return what each line passes through: nothing in it is obeyed, and it can be read."""

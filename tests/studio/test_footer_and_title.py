@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from plastron_tui.studio.actions import ACTIONS, KEPT
-from plastron_tui.studio.key_labels import key_label
+from plastron_tui.studio.key_display import key_name
 from plastron_tui.studio.main.program_bars import Title
 from plastron_tui.studio.panels.key_bar import Key, fitting
 
@@ -34,18 +34,18 @@ NAMES = {
 
 @pytest.mark.parametrize("key", NAMES)
 def test_a_key_is_called_as_on_keyboards(key: str) -> None:
-    assert key_label(key) == NAMES[key]
+    assert key_name(key) == NAMES[key]
 
 
 def test_no_key_of_an_action_has_a_name_that_cannot_be_read() -> None:
     for key in ",".join(action.keys for action in ACTIONS if action.keys).split(","):
-        name = key_label(key)
+        name = key_name(key)
         assert name.isprintable()
         assert not set(name) & set("^_ "), name
 
 
 FOOTER = [
-    Key(key_label(action.keys.split(",")[0]), action.title, "", action.id)
+    Key(key_name(action.keys.split(",")[0]), action.title, "", action.id)
     for action in ACTIONS
     if action.footer
 ]

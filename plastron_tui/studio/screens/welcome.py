@@ -18,7 +18,7 @@ from plastron_tui.diagnostics.terminal import visible
 
 from ..folder_labels import shown_folder, shown_name, shown_place
 from ..journal import Kept
-from ..key_labels import key_label
+from ..key_display import key_name
 from ..recipes import recipes
 from .dialog import Dialog
 
@@ -32,9 +32,9 @@ _LOW = 16
 Answer = tuple[str, str]
 
 START = (
-    ("action", "screen.wizard", "Build nodes with the wizard", key_label("ctrl+u")),
-    ("action", "screen.new", "Write a new program", key_label("ctrl+n")),
-    ("action", "screen.open", "Open a program", key_label("ctrl+o")),
+    ("action", "screen.wizard", "Build nodes with the wizard", key_name("ctrl+u")),
+    ("action", "screen.new", "Write a new program", key_name("ctrl+n")),
+    ("action", "screen.open", "Open a program", key_name("ctrl+o")),
     ("action", "screen.tour", "Take the two-minute tour", ""),
 )
 """What can be started: the kind of answer, its value, its words, its key."""

@@ -24,7 +24,7 @@ _NAMES = {
 """Names that do not follow from Textual's. Terminals send Shift-F3 as F15, and Ctrl-/ as Ctrl-_."""
 
 
-def key_label(key: str) -> str:
+def key_name(key: str) -> str:
     """Return what a key is called: `Ctrl-Q` for `ctrl+q`, `Alt-?` for `alt+question_mark`."""
     if key in _NAMES:
         return _NAMES[key]
