@@ -55,6 +55,21 @@ async def test_an_answer_pressed_for_again_is_for_what_comes_next(
         assert answers == ["yes"]
 
 
+async def test_letters_typed_blindly_are_no_answer(
+    program: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("plastron_tui.studio.screens.question.REST", 3600.0)
+    async with studio(program) as driver:
+        await driver.type("x")
+        await quickly(driver, "ctrl+q", *"dont")
+        question = await driver.dialog("Question")
+        assert question.is_current
+        # With the arrows one has seen it, and a letter counts at once.
+        await driver.pilot.press("right", "c")
+        await driver.back()
+        assert driver.main.open.is_changed
+
+
 async def test_a_file_is_opened_by_a_name_typed_at_once(program: Path) -> None:
     program.with_name("other.plastron").write_text(OTHER)
     async with studio(program) as driver:
