@@ -11,6 +11,7 @@ from collections.abc import Mapping, Sequence
 from contextlib import suppress
 from functools import partial
 from pathlib import Path
+from time import monotonic
 from types import FrameType
 from typing import ClassVar
 
@@ -42,7 +43,10 @@ from .open_program import opened
 from .terminal_driver import for_terminal
 from .terminal_keys import teach
 from .terminal_output import ShownScreen
+from .textual_private import notes_in_sight
 
+_SAME_NOTE = 0.3
+"""Seconds within which the same note again is the same one."""
 DEFAULT_THEME = "textual-dark"
 _ENDS_WITHIN = 5.0
 """Seconds that the studio has to end in good order once the system says so."""
@@ -83,6 +87,7 @@ class StudioApp(InOrder, inherit_bindings=False):
         self._first = None if first is None else f"screen.{first}"
         self._failures: set[str] = set()
         self.last_words = ""
+        self._last_note = "", 0.0
 
     def get_default_screen(self) -> Screen[None]:
         """Open the program that was asked for."""
@@ -169,10 +174,14 @@ class StudioApp(InOrder, inherit_bindings=False):
         timeout: float | None = None,
         markup: bool = True,
     ) -> None:
-        """Say something in the corner, with what is invisible in it escaped."""
-        super().notify(
-            visible_text(message), title=title, severity=severity, timeout=timeout, markup=markup
-        )
+        """Say something in the corner, once, with what is invisible in it escaped."""
+        text = visible_text(message)
+        now = monotonic()
+        last, self._last_note = self._last_note, (text, now)
+        # What was said a moment ago is not among the notes yet.
+        is_new = last[0] != text or now - last[1] > _SAME_NOTE
+        if is_new and text not in [note.message for note in notes_in_sight(self)]:
+            super().notify(text, title=title, severity=severity, timeout=timeout, markup=markup)
 
     @on(AnalysisFailed)
     def analysis_failed(self, message: AnalysisFailed) -> None:

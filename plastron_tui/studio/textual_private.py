@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any, cast
 from textual.app import App
 from textual.driver import Driver
 from textual.message import Message
+from textual.notifications import Notification
 
 if TYPE_CHECKING:
     from textual._xterm_parser import XTermParser
@@ -81,6 +82,19 @@ def forget_removed_widgets() -> None:
     clear = getattr(getattr(StylesCache, "get_inner_outer", None), "cache_clear", None)
     if clear is not None:
         clear()
+
+
+def notes_in_sight(app: App[Any]) -> list[Notification]:
+    """Return what is said in the corner. Without it the same may stand there twice."""
+    return list(getattr(app, "_notifications", ()))
+
+
+def forget_notes(app: App[Any], is_old: Callable[[Notification], bool]) -> None:
+    """Take away what is said in the corner and no longer so. Without it time takes it away."""
+    unnotify = getattr(app, "_unnotify", None)
+    if callable(unnotify):
+        for note in filter(is_old, notes_in_sight(app)):
+            unnotify(note)
 
 
 class Failing(App[None], inherit_bindings=False):

@@ -31,6 +31,12 @@ def styles_parsed_once(monkeypatch: pytest.MonkeyPatch) -> None:
 
 
 @pytest.fixture(autouse=True)
+def questions_answered_at_once(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Let a question take letters as soon as it is there: a test has read it by then."""
+    monkeypatch.setattr("plastron_tui.studio.screens.question.REST", 0.0)
+
+
+@pytest.fixture(autouse=True)
 def home(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     """Keep the configuration and what is remembered in a folder of the test's own."""
     folder = tmp_path / "home"

@@ -81,6 +81,21 @@ async def test_lines_that_come_as_keys_are_put_in_as_they_are(program: Path) -> 
         assert not driver.main.editor.popup.is_open
 
 
+async def test_letters_typed_blindly_are_no_answer(
+    program: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("plastron_tui.studio.screens.question.REST", 3600.0)
+    async with studio(program) as driver:
+        await driver.type("x")
+        await quickly(driver, "ctrl+q", *"dont")
+        question = await driver.dialog("Question")
+        assert question.is_current
+        # With the arrows one has seen it, and a letter counts at once.
+        await driver.pilot.press("right", "c")
+        await driver.back()
+        assert driver.main.open.is_changed
+
+
 async def test_a_file_is_opened_by_a_name_typed_at_once(program: Path) -> None:
     program.with_name("other.plastron").write_text(OTHER)
     async with studio(program) as driver:

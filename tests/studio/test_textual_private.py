@@ -23,9 +23,11 @@ from plastron_tui.studio.terminal_keys import teach
 from plastron_tui.studio.terminal_output import ShownScreen
 from plastron_tui.studio.textual_private import (
     Failing,
+    forget_notes,
     forget_removed_widgets,
     known_sequences,
     linux_driver,
+    notes_in_sight,
     parse_input_with,
 )
 
@@ -39,6 +41,8 @@ def test_this_version_of_textual_has_it() -> None:
     assert callable(StylesCache.get_inner_outer.cache_clear)
     assert isinstance(message_hook, ContextVar)
     assert linux_driver() is LinuxDriver
+    assert callable(App._unnotify)
+    assert notes_in_sight(App[None]()) == []
     assert issubclass(vars(textual_driver)["XTermParser"], XTermParser)
 
 
@@ -64,6 +68,13 @@ def test_without_the_driver_all_is_written(module: object, monkeypatch: pytest.M
     parse_input_with(lambda parser: parser)
     assert linux_driver() is None
     assert for_terminal(LinuxDriver, ShownScreen()) is LinuxDriver
+
+
+def test_without_the_list_of_notes_they_go_with_time() -> None:
+    app = App[None]()
+    del app._notifications
+    assert notes_in_sight(app) == []
+    forget_notes(app, lambda _: True)
 
 
 @pytest.mark.parametrize("module", [None, type(sys)("without")])

@@ -20,6 +20,7 @@ from ..journal import Kept
 from ..open_program import Open
 from ..panels.dock import Dock
 from ..panels.entry_keys import Asked, Chosen, Lit
+from ..panels.entry_list import EntryList
 from ..panels.key_bar import KeyBar
 from ..panels.output import OutputPanel
 from ..panels.panel import Resized
@@ -73,11 +74,12 @@ class MainScreen(Screen[None]):
             self, self.program, self.files, self.recovery, self.feed.ask_anew, self.show_title
         )
         self._trust = TrustPrompt(self, self.program, self.key_of)
-        output = self.panels["output"]
-        assert isinstance(output, OutputPanel)
+        output, nodes = self.panels["output"], self.panels["nodes"]
+        assert isinstance(output, OutputPanel) and isinstance(nodes, EntryList)
         self.runner = RunActions(
-            self, self.program, self.files, self.dock_layout, output, self._trust, self.show_title
-        )
+            self, self.program, self.files, self.dock_layout, output, nodes, self._trust,
+            self.show_title,
+        )  # fmt: skip
         self._entries = EntryActions(self, self.program)
         self._wizard = WizardHost(self, self.program)
 
@@ -149,6 +151,7 @@ class MainScreen(Screen[None]):
         """Show what the text means, if it is still that text."""
         if self.feed.take(message.analysis):
             self.show_title()
+            self.runner.known(message.analysis.diagnostics)
             self._trust.tell_what_waits(message.analysis)
 
     @on(AnalysisFailed)

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from time import monotonic
 from typing import ClassVar
 
-from textual import on
+from textual import events, on
 from textual.app import ComposeResult
 from textual.binding import Binding, BindingType
 from textual.containers import Horizontal, Vertical
@@ -18,6 +18,9 @@ from ..key_order import Unasked
 from ..panels.styles import Lines
 from ..panels.text_view import TextView
 from .dialog import Dialog
+
+REST = 0.5
+"""Seconds without a key after which a letter is an answer."""
 
 
 class Question(Dialog[str], Unasked):
@@ -54,6 +57,8 @@ class Question(Dialog[str], Unasked):
         self._text = text
         self._lines = lines
         self._is_unasked = is_unasked
+        self._last_key = 0.0
+        self._is_seen = False
 
     def compose(self) -> ComposeResult:
         """Make the question and its answers."""
@@ -70,8 +75,9 @@ class Question(Dialog[str], Unasked):
 
     def on_mount(self) -> None:
         """Let Enter give the first answer."""
+        self._last_key = monotonic()
         if self._is_unasked:
-            self.appeared = monotonic()
+            self.appeared = self._last_key
         self.query(Button).first().focus()
 
     @on(Button.Pressed)
@@ -79,13 +85,21 @@ class Question(Dialog[str], Unasked):
         """Answer."""
         self.dismiss(event.button.id or "")
 
-    def on_key(self, event: object) -> None:
-        """Take the first letter of an answer for the answer."""
-        character = getattr(event, "character", None)
-        for id_, words in self._answers:
-            if character and character.lower() == words[0].lower():
-                self.dismiss(id_)
-                return
+    def on_key(self, event: events.Key) -> None:
+        """Take the first letter of an answer for the answer, if it was pressed for that.
+
+        Who has gone on typing does not see the question yet: letters count after a rest, or once
+        an answer was chosen with the arrows or Tab.
+        """
+        now = monotonic()
+        has_rested, self._last_key = now - self._last_key >= REST, now
+        if not event.is_printable:
+            self._is_seen = self._is_seen or event.key in ("left", "right", "tab", "shift+tab")
+        elif has_rested or self._is_seen:
+            for id_, words in self._answers:
+                if event.character and event.character.lower() == words[0].lower():
+                    self.dismiss(id_)
+                    return
 
     def action_answer(self, answer: str) -> None:
         """Answer."""
