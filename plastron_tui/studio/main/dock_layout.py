@@ -199,6 +199,10 @@ class DockLayout(Horizontal):
         dock = self.dock_of(name)
         return bool(dock.display) and dock.active == name
 
+    def has_room_for(self, name: str) -> bool:
+        """Tell whether a panel comes in sight without taking the place of the one in front."""
+        return self.shape == "wide" or self.dock_of(name) is self.focused_dock
+
     def bring(self, name: str, *, focus: bool = False) -> None:
         """Bring a panel in sight."""
         dock = self.dock_of(name)

@@ -19,6 +19,7 @@ from ..panels.styles import Piece
 from .active_program import ActiveProgram
 from .dock_layout import DockLayout
 from .file_actions import FileActions
+from .live_actions import LiveActions
 from .trust_prompt import TrustPrompt
 
 if TYPE_CHECKING:
@@ -46,6 +47,7 @@ class RunActions:
         layout: DockLayout,
         output: OutputPanel,
         trust: TrustPrompt,
+        live: LiveActions,
         on_change: Callable[[], object],
     ) -> None:
         """Prepare to run.
@@ -57,6 +59,7 @@ class RunActions:
             layout: brings the output, or the problems, in sight.
             output: shows what nodes print.
             trust: says where only trust is missing.
+            live: shows what travels between the nodes.
             on_change: called when nodes start, or have ended.
         """
         self._screen = screen
@@ -66,6 +69,8 @@ class RunActions:
         self._layout = layout
         self._output = output
         self._trust = trust
+        self._live = live
+        self._is_watched = False
         self._on_change = on_change
         self._running: Running | None = None
 
@@ -110,6 +115,7 @@ class RunActions:
 
     def close(self) -> None:
         """Have the nodes ended, because the studio ends."""
+        self._live.close()
         if self._running is not None:
             self._running.close()
 
@@ -149,6 +155,8 @@ class RunActions:
             message = f"cannot run: {reason(error)}"
             self._screen.notify(message, severity="error", markup=False)
             return
+        self._is_watched = False
+        self._live.starting()
         self._output.begin(f"plastron run {path.name}")
         self._on_change()
         self._layout.bring("output", focus=True)
@@ -167,10 +175,20 @@ class RunActions:
         if running is None:
             return
         status, end = running.status, None
+        if running.monitors and not self._is_watched:
+            self._watch(running)
         if status is not None:
             self._running = None
             words = "stopped" if running.was_stopped else f"ended with status {status}"
             tone = "quiet" if running.was_stopped else "success" if status == 0 else "error"
             end = Piece(words, tone)
+            self._live.end()
             self._on_change()
         self._output.add(running.take(), end)
+
+    def _watch(self, running: Running) -> None:
+        """Show what travels, where nobody has gone elsewhere since the nodes were started."""
+        self._is_watched = True
+        self._live.start(running.monitors)
+        if self._layout.focused_dock is self._layout.dock_of(self._output.id or ""):
+            self._layout.bring("live", focus=not self._layout.has_room_for("live"))

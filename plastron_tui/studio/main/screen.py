@@ -21,6 +21,7 @@ from ..open_program import Open
 from ..panels.dock import Dock
 from ..panels.entry_keys import Asked, Chosen, Lit
 from ..panels.key_bar import KeyBar
+from ..panels.live_panel import LiveAsked, LivePanel, LiveWatched
 from ..panels.output import OutputPanel
 from ..panels.panel import Resized
 from ..panels.registry import PANELS
@@ -29,6 +30,7 @@ from .disk_watch import DiskWatch
 from .dock_layout import DockLayout
 from .entry_actions import EntryActions
 from .file_actions import FileActions
+from .live_actions import Heard, LiveActions
 from .panel_feed import PanelFeed
 from .program_bars import StatusBar, TitleBar
 from .recovery import Recovery
@@ -73,10 +75,13 @@ class MainScreen(Screen[None]):
         )
         self._trust = TrustPrompt(self, self.program, self.key_of)
         output = self.panels["output"]
-        assert isinstance(output, OutputPanel)
+        live = self.panels["live"]
+        assert isinstance(output, OutputPanel) and isinstance(live, LivePanel)
+        self.live = LiveActions(self, self.program, live)
         self.runner = RunActions(
-            self, self.program, self.files, self.dock_layout, output, self._trust, self.show_title
-        )
+            self, self.program, self.files, self.dock_layout, output, self._trust, self.live,
+            self.show_title,
+        )  # fmt: skip
         self._entries = EntryActions(self, self.program)
         self._wizard = WizardHost(self, self.program)
 
@@ -193,6 +198,21 @@ class MainScreen(Screen[None]):
     def printed(self) -> None:
         """Show what nodes print."""
         self.runner.show_soon()
+
+    @on(Heard)
+    def heard(self) -> None:
+        """Show what travels between nodes."""
+        self.live.show_soon()
+
+    @on(LiveWatched)
+    def live_watched(self) -> None:
+        """Listen to what is in sight."""
+        self.live.watch()
+
+    @on(LiveAsked)
+    def live_asked(self, message: LiveAsked) -> None:
+        """Do what was asked about a row of what runs."""
+        self.live.do(message)
 
     # The lines above and below.
 
