@@ -92,7 +92,7 @@ CASES: dict[str, Case] = {
     "wizard": Case(lambda driver: driver.app.screen is not driver.main),
     "next_panel": Case(lambda driver: driver.main.dock_layout.focused_dock is not None),
     "panels": Case(lambda driver: not any(dock.display for dock in driver.main.dock_layout.docks)),
-    "menu": Case(opens="CommandPalette"),
+    "menu": Case(opens="ActionMenu"),
     "zoom": Case(lambda driver: not driver.main.editor.display, before=("alt+1",)),
     "wider": Case(lambda driver: _grown(driver) > 0, before=("alt+1",)),
     "narrower": Case(lambda driver: _grown(driver) < 0, before=("alt+1",)),

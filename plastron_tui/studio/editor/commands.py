@@ -146,6 +146,7 @@ def _new_line(editor: ProgramEditor) -> None:
     if editor.popup.is_chosen:
         editor.accept()
     else:
+        editor.completer.take_blank_back()
         text_commands.break_line(editor.state)
         editor.done()
 

@@ -136,7 +136,8 @@ class ProgramEditor(Vertical):
 
     def type_text(self, text: str) -> None:
         """Type characters over what is selected, and offer what may follow."""
-        text_commands.type_text(self.state, text)
+        if text != " " or not self.completer.takes_blank():
+            text_commands.type_text(self.state, text)
         self.done(keeps_popup=True)
         self.completer.offer(self.expected)
 
@@ -152,13 +153,16 @@ class ProgramEditor(Vertical):
 
     def accept(self) -> None:
         """Write the entry of the popup that is marked."""
-        self.completer.accept()
+        goes_on = self.completer.accept()
         self.done()
+        if goes_on:
+            self.completer.offer(self.expected)
 
     def done(self, *, scroll: bool = True, center: bool = False, keeps_popup: bool = False) -> None:
         """Show and tell what was done to the text, or with its selection."""
         if not keeps_popup:
             self.view.close_popup()
+        self.completer.moved()
         if center:
             self.view.scroll_to_cursor(center=True)
         self.view.sync(scroll=scroll)

@@ -23,6 +23,7 @@ class ActiveProgram:
     def __init__(self, open_: Open) -> None:
         self.open = open_
         self.editor = ProgramEditor(open_.session, id="editor")
+        self.editor.border_title = "Program"
 
     @property
     def text(self) -> bytes:

@@ -6,14 +6,13 @@ import itertools
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
-from textual.message import Message
 from textual.screen import Screen
 
 from plastron_tui.regular_files import reason
 from plastron_tui.runtime.live_graph import LiveGraph
 
 from ..delay import Delay
-from ..panels.live_panel import LOOKING, NOTHING_RUNS, STARTING, LiveAsked, LivePanel, Watching
+from ..panels.live_panel import LOOKING, NOTHING_RUNS, STARTING, LivePanel, Watching
 from ..panels.live_rows import Answer, Kind, LiveRow
 from .active_program import ActiveProgram
 from .workers import start_exclusive
@@ -29,10 +28,6 @@ _LOOK = 2.0
 """Seconds after which is looked again whether a monitor hangs."""
 
 
-class Heard(Message):
-    """Monitors said something, or ended."""
-
-
 class LiveActions:
     """Starts and ends the monitors of the nodes that run."""
 
@@ -40,13 +35,14 @@ class LiveActions:
         """Start with nothing that runs.
 
         Args:
-            screen: shows dialogs, and gets `Heard`.
+            screen: shows dialogs.
             program: whose nodes they are; its types are those of the forms.
             panel: shows what is known.
         """
         self._screen = screen
         self._program = program
         self._panel = panel
+        panel.on_watched, panel.on_asked = self.watch, self.do
         self._delay = Delay(screen, self._show)
         self._look = Delay(screen, self._look_at_monitors)
         self._commands: Sequence[MonitorCommand] = ()
@@ -115,8 +111,8 @@ class LiveActions:
             self._delay.start(_SHOWN_AFTER)
 
     def _news(self) -> None:
-        """Tell the screen, from a thread that reads."""
-        self._screen.post_message(Heard())
+        """Show it soon; called from a thread that reads."""
+        self._screen.call_later(self.show_soon)
 
     def _show(self) -> None:
         is_new = False
@@ -165,14 +161,13 @@ class LiveActions:
 
     # What is asked of nodes.
 
-    def do(self, asked: LiveAsked) -> None:
-        """Do what was asked about a row of the panel."""
-        if asked.what == "restart":
+    def do(self, what: str, row: LiveRow | None) -> None:
+        """Do what was asked about a row of the panel: see `LivePanel.on_asked`."""
+        if what == "restart":
             if self._commands and not self._monitors:
                 self.start(self._commands)
-            return
-        if asked.row is not None:
-            start_exclusive(self._screen, "live", self._ask, asked.row)
+        elif row is not None:
+            start_exclusive(self._screen, "live", self._ask, row)
 
     async def _ask(self, row: LiveRow) -> None:
         monitor = self._monitors.get(row.ros_version)

@@ -14,6 +14,7 @@ from plastron_tui.diagnostics import Diagnostic, Severity
 from plastron_tui.regular_files import reason
 
 from ..delay import Delay
+from ..panels.live_panel import LivePanel
 from ..panels.output import OutputPanel
 from ..panels.styles import Piece
 from .active_program import ActiveProgram
@@ -47,7 +48,7 @@ class RunActions:
         layout: DockLayout,
         output: OutputPanel,
         trust: TrustPrompt,
-        live: LiveActions,
+        live: LivePanel,
         on_change: Callable[[], object],
     ) -> None:
         """Prepare to run.
@@ -69,7 +70,7 @@ class RunActions:
         self._layout = layout
         self._output = output
         self._trust = trust
-        self._live = live
+        self._live = LiveActions(screen, program, live)
         self._is_watched = False
         self._on_change = on_change
         self._running: Running | None = None

@@ -11,7 +11,7 @@ from textual.binding import Binding, BindingType
 from textual.geometry import Region
 from textual.screen import Screen
 
-from ..actions import ACTIONS, BY_ID, bindings
+from ..actions import ACTIONS, BY_ID, KEPT, bindings
 from ..analysis_worker import Analysed, AnalysisFailed
 from ..config import Profile
 from ..editor import ProgramEditor
@@ -21,7 +21,7 @@ from ..open_program import Open
 from ..panels.dock import Dock
 from ..panels.entry_keys import Asked, Chosen, Lit
 from ..panels.key_bar import KeyBar
-from ..panels.live_panel import LiveAsked, LivePanel, LiveWatched
+from ..panels.live_panel import LivePanel
 from ..panels.output import OutputPanel
 from ..panels.panel import Resized
 from ..panels.registry import PANELS
@@ -30,7 +30,6 @@ from .disk_watch import DiskWatch
 from .dock_layout import DockLayout
 from .entry_actions import EntryActions
 from .file_actions import FileActions
-from .live_actions import Heard, LiveActions
 from .panel_feed import PanelFeed
 from .program_bars import StatusBar, TitleBar
 from .recovery import Recovery
@@ -60,6 +59,7 @@ class MainScreen(Screen[None]):
         self.profile = profile
         self.program = ActiveProgram(open_)
         self._title, self._status = TitleBar(id="title"), StatusBar(id="status")
+        self._keys = KeyBar(KEPT)
         widgets = {panel: panel.widget(id=panel.name) for panel in PANELS}
         self.panels = {panel.name: widget for panel, widget in widgets.items()}
         self.dock_layout = DockLayout(
@@ -77,9 +77,8 @@ class MainScreen(Screen[None]):
         output = self.panels["output"]
         live = self.panels["live"]
         assert isinstance(output, OutputPanel) and isinstance(live, LivePanel)
-        self.live = LiveActions(self, self.program, live)
         self.runner = RunActions(
-            self, self.program, self.files, self.dock_layout, output, self._trust, self.live,
+            self, self.program, self.files, self.dock_layout, output, self._trust, live,
             self.show_title,
         )  # fmt: skip
         self._entries = EntryActions(self, self.program)
@@ -100,7 +99,7 @@ class MainScreen(Screen[None]):
         yield self._title
         yield self.dock_layout
         yield self._status
-        yield KeyBar()
+        yield self._keys
 
     def on_mount(self) -> None:
         """Start the worker, and look at the files from time to time."""
@@ -126,7 +125,7 @@ class MainScreen(Screen[None]):
 
     def on_resize(self) -> None:
         """Lay the panels out for another size."""
-        self.query_one(KeyBar).display = self.app.size.height >= _LEAST_ROWS
+        self._keys.display = self.app.size.height >= _LEAST_ROWS
         self.dock_layout.lay_out()
 
     def look_at_disk(self) -> None:
@@ -199,26 +198,13 @@ class MainScreen(Screen[None]):
         """Show what nodes print."""
         self.runner.show_soon()
 
-    @on(Heard)
-    def heard(self) -> None:
-        """Show what travels between nodes."""
-        self.live.show_soon()
-
-    @on(LiveWatched)
-    def live_watched(self) -> None:
-        """Listen to what is in sight."""
-        self.live.watch()
-
-    @on(LiveAsked)
-    def live_asked(self, message: LiveAsked) -> None:
-        """Do what was asked about a row of what runs."""
-        self.live.do(message)
-
     # The lines above and below.
 
     def show_title(self) -> None:
         """Show the program's name, whether it is saved, and what is the case with it."""
-        self._title.show_program(self.open, self.key_of("run") if self.runner.is_running else None)
+        is_running = self.runner.is_running
+        self._title.show_program(self.open, self.key_of("run") if is_running else None)
+        self._keys.retitle({"run": "Stop"} if is_running else {})
 
     def show_status(self) -> None:
         """Show the sentence of the statement at the cursor, and where the cursor is."""
@@ -344,6 +330,17 @@ class MainScreen(Screen[None]):
             self.feed.ask_anew()
 
     # Actions: help and settings.
+
+    @work(exclusive=True, group="menu")
+    async def action_menu(self) -> None:
+        """Offer all actions, and do the one that is chosen."""
+        from ..screens.menu import ActionMenu
+
+        remembered = self.profile.remembered
+        action = await self.app.push_screen_wait(ActionMenu(remembered.actions, self.key_of))
+        if action is not None:
+            remembered.did(action.id)
+            await self.app.run_action(action.call, self)
 
     def action_help(self) -> None:
         """Show help for what has the focus."""

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from itertools import takewhile
 from typing import ClassVar, NamedTuple
 
@@ -10,7 +10,6 @@ from rich.segment import Segment
 from rich.style import Style
 from textual.binding import Binding, BindingType
 from textual.geometry import Region
-from textual.message import Message
 
 from plastron_tui.runtime.live_graph import LiveGraph
 
@@ -40,25 +39,18 @@ class Watching(NamedTuple):
     nodes: tuple[str, ...] = ()
 
 
-class LiveWatched(Message):
-    """Other rows came in sight, or the panel itself did, or is no more."""
-
-
-class LiveAsked(Message):
-    """Something shall be done about a row: `publish`, `call` or `set`; or `restart`."""
-
-    def __init__(self, what: str, row: LiveRow | None) -> None:
-        super().__init__()
-        self.what = what
-        self.row = row
-
-
 def _asking(what: str, keys: str, title: str, tooltip: str, *, show: bool = True) -> Binding:
     return Binding(keys, f"ask('{what}')", title, id=f"live.{what}", tooltip=tooltip, show=show)
 
 
 class LivePanel(EntryList):
-    """A table of what runs. It only knows what it is shown, and tells what is in sight of that."""
+    """A table of what runs. It only knows what it is shown, and tells what is in sight of that.
+
+    Attributes:
+        on_watched: called when other rows came in sight, or the panel itself did, or is no more.
+        on_asked: called when something shall be done about a row: `publish`, `call` or `set`; or
+            `restart`, whatever the row is.
+    """
 
     BINDINGS: ClassVar[list[BindingType]] = [
         Binding("enter", "choose", "Open", id="live.open", tooltip="Unfold it, call it or set it"),
@@ -72,6 +64,8 @@ class LivePanel(EntryList):
 
     def __init__(self, *, id: str | None = None) -> None:  # noqa: A002 - Textual's word
         super().__init__(id=id, empty=NOTHING_RUNS)
+        self.on_watched: Callable[[], None] = lambda: None
+        self.on_asked: Callable[[str, LiveRow | None], None] = lambda _, __: None
         self._graphs: Sequence[LiveGraph] = ()
         self._answers: Mapping[str, Answer] = {}
         self._live: list[LiveRow] = []
@@ -138,7 +132,7 @@ class LivePanel(EntryList):
             if not before and len(rows) > 1:
                 # The first one is a heading.
                 self.index = 1
-            self.post_message(LiveWatched())
+            self.on_watched()
             self.refresh_bindings()
         elif self._columns != old_columns:
             self.refresh()
@@ -157,24 +151,24 @@ class LivePanel(EntryList):
         """Show what came meanwhile."""
         self._is_in_sight = True
         self._show_rows()
-        self.post_message(LiveWatched())
+        self.on_watched()
 
     def on_hide(self) -> None:
         """Tell that nobody looks any more."""
         self._is_in_sight = False
-        self.post_message(LiveWatched())
+        self.on_watched()
 
     def on_resize(self) -> None:
         """Lay the columns out anew."""
         self._columns = columns_of(self._live, self.scrollable_content_region.width)
         self.refresh()
-        self.post_message(LiveWatched())
+        self.on_watched()
 
     def watch_scroll_y(self, old_value: float, new_value: float) -> None:
         """Tell that other rows are in sight."""
         super().watch_scroll_y(old_value, new_value)
         if round(old_value) != round(new_value):
-            self.post_message(LiveWatched())
+            self.on_watched()
 
     def watch_index(self, old: int, new: int) -> None:
         """Offer other actions with another row."""
@@ -191,7 +185,7 @@ class LivePanel(EntryList):
 
     def action_ask(self, what: str) -> None:
         """Ask for something to be done."""
-        self.post_message(LiveAsked(what, self.row))
+        self.on_asked(what, self.row)
 
     def action_choose(self) -> None:
         """Unfold the row, or fold it; call a service; set a parameter."""
