@@ -22,6 +22,7 @@ from ..panels.dock import Dock
 from ..panels.entry_keys import Asked, Chosen, Lit
 from ..panels.entry_list import EntryList
 from ..panels.key_bar import KeyBar
+from ..panels.live_panel import LivePanel
 from ..panels.output import OutputPanel
 from ..panels.panel import Resized
 from ..panels.registry import PANELS
@@ -74,10 +75,11 @@ class MainScreen(Screen[None]):
             self, self.program, self.files, self.recovery, self.feed.ask_anew, self.show_title
         )
         self._trust = TrustPrompt(self, self.program, self.key_of)
-        output, nodes = self.panels["output"], self.panels["nodes"]
+        output, nodes, live = self.panels["output"], self.panels["nodes"], self.panels["live"]
         assert isinstance(output, OutputPanel) and isinstance(nodes, EntryList)
+        assert isinstance(live, LivePanel)
         self.runner = RunActions(
-            self, self.program, self.files, self.dock_layout, output, nodes, self._trust,
+            self, self.program, self.files, self.dock_layout, output, nodes, self._trust, live,
             self.show_title,
         )  # fmt: skip
         self._entries = EntryActions(self, self.program)
