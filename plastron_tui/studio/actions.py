@@ -57,7 +57,7 @@ def _of(command: Command) -> Action:
 
 ACTIONS: tuple[Action, ...] = (
     Action("help", "Help", "screen.help", "f1,alt+question_mark",
-           "Help for what has the focus.", footer=True),
+           "What the word at the cursor means; again, help for what has the focus.", footer=True),
     Action("run", "Run", "screen.run", "f5",
            "Generate the nodes and start them; stop them where they run.", footer=True),
     Action("stop", "Stop the nodes", "screen.stop", "shift+f5", "Stop what runs."),

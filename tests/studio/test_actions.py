@@ -153,6 +153,10 @@ async def test_f7_goes_through_all_panels(program: Path, size: tuple[int, int]) 
 
 async def test_help_is_about_what_has_the_focus(program: Path) -> None:
     async with studio(program) as driver:
+        await driver.press("f1")
+        card = driver.main.editor.view.card.card
+        assert card is not None
+        assert card.title == "create_node"
         await driver.pilot.press("f1")
         dialog = await driver.dialog("Help")
         assert "create_node 'NODE_NAME' as VARIABLE" in dialog.query_one("TextView").text

@@ -325,8 +325,13 @@ class MainScreen(Screen[None]):
 
     # Actions: help and settings.
 
-    def action_help(self) -> None:
-        """Show help for what has the focus."""
+    def action_help(self, of_word: bool = True) -> None:
+        """Say what the word at the cursor means; asked again, help for what has the focus."""
+        hover = self.editor.hover
+        is_first = of_word and self.focused is self.editor.view and not hover.is_asked
+        if is_first and hover.show_at_cursor(f"{self.key_of('help')} again: help for all"):
+            return
+        hover.close()
         from ..screens.help import Help, action_lines
 
         around = [] if self.focused is None else self.focused.ancestors_with_self
