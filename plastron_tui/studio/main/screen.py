@@ -133,7 +133,7 @@ class MainScreen(Screen[None]):
     @on(ProgramEditor.Changed)
     def text_changed(self) -> None:
         """Find out what the text means; keep it in the journal."""
-        self.feed.ask_soon()
+        self.feed.edited()
         self.recovery.keep_soon()
         self.show_title()
 
@@ -141,7 +141,7 @@ class MainScreen(Screen[None]):
     def cursor_moved(self) -> None:
         """Let the panels follow."""
         self.show_status()
-        self.feed.refresh()
+        self.feed.moved()
 
     @on(Analysed)
     def analysed(self, message: Analysed) -> None:
