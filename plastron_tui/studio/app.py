@@ -7,7 +7,7 @@ import os
 import signal
 import sys
 import threading
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from contextlib import suppress
 from functools import partial
 from pathlib import Path
@@ -15,8 +15,8 @@ from types import FrameType
 from typing import ClassVar
 
 from textual import on
-from textual.app import App, SystemCommand
-from textual.binding import BindingType
+from textual.app import App
+from textual.binding import Binding, BindingType
 from textual.filter import LineFilter
 from textual.notifications import SeverityLevel
 from textual.screen import Screen
@@ -27,13 +27,15 @@ from plastron_tui.private_files import sweep
 from plastron_tui.session import Options
 from plastron_tui.user_folders import state_folder
 
-from .actions import ACTIONS, ids
+from .actions import key_owners
 from .analysis_worker import AnalysisFailed
 from .config import Profile, config_file, load_config, load_remembered, save_remembered
 from .control_characters import ONLY_TEXT
 from .files import open_file
 from .folder_labels import not_saved
+from .key_display import key_name
 from .key_order import InOrder
+from .legibility import LEGIBLE
 from .main.screen import MainScreen
 from .open_program import opened
 from .terminal_keys import teach
@@ -41,6 +43,8 @@ from .terminal_keys import teach
 DEFAULT_THEME = "textual-dark"
 _ENDS_WITHIN = 5.0
 """Seconds that the studio has to end in good order once the system says so."""
+_AT_ONCE = 5
+"""How many of the messages of the start are shown."""
 _SMALL = "ansi-dark"
 """The theme of terminals that have only their own sixteen colours."""
 _SMALL_TERMINALS = frozenset({"linux", "xterm", "screen", "rxvt", "ansi", "vt100", "vt220"})
@@ -51,8 +55,8 @@ class StudioApp(InOrder, inherit_bindings=False):
 
     TITLE = "plastron"
     CSS_PATH = "studio.tcss"
-    ENABLE_COMMAND_PALETTE = True
-    COMMAND_PALETTE_BINDING = "ctrl+p"
+    # The studio's own menu knows groups and what was done of late.
+    ENABLE_COMMAND_PALETTE = False
     BINDINGS: ClassVar[list[BindingType]] = []
 
     def __init__(
@@ -67,7 +71,7 @@ class StudioApp(InOrder, inherit_bindings=False):
         """
         super().__init__()
         folder = state_folder()
-        config, self._messages = load_config(config_file(), ids(), self.available_themes)
+        config, self._messages = load_config(config_file(), key_owners(), self.available_themes)
         self.profile = Profile(config, load_remembered(folder), folder)
         self.set_reactive(App.theme, self._first_theme())
         self._path = path
@@ -98,10 +102,11 @@ class StudioApp(InOrder, inherit_bindings=False):
         """Take the theme and the keys; offer what was not saved; say what is wrong."""
         first = self.theme
         self.theme_changed_signal.subscribe(self, lambda theme: self._themed(theme.name, first))
-        if self.profile.config.keys:
-            self.set_keymap(self.profile.config.keys)
+        keys = {action: keys for action, keys in self.profile.config.keys.items() if keys}
+        if keys:
+            self.set_keymap(keys)
         sweep(self.profile.folder)
-        for message in self._messages:
+        for message in shown_at_once(self._messages):
             self.notify(message, severity="warning", timeout=10, markup=False)
         if not self.is_headless:
             for number in (signal.SIGTERM, signal.SIGHUP):
@@ -134,24 +139,17 @@ class StudioApp(InOrder, inherit_bindings=False):
         if name != first or self.profile.remembered.theme is not None:
             self.profile.remembered.theme = name
 
-    def get_system_commands(self, screen: Screen[object]) -> Iterable[SystemCommand]:
-        """List every action of the studio, with its key."""
-        if not isinstance(screen, MainScreen):
-            return
-        for action in ACTIONS:
-            if action.id == "menu":
-                continue
-            key = self.main.key_of(action.id)
-            title = f"{action.title}  ({key})" if key else action.title
-            yield SystemCommand(title, action.help, partial(self.run_call, action.call))
-
     async def run_call(self, call: str) -> None:
         """Do an action by its call."""
         await self.run_action(call, self.main)
 
+    def get_key_display(self, binding: Binding) -> str:
+        """Return what a key is called, everywhere in the studio."""
+        return key_name(binding.key)
+
     def get_line_filters(self) -> Sequence[LineFilter]:
-        """Return what each line of the screen passes through: nothing in it is obeyed."""
-        return [*super().get_line_filters(), ONLY_TEXT]
+        """Return what each line passes through: nothing in it is obeyed, and it can be read."""
+        return [*super().get_line_filters(), ONLY_TEXT, LEGIBLE]
 
     def notify(
         self,
@@ -243,6 +241,13 @@ def run(path: Path | None, options: Options | None = None, first: str | None = N
 def run_served() -> None:
     """Run the studio for a browser's server, with the program's argument as its file, and exit."""
     sys.exit(run(Path(sys.argv[1]) if len(sys.argv) > 1 else None))
+
+
+def shown_at_once(messages: Sequence[str]) -> list[str]:
+    """Return messages so that they leave room on the screen: the first of them in one."""
+    first, more = messages[:_AT_ONCE], len(messages) - _AT_ONCE
+    last = [f"… and {more} more"] if more > 0 else []
+    return ["\n".join([*first, *last])] if first else []
 
 
 def has_few_colours(environ: Mapping[str, str]) -> bool:

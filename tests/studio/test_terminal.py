@@ -49,6 +49,10 @@ def is_running(pid: int) -> bool:
     return state != "Z"
 
 
+_OF_TERMINALS = frozenset({"TMUX", "TMUX_PANE", "COLUMNS", "LINES"})
+"""What a shell says of its own terminal: the size of all windows, the pane that is meant."""
+
+
 class Terminal:
     """A tmux server of the test's own, with one window."""
 
@@ -62,16 +66,17 @@ class Terminal:
 
     def tmux(self, *words: str) -> str:
         command = ["tmux", "-S", self._socket, "-f", os.devnull, *words]
-        done = subprocess.run(command, capture_output=True, text=True, check=True, timeout=PATIENCE)
+        environ = {name: value for name, value in os.environ.items() if name not in _OF_TERMINALS}
+        done = subprocess.run(
+            command, capture_output=True, text=True, check=True, timeout=PATIENCE, env=environ
+        )
         return done.stdout
 
     def start(self, *words: str) -> None:
         # tmux has a TERM of its own for what it starts.
         settings = [f"{name}={value}" for name, value in self._environ.items()]
         session = ["new-session", "-d", *self._size, "-c", str(self._folder)]
-        # With these in the environment no window is ever of another size.
-        unset = ["-u", "COLUMNS", "-u", "LINES"]
-        command = [*session, "-P", "-F", "#{pane_pid}", "env", *unset, *settings, *words]
+        command = [*session, "-P", "-F", "#{pane_pid}", "env", *settings, *words]
 
         def is_started() -> bool:
             # A server that is about to end takes nothing new.
@@ -119,7 +124,10 @@ class Terminal:
 
 
 @pytest.fixture
-def terminal(tmp_path: Path, home: Path) -> Iterator[Terminal]:
+def terminal(tmp_path: Path, home: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Terminal]:
+    # As in a window of tmux whose shell exports its size.
+    for name, value in {"TMUX_PANE": "%0", "COLUMNS": "200", "LINES": "9"}.items():
+        monkeypatch.setenv(name, value)
     environ = {
         "XDG_CONFIG_HOME": str(home / "config"),
         "XDG_STATE_HOME": str(home / "state"),

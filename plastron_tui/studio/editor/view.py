@@ -59,8 +59,10 @@ class EditorView(ScrollView, can_focus=True, inherit_bindings=False):
 
     def show_marks(self, marks: Marks) -> None:
         """Show other mistakes."""
-        self.geometry.marks = marks
-        self._place_lines()
+        self.geometry.place_marks(marks)
+        if self.geometry.width != self.text_width:
+            self._place_lines()
+        self._fit()
         self.refresh()
 
     def show_from_top(self) -> None:
@@ -70,7 +72,9 @@ class EditorView(ScrollView, can_focus=True, inherit_bindings=False):
         self.painter.brackets = None
         self._edits.clear()
         self._shown = self.state.selection
-        self.show_marks(Marks())
+        self.geometry.marks = Marks()
+        self._place_lines()
+        self.refresh()
         self.scroll_to(0, 0, animate=False, force=True)
 
     def recolor(self) -> None:

@@ -25,6 +25,7 @@ class ActiveProgram:
         self.open = open_
         self.editor = ProgramEditor(open_.session, id="editor")
         self.editor.hover.card_of = self.card_at
+        self.editor.border_title = "Program"
 
     @property
     def text(self) -> bytes:

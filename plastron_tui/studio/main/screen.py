@@ -11,7 +11,7 @@ from textual.binding import Binding, BindingType
 from textual.geometry import Region
 from textual.screen import Screen
 
-from ..actions import ACTIONS, BY_ID, bindings
+from ..actions import ACTIONS, BY_ID, KEPT, bindings
 from ..analysis_worker import Analysed, AnalysisFailed
 from ..config import Profile
 from ..editor import ProgramEditor
@@ -58,6 +58,7 @@ class MainScreen(Screen[None]):
         self.profile = profile
         self.program = ActiveProgram(open_)
         self._title, self._status = TitleBar(id="title"), StatusBar(id="status")
+        self._keys = KeyBar(KEPT)
         widgets = {panel: panel.widget(id=panel.name) for panel in PANELS}
         self.panels = {panel.name: widget for panel, widget in widgets.items()}
         self.dock_layout = DockLayout(
@@ -95,7 +96,7 @@ class MainScreen(Screen[None]):
         yield self._title
         yield self.dock_layout
         yield self._status
-        yield KeyBar()
+        yield self._keys
 
     def on_mount(self) -> None:
         """Start the worker, and look at the files from time to time."""
@@ -121,7 +122,7 @@ class MainScreen(Screen[None]):
 
     def on_resize(self) -> None:
         """Lay the panels out for another size."""
-        self.query_one(KeyBar).display = self.app.size.height >= _LEAST_ROWS
+        self._keys.display = self.app.size.height >= _LEAST_ROWS
         self.dock_layout.lay_out()
 
     def look_at_disk(self) -> None:
@@ -198,7 +199,9 @@ class MainScreen(Screen[None]):
 
     def show_title(self) -> None:
         """Show the program's name, whether it is saved, and what is the case with it."""
-        self._title.show_program(self.open, self.key_of("run") if self.runner.is_running else None)
+        is_running = self.runner.is_running
+        self._title.show_program(self.open, self.key_of("run") if is_running else None)
+        self._keys.retitle({"run": "Stop"} if is_running else {})
 
     def show_status(self) -> None:
         """Show the sentence of the statement at the cursor, and where the cursor is."""
@@ -324,6 +327,17 @@ class MainScreen(Screen[None]):
             self.feed.ask_anew()
 
     # Actions: help and settings.
+
+    @work(exclusive=True, group="menu")
+    async def action_menu(self) -> None:
+        """Offer all actions, and do the one that is chosen."""
+        from ..screens.menu import ActionMenu
+
+        remembered = self.profile.remembered
+        action = await self.app.push_screen_wait(ActionMenu(remembered.actions, self.key_of))
+        if action is not None:
+            remembered.did(action.id)
+            await self.app.run_action(action.chosen or action.call, self)
 
     def action_help(self, of_word: bool = True) -> None:
         """Say what the word at the cursor means; asked again, help for what has the focus."""

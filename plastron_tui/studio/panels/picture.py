@@ -11,13 +11,14 @@ from rich.cells import cell_len
 
 from plastron_tui.diagnostics import Span
 
-from .drawing import DETAILS, Label, Place, Plan
+from .drawing import DETAILS, Label, Plan
 from .entry import HUBS, SIGNS, Entry, Subject
 from .styles import Line, Lines, Piece
 
 if TYPE_CHECKING:
     from plastron_tui.model.graph import Graph, Hub
     from plastron_tui.output.graphs.layers import Columns, Link
+    from plastron_tui.output.graphs.wiring import Place
 
 MOST_BOXES = 400
 """With more boxes than this nobody reads the picture."""
@@ -65,7 +66,9 @@ class Picture:
     statements: tuple[tuple[Span, int], ...] = ()
     note: str = ""
     _fitted: dict[Size, Fitted] = field(default_factory=dict, compare=False, repr=False)
-    _plans: dict[int, list[Plan]] = field(default_factory=dict, compare=False, repr=False)
+    _plans: dict[tuple[int, int], list[Plan]] = field(
+        default_factory=dict, compare=False, repr=False
+    )
 
     def at(self, offset: int) -> int | None:
         """Return the box that the statement at an offset is about."""
@@ -94,7 +97,12 @@ class Picture:
             return _noted(self.note)
         best = size.detail
         for detail in range(len(DETAILS)) if best is None else ():
-            shelves = _shelves(self._planned(detail), size.width)
+            least = [plan.least for plan in self._planned(detail, size.width)]
+            if any(width >= size.width for width, _ in least):
+                continue
+            if best is not None and any(height > size.height for _, height in least):
+                continue
+            shelves = _shelves(self._planned(detail, size.width), size.width)
             if max(map(_width, shelves)) <= size.width:
                 best = detail if best is None else best
                 if _height(shelves, detail) <= size.height:
@@ -102,17 +110,17 @@ class Picture:
                     break
         if best is None:
             best = len(DETAILS) - 1
-        shelves = _shelves(self._planned(best), size.width)
+        shelves = _shelves(self._planned(best, size.width), size.width)
         if max(map(_width, shelves)) * _height(shelves, best) > _MOST_CELLS:
             return _noted(f"{len(self.labels)} boxes are too far apart; the panels list them")
         return _packed(shelves, best)
 
-    def _planned(self, detail: int) -> list[Plan]:
-        plans = self._plans.get(detail)
+    def _planned(self, detail: int, width: int) -> list[Plan]:
+        plans = self._plans.get((detail, width))
         if plans is None:
-            how = DETAILS[detail]
-            plans = [Plan(self.labels, columns, order, how) for columns, order in self.parts]
-            self._plans[detail] = plans
+            how, room = DETAILS[detail], width - 1
+            plans = [Plan(self.labels, columns, order, how, room) for columns, order in self.parts]
+            self._plans[detail, width] = plans
         return plans
 
 
@@ -124,7 +132,7 @@ def _shelves(plans: Sequence[Plan], width: int) -> list[list[Plan]]:
     """Put parts beside each other as far as there is room, in their order."""
     shelves: list[list[Plan]] = []
     for plan in plans:
-        if shelves and _width(shelves[-1]) + _APART + plan.width <= width:
+        if shelves and _width(shelves[-1]) + _APART + plan.grid.width <= width:
             shelves[-1].append(plan)
         else:
             shelves.append([plan])
@@ -132,11 +140,11 @@ def _shelves(plans: Sequence[Plan], width: int) -> list[list[Plan]]:
 
 
 def _width(shelf: Sequence[Plan]) -> int:
-    return 1 + sum(plan.width for plan in shelf) + _APART * (len(shelf) - 1)
+    return 1 + sum(plan.grid.width for plan in shelf) + _APART * (len(shelf) - 1)
 
 
 def _height(shelves: Sequence[Sequence[Plan]], detail: int) -> int:
-    highest = sum(max(plan.height for plan in shelf) for shelf in shelves)
+    highest = sum(max(plan.grid.height for plan in shelf) for shelf in shelves)
     return highest + DETAILS[detail].between * (len(shelves) - 1)
 
 
@@ -148,18 +156,18 @@ def _packed(shelves: Sequence[Sequence[Plan]], detail: int) -> Fitted:
         if lines:
             lines += [()] * DETAILS[detail].between
         top, left = len(lines), 1
-        rows = [[Piece(" ")] for _ in range(max(plan.height for plan in shelf))]
+        rows = [[Piece(" ")] for _ in range(max(plan.grid.height for plan in shelf))]
         for plan in shelf:
-            for box, place in plan.places.items():
+            for box, place in plan.grid.places.items():
                 places[box] = place._replace(x=place.x + left, y=place.y + top)
             drawn = plan.drawn()
             for at, row in enumerate(rows):
                 line = drawn[at] if at < len(drawn) else ()
                 row += line
                 if plan is not shelf[-1]:
-                    blank = plan.width + _APART - sum(cell_len(piece.text) for piece in line)
+                    blank = plan.grid.width + _APART - sum(cell_len(piece.text) for piece in line)
                     row.append(Piece(" " * blank))
-            left += plan.width + _APART
+            left += plan.grid.width + _APART
         lines += map(_stripped, rows)
     return Fitted(tuple(lines), max(map(_width, shelves)), places, detail)
 

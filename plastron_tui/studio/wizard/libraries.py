@@ -95,7 +95,7 @@ def explained(ask: Ask) -> str:
     if nodes and not ask.node:
         library = LibraryKind().suggest(ask) or ros.library
         return f"the other nodes are for {library}: nodes of ROS 1 and ROS 2 do not hear each other"
-    said = f"{ros.library} for {ros.name}: {ros.why.value}"
+    said = f"{ros.words}: {ros.why.value}"
     there = _installation(ros.library)
     if there is not None and not _missing(ros.library, there):
         return said
