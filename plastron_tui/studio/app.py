@@ -88,6 +88,7 @@ class StudioApp(InOrder, inherit_bindings=False):
         self._failures: set[str] = set()
         self.last_words = ""
         self._last_note = "", 0.0
+        self._is_up = False
 
     def get_default_screen(self) -> Screen[None]:
         """Open the program that was asked for."""
@@ -109,6 +110,7 @@ class StudioApp(InOrder, inherit_bindings=False):
 
     def on_mount(self) -> None:
         """Take the theme and the keys; offer what was not saved; say what is wrong."""
+        self.call_after_refresh(self._came_up)
         first = self.theme
         self.theme_changed_signal.subscribe(self, lambda theme: self._themed(theme.name, first))
         self.app_resume_signal.subscribe(self, lambda _: self.refresh(layout=True))
@@ -138,6 +140,10 @@ class StudioApp(InOrder, inherit_bindings=False):
             self.call_after_refresh(self.run_call, self._first)
         elif self._path is None:
             self.call_after_refresh(self.main.action_welcome)
+
+    def _came_up(self) -> None:
+        """Note that there is a screen that keys can go to."""
+        self._is_up = True
 
     def _first_theme(self) -> str:
         wanted = self.profile.config.theme or self.profile.remembered.theme
@@ -236,10 +242,22 @@ class StudioApp(InOrder, inherit_bindings=False):
         self._keep_all()
         os._exit(status)
 
+    def listens(self) -> bool:
+        """Tell whether keys reach somebody; the editor has them where nothing else has.
+
+        Nothing has before the first screen is up, nor where the terminal says that it has lost
+        the focus, which some do at the start.
+        """
+        if not self.is_running or not self._is_up:
+            return False
+        if self.screen is self.main and self.main.focused is None:
+            self.app_focus = True
+            self.main.set_focus(self.main.editor.view)
+        return True
+
     def on_app_focus(self) -> None:
         """Let the editor have the keys, when the window gets the focus before anything else."""
-        if self.screen is self.main and self.main.focused is None:
-            self.main.editor.focus()
+        self.listens()
 
     def on_resize(self, event: events.Resize) -> None:
         """Draw all anew, for the same size too: there may have been another one meanwhile."""

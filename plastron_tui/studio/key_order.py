@@ -126,9 +126,21 @@ class InOrder(Failing, inherit_bindings=False):
             return [events.Paste(burst.text)]
         return burst.keys
 
+    def listens(self) -> bool:
+        """Tell whether somebody is there that keys are for: at the start nobody is yet."""
+        return True
+
     @property
     def _is_turning(self) -> bool:
+        if not self.listens():
+            return True
         return isinstance(self.screen, Paged) and self.screen.is_turning
+
+    async def _until_listening(self) -> None:
+        """Wait for somebody to be there, but not for one who never comes."""
+        end = monotonic() + _LONGEST
+        while not self.listens() and monotonic() < end:
+            await asyncio.sleep(_PAUSE)
 
     def _may_open(self, event: events.Key) -> bool:
         screen = self.screen
@@ -155,6 +167,7 @@ class InOrder(Failing, inherit_bindings=False):
         if nodes is not None:
             await self._settled(nodes)
         while self._waiting:
+            await self._until_listening()
             event = self._waiting[0]
             # Who wants to leave need not wait for a page.
             while isinstance(self.screen, Paged) and not self.screen.is_settled:

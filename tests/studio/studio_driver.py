@@ -90,6 +90,8 @@ class Driver:
             await self.until(lambda: not self.is_missing)
         except AssertionError as error:
             raise AssertionError(f"{error}: {self.is_missing}") from None
+        # As after a second without a key.
+        self.main.feed.held_back.rest()
         await self.pilot.pause()
 
     @property

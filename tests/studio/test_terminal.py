@@ -175,6 +175,19 @@ def test_a_publisher_is_typed_generated_and_right(terminal: Terminal, tmp_path: 
     assert (tmp_path / "mine.plastron").read_text() == PUBLISHER
 
 
+def test_keys_from_before_the_first_screen_are_not_lost(terminal: Terminal, tmp_path: Path) -> None:
+    start(terminal, "mine.plastron")
+    typed = ""
+    # From before the studio has the terminal until it has shown itself.
+    while "Ctrl-Q" not in terminal.screen or len(typed) < 20:
+        typed += "xyz"[len(typed) % 3]
+        terminal.keys("-l", typed[-1])
+    file = tmp_path / "mine.plastron"
+    terminal.keys("C-s")
+    assert until(file.exists)
+    assert file.read_text() == typed
+
+
 def test_completion_writes_most_of_a_publisher(terminal: Terminal, tmp_path: Path) -> None:
     start(terminal, "mine.plastron")
     terminal.wait(lambda screen: "no nodes yet" in screen)

@@ -138,7 +138,7 @@ class MainScreen(Screen[None]):
     @on(ProgramEditor.Changed)
     def text_changed(self) -> None:
         """Find out what the text means; keep it in the journal."""
-        self.feed.ask_soon()
+        self.feed.edited()
         self.recovery.keep_soon()
         self.show_title()
 
@@ -146,7 +146,7 @@ class MainScreen(Screen[None]):
     def cursor_moved(self) -> None:
         """Let the panels follow."""
         self.show_status()
-        self.feed.refresh()
+        self.feed.moved()
 
     @on(Analysed)
     def analysed(self, message: Analysed) -> None:
@@ -342,10 +342,15 @@ class MainScreen(Screen[None]):
         action = await self.app.push_screen_wait(ActionMenu(remembered.actions, self.key_of))
         if action is not None:
             remembered.did(action.id)
-            await self.app.run_action(action.call, self)
+            await self.app.run_action(action.chosen or action.call, self)
 
-    def action_help(self) -> None:
-        """Show help for what has the focus."""
+    def action_help(self, of_word: bool = True) -> None:
+        """Say what the word at the cursor means; asked again, help for what has the focus."""
+        hover = self.editor.hover
+        is_first = of_word and self.focused is self.editor.view and not hover.is_asked
+        if is_first and hover.show_at_cursor(f"{self.key_of('help')} again: help for all"):
+            return
+        hover.close()
         from ..screens.help import Help, action_lines
 
         around = [] if self.focused is None else self.focused.ancestors_with_self

@@ -2,9 +2,14 @@
 
 from __future__ import annotations
 
+import threading
+from collections.abc import Callable
+
 import pytest
 from editor_host import PROGRAM, editing
-from textual.widgets import Label
+from textual.widgets import Input, Label
+
+from plastron_tui.studio.editor.search import Found, Search
 
 
 class TestFinding:
@@ -76,6 +81,43 @@ class TestFinding:
             assert at.editor.finder.search.problem
             await at.press("enter", "escape")
             assert at.editor.text == b"ab\n"
+
+    async def test_keys_do_not_wait_for_a_slow_expression(
+        self, monkeypatch: pytest.MonkeyPatch
+    ) -> None:
+        goes_on = threading.Event()
+        find = Search.find
+
+        def slow(self: Search, text: bytes, *is_stale: Callable[[], bool]) -> Found:
+            assert not self.is_regex or goes_on.wait(60)
+            return find(self, text, *is_stale)
+
+        monkeypatch.setattr(Search, "find", slow)
+        async with editing("ab b\n") as at:
+            await at.press("ctrl+r", "tab", "z", "tab", "alt+r")
+            goes_on.set()
+            await at.until(lambda: not at.editor.finder.is_searching)
+            goes_on.clear()
+            label = at.editor.find_bar.query_one("#find-count", Label)
+            await at.type("a")
+            assert str(label.content) == "searching …"
+            # What is asked for meanwhile is done once it is known where.
+            await at.press("backspace", "b", "alt+a")
+            assert at.editor.text == b"ab b\n"
+            goes_on.set()
+            await at.until(lambda: at.editor.text == b"az z\n")
+            await at.until(lambda: str(label.content) == "2 replaced")
+            goes_on.clear()
+            await at.press("backspace", "z", "escape", "x")
+            assert b"x" in at.editor.text
+            goes_on.set()
+
+    async def test_an_expression_that_takes_too_long_is_said(self) -> None:
+        async with editing("a" * 60 + "b\n") as at:
+            await at.press("ctrl+f", "alt+r")
+            at.editor.find_bar.query_one("#find-what", Input).value = r"^(a|aa)+\1?$"
+            label = at.editor.find_bar.query_one("#find-count", Label)
+            await at.until(lambda: str(label.content) == "that expression takes too long")
 
     @pytest.mark.parametrize(
         ("answer", "offset"), [("2", 4), ("2:3", 6), ("99", 8), ("2:99", 7), ("0", 0)]
