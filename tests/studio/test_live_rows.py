@@ -47,8 +47,10 @@ def graph() -> LiveGraph:
     return graph
 
 
-def drawn(graph: LiveGraph, width: int, unfolded: set[str], **answers: Answer) -> list[str]:
-    rows = live_rows([graph], unfolded, {"2 service /add": each for each in answers.values()})
+def drawn(
+    graph: LiveGraph, width: int, unfolded: set[str], answer: Answer | None = None
+) -> list[str]:
+    rows = live_rows([graph], unfolded, {} if answer is None else {"2 service /add": answer})
     columns = columns_of(rows, width)
     lines = ["".join(piece.text for piece in line_of(row, columns, width)) for row in rows]
     for line in lines:
@@ -124,7 +126,7 @@ def test_what_is_entered_is_checked_and_becomes_values(
     interface = CATALOG.find(InterfaceName(*type_.split("/")), InterfaceKind(kind))
     assert interface is not None
     found = sent_values(interface, CATALOG, entries_of(interface, CATALOG), given)
-    if wanted is None or isinstance(wanted, tuple) and not isinstance(wanted, Wrong):
+    if wanted is None or (isinstance(wanted, tuple) and not isinstance(wanted, Wrong)):
         assert isinstance(found, Wrong) and found.path == wanted
     else:
         assert found == wanted
