@@ -6,6 +6,7 @@ import json
 import os
 import signal
 import sys
+from pathlib import Path
 
 
 def send(**report: object) -> None:
@@ -21,7 +22,7 @@ def main() -> None:
         services=[["/add", "example_interfaces/AddTwoInts"]],
         nodes=["/talker"],
     )
-    with open(sys.argv[1], "a", encoding="utf-8") as log:
+    with Path(sys.argv[1]).open("a", encoding="utf-8") as log:
         for line in sys.stdin:
             order = json.loads(line)
             print(line, end="", file=log, flush=True)

@@ -47,8 +47,10 @@ def graph() -> LiveGraph:
     return graph
 
 
-def drawn(graph: LiveGraph, width: int, unfolded: set[str], **answers: Answer) -> list[str]:
-    rows = live_rows([graph], unfolded, {"2 service /add": each for each in answers.values()})
+def drawn(
+    graph: LiveGraph, width: int, unfolded: set[str], answer: Answer | None = None
+) -> list[str]:
+    rows = live_rows([graph], unfolded, {} if answer is None else {"2 service /add": answer})
     columns = columns_of(rows, width)
     lines = ["".join(piece.text for piece in line_of(row, columns, width)) for row in rows]
     for line in lines:

@@ -10,9 +10,11 @@ from rich.segment import Segment
 from rich.style import Style
 from textual.binding import Binding, BindingType
 from textual.geometry import Region
+from textual.strip import Strip
 
 from plastron_tui.runtime.live_graph import LiveGraph
 
+from ..delay import Delay
 from .entry import Entries, Entry
 from .entry_list import EntryList
 from .live_columns import Columns, columns_of, line_of
@@ -22,6 +24,9 @@ from .panel import Panel
 NOTHING_RUNS = "nothing runs\nF5 starts the nodes; here is then what they send"
 STARTING = "the nodes start…\nwhat they send is shown here"
 LOOKING = "looking for topics…\nwhat the nodes send is shown here"
+_ROWS_AT_ONCE = 16
+_BETWEEN = 0.03
+"""Seconds between the rows that are drawn at once and the next ones."""
 _KINDS = {"publish": Kind.TOPIC, "call": Kind.SERVICE, "set": Kind.PARAMETER}
 
 
@@ -72,6 +77,9 @@ class LivePanel(EntryList):
         self._unfolded: set[str] = set()
         self._columns = Columns(0, 0, 0, 0, 0)
         self._is_in_sight = False
+        self._stale: set[int] = set()
+        self._drawing = Delay(self, self._draw_some)
+        self._base: Style | None = None
 
     @property
     def row(self) -> LiveRow | None:
@@ -141,11 +149,40 @@ class LivePanel(EntryList):
                                if pair[0] != pair[1])  # fmt: skip
 
     def _refresh_rows(self, rows: Iterable[int]) -> None:
-        """Draw single rows again: whoever is on a slow line gets no more than what is new."""
+        """Draw rows again, some at a time: a key that comes meanwhile waits for no more of them.
+
+        Who is on a slow line gets no more than what is new.
+        """
+        self._stale.update(rows)
+        if not self._drawing.is_waiting:
+            self._draw_some()
+
+    def _draw_some(self) -> None:
         top, height = int(self.scroll_offset.y), self.size.height
-        for row in rows:
-            if top <= row < top + height:
-                self.refresh(Region(0, row - top, self.size.width, 1))
+        in_sight = sorted(row for row in self._stale if top <= row < top + height)
+        if not in_sight:
+            self._stale.clear()
+            return
+        first = in_sight[0]
+        drawn = range(first, min(first + _ROWS_AT_ONCE, in_sight[-1] + 1))
+        self._stale.difference_update(drawn)
+        self.refresh(Region(0, first - top, self.size.width, len(drawn)))
+        self._drawing.start(_BETWEEN)
+
+    @property
+    def rich_style(self) -> Style:
+        """The style of its background; looked up once for all lines that are drawn in one go."""
+        if self._base is None:
+            return super().rich_style
+        return self._base
+
+    def render_lines(self, crop: Region) -> list[Strip]:
+        """Draw lines."""
+        self._base = super().rich_style
+        try:
+            return super().render_lines(crop)
+        finally:
+            self._base = None
 
     def on_show(self) -> None:
         """Show what came meanwhile."""
