@@ -124,7 +124,8 @@ def _find(pattern: regex.Pattern[str], text: bytes, is_stale: Callable[[], bool]
             at_byte += len(written[at_char:start].encode())
             at_char = start
             start, end = at_byte, at_byte + len(match.group().encode())
-        start, end = (at + bisect_left(returns, at) for at in (start, end))
+        if returns:
+            start, end = (at + bisect_left(returns, at) for at in (start, end))
         found.spans.append((start, end))
         found.matches.append(match)
         if len(found.spans) >= MOST_MATCHES or is_stale():

@@ -112,6 +112,32 @@ class TestFinding:
             assert b"x" in at.editor.text
             goes_on.set()
 
+    @pytest.mark.parametrize("wraps", [False, True])
+    async def test_of_a_long_line_only_the_matches_in_sight_are_drawn(self, wraps: bool) -> None:
+        async with editing("ab é " * 20_000) as at:
+            view = at.editor.view
+            view.soft_wrap = wraps
+            await at.press("ctrl+f", "a")
+            assert at.editor.finder.count.endswith("of 20000")
+            find, asked = at.editor.finder.search.within, list[tuple[int, int]]()
+
+            def within(start: int, end: int) -> list[tuple[int, int]]:
+                asked.append((start, end))
+                return find(start, end)
+
+            view.painter.matches = within
+            strips = [view.render_line(y) for y in range(view.size.height)]
+            assert max(end - start for start, end in asked) < 3 * view.size.width
+            match = view.palette.match.bgcolor
+            shown = [
+                segment.text
+                for strip in strips
+                for segment in strip
+                if segment.style is not None and segment.style.bgcolor == match
+            ]
+            assert len(shown) >= view.size.width // 5 - 5
+            assert set("".join(shown)) == {"a"}
+
     async def test_an_expression_that_takes_too_long_is_said(self) -> None:
         async with editing("a" * 60 + "b\n") as at:
             await at.press("ctrl+f", "alt+r")
