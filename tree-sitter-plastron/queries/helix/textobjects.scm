@@ -4,7 +4,7 @@
 (
   [
     (create_node_statement) (load_statement)
-  ] @@class.around
+  ] @class.around
   .
   (
     [(line_comment) (block_comment)]* .
@@ -24,7 +24,7 @@
   [
     (create_message_type_statement) (create_service_type_statement)
     (create_action_type_statement) (load_type_statement)
-  ] @@class.around
+  ] @class.around
   .
   (
     [(line_comment) (block_comment)]* .
@@ -38,7 +38,7 @@
 (
   [
     (create_package_statement) (load_package_statement)
-  ] @@class.around
+  ] @class.around
   .
   (
     [(line_comment) (block_comment)]* .
@@ -51,7 +51,7 @@
 (
   [
     (create_launch_statement) (load_launch_statement)
-  ] @@class.around
+  ] @class.around
   .
   (
     [(line_comment) (block_comment)]* .
@@ -66,7 +66,7 @@
 (
   [
     (create_robot_statement) (load_robot_statement)
-  ] @@class.around
+  ] @class.around
   .
   (
     [(line_comment) (block_comment)]* .
