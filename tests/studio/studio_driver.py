@@ -7,6 +7,7 @@ from contextlib import asynccontextmanager
 from pathlib import Path
 from typing import Any
 
+from drawn_screens import draw
 from idle_loop import until
 from machine import mostly_long
 from textual.pilot import Pilot
@@ -171,4 +172,5 @@ async def studio(
         if not welcome:
             await driver.back()
         yield driver
+        draw(app)
     main.feed.worker.join(5)
