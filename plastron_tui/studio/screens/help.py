@@ -20,7 +20,7 @@ from .dialog import Dialog
 
 ABOUT = {
     "editor": ("The editor", "One statement a line. While you type, a list offers what can stand "
-               "there: Tab takes it, Esc closes it. A mistake is underlined, with its message "
+               "there: Tab takes it, Esc closes it. A problem is underlined, with its message "
                "beside it."),
     **{panel.name: (panel.title, panel.about) for panel in PANELS},
 }  # fmt: skip
