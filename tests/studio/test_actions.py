@@ -295,7 +295,7 @@ async def test_generate_with_a_mistake_shows_the_problems(program: Path) -> None
     async with studio(program) as driver:
         await driver.press("f6")
         await driver.until(lambda: driver.main.panels["problems"].has_focus)
-        assert "1 mistake has to be mended first" in driver.notes()
+        assert "1 problem has to be fixed first" in driver.notes()
 
 
 async def test_the_preview_of_a_changed_file_is_its_diff(program: Path) -> None:

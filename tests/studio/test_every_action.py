@@ -107,7 +107,7 @@ CASES: dict[str, Case] = {
     "trust": Case(lambda driver: "nothing in this project has to be trusted" in driver.notes()),
     "theme": Case(opens="CommandPalette"),
     "keys": Case(lambda driver: bool(driver.main.query("HelpPanel"))),
-    "config": Case(lambda driver: "it counts from the next start on" in driver.notes()),
+    "config": Case(lambda driver: "from the next start of the studio on" in driver.notes()),
     "suspend": Case(lambda driver: getattr(driver.app, "suspended", 0) == 1),
     "quit": Case(lambda driver: bool(driver.app._exit)),
     "editor.undo": text(PROGRAM, before=("x",)),

@@ -177,7 +177,7 @@ async def test_a_program_with_mistakes_is_not_run(talking: Path) -> None:
     talking.write_text("nonsense\n")
     async with studio(talking) as driver:
         await driver.press("f5")
-        assert "to be mended first" in driver.notes()
+        assert "to be fixed first" in driver.notes()
         assert not driver.main.runner.is_running
 
 

@@ -164,7 +164,7 @@ class RunActions:
         if not errors:
             return False
         count = len(errors)
-        said = f"{count} {'mistake has' if count == 1 else 'mistakes have'} to be mended first"
+        said = f"{count} {'problem has' if count == 1 else 'problems have'} to be fixed first"
         self._say(self._trust.explain(errors) or said, severity="warning")
         self._layout.bring("problems", focus=True)
         return True
