@@ -205,7 +205,7 @@ async def test_the_view_shows_finds_turns_and_edits(
     async with studio(program, (80, 24), options=Options("rclpy")) as driver:
         monkeypatch.setattr(driver.app, "suspend", nullcontext)
         driver.main.editor.go_to(program.read_text().index("subscribe listener"))
-        await driver.pilot.press("alt+v")
+        await driver.pilot.press("alt+c")
         view = await driver.dialog("CodeView")
         title = view.query_one("#dialog-title", Label)
         assert "subscription chatter  not written yet: F6 would write this  1 of 2" in str(

@@ -116,7 +116,7 @@ async def test_a_file_that_is_no_program_is_said_and_the_text_stays(
     bad = program.with_name("bad.plastron")
     bad.write_bytes(contents)
     async with studio(program) as driver:
-        driver.main.open_path(bad)
+        driver.main.files.open_file(bad)
         await driver.until(lambda: said in driver.notes())
         assert driver.text == PROGRAM
     async with studio(bad) as driver:

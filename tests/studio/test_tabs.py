@@ -49,7 +49,7 @@ async def test_each_program_has_a_tab_with_its_own_undo_cursor_and_panels(
         await driver.press("ctrl+z", "ctrl+z", "ctrl+z")
         assert driver.text == PROGRAM
         # A file that is open comes in front, and is not read again.
-        main.open_path(other.parent / "." / "other.plastron")
+        main.files.open_file(other.parent / "." / "other.plastron")
         await driver.settle()
         assert [tab.open.name for tab in main.program.tabs] == ["talk.plastron", "other.plastron"]
         assert driver.text == OTHER
@@ -132,7 +132,7 @@ def test_tabs_are_told_apart_by_their_folders(tmp_path: Path) -> None:
 async def test_nodes_go_on_while_another_program_is_in_front(
     program: Path, other: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    def command(path: Path, _: object) -> list[str]:
+    def command(path: Path, *_: object) -> list[str]:
         return ["sh", "-c", f"echo from {path.stem}; exec sleep 600"]
 
     monkeypatch.setattr("plastron_tui.studio.running._command", command)

@@ -15,6 +15,7 @@ if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from ..analysis import Analysis
+    from ..editor.card import Card
 
 
 @dataclass(repr=False, eq=False)
@@ -43,6 +44,7 @@ class ActiveProgram:
         self.tab = Tab(open_)
         self.tabs = [self.tab, *map(Tab, others)]
         self.editor = ProgramEditor(open_.session, id="editor")
+        self.editor.hover.card_of = self.card_at
         self.editor.border_title = "Program"
 
     @property
@@ -77,6 +79,16 @@ class ActiveProgram:
         if tab is self.tab:
             return self.editor.cursor_offset
         return 0 if tab.editing is None else tab.editing.selection.head
+
+    def card_at(self, offset: int) -> Card | None:
+        """Return what is said about the word at an offset, as it was last understood."""
+        analysis = self.open.analysis
+        if analysis is None:
+            return None
+        # Imported when somebody asks, not at the start.
+        from ..cards import Known, card_at
+
+        return card_at(Known(self.open.session, analysis.program, analysis.workspace), offset)
 
     def replace(self, open_: Open, cursor: int = 0) -> None:
         """Put another program in the place of the one in the editor."""

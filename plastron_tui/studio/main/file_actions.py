@@ -134,9 +134,9 @@ class FileActions:
         if path is not None:
             self.open_file(path)
 
-    async def offer(self, kept: Kept) -> None:
+    async def offer(self, kept: Kept, *, is_asked_for: bool = False) -> None:
         """Offer a text that was not saved before the studio ended, and open it."""
-        if not await self._recovery.is_wanted(kept):
+        if not await self._recovery.is_wanted(kept, is_asked_for=is_asked_for):
             return
         there = None if kept.path is None else self._program.tab_of(kept.path)
         if there is not None:
@@ -162,7 +162,7 @@ class FileActions:
         welcome = Welcome(self._profile.remembered.recent, kept)
         match await self._screen.app.push_screen_wait(welcome):
             case ("kept", str(number)):
-                await self.offer(kept[int(number)])
+                await self.offer(kept[int(number)], is_asked_for=True)
             case ("open", str(path)):
                 self.open_file(Path(path))
             case ("recipe", str(path)):

@@ -3,22 +3,30 @@
 from __future__ import annotations
 
 import asyncio
-from collections.abc import Callable
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import dataclass, field
 from pathlib import Path
+from time import monotonic
 from typing import TYPE_CHECKING
 
 from textual.message import Message
+from textual.notifications import SeverityLevel
 from textual.screen import Screen
 
-from plastron_tui.diagnostics import Diagnostic, Severity
+from plastron_tui.diagnostics import Diagnostic, Severity, has_errors
+from plastron_tui.diagnostics.terminal import visible_text
 from plastron_tui.regular_files import reason
 
 from ..delay import Delay
+from ..panels.entry_list import EntryList
+from ..panels.live_panel import LivePanel
 from ..panels.output import OutputPanel
-from ..panels.styles import Lines, Piece
+from ..panels.output_log import OutputLog, Record, printed_record
+from ..textual_private import forget_notes
 from .active_program import ActiveProgram, Tab
 from .dock_layout import DockLayout
 from .file_actions import FileActions
+from .live_actions import LiveActions
 from .trust_prompt import TrustPrompt
 
 if TYPE_CHECKING:
@@ -27,12 +35,32 @@ if TYPE_CHECKING:
 _SHOWN_AFTER = 0.05
 """Seconds for which lines that nodes print are gathered."""
 
+TWICE = 0.7
+"""Seconds in which the key that starts the nodes is pressed again by mistake."""
+
 _LOOK = 0.01
 """Seconds after which is looked again whether the worker knows what the text means."""
 
 
 class Printed(Message):
     """Nodes that run printed something, or ended."""
+
+
+@dataclass(eq=False)
+class TabRun:
+    """The nodes of a tab.
+
+    Attributes:
+        log: what they have printed.
+        failed: which have failed, by their names, and what is said of that.
+        running: those that run, None for none.
+        started_at: when they were started, by the clock of `monotonic`.
+    """
+
+    log: OutputLog
+    failed: Mapping[str, str] = field(default_factory=dict)
+    running: Running | None = None
+    started_at: float = 0.0
 
 
 class RunActions:
@@ -45,7 +73,9 @@ class RunActions:
         files: FileActions,
         layout: DockLayout,
         output: OutputPanel,
+        nodes: EntryList,
         trust: TrustPrompt,
+        live: LivePanel,
         on_change: Callable[[], object],
     ) -> None:
         """Prepare to run.
@@ -56,7 +86,9 @@ class RunActions:
             files: saves the program first.
             layout: brings the output, or the problems, in sight.
             output: shows what nodes print.
+            nodes: lists the nodes, and shows which have failed.
             trust: says where only trust is missing.
+            live: shows what travels between the nodes.
             on_change: called when nodes start, or have ended.
         """
         self._screen = screen
@@ -65,25 +97,29 @@ class RunActions:
         self._files = files
         self._layout = layout
         self._output = output
+        self._nodes = nodes
+        self._said: set[str] = set()
         self._trust = trust
+        self._live = LiveActions(screen, program, live)
+        self._watched: Tab | None = None
+        """Whose monitors the live panel has: all nodes are in one graph, whatever tab is theirs."""
         self._on_change = on_change
-        self._runs: dict[Tab, Running] = {}
-        """What was started; a run that ended stays until its end was shown."""
-        self._printed: dict[Tab, Lines] = {}
-        """What the output shows of the tabs that are not in front."""
-        self._shown = program.tab
-        self._told: set[Tab] = set()
-        """Those not in front of which it was said that their nodes have ended."""
+        self._runs = {program.tab: TabRun(output.printed)}
+
+    @property
+    def _run(self) -> TabRun:
+        """The run of the tab in front."""
+        return self._runs.setdefault(self._program.tab, TabRun(OutputLog()))
 
     def runs_in(self, tab: Tab) -> bool:
         """Tell whether nodes of a tab run."""
-        running = self._runs.get(tab)
-        return running is not None and running.status is None
+        run = self._runs.get(tab)
+        return run is not None and run.running is not None
 
     @property
     def is_running(self) -> bool:
         """Whether nodes of the program in front run."""
-        return self._program.tab in self._runs
+        return self.runs_in(self._program.tab)
 
     async def generate(self) -> bool:
         """Show what would be written, then write it; tell whether files may be other ones now."""
@@ -98,17 +134,18 @@ class RunActions:
 
     async def run(self, *, anew: bool = False) -> None:
         """Save, then start the nodes; those that run are stopped, and started `anew` if asked."""
-        tab = self._program.tab
-        if tab in self._runs:
-            self._layout.bring("output", focus=True)
-            self._runs[tab].stop()
+        tab, run = self._program.tab, self._run
+        if run.running is not None:
+            if not anew and monotonic() - run.started_at < TWICE:
+                return
+            self._layout.reveal("output")
+            run.running.stop()
             if not anew:
                 return
             while self.runs_in(tab):
                 await asyncio.sleep(_LOOK)
             if tab is not self._program.tab:
                 return
-            self._show()
         if not await self._has_place() or await self._has_errors():
             return
         if self._program.open.is_changed and not await self._files.save():
@@ -116,9 +153,25 @@ class RunActions:
         assert self._program.path is not None
         self._start(self._program.path)
 
+    def _say(
+        self, text: str, *, severity: SeverityLevel = "information", timeout: float | None = None
+    ) -> None:
+        """Say why nothing runs, or no longer."""
+        self._said.add(visible_text(text))
+        self._screen.notify(text, severity=severity, timeout=timeout, markup=False)
+
+    def known(self, diagnostics: Sequence[Diagnostic]) -> None:
+        """Take away what was said of mistakes, where there are none any more."""
+        if self._said and not has_errors(diagnostics):
+            self._unsay()
+
+    def _unsay(self) -> None:
+        said, self._said = self._said, set()
+        forget_notes(self._screen.app, lambda note: note.message in said)
+
     def stop(self) -> None:
         """Stop what runs of the program in front; say where else nodes run."""
-        running = self._runs.get(self._program.tab)
+        running = self._run.running
         if running is not None:
             running.stop()
             return
@@ -128,33 +181,29 @@ class RunActions:
 
     def close(self) -> None:
         """Have all nodes ended, because the studio ends."""
-        for running in self._runs.values():
-            running.close()
+        self._live.close()
+        for run in self._runs.values():
+            if run.running is not None:
+                run.running.close()
 
     def forget(self, tab: Tab) -> None:
         """Have the nodes of a tab ended, because it is gone."""
-        if self.runs_in(tab):
+        run = self._runs.pop(tab, None)
+        if run is not None and run.running is not None:
+            run.running.close()
             self._screen.notify(f"the nodes of {tab.open.name} were stopped", markup=False)
-        running = self._runs.pop(tab, None)
-        if running is not None:
-            running.close()
-        self._printed.pop(tab, None)
-        self._told.discard(tab)
+            self._end_watch(tab)
 
     def follow(self) -> None:
-        """Show what the nodes of the program in front have printed, and print from now on."""
-        tab = self._program.tab
-        if tab is not self._shown:
-            self._printed[self._shown] = self._output.lines
-            self._shown = tab
-            self._output.show(self._printed.pop(tab, ()))
-            self._show()
+        """Show what the nodes of the program in front have printed, and which have failed."""
+        self._output.show_log(self._run.log)
+        self._nodes.remark(self._run.failed)
 
     async def _has_place(self) -> bool:
         """Make sure that there is a folder to generate into: that of the program."""
         if self._program.path is not None:
             return True
-        self._screen.notify("the files go beside the program: save it first", timeout=4)
+        self._say("the files go beside the program: save it first", timeout=4)
         return await self._files.save()
 
     async def _has_errors(self) -> bool:
@@ -163,8 +212,8 @@ class RunActions:
         if not errors:
             return False
         count = len(errors)
-        said = f"{count} {'mistake has' if count == 1 else 'mistakes have'} to be mended first"
-        self._screen.notify(self._trust.explain(errors) or said, severity="warning")
+        said = f"{count} {'problem has' if count == 1 else 'problems have'} to be fixed first"
+        self._say(self._trust.explain(errors) or said, severity="warning")
         self._layout.bring("problems", focus=True)
         return True
 
@@ -180,16 +229,22 @@ class RunActions:
     def _start(self, path: Path) -> None:
         from ..running import Running
 
-        options, tab = self._program.open.session.options, self._program.tab
+        run = self._run
         try:
-            self._runs[tab] = Running(path, options, self._news)
+            run.running = Running(path, self._program.open.session.options, self._news)
         except OSError as error:
             message = f"cannot run: {reason(error)}"
             self._screen.notify(message, severity="error", markup=False)
             return
+        run.started_at = monotonic()
+        self._unsay()
+        run.failed = {}
+        self._nodes.remark(run.failed)
+        self._watched = None
+        self._live.starting()
         self._output.begin(f"plastron run {path.name}")
         self._on_change()
-        self._layout.bring("output", focus=True)
+        self._layout.reveal("output")
 
     def _news(self) -> None:
         """Tell the screen, from the thread that reads."""
@@ -201,21 +256,52 @@ class RunActions:
             self._delay.start(_SHOWN_AFTER)
 
     def _show(self) -> None:
-        tab = self._program.tab
-        for other, each in self._runs.items():
-            if other is not tab and each.status is not None and other not in self._told:
-                self._told.add(other)
-                self._screen.notify(f"the nodes of {other.open.name} have ended", markup=False)
-                self._on_change()
-        running = self._runs.get(tab)
-        if running is None:
-            return
+        for tab, run in list(self._runs.items()):
+            if run.running is not None:
+                self._show_run(tab, run, run.running)
+        for tab, run in self._runs.items():
+            if self._watched is None and run.running is not None and run.running.monitors:
+                self._watch(tab, run.running)
+
+    def _show_run(self, tab: Tab, run: TabRun, running: Running) -> None:
+        """Take what nodes of a tab have printed, and show it where the tab is in front."""
+        is_in_front = tab is self._program.tab
         status, end = running.status, None
         if status is not None:
-            del self._runs[tab]
-            self._told.discard(tab)
+            run.running = None
             words = "stopped" if running.was_stopped else f"ended with status {status}"
             tone = "quiet" if running.was_stopped else "success" if status == 0 else "error"
-            end = Piece(words, tone)
+            end = Record("", words, tone)
+            self._end_watch(tab)
+            if not is_in_front:
+                self._screen.notify(f"the nodes of {tab.open.name} have ended", markup=False)
             self._on_change()
-        self._output.add(running.take(), end)
+        printed = running.take()
+        if is_in_front:
+            self._output.add(printed, end)
+        else:
+            run.log.add([*map(printed_record, printed), *([] if end is None else [end])])
+        self._tell_failed(run, printed)
+        if is_in_front:
+            self._nodes.remark(run.failed)
+
+    def _tell_failed(self, run: TabRun, printed: Iterable[str]) -> None:
+        """Say which nodes have failed, and mark them."""
+        from plastron_tui.runtime.console import ended_node
+
+        for node, how in filter(None, map(ended_node, printed)):
+            self._say(f"{node} {how}", severity="error", timeout=10)
+            run.failed = {**run.failed, node: "has ended"}
+
+    def _watch(self, tab: Tab, running: Running) -> None:
+        """Show what travels, where nobody has gone elsewhere since the nodes were started."""
+        self._watched = tab
+        self._live.start(running.monitors)
+        if tab is self._program.tab and self._layout.is_in_sight("output"):
+            self._layout.reveal("live")
+
+    def _end_watch(self, tab: Tab) -> None:
+        """Show no more of what travels by the monitors of a tab: its nodes have ended."""
+        if self._watched in (tab, None):
+            self._watched = None
+            self._live.end()

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from pathlib import Path
 from typing import ClassVar
 
 from textual import on, work
@@ -20,7 +19,9 @@ from ..journal import Kept
 from ..open_program import Open
 from ..panels.entry import Entry
 from ..panels.entry_keys import Asked, Chosen, Lit
+from ..panels.entry_list import EntryList
 from ..panels.key_bar import KeyBar
+from ..panels.live_panel import LivePanel
 from ..panels.output import OutputPanel
 from ..panels.panel import Resized
 from ..panels.registry import PANELS
@@ -78,11 +79,13 @@ class MainScreen(Screen[None]):
             self, self.program, self.files, self.recovery, self.feed.ask_anew, self.show_title
         )
         self._trust = TrustPrompt(self, self.program, self.key_of)
-        output = self.panels["output"]
-        assert isinstance(output, OutputPanel)
+        output, nodes, live = self.panels["output"], self.panels["nodes"], self.panels["live"]
+        assert isinstance(output, OutputPanel) and isinstance(nodes, EntryList)
+        assert isinstance(live, LivePanel)
         self.runner = RunActions(
-            self, self.program, self.files, self.dock_layout, output, self._trust, self.show_title
-        )
+            self, self.program, self.files, self.dock_layout, output, nodes, self._trust, live,
+            self.show_title,
+        )  # fmt: skip
         self._tabs = TabActions(self, self.program, self.files, self.runner.forget, self._show_anew)
         self._entries = EntryActions(self, self.program, self.action_code)
         self._code = CodeActions(self, self.program)
@@ -142,7 +145,7 @@ class MainScreen(Screen[None]):
     @on(ProgramEditor.Changed)
     def text_changed(self) -> None:
         """Find out what the text means; keep it in the journal."""
-        self.feed.ask_soon()
+        self.feed.edited()
         self.recovery.keep_soon()
         self.show_title()
 
@@ -150,13 +153,14 @@ class MainScreen(Screen[None]):
     def cursor_moved(self) -> None:
         """Let the panels follow."""
         self.show_status()
-        self.feed.refresh()
+        self.feed.moved()
 
     @on(Analysed)
     def analysed(self, message: Analysed) -> None:
         """Show what the text means, if it is still that text."""
         if self.feed.take(message.analysis):
             self.show_title()
+            self.runner.known(message.analysis.diagnostics)
             self._trust.tell_what_waits(message.analysis)
 
     @on(AnalysisFailed)
@@ -296,10 +300,6 @@ class MainScreen(Screen[None]):
         """Open a program."""
         await self.files.choose()
 
-    def open_path(self, path: Path) -> None:
-        """Open a file that was chosen elsewhere."""
-        self.files.open_file(path)
-
     @work(exclusive=True, group="file")
     async def action_save(self) -> None:
         """Write the program to its file."""
@@ -366,10 +366,15 @@ class MainScreen(Screen[None]):
         """Offer all actions, and do the one that is chosen."""
         action = await choose_action(self, self.profile.remembered, self.key_of)
         if action is not None:
-            await self.app.run_action(action.call, self)
+            await self.app.run_action(action.chosen or action.call, self)
 
-    def action_help(self) -> None:
-        """Show help for what has the focus."""
+    def action_help(self, of_word: bool = True) -> None:
+        """Say what the word at the cursor means; asked again, help for what has the focus."""
+        hover = self.editor.hover
+        is_first = of_word and self.focused is self.editor.view and not hover.is_asked
+        if is_first and hover.show_at_cursor(f"{self.key_of('help')} again: help for all"):
+            return
+        hover.close()
         show_help(self, self.panels, self.key_of)
 
     def action_keys(self) -> None:
