@@ -213,9 +213,10 @@ class DockLayout(Horizontal):
         dock = self.dock_of(name)
         return bool(dock.display) and dock.active == name
 
-    def has_room_for(self, name: str) -> bool:
-        """Tell whether a panel comes in sight without taking the place of the one in front."""
-        return self.shape == "wide" or self.dock_of(name) is self.focused_dock
+    @property
+    def shows_all(self) -> bool:
+        """Whether there is room for all docks: what comes in sight takes no other one's place."""
+        return self.shape == "wide"
 
     def bring(self, name: str, *, focus: bool = False) -> None:
         """Bring a panel in sight."""

@@ -184,6 +184,10 @@ class RunActions:
             tone = "quiet" if running.was_stopped else "success" if status == 0 else "error"
             end = Piece(words, tone)
             self._live.end()
+            if tone == "error" and self._layout.is_in_sight("live"):
+                # Why they ended is printed.
+                has_focus = self._layout.focused_dock is self._layout.dock_of("live")
+                self._layout.bring("output", focus=has_focus and not self._layout.shows_all)
             self._on_change()
         self._output.add(running.take(), end)
 
@@ -192,4 +196,4 @@ class RunActions:
         self._is_watched = True
         self._live.start(running.monitors)
         if self._layout.focused_dock is self._layout.dock_of(self._output.id or ""):
-            self._layout.bring("live", focus=not self._layout.has_room_for("live"))
+            self._layout.bring("live", focus=not self._layout.shows_all)
