@@ -31,6 +31,7 @@ class Action:
         footer: whether the footer shows it.
         kept: whether the footer shows it however narrow the window is.
         own: whether the editor binds the keys itself.
+        chosen: what is done in the place of `call` where it is chosen from the menu.
     """
 
     id: str
@@ -42,6 +43,7 @@ class Action:
     footer: bool = False
     kept: bool = False
     own: bool = False
+    chosen: str = ""
 
     @property
     def binding(self) -> Binding:
@@ -59,10 +61,11 @@ def _of(command: Command) -> Action:
 
 ACTIONS: tuple[Action, ...] = (
     Action("help", "Help", "screen.help", "f1,alt+question_mark",
-           "Help for what has the focus.", footer=True, kept=True),
+           "What the word at the cursor means; again, help about the part of the screen that you "
+           "are in.", footer=True, kept=True, chosen="screen.help(False)"),
     Action("run", "Run", "screen.run", "f5",
-           "Generate the nodes and start them; stop them where they run.", footer=True, kept=True),
-    Action("stop", "Stop the nodes", "screen.stop", "shift+f5", "Stop what runs."),
+           "Write and start the nodes; while they run, stop them.", footer=True, kept=True),
+    Action("stop", "Stop the nodes", "screen.stop", "shift+f5", "Stop the nodes that run."),
     Action(
         "generate", "Generate", "screen.generate", "f6",
         "Show what would be written, then write it.", footer=True,
@@ -85,8 +88,8 @@ ACTIONS: tuple[Action, ...] = (
                "Panels")
         for panel in PANELS
     ),
-    Action("fix", "Mend the problem at the cursor", "screen.fix", "alt+enter",
-           "Apply the remedy of the mistake on this line.", "Edit"),
+    Action("fix", "Fix the problem on this line", "screen.fix", "alt+enter",
+           "Change the text as the help of the problem says.", "Edit"),
     Action("new", "New program", "screen.new", "ctrl+n,alt+n", "Start an empty program.", "File"),
     Action("save", "Save", "screen.save", "ctrl+s", "Write the program to its file.", "File",
            footer=True),
@@ -97,10 +100,10 @@ ACTIONS: tuple[Action, ...] = (
            "Recent programs, examples and the tour.", "File"),
     Action("tour", "Take the tour", "screen.tour", "alt+i", "Two minutes around the screen."),
     Action("trust", "Trust this project", "screen.trust", "alt+u",
-           "Use its templates, and let it lead out of its folder.", "File"),
+           "Let it use its own templates, and files outside of its folder.", "File"),
     Action("theme", "Theme", "app.change_theme", "alt+t", "Choose other colours."),
-    Action("keys", "Keys", "screen.keys", "alt+k", "All keys of what has the focus."),
-    Action("config", "Edit the configuration", "screen.config", "alt+o",
+    Action("keys", "Keys", "screen.keys", "alt+k", "All keys of where you are, at the side."),
+    Action("config", "Edit the settings", "screen.config", "alt+o",
            "Keys and other settings, in a file."),
     Action("suspend", "Suspend", "app.suspend_process", "alt+j",
            "Go back to the shell; `fg` returns."),

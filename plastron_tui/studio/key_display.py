@@ -19,6 +19,7 @@ _NAMES = {
     **{f"f{number + 12}": f"Shift-F{number}" for number in range(1, 13)},
     "ctrl+underscore": "Ctrl-/",
     "ctrl+at": "Ctrl-Space",
+    "ctrl+@": "Ctrl-Space",
 }
 """Names that do not follow from Textual's. Terminals send Shift-F3 as F15, and Ctrl-/ as Ctrl-_."""
 

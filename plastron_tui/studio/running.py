@@ -9,6 +9,7 @@ import threading
 from collections import deque
 from collections.abc import Callable
 from contextlib import suppress
+from functools import partial
 from pathlib import Path
 
 from plastron_tui import import_path
@@ -18,6 +19,8 @@ from plastron_tui.session import Options
 
 _MOST_LINES = 5000
 """So many lines are kept of those that nobody has taken yet."""
+_LONGEST = 65536
+"""So many bytes of a line are kept; a node may print without ever ending one."""
 # The panel is narrow, and names the node before each line: the time and the name can go.
 _PLAIN = {
     "RCUTILS_CONSOLE_OUTPUT_FORMAT": "[{severity}] {message}",
@@ -102,9 +105,12 @@ class Running:
     def _read(self) -> None:
         assert self._process.stdout is not None
         with self._process.stdout as stream:
-            for line in iter(stream.readline, b""):
-                self._lines.append(line.decode("utf-8", "replace").rstrip("\r\n"))
-                self._tell()
+            is_rest = False
+            for line in iter(partial(stream.readline, _LONGEST), b""):
+                if not is_rest:
+                    self._lines.append(line.decode("utf-8", "replace").rstrip("\r\n"))
+                    self._tell()
+                is_rest = not line.endswith(b"\n")
         self.status = self._process.wait()
         self._is_told.clear()
         self._tell()

@@ -97,4 +97,4 @@ async def test_the_footer_shows_the_few_keys_that_matter(program: Path) -> None:
         await driver.settle()
         await driver.until(lambda: "Rename" in bar.render_line(0).text)
         await driver.press("down")
-        await driver.until(lambda: "Stop it" in bar.render_line(0).text)
+        await driver.until(lambda: "End it" in bar.render_line(0).text)

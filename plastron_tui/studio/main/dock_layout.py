@@ -91,7 +91,7 @@ class DockLayout(Horizontal):
         self._hides_panels = "all" in remembered.hidden
         for dock in self.docks:
             tab = remembered.tabs.get(dock.side, "")
-            if dock.holds(tab):
+            if any(panel.name == tab and panel.is_kept for panel in dock.panels):
                 dock.show(tab)
             if remembered.tabs.get("front") == dock.side:
                 self.front = dock
@@ -213,10 +213,12 @@ class DockLayout(Horizontal):
         dock = self.dock_of(name)
         return bool(dock.display) and dock.active == name
 
-    @property
-    def shows_all(self) -> bool:
-        """Whether there is room for all docks: what comes in sight takes no other one's place."""
-        return self.shape == "wide"
+    def reveal(self, name: str) -> None:
+        """Bring a panel in sight; the editor keeps the focus if it has it and there is room."""
+        self._hides_panels = False
+        self.bring(name, focus=self.focused_dock is not None)
+        if not self.is_in_sight(name):
+            self.bring(name, focus=True)
 
     def bring(self, name: str, *, focus: bool = False) -> None:
         """Bring a panel in sight."""

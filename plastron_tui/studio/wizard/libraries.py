@@ -30,7 +30,7 @@ class LibraryKind(Kind):
     def choices(self, ask: Ask, query: str) -> list[Choice]:
         """Return the libraries: what each is for, and what is installed of it."""
         default = ask.scene.library_of(ask.node) if ask.node else ask.scene.session.library
-        found = [Choice("", f"{default}, {_why(ask, default)}", label="leave it out")]
+        found = [Choice("", f"{default}, {_why(ask, default)}", label="the usual")]
         for name, library in LIBRARIES.items():
             purpose = f"{library.purpose}; " if library.purpose else ""
             note = f"{library.language}, ROS {library.ros_version}"
