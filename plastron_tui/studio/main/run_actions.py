@@ -275,6 +275,9 @@ class RunActions:
             self._end_watch(tab)
             if not is_in_front:
                 self._screen.notify(f"the nodes of {tab.open.name} have ended", markup=False)
+            elif tone == "error" and self._layout.is_in_sight("live"):
+                # Why they ended is printed.
+                self._layout.reveal("output")
             self._on_change()
         printed = running.take()
         if is_in_front:
