@@ -102,6 +102,27 @@ def test_where_there_is_nothing_to_say(marked: str) -> None:
     assert card_of(marked) is None
 
 
+def test_what_is_wrong_with_a_word_comes_first() -> None:
+    text = f"{PROGRAM}subscribe ear to 'scan' of message_type LaserScn\n"
+    session = Session(text.encode(), environ={})
+    known = Known(session, session.program, session.workspace, session.diagnostics)
+    card = card_at(known, text.index("LaserScn"))
+    _, message, remedy, *_ = said(card).splitlines()
+    assert message.startswith("no message type `LaserScn` is known")
+    assert remedy == "did you mean `LaserScan`?"
+
+
+def test_a_card_is_about_the_word_at_the_place() -> None:
+    session = Session(PROGRAM.encode(), environ={})
+    known = Known(session, session.program, session.workspace)
+    for offset, character in enumerate(PROGRAM):
+        card = card_at(known, offset)
+        if card is not None:
+            assert card.span.start <= offset <= card.span.end
+        # Every letter is of a word about which something can be said.
+        assert card is not None or not character.isalpha()
+
+
 TEXTS = st.text(st.sampled_from("ab c名\x1b\u202e"), max_size=30)
 
 
