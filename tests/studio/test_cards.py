@@ -4,7 +4,7 @@ from pathlib import Path
 
 import pytest
 from hostile import OBEYED, PAYLOAD
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
 from rich.cells import cell_len
 from studio_driver import studio
@@ -126,6 +126,7 @@ def test_a_card_is_about_the_word_at_the_place() -> None:
 TEXTS = st.text(st.sampled_from("ab c名\x1b\u202e"), max_size=30)
 
 
+@settings(max_examples=50)
 @given(
     st.lists(st.builds(CardRow, TEXTS, TEXTS, TEXTS, st.booleans()), max_size=5),
     TEXTS,
@@ -139,6 +140,7 @@ def test_a_card_fits_its_width(rows: list[CardRow], title: str, width: int) -> N
         assert not OBEYED.search(text)
 
 
+@settings(max_examples=50)
 @given(
     st.builds(Size, st.integers(10, 90), st.integers(1, 40)),
     st.tuples(st.integers(0, 89), st.integers(0, 39)),
