@@ -140,7 +140,7 @@ CASES: dict[str, Case] = {
                           cursor="greeting to"),
     "editor.format": text(PROGRAM, program=PROGRAM.replace("of message_type", "of   message_type")),
     "editor.external_editor": Case(lambda driver: "$EDITOR names" in driver.notes()),
-    "editor.toggle_wrap": Case(lambda driver: driver.main.editor.view.soft_wrap),
+    "editor.toggle_wrap": Case(lambda driver: not driver.main.editor.view.soft_wrap),
     "editor.next_problem": Case(lambda driver: _row(driver) == 3, program=WRONG),
     "editor.previous_problem": Case(lambda driver: _row(driver) == 3, program=WRONG,
                                     before=("ctrl+end",)),

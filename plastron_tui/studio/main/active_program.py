@@ -88,7 +88,9 @@ class ActiveProgram:
         # Imported when somebody asks, not at the start.
         from ..cards import Known, card_at
 
-        return card_at(Known(self.open.session, analysis.program, analysis.workspace), offset)
+        diagnostics = analysis.diagnostics if analysis is self.analysis else ()
+        meaning = analysis.program, analysis.workspace
+        return card_at(Known(self.open.session, *meaning, diagnostics), offset)
 
     def replace(self, open_: Open, cursor: int = 0) -> None:
         """Put another program in the place of the one in the editor."""
