@@ -58,6 +58,12 @@ def _described(kind: InterfaceKind) -> Mapping[InterfaceName, tuple[str, Mapping
     return found
 
 
+def line_about(name: InterfaceName, kind: InterfaceKind) -> str:
+    """Return the line that says what a type is for, "" for one that nobody has described."""
+    line, _ = _described(kind).get(name, ("", {}))
+    return line
+
+
 class ForPurpose(NamedTuple):
     """A type that a word of purpose leads to.
 

@@ -31,6 +31,7 @@ class Action:
         footer: whether the footer shows it.
         kept: whether the footer shows it however narrow the window is.
         own: whether the editor binds the keys itself.
+        chosen: what is done in the place of `call` where it is chosen from the menu.
     """
 
     id: str
@@ -42,6 +43,7 @@ class Action:
     footer: bool = False
     kept: bool = False
     own: bool = False
+    chosen: str = ""
 
     @property
     def binding(self) -> Binding:
@@ -59,7 +61,8 @@ def _of(command: Command) -> Action:
 
 ACTIONS: tuple[Action, ...] = (
     Action("help", "Help", "screen.help", "f1,alt+question_mark",
-           "Help about the part of the screen that you are in.", footer=True, kept=True),
+           "What the word at the cursor means; again, help about the part of the screen that you "
+           "are in.", footer=True, kept=True, chosen="screen.help(False)"),
     Action("run", "Run", "screen.run", "f5",
            "Write and start the nodes; while they run, stop them.", footer=True, kept=True),
     Action("stop", "Stop the nodes", "screen.stop", "shift+f5", "Stop the nodes that run."),

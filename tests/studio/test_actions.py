@@ -6,6 +6,7 @@ from pathlib import Path
 import pytest
 from machine import mostly_long
 from studio_driver import PROGRAM, SIZES, Driver, fail, studio
+from textual import events
 from textual.widgets import Button, Label
 
 from plastron_tui.studio.actions import ACTIONS, BY_ID
@@ -151,8 +152,20 @@ async def test_f7_goes_through_all_panels(program: Path, size: tuple[int, int]) 
         assert seen == {"outline", "result", "bottom"}
 
 
+async def test_keys_reach_the_editor_whatever_is_said_of_the_focus(program: Path) -> None:
+    async with studio(program) as driver:
+        driver.main.set_focus(None)
+        driver.app.post_message(events.AppBlur())
+        await driver.press("x", "y")
+        assert driver.text == f"xy{PROGRAM}"
+
+
 async def test_help_is_about_what_has_the_focus(program: Path) -> None:
     async with studio(program) as driver:
+        await driver.press("f1")
+        card = driver.main.editor.view.card.card
+        assert card is not None
+        assert card.title == "create_node"
         await driver.pilot.press("f1")
         dialog = await driver.dialog("Help")
         assert "create_node 'NODE_NAME' as VARIABLE" in dialog.query_one("TextView").text

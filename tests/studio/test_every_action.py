@@ -85,7 +85,7 @@ FIRST, SECOND, REST = LINES[0], LINES[1], "".join(LINES[2:])
 WRONG = PROGRAM.replace("generate_node talker", "generate_node talkr")
 
 CASES: dict[str, Case] = {
-    "help": Case(opens="Help"),
+    "help": Case(opens="Help", before=("f1",)),
     "run": Case(lambda driver: getattr(driver.app, "started", None) == ["talk.plastron"]),
     "stop": Case(lambda driver: "nothing runs" in driver.notes()),
     "generate": Case(opens="GenerateDialog"),

@@ -16,6 +16,8 @@ from pathlib import Path
 
 import pytest
 
+from plastron_tui.studio.key_order import QUIET
+
 pytestmark = pytest.mark.skipif(shutil.which("tmux") is None, reason="there is no tmux")
 
 PUBLISHER = """\
@@ -173,6 +175,19 @@ def test_a_publisher_is_typed_generated_and_right(terminal: Terminal, tmp_path: 
     assert (tmp_path / "mine.plastron").read_text() == PUBLISHER
 
 
+def test_keys_from_before_the_first_screen_are_not_lost(terminal: Terminal, tmp_path: Path) -> None:
+    start(terminal, "mine.plastron")
+    typed = ""
+    # From before the studio has the terminal until it has shown itself.
+    while "Ctrl-Q" not in terminal.screen or len(typed) < 20:
+        typed += "xyz"[len(typed) % 3]
+        terminal.keys("-l", typed[-1])
+    file = tmp_path / "mine.plastron"
+    terminal.keys("C-s")
+    assert until(file.exists)
+    assert file.read_text() == typed
+
+
 def test_completion_writes_most_of_a_publisher(terminal: Terminal, tmp_path: Path) -> None:
     start(terminal, "mine.plastron")
     terminal.wait(lambda screen: "no nodes yet" in screen)
@@ -213,6 +228,8 @@ def test_what_was_typed_survives_a_kill(terminal: Terminal, tmp_path: Path, home
     terminal.wait_end()
     start(terminal, "mine.plastron")
     terminal.wait(lambda screen: "mine.plastron was not saved" in screen)
+    # What comes by itself is deaf for so long.
+    time.sleep(QUIET)
     terminal.keys("Enter")
     terminal.wait(lambda screen: "topic1 geometry_msgs/Point" in screen)
     terminal.keys("C-s")

@@ -48,15 +48,15 @@ class Columns:
     reversed: frozenset[Link]
 
 
-def components(count: int, links: Iterable[Link]) -> list[list[int]]:
+def components(boxes: Sequence[int], links: Iterable[Link]) -> list[list[int]]:
     """Return the boxes that hang together, in the order of their first boxes."""
-    neighbours: list[list[int]] = [[] for _ in range(count)]
+    neighbours: dict[int, list[int]] = {box: [] for box in boxes}
     for tail, head in links:
         neighbours[tail].append(head)
         neighbours[head].append(tail)
     seen: set[int] = set()
     found = []
-    for first in range(count):
+    for first in boxes:
         if first in seen:
             continue
         seen.add(first)

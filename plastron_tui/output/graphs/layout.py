@@ -28,8 +28,11 @@ _SHAPE = 1.6
 """How much wider than high a picture should be."""
 _WIDEST, _WIDEST_SHAPE = 1600.0, 2.4
 """A picture that is wider than both, in pixels and against its height, is broken into rows."""
-_MOST_ROWS = 12
+_NARROWER, _LEAST_WIDTH = 0.85, 600.0
+"""Rows are tried that are so much shorter each time, down to some pixels."""
 _MOST_CARRIED = 8
+_CARRIED_COST = 0.06
+"""What a line that leads to another row costs, beside the logarithm of a shape's error."""
 _AROUND_CHANNEL = 18.0
 """How far the lines from one row to the next are from both."""
 
@@ -54,7 +57,7 @@ def layout(boxes: Sequence[Box], links: Sequence[Link]) -> Layout:
     """Place the boxes and draw the links, a group that hangs together next to the other."""
     links = list(dict.fromkeys(links))
     hubs = frozenset(at for at, box in enumerate(boxes) if box.shape is not Shape.NODE)
-    parts = components(len(boxes), links)
+    parts = components(range(len(boxes)), links)
     part_of = {box: at for at, part in enumerate(parts) for box in part}
     links_of: list[list[Link]] = [[] for _ in parts]
     for link in links:
@@ -136,13 +139,16 @@ class _Part:
         widths = [right - left for left, right in self._spans]
         gaps = [after[0] - before[1] for before, after in pairwise(self._spans)]
         carried = [len(nets) for nets in self._between]
-        strip = Strip(widths, gaps, carried, max(LANE.values()), 4 * STUB)
+        strip = Strip(widths, gaps, carried, max(self._lanes.values()), 4 * STUB)
         whole = self._width
         shapes: dict[tuple[int, ...], float] = {(): abs(log(whole / self._height / _SHAPE))}
-        for count in range(2, _MOST_ROWS + 1):
-            cuts = breaks_of(strip, whole / count + max(widths), _MOST_CARRIED)
+        room = whole
+        while room > max(_LEAST_WIDTH, max(widths)):
+            room *= _NARROWER
+            cuts = breaks_of(strip, room, _MOST_CARRIED)
             if cuts:
-                shapes[cuts] = self._shape_error(strip, cuts)
+                lines = sum(strip.carried[cut] for cut in cuts)
+                shapes[cuts] = self._shape_error(strip, cuts) + _CARRIED_COST * lines
         return min(shapes, key=shapes.__getitem__)
 
     def _shape_error(self, strip: Strip, cuts: tuple[int, ...]) -> float:

@@ -76,9 +76,12 @@ class Sheet:
 
 
 class Estimate(NamedTuple):
-    """What can be said of a picture without laying it out: where it breaks, and how large it is.
+    """What can be said of a picture for a room without laying it out.
 
-    The size is the least one: lines that cannot be told apart otherwise make it larger.
+    Attributes:
+        cuts: the columns that end a row, but for the last one.
+        width: more than the room if the picture cannot be made to fit.
+        height: the least height, if it fits.
     """
 
     cuts: tuple[int, ...]

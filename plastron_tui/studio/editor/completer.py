@@ -8,6 +8,7 @@ from plastron_tui.diagnostics import Span
 from plastron_tui.language import Document, Slot
 from plastron_tui.language.expectations import Expectation, expected_at
 from plastron_tui.language.lowering import lower
+from plastron_tui.model.workspace import Workspace
 
 from .completion import candidates, candidates_by_purpose, detail_of
 from .history import Selection
@@ -73,7 +74,7 @@ class Completer:
         if self.vocabulary is None:
             session = self._state.buffer.session
             if self._state.buffer.size > _SMALL:
-                return Vocabulary(lower(type(session.document)()), type(session.workspace)())
+                return Vocabulary(lower(Document()), Workspace())
             self.vocabulary = Vocabulary(session.program, session.workspace)
         return self.vocabulary
 

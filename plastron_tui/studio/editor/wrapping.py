@@ -32,12 +32,5 @@ def sections(line: Line, width: int) -> tuple[tuple[int, int], ...]:
 
 def _after_space(line: Line, start: int, end: int) -> int:
     """Return the column after the last space of a piece, its end if it has none."""
-    at = end
-    for _ in range(_LONGEST_WORD):
-        if at <= start:
-            break
-        before = line.previous_stop(at)
-        if line.piece(before, at) == " ":
-            return at
-        at = before
-    return end
+    at = line.last_space(max(start, end - _LONGEST_WORD), end)
+    return end if at is None else line.next_stop(at)

@@ -18,12 +18,14 @@ from plastron_tui.regular_files import reason
 
 from ..delay import Delay
 from ..panels.entry_list import EntryList
+from ..panels.live_panel import LivePanel
 from ..panels.output import OutputPanel
 from ..panels.output_log import Record
 from ..textual_private import forget_notes
 from .active_program import ActiveProgram
 from .dock_layout import DockLayout
 from .file_actions import FileActions
+from .live_actions import LiveActions
 from .trust_prompt import TrustPrompt
 
 if TYPE_CHECKING:
@@ -55,6 +57,7 @@ class RunActions:
         output: OutputPanel,
         nodes: EntryList,
         trust: TrustPrompt,
+        live: LivePanel,
         on_change: Callable[[], object],
     ) -> None:
         """Prepare to run.
@@ -67,6 +70,7 @@ class RunActions:
             output: shows what nodes print.
             nodes: lists the nodes, and shows which have failed.
             trust: says where only trust is missing.
+            live: shows what travels between the nodes.
             on_change: called when nodes start, or have ended.
         """
         self._screen = screen
@@ -79,6 +83,8 @@ class RunActions:
         self._said: set[str] = set()
         self._started_at = 0.0
         self._trust = trust
+        self._live = LiveActions(screen, program, live)
+        self._is_watched = False
         self._on_change = on_change
         self._running: Running | None = None
 
@@ -141,6 +147,7 @@ class RunActions:
 
     def close(self) -> None:
         """Have the nodes ended, because the studio ends."""
+        self._live.close()
         if self._running is not None:
             self._running.close()
 
@@ -183,6 +190,8 @@ class RunActions:
         self._started_at = monotonic()
         self._unsay()
         self._nodes.remark({})
+        self._is_watched = False
+        self._live.starting()
         self._output.begin(f"plastron run {path.name}")
         self._on_change()
         self._layout.reveal("output")
@@ -201,11 +210,14 @@ class RunActions:
         if running is None:
             return
         status, end = running.status, None
+        if running.monitors and not self._is_watched:
+            self._watch(running)
         if status is not None:
             self._running = None
             words = "stopped" if running.was_stopped else f"ended with status {status}"
             tone = "quiet" if running.was_stopped else "success" if status == 0 else "error"
             end = Record("", words, tone)
+            self._live.end()
             self._on_change()
         printed = running.take()
         self._output.add(printed, end)
@@ -218,3 +230,10 @@ class RunActions:
         for node, how in filter(None, map(ended_node, printed)):
             self._say(f"{node} {how}", severity="error", timeout=10)
             self._nodes.remark({**self._nodes.remarks, node: "has ended"})
+
+    def _watch(self, running: Running) -> None:
+        """Show what travels, where nobody has gone elsewhere since the nodes were started."""
+        self._is_watched = True
+        self._live.start(running.monitors)
+        if self._layout.is_in_sight("output"):
+            self._layout.reveal("live")

@@ -22,6 +22,7 @@ from ..panels.dock import Dock
 from ..panels.entry_keys import Asked, Chosen, Lit
 from ..panels.entry_list import EntryList
 from ..panels.key_bar import KeyBar
+from ..panels.live_panel import LivePanel
 from ..panels.output import OutputPanel
 from ..panels.panel import Resized
 from ..panels.registry import PANELS
@@ -74,10 +75,11 @@ class MainScreen(Screen[None]):
             self, self.program, self.files, self.recovery, self.feed.ask_anew, self.show_title
         )
         self._trust = TrustPrompt(self, self.program, self.key_of)
-        output, nodes = self.panels["output"], self.panels["nodes"]
+        output, nodes, live = self.panels["output"], self.panels["nodes"], self.panels["live"]
         assert isinstance(output, OutputPanel) and isinstance(nodes, EntryList)
+        assert isinstance(live, LivePanel)
         self.runner = RunActions(
-            self, self.program, self.files, self.dock_layout, output, nodes, self._trust,
+            self, self.program, self.files, self.dock_layout, output, nodes, self._trust, live,
             self.show_title,
         )  # fmt: skip
         self._entries = EntryActions(self, self.program)
@@ -136,7 +138,7 @@ class MainScreen(Screen[None]):
     @on(ProgramEditor.Changed)
     def text_changed(self) -> None:
         """Find out what the text means; keep it in the journal."""
-        self.feed.ask_soon()
+        self.feed.edited()
         self.recovery.keep_soon()
         self.show_title()
 
@@ -144,7 +146,7 @@ class MainScreen(Screen[None]):
     def cursor_moved(self) -> None:
         """Let the panels follow."""
         self.show_status()
-        self.feed.refresh()
+        self.feed.moved()
 
     @on(Analysed)
     def analysed(self, message: Analysed) -> None:
@@ -340,10 +342,15 @@ class MainScreen(Screen[None]):
         action = await self.app.push_screen_wait(ActionMenu(remembered.actions, self.key_of))
         if action is not None:
             remembered.did(action.id)
-            await self.app.run_action(action.call, self)
+            await self.app.run_action(action.chosen or action.call, self)
 
-    def action_help(self) -> None:
-        """Show help for what has the focus."""
+    def action_help(self, of_word: bool = True) -> None:
+        """Say what the word at the cursor means; asked again, help for what has the focus."""
+        hover = self.editor.hover
+        is_first = of_word and self.focused is self.editor.view and not hover.is_asked
+        if is_first and hover.show_at_cursor(f"{self.key_of('help')} again: help for all"):
+            return
+        hover.close()
         from ..screens.help import Help, action_lines
 
         around = [] if self.focused is None else self.focused.ancestors_with_self

@@ -190,7 +190,7 @@ class Plan:
 
     @cached_property
     def least(self) -> tuple[int, int]:
-        """The least width and height that it can have."""
+        """A width that is more than the room if it cannot fit, and its least height if it does."""
         from plastron_tui.output.graphs.sheet import estimate
 
         _, width, height = estimate(self._sheet, self._room)

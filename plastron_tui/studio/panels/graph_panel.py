@@ -275,7 +275,8 @@ GRAPH = Panel(
     summary="Nodes, topics, services and actions as boxes and arrows.",
     about=(
         "Nodes are boxes with corners, topics, services and actions have round ones. The arrows go "
-        "from who speaks to who listens. Arrow keys scroll, Ctrl-T enlarges."
+        "from who speaks to who listens; a line that is broken at another one passes below it. "
+        "Arrow keys go from box to box, Ctrl-T enlarges."
     ),
     widget=GraphPanel,
     make=_picture,

@@ -14,6 +14,7 @@ from textual.widgets import Button, Input, Label
 
 from plastron_tui.diagnostics.terminal import visible, visible_text
 
+from ..key_order import Unasked
 from ..panels.styles import Lines
 from ..panels.text_view import TextView
 from .dialog import Dialog
@@ -22,7 +23,7 @@ REST = 0.5
 """Seconds without a key after which a letter is an answer."""
 
 
-class Question(Dialog[str]):
+class Question(Dialog[str], Unasked):
     """Asks; the result is the id of the answer, "" for none."""
 
     BINDINGS: ClassVar[list[BindingType]] = [
@@ -38,6 +39,7 @@ class Question(Dialog[str]):
         *,
         text: str = "",
         lines: Lines | None = None,
+        is_unasked: bool = False,
     ) -> None:
         """Make a question.
 
@@ -47,12 +49,14 @@ class Question(Dialog[str]):
                 letter that starts the words, pressed, gives the answer too.
             text: an explanation.
             lines: something to look at, a diff say.
+            is_unasked: whether it comes by itself, while somebody may be typing.
         """
         super().__init__()
         self._title = title
         self._answers = list(answers)
         self._text = text
         self._lines = lines
+        self._is_unasked = is_unasked
         self._last_key = 0.0
         self._is_seen = False
 
@@ -72,6 +76,8 @@ class Question(Dialog[str]):
     def on_mount(self) -> None:
         """Let Enter give the first answer."""
         self._last_key = monotonic()
+        if self._is_unasked:
+            self.appeared = self._last_key
         self.query(Button).first().focus()
 
     @on(Button.Pressed)

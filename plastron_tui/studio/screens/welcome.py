@@ -49,7 +49,7 @@ class Welcome(Dialog["Answer | None"]):
         Binding("ctrl+u,alt+w", "answer('screen.wizard')", "Wizard", show=False),
         Binding("ctrl+n", "answer('screen.new')", "New", show=False),
         Binding("ctrl+o", "answer('screen.open')", "Open", show=False),
-        Binding("f1", "answer('screen.help')", "Help", show=False),
+        Binding("f1", "answer('screen.help(False)')", "Help", show=False),
     ]
     AUTO_FOCUS = "#welcome-list"
 
