@@ -18,7 +18,7 @@ from plastron_tui.studio.screens.tour import STEPS, Tour
 ACTIONS = {
     "open": "ChooseFile",
     "save_as": "ChooseFile",
-    "help": "Help",
+    "help(False)": "Help",
     "generate": "GenerateDialog",
     "menu": "ActionMenu",
     "wizard": "Wizard",
@@ -61,6 +61,10 @@ async def test_everything_is_reachable(program: Path, size: tuple[int, int]) -> 
             dock = main.dock_layout.dock_of(panel.name)
             assert dock.panel.region.height >= 2, f"{panel.name}: {dock.panel.region}"
             assert dock.panel.region.width == size[0]
+            tabs = dock.strip.render_line(0).text
+            assert panel.title in tabs
+            assert tabs.startswith("‹") or PANELS[0].title in tabs
+            assert tabs.endswith("›") or PANELS[-1].title in tabs
             # The text is still there beside it, or Esc brings it back.
             await driver.press("escape")
             assert main.editor.view.has_focus
