@@ -141,7 +141,7 @@ def test_statements_begin_at_the_start_of_a_line_and_comments_are_another_langua
     assert len(indents["indent.zero"]) == 13
     assert len(indents["indent.auto"]) == 2
     injected = captured(tree_sitter_plastron.INJECTIONS_QUERY, TWO_THINGS)["injection.content"]
-    assert injected[0] == "// What a talker" and injected[-1] == "/* round */"
+    assert {"// What a talker", "/* round */"} < set(injected)
 
 
 def test_every_keyword_is_highlighted() -> None:
