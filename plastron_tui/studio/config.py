@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 import os
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import asdict, dataclass, field, replace
 from pathlib import Path
@@ -15,9 +15,14 @@ from plastron_tui.private_files import read_private, write_private
 from plastron_tui.regular_files import read_regular, reason
 from plastron_tui.user_folders import config_folder
 
+from .config_text import NotSettingsError, Setting, read_settings
+from .key_conflicts import KeyOwner, Said, Wish, bind
+
 _MOST_RECENT = 12
 _LARGEST = 1024**2
-"""The largest file of settings, or of what is remembered, in bytes."""
+"""The largest file of what is remembered, in bytes."""
+_LARGEST_CONFIG = 64 * 1024
+"""The largest file of settings, in bytes: YAML takes its time."""
 
 
 def config_file(environ: Mapping[str, str] = os.environ) -> Path:
@@ -31,7 +36,7 @@ class Config:
 
     Attributes:
         theme: the name of a theme, None for the one that was used last.
-        keys: keys by the id of an action.
+        keys: keys by the id of an action, in Textual's notation; "" where another one got them.
         mouse: whether the mouse is used.
         wrap: whether long lines are wrapped.
         numbers: whether lines have numbers.
@@ -40,7 +45,7 @@ class Config:
     theme: str | None = None
     keys: dict[str, str] = field(default_factory=dict)
     mouse: bool = True
-    wrap: bool = False
+    wrap: bool = True
     numbers: bool = True
 
 
@@ -49,32 +54,42 @@ _KEYS = ("theme", "keys", *_SWITCHES)
 
 
 def load_config(
-    file: Path, actions: Iterable[str], themes: Iterable[str]
+    file: Path, owners: Sequence[KeyOwner], themes: Iterable[str]
 ) -> tuple[Config, tuple[str, ...]]:
-    """Read the configuration; what is wrong with it is a message, and the default counts."""
+    """Read the configuration; what is wrong with it is a message, and the default counts.
+
+    Args:
+        file: where it is.
+        owners: what has keys, or can be given some.
+        themes: the names of the themes.
+    """
     try:
-        text = read_regular(file, _LARGEST)
+        text = read_regular(file, _LARGEST_CONFIG)
     except (FileNotFoundError, NotADirectoryError):
         return Config(), ()
     except OSError as error:
         return Config(), (f"{file.name} cannot be read: {reason(error)}",)
-    import yaml
+    config, said = read_config(text, owners, themes)
+    return config, tuple(
+        f"{file.name}{f', line {each.line}' if each.line else ''}: {each.words}" for each in said
+    )
 
+
+def read_config(
+    text: bytes, owners: Sequence[KeyOwner], themes: Iterable[str]
+) -> tuple[Config, Sequence[Said]]:
+    """Read a text of the configuration, and say line by line what is wrong with it.
+
+    A line 0 is the whole text.
+    """
     try:
-        data = yaml.safe_load(text)
-    except (yaml.YAMLError, ValueError) as error:
-        mark = getattr(error, "problem_mark", None)
-        where = "" if mark is None else f", line {mark.line + 1}"
-        return Config(), (f"{file.name} is not YAML{where}",)
-    if data is None:
-        return Config(), ()
-    if not isinstance(data, dict):
-        return Config(), (f"{file.name} is not a mapping of settings",)
-    problems: list[str] = []
-    config, known = Config(), (set(actions), set(themes))
-    for key, value in data.items():
-        config = _with(config, str(key), value, known, problems)
-    return config, tuple(f"{file.name}: {problem}" for problem in problems)
+        settings = read_settings(text)
+    except NotSettingsError as error:
+        return Config(), [Said(error.line or 0, str(error))]
+    config, problems = Config(), _repeated(settings)
+    for setting in settings:
+        config = _with(config, setting, owners, frozenset(themes), problems)
+    return config, sorted(problems, key=lambda said: said.line)
 
 
 def template(file: Path, actions: Iterable[tuple[str, str]]) -> str | None:
@@ -83,7 +98,7 @@ def template(file: Path, actions: Iterable[tuple[str, str]]) -> str | None:
         "# The settings of the studio; what starts with # is off.",
         "# theme: nord",
         "# mouse: true",
-        "# wrap: false",
+        "# wrap: false   # long lines go on below; Alt-Z does the same for now",
         "# numbers: true",
         "# keys:",
         *(f"#   {action}: {keys or 'f11'}" for action, keys in actions),
@@ -97,31 +112,60 @@ def template(file: Path, actions: Iterable[tuple[str, str]]) -> str | None:
 
 
 def _with(
-    config: Config, key: str, value: Any, known: tuple[set[str], set[str]], problems: list[str]
+    config: Config,
+    setting: Setting,
+    owners: Sequence[KeyOwner],
+    themes: frozenset[str],
+    problems: list[Said],
 ) -> Config:
-    actions, themes = known
-    if key == "theme" and isinstance(value, str):
-        if value in themes:
-            return replace(config, theme=value)
-        problems.append(f"no theme `{value}`{_hint(value, themes)}")
-    elif key == "keys" and isinstance(value, dict):
-        keys = {}
-        for action, wanted in value.items():
-            if str(action) not in actions:
-                problems.append(f"no action `{action}`{_hint(str(action), actions)}")
-            elif not isinstance(wanted, str) or not all(p.strip() for p in wanted.split(",")):
-                problems.append(f"the key of `{action}` is no key")
-            else:
-                keys[str(action)] = wanted
-        return replace(config, keys=keys)
-    elif key in _SWITCHES and isinstance(value, bool):
-        changes: dict[str, Any] = {key: value}
+    """Return the configuration with one setting more."""
+    name, line = setting.name, setting.line
+    if name == "theme" and setting.word:
+        if setting.word in themes:
+            return replace(config, theme=setting.word)
+        problems.append(Said(line, f"no theme `{setting.word}`{_hint(setting.word, themes)}"))
+    elif name == "keys" and setting.settings is not None:
+        bound = bind(_wishes(setting.settings, owners, problems), owners)
+        problems += bound.problems
+        return replace(config, keys=bound.keys)
+    elif name in _SWITCHES and setting.switch is not None:
+        changes: dict[str, Any] = {name: setting.switch}
         return replace(config, **changes)
-    elif key in _KEYS:
-        problems.append(f"`{key}` has a value that it cannot have")
+    elif name in _KEYS:
+        problems.append(Said(line, f"`{name}` has a value that it cannot have"))
+    elif any(owner.id == name for owner in owners):
+        problems.append(Said(line, f"`{name}` is an action: its key stands indented below `keys:`"))
     else:
-        problems.append(f"no setting `{key}`{_hint(key, _KEYS)}")
+        problems.append(Said(line, f"no setting `{name}`{_hint(name, _KEYS)}"))
     return config
+
+
+def _wishes(
+    settings: Sequence[Setting], owners: Sequence[KeyOwner], problems: list[Said]
+) -> list[Wish]:
+    """Return which keys are wanted for actions that there are."""
+    problems += _repeated(settings)
+    actions = {owner.id for owner in owners if owner.id}
+    wishes: dict[str, Wish] = {}
+    for setting in settings:
+        name, words = setting.name, setting.words
+        if name not in actions:
+            problems.append(Said(setting.line, f"no action `{name}`{_hint(name, actions)}"))
+        elif words is None:
+            problems.append(Said(setting.line, f"the key of `{name}` is no key"))
+        else:
+            wishes[name] = Wish(name, words, setting.line)
+    return list(wishes.values())
+
+
+def _repeated(settings: Sequence[Setting]) -> list[Said]:
+    """Say which settings are there twice; the last one counts."""
+    last = {setting.name: setting.line for setting in settings}
+    return [
+        Said(each.line, f"`{each.name}` comes again in line {last[each.name]}, which counts")
+        for each in settings
+        if last[each.name] != each.line
+    ]
 
 
 def _hint(word: str, known: Iterable[str]) -> str:
@@ -140,6 +184,7 @@ class Remembered:
         hidden: the docks that are hidden.
         tabs: the tab that each dock showed.
         toured: whether the tour was taken.
+        actions: the ids of the actions that were chosen in the menu, the latest first.
     """
 
     theme: str | None = None
@@ -148,6 +193,12 @@ class Remembered:
     hidden: list[str] = field(default_factory=list)
     tabs: dict[str, str] = field(default_factory=dict)
     toured: bool = False
+    actions: list[str] = field(default_factory=list)
+
+    def did(self, action: str) -> None:
+        """Put an action in front of those of late."""
+        others = [other for other in self.actions if other != action]
+        self.actions = [action, *others][:_MOST_RECENT]
 
     def opened(self, path: Path) -> None:
         """Put a file in front of the recent ones."""
@@ -189,6 +240,7 @@ def load_remembered(folder: Path) -> Remembered:
             if isinstance(value, str if default is None else type(default)):
                 setattr(remembered, key, value)
     remembered.recent = [name for name in remembered.recent if isinstance(name, str)]
+    remembered.actions = [name for name in remembered.actions if isinstance(name, str)]
     sizes, tabs = remembered.sizes, remembered.tabs
     remembered.sizes = {key: size for key, size in sizes.items() if isinstance(size, int)}
     remembered.tabs = {key: tab for key, tab in tabs.items() if isinstance(tab, str)}

@@ -22,6 +22,13 @@ _NAMES = {
 }
 # Some terminals send these for Control and an arrow, and Textual knows that.
 _TAKEN = "bf"
+_CHORDS = {
+    character: f"alt+{_NAMES.get(character, character)}"
+    for character in (*digits, *ascii_lowercase, *_NAMES)
+    if character not in _TAKEN
+}
+ALT_CHORDS = frozenset(_CHORDS.values())
+"""The chords with Alt and a character that every terminal sends."""
 
 
 class _Chord(NamedTuple):
@@ -35,6 +42,5 @@ def teach() -> None:
     known = known_sequences()
     if known is None:
         return
-    for character in (*digits, *ascii_lowercase, *_NAMES):
-        if character not in _TAKEN:
-            known[f"\x1b{character}"] = (_Chord(f"alt+{_NAMES.get(character, character)}"),)
+    for character, chord in _CHORDS.items():
+        known[f"\x1b{character}"] = (_Chord(chord),)

@@ -5,6 +5,7 @@ from collections.abc import Callable, Mapping
 from pathlib import Path
 
 import pytest
+from drawn_screens import draw_before, render_some
 from idle_loop import IdleLoop, wait_for_idle, wait_for_screen
 from shared_styles import parse_rules_once
 from studio_driver import PROGRAM
@@ -28,6 +29,19 @@ def waiting_for_events(monkeypatch: pytest.MonkeyPatch) -> None:
 def styles_parsed_once(monkeypatch: pytest.MonkeyPatch) -> None:
     """Let what one studio has read of its style sheets serve those that the next tests start."""
     monkeypatch.setattr("textual.css.stylesheet.Stylesheet._parse_rules", parse_rules_once)
+
+
+@pytest.fixture(autouse=True)
+def questions_answered_at_once(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Let a question take letters as soon as it is there: a test has read it by then."""
+    monkeypatch.setattr("plastron_tui.studio.screens.question.REST", 0.0)
+
+
+@pytest.fixture(autouse=True)
+def some_pictures_drawn(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Let a headless studio draw one of some pictures, which nobody sees."""
+    monkeypatch.setattr("textual._compositor.Compositor.render_update", render_some)
+    monkeypatch.setattr("textual.pilot.Pilot._post_mouse_events", draw_before)
 
 
 @pytest.fixture(autouse=True)

@@ -85,14 +85,14 @@ FIRST, SECOND, REST = LINES[0], LINES[1], "".join(LINES[2:])
 WRONG = PROGRAM.replace("generate_node talker", "generate_node talkr")
 
 CASES: dict[str, Case] = {
-    "help": Case(opens="Help"),
+    "help": Case(opens="Help", before=("f1",)),
     "run": Case(lambda driver: getattr(driver.app, "started", None) == ["talk.plastron"]),
     "stop": Case(lambda driver: "nothing runs" in driver.notes()),
     "generate": Case(opens="GenerateDialog"),
     "wizard": Case(lambda driver: driver.app.screen is not driver.main),
     "next_panel": Case(lambda driver: driver.main.dock_layout.focused_dock is not None),
     "panels": Case(lambda driver: not any(dock.display for dock in driver.main.dock_layout.docks)),
-    "menu": Case(opens="CommandPalette"),
+    "menu": Case(opens="ActionMenu"),
     "zoom": Case(lambda driver: not driver.main.editor.display, before=("alt+1",)),
     "wider": Case(lambda driver: _grown(driver) > 0, before=("alt+1",)),
     "narrower": Case(lambda driver: _grown(driver) < 0, before=("alt+1",)),
@@ -107,7 +107,7 @@ CASES: dict[str, Case] = {
     "trust": Case(lambda driver: "nothing in this project has to be trusted" in driver.notes()),
     "theme": Case(opens="CommandPalette"),
     "keys": Case(lambda driver: bool(driver.main.query("HelpPanel"))),
-    "config": Case(lambda driver: "it counts from the next start on" in driver.notes()),
+    "config": Case(lambda driver: "from the next start of the studio on" in driver.notes()),
     "suspend": Case(lambda driver: getattr(driver.app, "suspended", 0) == 1),
     "quit": Case(lambda driver: bool(driver.app._exit)),
     "editor.undo": text(PROGRAM, before=("x",)),

@@ -15,7 +15,7 @@ from plastron_tui.studio.control_characters import ONLY_TEXT
 # What each action brings to the front; a program with mistakes is not generated.
 DIALOGS = {
     "open": "ChooseFile", "save_as": "ChooseFile", "help": "Help", "generate": "MainScreen",
-    "app.command_palette": "CommandPalette", "wizard": "Wizard", "welcome": "Welcome",
+    "menu": "ActionMenu", "wizard": "Wizard", "welcome": "Welcome",
     "new": "MainScreen", "tour": "Tour",
 }  # fmt: skip
 

@@ -7,7 +7,6 @@ from pathlib import Path
 import pytest
 from machine import mostly_long
 from studio_driver import studio
-from textual.command import CommandList
 from wizard_courses import CHANGE, MAKE, MESSAGE, REACT, SEND, TWO_NODES
 from wizard_driver import WizardDriver, wizard
 
@@ -17,7 +16,7 @@ from plastron_tui.studio.wizard.flow import PageKind
 EXAMPLES = Path(__file__).parents[3] / "examples"
 
 
-@pytest.mark.parametrize("way", ["key", "palette", "welcome"])
+@pytest.mark.parametrize("way", ["key", "menu", "welcome"])
 async def test_it_is_opened_from(here: Path, way: str) -> None:
     async with studio(None, (80, 24), welcome=True) as driver:
         it = WizardDriver(driver)
@@ -31,11 +30,8 @@ async def test_it_is_opened_from(here: Path, way: str) -> None:
                 await driver.pilot.press("alt+w")
             else:
                 await driver.pilot.press("f10")
-                palette = await driver.dialog("CommandPalette")
-                await driver.pilot.press(*"wizard")
-                await driver.until(lambda: palette.query_one(CommandList).option_count == 1)
-                while driver.app.screen is palette:
-                    await driver.pilot.press("enter")
+                await driver.dialog("ActionMenu")
+                await driver.pilot.press(*"wizard", "enter")
         await driver.until(lambda: it.is_open)
 
 
@@ -144,7 +140,7 @@ async def test_a_mistake_elsewhere_is_no_hindrance_but_is_said(here: Path) -> No
         await it.pick(MESSAGE)
         await it.press("enter", "enter")
         closed = {item.title: item.closed for item in it.screen._items}
-        assert closed["write the files"] == "a mistake in the program has to be mended first"
+        assert closed["write the files"] == "a problem in the program has to be fixed first"
 
 
 async def test_to_take_away_what_a_node_file_has_is_never_suggested(here: Path) -> None:

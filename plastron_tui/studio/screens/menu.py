@@ -1,0 +1,140 @@
+"""The menu of all actions: what one types finds them, and their keys stand beside them."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from typing import ClassVar
+
+from rich.cells import cell_len
+from textual import events, on
+from textual.app import ComposeResult
+from textual.binding import Binding, BindingType
+from textual.containers import Vertical
+from textual.content import Content
+from textual.widgets import Input, Label, OptionList
+from textual.widgets.option_list import Option
+
+from ..actions import ACTIONS, Action, grouped
+from .dialog import Dialog
+from .menu_search import Entry, found, listed
+
+_ROOM = 6
+"""Rows around the list: the frame, the line to type in, the help, the keys."""
+
+
+class ActionMenu(Dialog[Action | None]):
+    """Offers all actions; the result is the one that was chosen."""
+
+    BINDINGS: ClassVar[list[BindingType]] = [
+        Binding("escape", "close", "Close"),
+        Binding("down,ctrl+n", "go(1)", "Down", show=False),
+        Binding("up,ctrl+p", "go(-1)", "Up", show=False),
+        Binding("pagedown", "go(10)", "Page down", show=False),
+        Binding("pageup", "go(-10)", "Page up", show=False),
+    ]
+    AUTO_FOCUS = "#menu-query"
+
+    def __init__(self, recent: Sequence[str], key_of: Callable[[str], str]) -> None:
+        """Make the menu.
+
+        Args:
+            recent: the ids of the actions that were chosen last, the latest first.
+            key_of: tells the key of an action by its id.
+        """
+        super().__init__()
+        self._recent = recent
+        self._actions = [action for action in ACTIONS if action.id != "menu"]
+        self._keys = {action.id: key_of(action.id) for action in self._actions}
+        self._column = max(map(cell_len, self._keys.values()), default=0)
+        self._width = 0
+        self.entries: tuple[Entry, ...] = ()
+
+    def compose(self) -> ComposeResult:
+        """Make the line to type in, the list, and the help for what is marked in it."""
+        with Vertical(id="menu"):
+            yield Input(placeholder="What do you want to do?", id="menu-query", compact=True)
+            options = OptionList(id="menu-list", compact=True, markup=False)
+            # Keys are for the line to type in; it hands on those that move the mark.
+            options.can_focus = False
+            yield options
+            yield Label("", id="menu-help", markup=False)
+            yield Label("↑ ↓ choose   Enter do it   Esc closes", id="dialog-keys")
+
+    def on_resize(self, event: events.Resize) -> None:
+        """Give the list the rows and the columns that there are."""
+        options = self.query_one(OptionList)
+        options.styles.max_height = max(event.size.height - _ROOM, 1)
+        self.call_after_refresh(self._fit)
+
+    def _fit(self) -> None:
+        """Put the keys at the right edge of the list."""
+        width = self.query_one(OptionList).scrollable_content_region.width
+        if width != self._width:
+            self._width = width
+            self._show()
+
+    @on(Input.Changed)
+    def typed(self) -> None:
+        """Show what fits."""
+        if self._width:
+            self._show()
+
+    def _show(self) -> None:
+        query = self.query_one(Input).value
+        if query.strip():
+            self.entries = found(query, self._actions, self._recent)
+        else:
+            groups = [
+                (group, [action for action in actions if action.id in self._keys])
+                for group, actions in grouped()
+            ]
+            self.entries = listed(groups, self._recent)
+        options = self.query_one(OptionList)
+        options.clear_options()
+        if self.entries:
+            options.add_options([self._option(entry) for entry in self.entries])
+            options.highlighted = 0 if self.entries[0].action else 1
+        else:
+            options.add_option(Option(" nothing is called that", disabled=True))
+            self.query_one("#menu-help", Label).update("")
+
+    def _option(self, entry: Entry) -> Option:
+        if entry.action is None:
+            heading = Content.styled(entry.heading, "bold $text-primary")
+            return Option(heading, disabled=True)
+        key = self._keys[entry.action.id]
+        room = max(self._width - self._column - 3, 8)
+        title = f" {entry.action.title}"[:room]
+        text = Content.assemble(title.ljust(room), (key.rjust(self._column), "$text-accent"), "  ")
+        return Option(text)
+
+    @on(OptionList.OptionHighlighted)
+    def marked(self, event: OptionList.OptionHighlighted) -> None:
+        """Say what the marked action does."""
+        action = self.entries[event.option_index].action
+        self.query_one("#menu-help", Label).update(action.help if action else "")
+
+    @on(OptionList.OptionSelected)
+    def clicked(self, event: OptionList.OptionSelected) -> None:
+        """Do what was clicked."""
+        self.dismiss(self.entries[event.option_index].action)
+
+    @on(Input.Submitted)
+    def submitted(self) -> None:
+        """Do what is marked."""
+        at = self.query_one(OptionList).highlighted
+        if at is not None and at < len(self.entries):
+            self.dismiss(self.entries[at].action)
+
+    def action_go(self, by: int) -> None:
+        """Mark an action further down or up; the ends are not passed."""
+        options = self.query_one(OptionList)
+        places = [place for place, entry in enumerate(self.entries) if entry.action]
+        if not places:
+            return
+        at = places.index(options.highlighted) if options.highlighted in places else 0
+        options.highlighted = places[min(max(at + by, 0), len(places) - 1)]
+
+    def action_close(self) -> None:
+        """Do nothing."""
+        self.dismiss(None)

@@ -1,0 +1,82 @@
+"""The menu of all actions."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+from studio_driver import SIZES, studio
+from textual.widgets import OptionList
+
+from plastron_tui.studio.actions import ACTIONS, BY_ID, grouped
+from plastron_tui.studio.config import load_remembered
+from plastron_tui.studio.screens.menu_search import RECENT, WORDS, found, listed
+
+
+def test_all_actions_stand_under_their_headings_with_those_of_late_before_them() -> None:
+    entries = listed(grouped(), ["editor.find", "gone", "run", "editor.find"])
+    assert [entry.heading for entry in entries if entry.action is None] == [
+        RECENT, *(group for group, _ in grouped())
+    ]  # fmt: skip
+    assert [entry.action.id for entry in entries[1:3] if entry.action] == ["editor.find", "run"]
+    assert {entry.action.id for entry in entries[3:] if entry.action} == set(BY_ID)
+    assert listed(grouped(), [])[0].heading != RECENT
+    assert set(WORDS) <= set(BY_ID)
+
+
+@pytest.mark.parametrize(
+    ("query", "first"),
+    [
+        ("run", "run"), ("exit", "quit"), ("settings", "config"), ("colour", "theme"),
+        ("colors", "theme"), ("shortcuts", "keys"), ("search", "editor.find"),
+        ("RENAME", "editor.rename"),
+        ("gtl", "editor.go_to_line"), ("line go", "editor.go_to_line"), ("save as", "save_as"),
+        ("save", "save"), ("start", "run"), ("tutorial", "tour"), ("vim", "editor.external_editor"),
+        ("next prob", "editor.next_problem"), ("errors", "problems"),
+    ],
+)  # fmt: skip
+def test_what_one_types_finds_titles_synonyms_and_help(query: str, first: str) -> None:
+    entries = found(query, ACTIONS, [])
+    assert entries[0].action is BY_ID[first]
+
+
+def test_what_fits_as_well_and_was_done_of_late_comes_first() -> None:
+    names = [entry.action.id for entry in found("find", ACTIONS, []) if entry.action]
+    assert names[:3] == ["editor.find", "editor.find_next", "editor.find_previous"]
+    late = [entry.action.id for entry in found("find", ACTIONS, names[2:3]) if entry.action]
+    assert late[0] == "editor.find_previous"
+    assert found("xyzzy", ACTIONS, []) == ()
+
+
+@pytest.mark.parametrize("size", SIZES)
+async def test_the_menu_finds_does_and_remembers(program: Path, size: tuple[int, int]) -> None:
+    async with studio(program, size) as driver:
+        await driver.pilot.press("ctrl+p")
+        menu = await driver.dialog("ActionMenu")
+        options = menu.query_one(OptionList)
+        assert {entry.action.id for entry in menu.entries if entry.action} == set(BY_ID) - {"menu"}
+        row = str(options.get_option_at_index(1).prompt)
+        width = options.scrollable_content_region.width
+        assert len(row) == width and row.rstrip().endswith("f1")
+        await driver.pilot.press("down", "down", "up")
+        assert menu.entries[options.highlighted].action is BY_ID["run"]
+        await driver.pilot.press("escape")
+        await driver.back()
+        assert driver.app.profile.remembered.actions == []
+        await driver.pilot.press("f10", *"exit")
+        assert menu.app.screen.entries[0].action is BY_ID["quit"]
+        await driver.pilot.press(*("backspace",) * 4, *"soft", "enter")
+        await driver.back()
+        assert driver.main.editor.view.soft_wrap
+        await driver.pilot.press("f10")
+        menu = await driver.dialog("ActionMenu")
+        assert menu.entries[0].heading == RECENT
+        await driver.pilot.press("enter")
+        await driver.back()
+        assert not driver.main.editor.view.soft_wrap
+        await driver.pilot.press("f10", *"xyzzy", "enter")
+        assert type(driver.app.screen).__name__ == "ActionMenu"
+        await driver.pilot.press("escape")
+        await driver.back()
+        folder = driver.app.profile.folder
+    assert load_remembered(folder).actions == ["editor.toggle_wrap"]
