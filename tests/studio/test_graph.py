@@ -10,7 +10,8 @@ from textual.geometry import Offset, Region
 from plastron_tui.model.graph import graph_of
 from plastron_tui.session import Session
 from plastron_tui.studio.panels.drawing import DETAILS
-from plastron_tui.studio.panels.picture import Fitted, Picture, Size, picture_of
+from plastron_tui.studio.panels.fitting import Fitted, Size
+from plastron_tui.studio.panels.picture import Picture, picture_of
 
 HELLO = 'create_message hello of message_type String and input "hello"\n'
 
@@ -107,6 +108,14 @@ def test_nodes_at_one_topic_are_folded_where_there_is_no_room_for_all() -> None:
     assert len(set(folded.places.values())) == len(made.entries) - 24
     # Who asks for a size sees all of it.
     assert "more" not in "\n".join(text(made.fitted(Size(80, 12, 3))))
+
+
+def test_what_changes_nothing_in_the_graph_is_not_laid_out_again() -> None:
+    before, after = picture(PROGRAM), picture(f"// A comment.\n{PROGRAM}")
+    assert before.statements != after.statements
+    assert before.fitted(Size(80, 20)) is after.fitted(Size(80, 20))
+    other = picture(PROGRAM.replace("'talker'", "'speaker'"))
+    assert other.fitted(Size(80, 20)) is not before.fitted(Size(80, 20))
 
 
 def test_too_many_boxes_are_said() -> None:
