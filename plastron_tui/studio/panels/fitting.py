@@ -44,6 +44,13 @@ class Fitted:
     detail: int
 
 
+class _Way(NamedTuple):
+    """How a picture is made to fit: few lines from row to row, and boxes that stand for several."""
+
+    few_lines: bool = False
+    is_folded: bool = False
+
+
 class Drawing:
     """Boxes and what joins them, laid out once, and drawn once in each size that is asked for."""
 
@@ -65,13 +72,14 @@ class Drawing:
         shown = [box for box in range(len(self._labels)) if box not in hidden]
         self._folded = _parts(shown, folded_links(links, folds, count), hubs) if folds else ()
         self._fitted: dict[Size, Fitted] = {}
-        self._plans: dict[tuple[int, int, bool], list[Plan]] = {}
+        self._plans: dict[tuple[int, int, _Way], list[Plan]] = {}
 
     def fitted(self, size: Size) -> Fitted:
         """Draw it as large as fits, or in the detail that is asked for.
 
-        Where it fits in no detail, one box stands for many nodes at a topic that are nowhere else.
-        What then fits in none is as large as fits at least from side to side.
+        A smaller picture is better than one with many lines from row to row, and such a one better
+        than one where a box stands for many nodes at a topic that are nowhere else. What fits in no
+        way is as large as fits at least from side to side.
         """
         found = self._fitted.get(size)
         if found is None:
@@ -84,50 +92,64 @@ class Drawing:
 
     def _draw(self, size: Size) -> Fitted:
         if size.detail is not None:
-            return self._packed(size.detail, size.width, is_folded=False)
-        best, fits = self._best(size, is_folded=False)
-        is_folded = not fits and bool(self._folds)
-        if is_folded:
-            best, _ = self._best(size, is_folded=True)
-        return self._packed(best, size.width, is_folded=is_folded)
+            return self._packed(size.detail, size.width, _Way())
+        ways = [_Way(few_lines=True), _Way()]
+        if self._folds:
+            ways += [way._replace(is_folded=True) for way in ways]
+        for way in ways:
+            detail = self._fitting(size, way)
+            if detail is not None:
+                return self._packed(detail, size.width, way)
+        return self._packed(self._narrow(size, ways[-1]), size.width, ways[-1])
 
-    def _best(self, size: Size, *, is_folded: bool) -> tuple[int, bool]:
-        """Return the detail to draw in, and whether the picture fits then."""
-        best = None
+    def _fitting(self, size: Size, way: _Way) -> int | None:
+        """Return the largest detail that fits, None if none does."""
         for detail in range(len(DETAILS)):
-            plans = self._planned(detail, size.width, is_folded=is_folded)
+            plans = self._planned(detail, size.width, way)
             least = [plan.least for plan in plans]
-            if any(width >= size.width for width, _ in least):
-                continue
-            if best is not None and any(height > size.height for _, height in least):
+            if any(width >= size.width or height > size.height for width, height in least):
                 continue
             shelves = _shelves(plans, size.width)
-            if max(map(_width, shelves)) <= size.width:
-                best = detail if best is None else best
-                if _height(shelves, detail) <= size.height:
-                    return detail, True
-        return len(DETAILS) - 1 if best is None else best, False
+            is_narrow = max(map(_width, shelves)) <= size.width
+            if is_narrow and _height(shelves, detail) <= size.height:
+                return detail
+        return None
 
-    def _packed(self, detail: int, width: int, *, is_folded: bool) -> Fitted:
-        shelves = _shelves(self._planned(detail, width, is_folded=is_folded), width)
+    def _narrow(self, size: Size, way: _Way) -> int:
+        """Return the largest detail that fits from side to side, the smallest if none does."""
+        for detail in range(len(DETAILS)):
+            plans = self._planned(detail, size.width, way)
+            if any(plan.least[0] >= size.width for plan in plans):
+                continue
+            if max(map(_width, _shelves(plans, size.width))) <= size.width:
+                return detail
+        return len(DETAILS) - 1
+
+    def _packed(self, detail: int, width: int, way: _Way) -> Fitted:
+        shelves = _shelves(self._planned(detail, width, way), width)
         if max(map(_width, shelves)) * _height(shelves, detail) > _MOST_CELLS:
             return noted(f"{self._count} boxes are too far apart; the panels list them")
         made = _packed(shelves, detail)
         places = dict(made.places)
-        for box, members in self._folds.items() if is_folded else ():
+        for box, members in self._folds.items() if way.is_folded else ():
             place = places.pop(box)
             places.update(dict.fromkeys(members, place))
         return Fitted(made.lines, made.width, places, detail)
 
-    def _planned(self, detail: int, width: int, *, is_folded: bool) -> list[Plan]:
-        plans = self._plans.get((detail, width, is_folded))
+    def _planned(self, detail: int, width: int, way: _Way) -> list[Plan]:
+        plans = self._plans.get((detail, width, way))
         if plans is None:
-            parts = self._folded if is_folded else self._parts
-            plans = [
-                Plan(self._labels, columns, order, DETAILS[detail], width - 1)
-                for columns, order in parts
+            plans = self._plans[detail, width, way] = [
+                Plan(
+                    self._labels,
+                    columns,
+                    order,
+                    DETAILS[detail],
+                    width - 1,
+                    few_lines=way.few_lines,
+                )
+                for columns, order in (self._folded if way.is_folded else self._parts)
             ]
-            self._plans[detail, width, is_folded] = plans
         return plans
 
 
