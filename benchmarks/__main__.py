@@ -7,7 +7,7 @@ from plastron_tui import collector
 
 _PARTS = (
     *("language", "process", "output", "source", "cpp_source", "editor", "studio"),
-    *("robots", "collector", "threads", "memory", "rates"),
+    *("robots", "graphs", "collector", "threads", "memory", "rates", "live"),
 )
 
 

@@ -60,6 +60,7 @@ def _time(context: click.Context, option: click.Parameter, seconds: float | None
 @set_option
 @click.option("--watch", is_flag=True, help="Show a live table of topics and service calls.")
 @click.option("--network", is_flag=True, help="Let the nodes speak to other machines too.")
+@click.option("--announce", type=click.IntRange(min=3), hidden=True)
 def command(
     file: Path,
     nodes: tuple[str, ...],
@@ -71,6 +72,7 @@ def command(
     settings: tuple[Assignment, ...],
     watch: bool,
     network: bool,
+    announce: int | None,
 ) -> None:
     """Write the nodes of a program and start them, all or those that are named.
 
@@ -93,7 +95,8 @@ def command(
 
     from .run_launch import find_launch, run_launch, run_launch_of
 
-    options = RunOptions(seconds, network, watch)
+    # The studio asks for it, which monitors the nodes.
+    options = RunOptions(seconds, network, watch, announce)
     given: dict[str, object] = {"--namespace": namespace, "--remap": remaps, "--set": settings}
     if is_launch_file(file):
         given |= {"--output": output, "--target": target}

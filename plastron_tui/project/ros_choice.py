@@ -65,6 +65,11 @@ class RosChoice(NamedTuple):
         """What it is called: `ROS 2 kilted`."""
         return f"ROS {self.ros_version} {self.distribution}"
 
+    @property
+    def words(self) -> str:
+        """What nodes are written for, with the library: `rclpy (ROS 2 kilted)`."""
+        return f"{self.library} ({self.name})"
+
 
 def choose_ros(
     said: tuple[Said, ...], libraries: Libraries, environ: Mapping[str, str] = os.environ

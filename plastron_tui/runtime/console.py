@@ -5,8 +5,9 @@ from __future__ import annotations
 import contextlib
 import errno
 import os
+import re
 from collections.abc import Callable, Iterable, Mapping
-from typing import TextIO
+from typing import NamedTuple, TextIO
 
 from plastron_tui.diagnostics.terminal import is_only_colour, visible, visible_line, wants_colour
 
@@ -18,6 +19,24 @@ _COLOURS = (36, 33, 35, 32, 34, 96, 93, 95, 92, 94)
 _RED = 31
 _DIM = 2
 OWN_NAME = "plastron"
+
+
+_END = re.compile(
+    rf"{OWN_NAME} *\| (?P<node>\S+) (?P<how>(?:was ended by|died with|never started).*)", re.DOTALL
+)
+
+
+class Ended(NamedTuple):
+    """What a line of a run says of a node that has ended though nobody asked it to."""
+
+    node: str
+    how: str
+
+
+def ended_node(line: str) -> Ended | None:
+    """Return which node a line of `plastron run` says to have failed, and how (see `Console`)."""
+    found = _END.fullmatch(line)
+    return None if found is None else Ended(found["node"], found["how"])
 
 
 class Console:

@@ -202,6 +202,15 @@ def node_environ(
     return own
 
 
+def with_folders(environ: Mapping[str, str], folders: Sequence[tuple[str, Path]]) -> dict[str, str]:
+    """Return variables with folders that come first in some of them, each of them once."""
+    own = dict(environ)
+    for variable, folder in reversed(folders):
+        known = [part for part in own.get(variable, "").split(os.pathsep) if part]
+        own[variable] = os.pathsep.join([str(folder), *(p for p in known if p != str(folder))])
+    return own
+
+
 def is_local(uri: str) -> bool:
     """Tell whether a ROS 1 master's address is on this machine by its very name."""
     host = urlsplit(uri).hostname or ""

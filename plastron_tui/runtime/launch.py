@@ -15,9 +15,10 @@ from plastron_tui.diagnostics import Diagnostic, has_errors
 
 from .child import Exit, Process, Role
 from .console import Console
-from .environment import Environment, node_environ
+from .environment import Environment, node_environ, with_folders
 from .long_arguments import ArgumentFiles
 from .master import Master, ensure_master
+from .monitor import announcement, monitor_command
 from .supervisor import Supervisor
 from .table import Screen, Ticker, Watch
 
@@ -126,11 +127,14 @@ class Options:
         duration: seconds until the nodes are stopped; None for as long as they run.
         network: whether the nodes may speak to other machines.
         watch: whether to show what travels.
+        announce: the file descriptor on which is said, once the nodes are started, what starts
+            a monitor of them; None where nobody wants to know.
     """
 
     duration: float | None = None
     network: bool = False
     watch: bool = False
+    announce: int | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -225,6 +229,7 @@ class _Run:
                 self._supervisor.start(self._process(node, master, pipe))
         self._activate(master)
         self._load(master)
+        self._announce(master)
         if self._options.watch:
             self._start_observers(master)
             self._console.show(self._screen)
@@ -250,10 +255,7 @@ class _Run:
             os.close(write_end)
 
     def _process(self, node: NodeFile, master: Master | None, pipe: int | None) -> Process:
-        environ = self._node_environ(node.environment, master)
-        for variable, folder in reversed(node.folders):
-            known = environ.get(variable)
-            environ[variable] = f"{folder}{os.pathsep}{known}" if known else str(folder)
+        environ = with_folders(self._node_environ(node.environment, master), node.folders)
         if pipe is None or node.script is None:
             argv = (*node.command, *node.arguments)
             return Process(node.title, argv, environ, is_host=node.is_host)
@@ -316,6 +318,19 @@ class _Run:
         elif told.passed:
             done = " and ".join(f"{each.removesuffix('e')}ed" for each in told.passed)
             self._console.notice(f"{done} {name} by its lifecycle services")
+
+    def _announce(self, master: Master | None) -> None:
+        """Say what starts a monitor of the nodes, for each ROS that they run with."""
+        if self._options.announce is None:
+            return
+        environs: dict[Environment, dict[str, str]] = {}
+        for node in self._nodes:
+            environ = environs.get(node.environment) or self._node_environ(node.environment, master)
+            # Types of the program's own are in there.
+            environs[node.environment] = with_folders(environ, node.folders)
+        commands = [monitor_command(*each) for each in environs.items()]
+        with contextlib.suppress(OSError), os.fdopen(self._options.announce, "w") as pipe:
+            pipe.write(announcement(commands))
 
     def _start_observers(self, master: Master | None) -> None:
         for environment in dict.fromkeys(node.environment for node in self._nodes):

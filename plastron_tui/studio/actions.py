@@ -29,7 +29,9 @@ class Action:
         help: a sentence about it.
         group: the heading that it is listed under.
         footer: whether the footer shows it.
+        kept: whether the footer shows it however narrow the window is.
         own: whether the editor binds the keys itself.
+        chosen: what is done in the place of `call` where it is chosen from the menu.
     """
 
     id: str
@@ -39,7 +41,9 @@ class Action:
     help: str = ""
     group: str = "Studio"
     footer: bool = False
+    kept: bool = False
     own: bool = False
+    chosen: str = ""
 
     @property
     def binding(self) -> Binding:
@@ -57,10 +61,11 @@ def _of(command: Command) -> Action:
 
 ACTIONS: tuple[Action, ...] = (
     Action("help", "Help", "screen.help", "f1,alt+question_mark",
-           "Help for what has the focus.", footer=True),
+           "What the word at the cursor means; again, help about the part of the screen that you "
+           "are in.", footer=True, kept=True, chosen="screen.help(False)"),
     Action("run", "Run", "screen.run", "f5",
-           "Generate the nodes and start them; stop them where they run.", footer=True),
-    Action("stop", "Stop the nodes", "screen.stop", "shift+f5", "Stop what runs."),
+           "Write and start the nodes; while they run, stop them.", footer=True, kept=True),
+    Action("stop", "Stop the nodes", "screen.stop", "shift+f5", "Stop the nodes that run."),
     Action(
         "generate", "Generate", "screen.generate", "f6",
         "Show what would be written, then write it.", footer=True,
@@ -71,7 +76,7 @@ ACTIONS: tuple[Action, ...] = (
     Action("panels", "Show or hide the panels", "screen.panels", "f9",
            "Make room for the text, or show the panels again."),
     Action("menu", "Menu", "screen.menu", "f10,ctrl+p",
-           "All actions, by their names.", footer=True),
+           "All actions, by their names.", footer=True, kept=True),
     Action("zoom", "Enlarge the panel", "screen.zoom", "ctrl+t,alt+m",
            "Let the panel have the whole window, or its place again."),
     Action("wider", "Make the panel larger", "screen.resize(4)", "alt+plus,alt+equals_sign",
@@ -83,30 +88,33 @@ ACTIONS: tuple[Action, ...] = (
                "Panels")
         for panel in PANELS
     ),
-    Action("fix", "Mend the problem at the cursor", "screen.fix", "alt+enter",
-           "Apply the remedy of the mistake on this line.", "Edit"),
+    Action("fix", "Fix the problem on this line", "screen.fix", "alt+enter",
+           "Change the text as the help of the problem says.", "Edit"),
     Action("new", "New program", "screen.new", "ctrl+n,alt+n", "Start an empty program.", "File"),
-    Action("open", "Open", "screen.open", "ctrl+o", "Open a program.", "File", footer=True),
     Action("save", "Save", "screen.save", "ctrl+s", "Write the program to its file.", "File",
            footer=True),
+    Action("open", "Open", "screen.open", "ctrl+o", "Open a program.", "File", footer=True),
     Action("save_as", "Save as", "screen.save_as", "alt+s", "Write the program to another file.",
            "File"),
     Action("welcome", "Welcome", "screen.welcome", "alt+0",
            "Recent programs, examples and the tour.", "File"),
     Action("tour", "Take the tour", "screen.tour", "alt+i", "Two minutes around the screen."),
     Action("trust", "Trust this project", "screen.trust", "alt+u",
-           "Use its templates, and let it lead out of its folder.", "File"),
+           "Let it use its own templates, and files outside of its folder.", "File"),
     Action("theme", "Theme", "app.change_theme", "alt+t", "Choose other colours."),
-    Action("keys", "Keys", "screen.keys", "alt+k", "All keys of what has the focus."),
-    Action("config", "Edit the configuration", "screen.config", "alt+o",
+    Action("keys", "Keys", "screen.keys", "alt+k", "All keys of where you are, at the side."),
+    Action("config", "Edit the settings", "screen.config", "alt+o",
            "Keys and other settings, in a file."),
     Action("suspend", "Suspend", "app.suspend_process", "alt+j",
            "Go back to the shell; `fg` returns."),
-    Action("quit", "Quit", "screen.quit", "ctrl+q", "Leave the studio.", footer=True),
+    Action("quit", "Quit", "screen.quit", "ctrl+q", "Leave the studio.", footer=True, kept=True),
     *(_of(command) for command in COMMANDS if command.help),
 )  # fmt: skip
 
 BY_ID = {action.id: action for action in ACTIONS}
+
+KEPT = frozenset(action.id for action in ACTIONS if action.kept)
+"""What the footer shows however narrow the window is."""
 
 
 def bindings() -> list[Binding]:

@@ -11,12 +11,14 @@ from collections.abc import Mapping, Sequence
 from contextlib import suppress
 from functools import partial
 from pathlib import Path
+from time import monotonic
 from types import FrameType
 from typing import ClassVar
 
-from textual import on
+from textual import events, on
 from textual.app import App
-from textual.binding import BindingType
+from textual.binding import Binding, BindingType
+from textual.driver import Driver
 from textual.filter import LineFilter
 from textual.notifications import SeverityLevel
 from textual.screen import Screen
@@ -33,11 +35,18 @@ from .config import Profile, config_file, load_config, load_remembered, save_rem
 from .control_characters import ONLY_TEXT
 from .files import open_file
 from .folder_labels import not_saved
+from .key_display import key_name
 from .key_order import InOrder
+from .legibility import LEGIBLE
 from .main.screen import MainScreen
 from .open_program import opened
+from .terminal_driver import for_terminal
 from .terminal_keys import teach
+from .terminal_output import ShownScreen
+from .textual_private import notes_in_sight
 
+_SAME_NOTE = 0.3
+"""Seconds within which the same note again is the same one."""
 DEFAULT_THEME = "textual-dark"
 _ENDS_WITHIN = 5.0
 """Seconds that the studio has to end in good order once the system says so."""
@@ -67,6 +76,7 @@ class StudioApp(InOrder, inherit_bindings=False):
             options: what the command line sets.
             first: the action of the main screen that is done first, instead of the welcome.
         """
+        self._shown = ShownScreen()
         super().__init__()
         folder = state_folder()
         config, self._messages = load_config(config_file(), key_owners(), self.available_themes)
@@ -77,6 +87,8 @@ class StudioApp(InOrder, inherit_bindings=False):
         self._first = None if first is None else f"screen.{first}"
         self._failures: set[str] = set()
         self.last_words = ""
+        self._last_note = "", 0.0
+        self._is_up = False
 
     def get_default_screen(self) -> Screen[None]:
         """Open the program that was asked for."""
@@ -98,8 +110,10 @@ class StudioApp(InOrder, inherit_bindings=False):
 
     def on_mount(self) -> None:
         """Take the theme and the keys; offer what was not saved; say what is wrong."""
+        self.call_after_refresh(self._came_up)
         first = self.theme
         self.theme_changed_signal.subscribe(self, lambda theme: self._themed(theme.name, first))
+        self.app_resume_signal.subscribe(self, lambda _: self.refresh(layout=True))
         keys = {action: keys for action, keys in self.profile.config.keys.items() if keys}
         if keys:
             self.set_keymap(keys)
@@ -127,6 +141,10 @@ class StudioApp(InOrder, inherit_bindings=False):
         elif self._path is None:
             self.call_after_refresh(self.main.action_welcome)
 
+    def _came_up(self) -> None:
+        """Note that there is a screen that keys can go to."""
+        self._is_up = True
+
     def _first_theme(self) -> str:
         wanted = self.profile.config.theme or self.profile.remembered.theme
         if wanted in self.available_themes:
@@ -141,9 +159,17 @@ class StudioApp(InOrder, inherit_bindings=False):
         """Do an action by its call."""
         await self.run_action(call, self.main)
 
+    def get_driver_class(self) -> type[Driver]:
+        """Return what writes to the terminal, and reads what comes from there."""
+        return for_terminal(super().get_driver_class(), self._shown)
+
+    def get_key_display(self, binding: Binding) -> str:
+        """Return what a key is called, everywhere in the studio."""
+        return key_name(binding.key)
+
     def get_line_filters(self) -> Sequence[LineFilter]:
-        """Return what each line of the screen passes through: nothing in it is obeyed."""
-        return [*super().get_line_filters(), ONLY_TEXT]
+        """Return what each line passes through: nothing in it is obeyed, and it can be read."""
+        return [*super().get_line_filters(), ONLY_TEXT, LEGIBLE]
 
     def notify(
         self,
@@ -154,10 +180,14 @@ class StudioApp(InOrder, inherit_bindings=False):
         timeout: float | None = None,
         markup: bool = True,
     ) -> None:
-        """Say something in the corner, with what is invisible in it escaped."""
-        super().notify(
-            visible_text(message), title=title, severity=severity, timeout=timeout, markup=markup
-        )
+        """Say something in the corner, once, with what is invisible in it escaped."""
+        text = visible_text(message)
+        now = monotonic()
+        last, self._last_note = self._last_note, (text, now)
+        # What was said a moment ago is not among the notes yet.
+        is_new = last[0] != text or now - last[1] > _SAME_NOTE
+        if is_new and text not in [note.message for note in notes_in_sight(self)]:
+            super().notify(text, title=title, severity=severity, timeout=timeout, markup=markup)
 
     @on(AnalysisFailed)
     def analysis_failed(self, message: AnalysisFailed) -> None:
@@ -212,10 +242,28 @@ class StudioApp(InOrder, inherit_bindings=False):
         self._keep_all()
         os._exit(status)
 
+    def listens(self) -> bool:
+        """Tell whether keys reach somebody; the editor has them where nothing else has.
+
+        Nothing has before the first screen is up, nor where the terminal says that it has lost
+        the focus, which some do at the start.
+        """
+        if not self.is_running or not self._is_up:
+            return False
+        if self.screen is self.main and self.main.focused is None:
+            self.app_focus = True
+            self.main.set_focus(self.main.editor.view)
+        return True
+
     def on_app_focus(self) -> None:
         """Let the editor have the keys, when the window gets the focus before anything else."""
-        if self.screen is self.main and self.main.focused is None:
-            self.main.editor.focus()
+        self.listens()
+
+    def on_resize(self, event: events.Resize) -> None:
+        """Draw all anew, for the same size too: there may have been another one meanwhile."""
+        self._shown.forget()
+        if event.size == self.size:
+            self.refresh()
 
     def on_unmount(self) -> None:
         """Remember what lasts."""

@@ -45,7 +45,7 @@ class Config:
     theme: str | None = None
     keys: dict[str, str] = field(default_factory=dict)
     mouse: bool = True
-    wrap: bool = False
+    wrap: bool = True
     numbers: bool = True
 
 
@@ -98,7 +98,7 @@ def template(file: Path, actions: Iterable[tuple[str, str]]) -> str | None:
         "# The settings of the studio; what starts with # is off.",
         "# theme: nord",
         "# mouse: true",
-        "# wrap: false",
+        "# wrap: false   # long lines go on below; Alt-Z does the same for now",
         "# numbers: true",
         "# keys:",
         *(f"#   {action}: {keys or 'f11'}" for action, keys in actions),

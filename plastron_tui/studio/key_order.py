@@ -17,7 +17,9 @@ from __future__ import annotations
 
 import asyncio
 from collections import deque
+from collections.abc import Sequence
 from contextlib import suppress
+from time import monotonic
 
 from textual import events
 from textual.dom import DOMNode
@@ -26,13 +28,18 @@ from textual.widgets import Input
 from textual.worker import Worker
 
 from .editor.commands import COMMANDS
+from .terminal_driver import Burst
 from .textual_private import Failing, hear_messages
+
+_TYPED = (events.Key, events.Paste, Burst)
 
 _ASKING = frozenset(command.id for command in COMMANDS if command.asks)
 """What opens a line in the editor, which the keys that follow are for."""
 _LONGEST = 5.0
 """Seconds for which the keys after one wait, at most: where messages never stop coming, or somebody
 keeps the others waiting, they are to be had for leaving."""
+QUIET = 0.7
+"""Seconds without a key, after which somebody has seen what came by itself."""
 _PAUSE = 0.005
 """Seconds between two looks at a page that is on its way: a thread finds out what is in it."""
 
@@ -51,12 +58,31 @@ class Paged:
         return not self.is_turning
 
 
+class Unasked:
+    """A screen that may come by itself: keys that are typed for what it covers are not for it.
+
+    It takes keys once none has come for a while, and from then on all of them.
+
+    Attributes:
+        appeared: when it came by itself, as `time.monotonic` has it; None where it was asked for.
+    """
+
+    appeared: float | None = None
+
+    def hears(self, last: float, now: float) -> bool:
+        """Tell whether a key counts, when the one before it came, on whatever screen, at `last`."""
+        if self.appeared is not None and now - max(self.appeared, last) >= QUIET:
+            self.appeared = None
+        return self.appeared is None
+
+
 class InOrder(Failing, inherit_bindings=False):
     """An app in which a key that may open something is done with before the next one comes."""
 
-    _waiting: deque[events.Key]
-    _let_in: events.Key | None = None
+    _waiting: deque[events.Event]
+    _let_in: events.Event | None = None
     _keys_worker: Worker[None] | None = None
+    _last_typed = 0.0
     _handled = 0
     """How many messages were handled since the start."""
 
@@ -74,21 +100,47 @@ class InOrder(Failing, inherit_bindings=False):
             self._handled += 1
 
     async def on_event(self, event: events.Event) -> None:
-        """Keep a key as long as one before it is on its way."""
-        if isinstance(event, events.Key) and not event.is_forwarded and event is not self._let_in:
+        """Keep a key, or a text that is pasted, as long as a key before it is on its way."""
+        if isinstance(event, _TYPED) and not event.is_forwarded and event is not self._let_in:
+            now, last = monotonic(), self._last_typed
+            self._last_typed = now
+            if isinstance(self.screen, Unasked) and not self.screen.hears(last, now):
+                return
             is_first = self._keys_worker is None or self._keys_worker.is_finished
             if not is_first or self._is_turning or self._waiting:
                 self._waiting.append(event)
                 if is_first:
                     self._keep_order(None)
                 return
-            if self._may_open(event):
+            if isinstance(event, Burst):
+                for each in self._taken_as(event):
+                    await self.on_event(each)
+                return
+            if isinstance(event, events.Key) and self._may_open(event):
                 self._keep_order(self._key_path())
         await super().on_event(event)
 
+    def _taken_as(self, burst: Burst) -> Sequence[events.Event]:
+        """Return what a text that came as keys is for what has the focus: a paste, or keys."""
+        if getattr(self.focused, "takes_bursts", False):
+            return [events.Paste(burst.text)]
+        return burst.keys
+
+    def listens(self) -> bool:
+        """Tell whether somebody is there that keys are for: at the start nobody is yet."""
+        return True
+
     @property
     def _is_turning(self) -> bool:
+        if not self.listens():
+            return True
         return isinstance(self.screen, Paged) and self.screen.is_turning
+
+    async def _until_listening(self) -> None:
+        """Wait for somebody to be there, but not for one who never comes."""
+        end = monotonic() + _LONGEST
+        while not self.listens() and monotonic() < end:
+            await asyncio.sleep(_PAUSE)
 
     def _may_open(self, event: events.Key) -> bool:
         screen = self.screen
@@ -115,13 +167,18 @@ class InOrder(Failing, inherit_bindings=False):
         if nodes is not None:
             await self._settled(nodes)
         while self._waiting:
+            await self._until_listening()
             event = self._waiting[0]
             # Who wants to leave need not wait for a page.
             while isinstance(self.screen, Paged) and not self.screen.is_settled:
-                if event.key == "escape":
+                if isinstance(event, events.Key) and event.key == "escape":
                     break
                 await asyncio.sleep(_PAUSE)
-            self._let_in = self._waiting.popleft()
+            event = self._waiting.popleft()
+            if isinstance(event, Burst):
+                self._waiting.extendleft(reversed(self._taken_as(event)))
+                continue
+            self._let_in = event
             nodes = self._key_path()
             self.post_message(event)
             await self._settled(nodes)

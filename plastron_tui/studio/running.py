@@ -9,14 +9,18 @@ import threading
 from collections import deque
 from collections.abc import Callable
 from contextlib import suppress
+from functools import partial
 from pathlib import Path
 
 from plastron_tui import import_path
 from plastron_tui.runtime import guard
+from plastron_tui.runtime.monitor import MonitorCommand, announced
 from plastron_tui.session import Options
 
 _MOST_LINES = 5000
 """So many lines are kept of those that nobody has taken yet."""
+_LONGEST = 65536
+"""So many bytes of a line are kept; a node may print without ever ending one."""
 # The panel is narrow, and names the node before each line: the time and the name can go.
 _PLAIN = {
     "RCUTILS_CONSOLE_OUTPUT_FORMAT": "[{severity}] {message}",
@@ -30,6 +34,7 @@ class Running:
 
     Attributes:
         status: the exit status, None as long as the nodes run.
+        monitors: what starts monitors of the nodes; nothing before they are started.
     """
 
     def __init__(self, path: Path, options: Options, on_news: Callable[[], None]) -> None:
@@ -45,19 +50,29 @@ class Running:
             OSError: no process can be started.
         """
         self.status: int | None = None
+        self.monitors: tuple[MonitorCommand, ...] = ()
         self._on_news = on_news
         self._lines: deque[str] = deque(maxlen=_MOST_LINES)
         self._is_told = threading.Event()
-        self._process = subprocess.Popen(
-            _command(path, options),
-            stdin=subprocess.DEVNULL,
-            stdout=subprocess.PIPE,
-            stderr=subprocess.STDOUT,
-            env={**_PLAIN, **os.environ, "PYTHONUNBUFFERED": "1", "NO_COLOR": "1"},
-            start_new_session=True,
-        )
+        announcing, told = os.pipe()
+        try:
+            self._process = subprocess.Popen(
+                _command(path, options, told),
+                stdin=subprocess.DEVNULL,
+                stdout=subprocess.PIPE,
+                stderr=subprocess.STDOUT,
+                env={**_PLAIN, **os.environ, "PYTHONUNBUFFERED": "1", "NO_COLOR": "1"},
+                start_new_session=True,
+                pass_fds=(told,),
+            )
+        except OSError:
+            os.close(announcing)
+            raise
+        finally:
+            os.close(told)
         self._guard = _guarded(self._process.pid)
         threading.Thread(target=self._read, daemon=True).start()
+        threading.Thread(target=self._hear, args=(announcing,), daemon=True).start()
 
     @property
     def was_stopped(self) -> bool:
@@ -90,9 +105,12 @@ class Running:
     def _read(self) -> None:
         assert self._process.stdout is not None
         with self._process.stdout as stream:
-            for line in iter(stream.readline, b""):
-                self._lines.append(line.decode("utf-8", "replace").rstrip("\r\n"))
-                self._tell()
+            is_rest = False
+            for line in iter(partial(stream.readline, _LONGEST), b""):
+                if not is_rest:
+                    self._lines.append(line.decode("utf-8", "replace").rstrip("\r\n"))
+                    self._tell()
+                is_rest = not line.endswith(b"\n")
         self.status = self._process.wait()
         self._is_told.clear()
         self._tell()
@@ -103,14 +121,23 @@ class Running:
                 self._guard.stdin.close()
             self._guard.wait()
 
+    def _hear(self, announcing: int) -> None:
+        """Read what starts the monitors, which is said when the nodes are started."""
+        with os.fdopen(announcing, encoding="utf-8", errors="replace") as pipe:
+            self.monitors = announced(pipe.readline())
+        if self.monitors:
+            self._is_told.clear()
+            self._tell()
+
     def _tell(self) -> None:
         if not self._is_told.is_set():
             self._is_told.set()
             self._on_news()
 
 
-def _command(path: Path, options: Options) -> list[str]:
+def _command(path: Path, options: Options, told: int) -> list[str]:
     command = [*import_path.command("plastron_tui.cli:main"), "run", os.fspath(path)]
+    command += ["--announce", str(told)]
     if options.target is not None:
         command += ["--target", options.target]
     if options.output is not None:

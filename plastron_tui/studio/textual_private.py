@@ -6,10 +6,15 @@ A version of Textual that has it no longer takes away what is said here, and not
 from __future__ import annotations
 
 from collections.abc import Callable, MutableMapping
-from typing import Any, cast
+from typing import TYPE_CHECKING, Any, cast
 
 from textual.app import App
+from textual.driver import Driver
 from textual.message import Message
+from textual.notifications import Notification
+
+if TYPE_CHECKING:
+    from textual._xterm_parser import XTermParser
 
 
 def known_sequences() -> MutableMapping[str, Any] | None:
@@ -24,6 +29,32 @@ def known_sequences() -> MutableMapping[str, Any] | None:
     if not isinstance(ANSI_SEQUENCES_KEYS, MutableMapping):
         return None
     return cast("MutableMapping[str, Any]", ANSI_SEQUENCES_KEYS)
+
+
+def linux_driver() -> type[Driver] | None:
+    """Return Textual's class for terminals on Unix; None on other systems.
+
+    Without it all that a widget draws goes to the terminal, whatever is there already.
+    """
+    try:
+        from textual.drivers.linux_driver import LinuxDriver
+    except ImportError:
+        return None
+    return LinuxDriver
+
+
+def parse_input_with(parser_of: Callable[[type[XTermParser]], type[XTermParser]]) -> None:
+    """Let Textual's driver take what a terminal sends apart with another parser.
+
+    Without it a text that comes at once is that many keys, one after the other.
+    """
+    try:
+        from textual._xterm_parser import XTermParser
+        from textual.drivers import linux_driver
+    except ImportError:
+        return
+    if getattr(linux_driver, "XTermParser", None) is not None:
+        linux_driver.XTermParser = parser_of(XTermParser)  # type: ignore[attr-defined]
 
 
 def hear_messages(hear: Callable[[Message], None]) -> None:
@@ -51,6 +82,19 @@ def forget_removed_widgets() -> None:
     clear = getattr(getattr(StylesCache, "get_inner_outer", None), "cache_clear", None)
     if clear is not None:
         clear()
+
+
+def notes_in_sight(app: App[Any]) -> list[Notification]:
+    """Return what is said in the corner. Without it the same may stand there twice."""
+    return list(getattr(app, "_notifications", ()))
+
+
+def forget_notes(app: App[Any], is_old: Callable[[Notification], bool]) -> None:
+    """Take away what is said in the corner and no longer so. Without it time takes it away."""
+    unnotify = getattr(app, "_unnotify", None)
+    if callable(unnotify):
+        for note in filter(is_old, notes_in_sight(app)):
+            unnotify(note)
 
 
 class Failing(App[None], inherit_bindings=False):

@@ -32,6 +32,12 @@ def styles_parsed_once(monkeypatch: pytest.MonkeyPatch) -> None:
 
 
 @pytest.fixture(autouse=True)
+def questions_answered_at_once(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Let a question take letters as soon as it is there: a test has read it by then."""
+    monkeypatch.setattr("plastron_tui.studio.screens.question.REST", 0.0)
+
+
+@pytest.fixture(autouse=True)
 def some_pictures_drawn(monkeypatch: pytest.MonkeyPatch) -> None:
     """Let a headless studio draw one of some pictures, which nobody sees."""
     monkeypatch.setattr("textual._compositor.Compositor.render_update", render_some)

@@ -1,5 +1,6 @@
 from __future__ import annotations
 
+import asyncio
 import os
 from collections.abc import AsyncIterator, Callable
 from contextlib import asynccontextmanager
@@ -15,6 +16,7 @@ from textual.widgets import Label
 from plastron_tui.session import Options
 from plastron_tui.studio.app import StudioApp
 from plastron_tui.studio.journal import Journal
+from plastron_tui.studio.key_order import QUIET, Unasked
 from plastron_tui.studio.main.screen import MainScreen
 from plastron_tui.user_folders import state_folder
 
@@ -89,6 +91,8 @@ class Driver:
             await self.until(lambda: not self.is_missing)
         except AssertionError as error:
             raise AssertionError(f"{error}: {self.is_missing}") from None
+        # As after a second without a key.
+        self.main.feed.held_back.rest()
         await self.pilot.pause()
 
     @property
@@ -111,8 +115,11 @@ class Driver:
         await until(self.pilot, condition)
 
     async def dialog(self, name: str) -> Any:
-        """Wait for a dialog, by the name of its class."""
+        """Wait for a dialog, by the name of its class; one that came by itself takes keys then."""
         await self.until(lambda: type(self.app.screen).__name__ == name)
+        await self.pilot.pause()
+        if isinstance(self.app.screen, Unasked) and self.app.screen.appeared is not None:
+            await asyncio.sleep(QUIET)
         await self.pilot.pause()
         return self.app.screen
 

@@ -6,6 +6,7 @@ from pathlib import Path
 import pytest
 from machine import mostly_long
 from studio_driver import PROGRAM, SIZES, Driver, fail, studio
+from textual import events
 from textual.widgets import Button, Label
 
 from plastron_tui.studio.actions import ACTIONS, BY_ID
@@ -58,10 +59,11 @@ async def test_keys_are_remapped_and_a_bad_configuration_is_said(program: Path, 
         await driver.press("alt+6", "z")
         assert "size: " in driver.notes()
         # What shows keys shows those that work.
-        assert "f11 Generate" in driver.main.query_one("KeyBar").text
+        await driver.press("escape")
+        assert "F11 Generate" in driver.main.query_one("KeyBar").text
         await driver.pilot.press("f1")
         dialog = await driver.dialog("Help")
-        assert "f11" in next(
+        assert "F11" in next(
             x for x in dialog.query_one("TextView").text.splitlines() if "Show what would" in x
         )
         await driver.pilot.press("escape")
@@ -150,8 +152,20 @@ async def test_f7_goes_through_all_panels(program: Path, size: tuple[int, int]) 
         assert seen == {"outline", "result", "bottom"}
 
 
+async def test_keys_reach_the_editor_whatever_is_said_of_the_focus(program: Path) -> None:
+    async with studio(program) as driver:
+        driver.main.set_focus(None)
+        driver.app.post_message(events.AppBlur())
+        await driver.press("x", "y")
+        assert driver.text == f"xy{PROGRAM}"
+
+
 async def test_help_is_about_what_has_the_focus(program: Path) -> None:
     async with studio(program) as driver:
+        await driver.press("f1")
+        card = driver.main.editor.view.card.card
+        assert card is not None
+        assert card.title == "create_node"
         await driver.pilot.press("f1")
         dialog = await driver.dialog("Help")
         assert "create_node 'NODE_NAME' as VARIABLE" in dialog.query_one("TextView").text
@@ -281,7 +295,7 @@ async def test_generate_with_a_mistake_shows_the_problems(program: Path) -> None
     async with studio(program) as driver:
         await driver.press("f6")
         await driver.until(lambda: driver.main.panels["problems"].has_focus)
-        assert "1 mistake has to be mended first" in driver.notes()
+        assert "1 problem has to be fixed first" in driver.notes()
 
 
 async def test_the_preview_of_a_changed_file_is_its_diff(program: Path) -> None:
@@ -318,8 +332,10 @@ async def test_run_shows_what_the_nodes_print_and_stops(
     wrapper.chmod(0o755)
     monkeypatch.setattr(sys, "executable", str(wrapper))
     async with studio(program) as driver:
-        await driver.pilot.press("f5")
+        # Twice at once is a slip of the finger, and starts the nodes once.
+        await driver.pilot.press("f5", "f5")
         await driver.until(lambda: "talker | hello" in driver.main.panels["output"].text)
+        assert driver.main.runner.is_running
         assert driver.main.dock_layout.is_in_sight("output")
         assert "running" in driver.main.query_one("#title").text
         await driver.app.run_call(BY_ID["stop"].call)

@@ -85,7 +85,7 @@ FIRST, SECOND, REST = LINES[0], LINES[1], "".join(LINES[2:])
 WRONG = PROGRAM.replace("generate_node talker", "generate_node talkr")
 
 CASES: dict[str, Case] = {
-    "help": Case(opens="Help"),
+    "help": Case(opens="Help", before=("f1",)),
     "run": Case(lambda driver: getattr(driver.app, "started", None) == ["talk.plastron"]),
     "stop": Case(lambda driver: "nothing runs" in driver.notes()),
     "generate": Case(opens="GenerateDialog"),
@@ -107,7 +107,7 @@ CASES: dict[str, Case] = {
     "trust": Case(lambda driver: "nothing in this project has to be trusted" in driver.notes()),
     "theme": Case(opens="CommandPalette"),
     "keys": Case(lambda driver: bool(driver.main.query("HelpPanel"))),
-    "config": Case(lambda driver: "it counts from the next start on" in driver.notes()),
+    "config": Case(lambda driver: "from the next start of the studio on" in driver.notes()),
     "suspend": Case(lambda driver: getattr(driver.app, "suspended", 0) == 1),
     "quit": Case(lambda driver: bool(driver.app._exit)),
     "editor.undo": text(PROGRAM, before=("x",)),

@@ -180,7 +180,7 @@ async def test_the_mistakes_of_a_new_text_are_awaited_from_the_worker(
         driver.main.editor.apply([Edit(Span(0, 0), "generate_node nobody\n")])
         assert driver.is_missing
         driver.main.action_generate()
-        await driver.until(lambda: "1 mistake has to be mended" in driver.notes())
+        await driver.until(lambda: "1 problem has to be fixed" in driver.notes())
         assert asked
         assert threading.main_thread() not in asked
 

@@ -92,6 +92,23 @@ def test_what_stands_alone_stands_beside_each_other() -> None:
     assert len(made.fitted(Size(80, 10)).lines) == 3
 
 
+def test_nodes_at_one_topic_are_folded_where_there_is_no_room_for_all() -> None:
+    program = HELLO + "create_node 'camera' as camera\n"
+    program += "camera publish hello to 'image' of message_type String\n"
+    for at in range(30):
+        program += f"create_node 'v{at}' as v{at}\n"
+        program += f"subscribe v{at} to 'image' of message_type String\n"
+    made = picture(program)
+    assert "more" not in "\n".join(text(made.fitted(Size(80, 31))))
+    folded = made.fitted(Size(80, 12))
+    assert len(folded.lines) <= 12
+    assert "[and 25 more]" in "\n".join(text(folded))
+    assert set(folded.places) == set(range(len(made.entries)))
+    assert len(set(folded.places.values())) == len(made.entries) - 24
+    # Who asks for a size sees all of it.
+    assert "more" not in "\n".join(text(made.fitted(Size(80, 12, 3))))
+
+
 def test_too_many_boxes_are_said() -> None:
     assert "too many" in text(picture(pairs(201)).fitted(Size(80, 20)))[0]
     assert text(picture(HELLO).fitted(Size(80, 20))) == [" nothing to draw yet"]

@@ -13,7 +13,8 @@ from textual.message import Message
 from textual.screen import Screen
 from textual.widgets import Input, Label
 
-from plastron_tui.studio.key_order import InOrder
+from plastron_tui.studio.key_order import InOrder, Unasked
+from plastron_tui.studio.terminal_driver import Burst
 
 STEPS = 25
 
@@ -64,6 +65,41 @@ async def test_a_key_waits_for_all_steps_that_lead_to_another_focus() -> None:
             app.post_message(events.Key(key, key if len(key) == 1 else None))
         field = app.screen.query_one(Input)
         await until(pilot, lambda: field.value == "ab")
+
+
+@pytest.mark.parametrize("text", ["xy", "x\ry"])
+async def test_what_is_pasted_or_comes_at_once_keeps_its_place(text: str) -> None:
+    app = Studio()
+    async with app.run_test() as pilot:
+        keys = [events.Key("enter" if each == "\r" else each, each) for each in text]
+        for event in (events.Key("f2", None), events.Paste("p"), Burst(text, keys)):
+            app.post_message(event)
+        app.post_message(events.Key("b", "b"))
+        field = app.screen.query_one(Input)
+        await until(pilot, lambda: field.value == "pxyb")
+
+
+@pytest.mark.parametrize(
+    ("keys", "answers"),
+    [
+        # It has been there for a while, and nobody types.
+        ([0.8], [0]),
+        ([0.1, 0.2], []),
+        # Whoever is used to it answers and goes on.
+        ([0.1, 0.9, 0.95], [1, 2]),
+        ([0.5, 1.0, 1.5, 2.3], [3]),
+    ],
+)
+def test_what_comes_by_itself_is_deaf_while_somebody_types(
+    keys: list[float], answers: list[int]
+) -> None:
+    screen = Unasked()
+    screen.appeared = 100.0
+    last, heard = 99.9, []
+    for number, time in enumerate(keys):
+        heard += [number] if screen.hears(last, 100.0 + time) else []
+        last = 100.0 + time
+    assert heard == answers
 
 
 async def test_without_a_word_of_messages_keys_arrive(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -61,7 +61,7 @@ def test_rows_fit_and_make_up_the_line(text: str, width: int) -> None:
 
 async def test_a_message_is_seen_whole_in_a_small_window(program: Path) -> None:
     async with studio(program, (80, 24)) as driver:
-        output = driver.main.panels["output"]
+        output = driver.main.panels["output"].view
         driver.main.dock_layout.bring("output", focus=True)
         await driver.settle()
         lines = tuple(printed(f"node{number} | {TWIST * 2}") for number in range(30))

@@ -12,6 +12,7 @@ from textual import events
 from textual.widgets import Button
 
 from plastron_tui.studio.screens.question import Question
+from plastron_tui.studio.terminal_driver import Burst
 from plastron_tui.studio.wizard.statement_view import StatementView
 
 OTHER = "// another program\n"
@@ -53,6 +54,46 @@ async def test_an_answer_pressed_for_again_is_for_what_comes_next(
             question.post_message(Button.Pressed(button))
         await driver.back()
         assert answers == ["yes"]
+
+
+async def test_a_question_that_comes_by_itself_is_not_answered_by_what_is_typed(
+    program: Path,
+) -> None:
+    async with studio(program) as driver:
+        answers: list[str | None] = []
+        question = Question("Well?", [("yes", "Yes"), ("no", "No")], is_unasked=True)
+        driver.app.push_screen(question, answers.append)
+        await driver.until(lambda: question.appeared is not None)
+        await driver.pilot.press("n", "enter")
+        assert driver.app.screen is question
+        await driver.dialog("Question")
+        await driver.pilot.press("n")
+        await driver.back()
+        assert answers == ["no"]
+
+
+async def test_lines_that_come_as_keys_are_put_in_as_they_are(program: Path) -> None:
+    lines = "node1 pub\rto 'a'\r"
+    async with studio(program) as driver:
+        driver.app.post_message(Burst(lines, []))
+        driver.app.post_message(events.Key("ctrl+j", None))
+        await driver.until(lambda: driver.text == "node1 pub\nto 'a'\n\n" + PROGRAM)
+        assert not driver.main.editor.popup.is_open
+
+
+async def test_letters_typed_blindly_are_no_answer(
+    program: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("plastron_tui.studio.screens.question.REST", 3600.0)
+    async with studio(program) as driver:
+        await driver.type("x")
+        await quickly(driver, "ctrl+q", *"dont")
+        question = await driver.dialog("Question")
+        assert question.is_current
+        # With the arrows one has seen it, and a letter counts at once.
+        await driver.pilot.press("right", "c")
+        await driver.back()
+        assert driver.main.open.is_changed
 
 
 async def test_a_file_is_opened_by_a_name_typed_at_once(program: Path) -> None:

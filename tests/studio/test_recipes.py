@@ -92,7 +92,7 @@ async def choose(driver: object, recipe: Recipe) -> None:
     """Choose a recipe of the welcome, by keyboard."""
     dialog = await driver.dialog("Welcome")  # type: ignore[attr-defined]
     options = dialog.query_one("OptionList")
-    titles = [str(option.prompt).strip() for option in options.options]
+    titles = [str(option.prompt).strip() for option in options.options if not option.disabled]
     (at,) = (i for i, title in enumerate(titles) if title.startswith(recipe.title))
     assert recipe.description in titles[at]
     await driver.pilot.press("home", *["down"] * at, "enter")  # type: ignore[attr-defined]

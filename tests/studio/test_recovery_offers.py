@@ -67,7 +67,7 @@ async def test_the_wizard_begins_what_was_asked_for(name: str | None, elsewhere:
         said = driver.notes()
         assert f"talk.plastron in {shown_folder(elsewhere)}" in said
         assert f"a new program begun in {shown_folder(elsewhere)}" in said
-        assert f"… and {JOURNALS - 3} more\nthe welcome page (alt+0) has what was typed" in said
+        assert f"… and {JOURNALS - 3} more\nthe welcome page (Alt-0) has what was typed" in said
         assert "\x1b" not in said
         assert len(kept_texts(state_folder() / "journal")) == JOURNALS
 

@@ -22,10 +22,11 @@ async def test_the_studio_is_for_the_same_ros(
     case.set_up(tmp_path, monkeypatch)
     file = tmp_path / "a.plastron"
     file.write_text(UNKNOWN_TYPE)
+    ros = f"{case.ros[0]} (ROS {case.ros_version} {case.ros[1]})"
     async with studio(file, options=Options(case.target)) as driver:
-        assert driver.main.query_one("#title").text.endswith(case.ros[0])
+        assert driver.main.query_one("#title").text.endswith(ros)
         await driver.settle()
-        assert driver.main.query_one("#title").text.endswith(case.ros[0])
+        assert driver.main.query_one("#title").text.endswith(ros)
         assert driver.shown("nodes")[0].startswith(f"● arm {case.ros[0]} ")
         analysis = driver.main.open.analysis
         assert unknown_type(case) in [found.message for found in analysis.diagnostics]

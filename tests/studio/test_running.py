@@ -17,6 +17,7 @@ from studio_driver import Driver, studio
 from test_terminal import Terminal, start
 from test_terminal import terminal as terminal
 
+from plastron_tui.studio.main.run_actions import TWICE
 from plastron_tui.studio.recipes import recipes
 
 pytestmark = pytest.mark.live
@@ -96,9 +97,13 @@ async def test_the_messages_arrive_and_stop_ends_all(talking: Path, tmp_path: Pa
         lines = await wait_shown(driver, "listener |", HEARD)
         assert lines[0] == "plastron run talk.plastron"
         assert any(line.startswith("listener | ") and HEARD in line for line in lines)
-        assert driver.main.focused is driver.main.panels["output"]
+        assert driver.main.focused is driver.main.editor.view
+        assert "F5 Stop" in driver.main.query_one("KeyBar").text
+        # There is room for one of the two: what travels says more than what is printed.
+        assert driver.main.dock_layout.is_in_sight("live")
         assert "running" in driver.main.query_one("#title").text
         assert len(nodes_of(tmp_path)) == 2
+        await driver.until(lambda: time.monotonic() - driver.main.runner._started_at > TWICE)
         await driver.press("f5")
         lines = await wait_shown(driver, "\nstopped")
         assert lines[-1] == "stopped"
@@ -150,6 +155,11 @@ async def test_a_node_that_dies_is_said(talking: Path, tmp_path: Path) -> None:
             os.kill(process, signal.SIGKILL)
         lines = await wait_shown(driver, "ended with status")
         assert any("talker was ended by SIGKILL" in line for line in lines), lines
+        await driver.until(lambda: "talker was ended by SIGKILL" in driver.notes())
+        nodes = driver.main.panels["nodes"]
+        assert set(nodes.remarks) == {"talker", "listener"}
+        rows = [nodes.render_line(y).text for y in range(nodes.size.height)]
+        assert any("talker" in row and "has ended" in row for row in rows), rows
 
 
 async def test_a_run_that_fails_is_said(talking: Path, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -167,7 +177,7 @@ async def test_a_program_with_mistakes_is_not_run(talking: Path) -> None:
     talking.write_text("nonsense\n")
     async with studio(talking) as driver:
         await driver.press("f5")
-        assert "to be mended first" in driver.notes()
+        assert "to be fixed first" in driver.notes()
         assert not driver.main.runner.is_running
 
 
@@ -210,7 +220,7 @@ def test_however_the_studio_ends_the_nodes_end(
     start(terminal, str(talking))
     terminal.wait(lambda screen: "create_node 'talker'" in screen)
     terminal.keys("F5")
-    terminal.wait(lambda screen: HEARD in screen)
+    terminal.wait(lambda screen: "≈ /chatter" in screen)
     os.kill(terminal.pid, how)
     terminal.wait_end()
     wait_gone(tmp_path)

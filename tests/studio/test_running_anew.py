@@ -16,6 +16,7 @@ class Nodes:
     """Nodes that end when they are asked to, and not before."""
 
     made: list[Nodes]
+    monitors = ()
 
     def __init__(self, path: Path, options: object, news: object) -> None:
         self.status: int | None = None

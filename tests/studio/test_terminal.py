@@ -16,6 +16,8 @@ from pathlib import Path
 
 import pytest
 
+from plastron_tui.studio.key_order import QUIET
+
 pytestmark = pytest.mark.skipif(shutil.which("tmux") is None, reason="there is no tmux")
 
 PUBLISHER = """\
@@ -49,6 +51,10 @@ def is_running(pid: int) -> bool:
     return state != "Z"
 
 
+_OF_TERMINALS = frozenset({"TMUX", "TMUX_PANE", "COLUMNS", "LINES"})
+"""What a shell says of its own terminal: the size of all windows, the pane that is meant."""
+
+
 class Terminal:
     """A tmux server of the test's own, with one window."""
 
@@ -62,16 +68,17 @@ class Terminal:
 
     def tmux(self, *words: str) -> str:
         command = ["tmux", "-S", self._socket, "-f", os.devnull, *words]
-        done = subprocess.run(command, capture_output=True, text=True, check=True, timeout=PATIENCE)
+        environ = {name: value for name, value in os.environ.items() if name not in _OF_TERMINALS}
+        done = subprocess.run(
+            command, capture_output=True, text=True, check=True, timeout=PATIENCE, env=environ
+        )
         return done.stdout
 
     def start(self, *words: str) -> None:
         # tmux has a TERM of its own for what it starts.
         settings = [f"{name}={value}" for name, value in self._environ.items()]
         session = ["new-session", "-d", *self._size, "-c", str(self._folder)]
-        # With these in the environment no window is ever of another size.
-        unset = ["-u", "COLUMNS", "-u", "LINES"]
-        command = [*session, "-P", "-F", "#{pane_pid}", "env", *unset, *settings, *words]
+        command = [*session, "-P", "-F", "#{pane_pid}", "env", *settings, *words]
 
         def is_started() -> bool:
             # A server that is about to end takes nothing new.
@@ -119,7 +126,10 @@ class Terminal:
 
 
 @pytest.fixture
-def terminal(tmp_path: Path, home: Path) -> Iterator[Terminal]:
+def terminal(tmp_path: Path, home: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Terminal]:
+    # As in a window of tmux whose shell exports its size.
+    for name, value in {"TMUX_PANE": "%0", "COLUMNS": "200", "LINES": "9"}.items():
+        monkeypatch.setenv(name, value)
     environ = {
         "XDG_CONFIG_HOME": str(home / "config"),
         "XDG_STATE_HOME": str(home / "state"),
@@ -165,6 +175,19 @@ def test_a_publisher_is_typed_generated_and_right(terminal: Terminal, tmp_path: 
     assert (tmp_path / "mine.plastron").read_text() == PUBLISHER
 
 
+def test_keys_from_before_the_first_screen_are_not_lost(terminal: Terminal, tmp_path: Path) -> None:
+    start(terminal, "mine.plastron")
+    typed = ""
+    # From before the studio has the terminal until it has shown itself.
+    while "Ctrl-Q" not in terminal.screen or len(typed) < 20:
+        typed += "xyz"[len(typed) % 3]
+        terminal.keys("-l", typed[-1])
+    file = tmp_path / "mine.plastron"
+    terminal.keys("C-s")
+    assert until(file.exists)
+    assert file.read_text() == typed
+
+
 def test_completion_writes_most_of_a_publisher(terminal: Terminal, tmp_path: Path) -> None:
     start(terminal, "mine.plastron")
     terminal.wait(lambda screen: "no nodes yet" in screen)
@@ -205,6 +228,8 @@ def test_what_was_typed_survives_a_kill(terminal: Terminal, tmp_path: Path, home
     terminal.wait_end()
     start(terminal, "mine.plastron")
     terminal.wait(lambda screen: "mine.plastron was not saved" in screen)
+    # What comes by itself is deaf for so long.
+    time.sleep(QUIET)
     terminal.keys("Enter")
     terminal.wait(lambda screen: "topic1 geometry_msgs/Point" in screen)
     terminal.keys("C-s")

@@ -18,6 +18,8 @@ import pytest
 from machine import mostly_long
 from test_terminal import Terminal, is_running, start, terminal  # noqa: F401 - a fixture
 
+from plastron_tui.studio.key_order import QUIET
+
 pytestmark = pytest.mark.skipif(shutil.which("tmux") is None, reason="there is no tmux")
 
 
@@ -46,6 +48,8 @@ def test_what_was_typed_last_is_offered_when_the_terminal_goes(
     terminal.wait_end()
     start(terminal, "mine.plastron")
     terminal.wait(lambda screen: "mine.plastron was not saved" in screen)
+    # What comes by itself is deaf for so long.
+    time.sleep(QUIET)
     terminal.keys("Enter")
     terminal.wait(lambda screen: "// typed at the last moment" in screen and "Save" in screen)
     assert not (tmp_path / "mine.plastron").exists()

@@ -8,17 +8,27 @@ import weakref
 from contextvars import ContextVar
 
 import pytest
+from textual import events
 from textual._context import message_hook
 from textual._styles_cache import StylesCache
+from textual._xterm_parser import XTermParser
 from textual.app import App
+from textual.drivers import linux_driver as textual_driver
+from textual.drivers.linux_driver import LinuxDriver
 from textual.worker import WorkerFailed
 
 from plastron_tui.studio.app import StudioApp
+from plastron_tui.studio.terminal_driver import Burst, for_terminal
 from plastron_tui.studio.terminal_keys import teach
+from plastron_tui.studio.terminal_output import ShownScreen
 from plastron_tui.studio.textual_private import (
     Failing,
+    forget_notes,
     forget_removed_widgets,
     known_sequences,
+    linux_driver,
+    notes_in_sight,
+    parse_input_with,
 )
 
 
@@ -30,6 +40,41 @@ def test_this_version_of_textual_has_it() -> None:
     assert isinstance(App[None]()._exit_renderables, list)
     assert callable(StylesCache.get_inner_outer.cache_clear)
     assert isinstance(message_hook, ContextVar)
+    assert linux_driver() is LinuxDriver
+    assert callable(App._unnotify)
+    assert notes_in_sight(App[None]()) == []
+    assert issubclass(vars(textual_driver)["XTermParser"], XTermParser)
+
+
+def test_a_text_that_comes_at_once_is_one_event() -> None:
+    assert StudioApp().driver_class is not LinuxDriver
+    parser = vars(textual_driver)["XTermParser"]
+    reads = ("a", "ab\r" * 40)
+    first = parser()
+    found = [event for data in reads for event in first.feed(data)]
+    assert [(type(event), getattr(event, "text", "a")) for event in found] == [
+        (events.Key, "a"),
+        (events.Paste, "ab\r" * 40),
+    ]
+    (burst,) = parser().feed("x" * 80)
+    assert isinstance(burst, Burst)
+    assert (burst.text, len(burst.keys)) == ("x" * 80, 80)
+
+
+@pytest.mark.parametrize("module", [None, type(sys)("without")])
+def test_without_the_driver_all_is_written(module: object, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setitem(sys.modules, "textual.drivers.linux_driver", module)
+    monkeypatch.setitem(sys.modules, "textual._xterm_parser", module)
+    parse_input_with(lambda parser: parser)
+    assert linux_driver() is None
+    assert for_terminal(LinuxDriver, ShownScreen()) is LinuxDriver
+
+
+def test_without_the_list_of_notes_they_go_with_time() -> None:
+    app = App[None]()
+    del app._notifications
+    assert notes_in_sight(app) == []
+    forget_notes(app, lambda _: True)
 
 
 @pytest.mark.parametrize("module", [None, type(sys)("without")])

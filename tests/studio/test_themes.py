@@ -1,4 +1,4 @@
-"""Colours: every theme can be read, the editor follows it, and settings last."""
+"""The editor follows every theme, and settings last."""
 
 from __future__ import annotations
 
@@ -14,26 +14,6 @@ from textual.widget import Widget
 
 from plastron_tui.studio.config import config_file
 
-LEAST = 2.5
-"""The least contrast of text that is to be read, where W3C asks for 3 of large text."""
-
-
-def luminance(color: Color) -> float:
-    parts = [part / 255 for part in (color.r, color.g, color.b)]
-    linear = [
-        part / 12.92 if part <= 0.03928 else ((part + 0.055) / 1.055) ** 2.4 for part in parts
-    ]
-    return 0.2126 * linear[0] + 0.7152 * linear[1] + 0.0722 * linear[2]
-
-
-def contrast(style: Style) -> float | None:
-    """Return the contrast of a style by W3C's definition, None for the terminal's own colours."""
-    front, back = style.color, style.bgcolor
-    if front is None or back is None or front.triplet is None or back.triplet is None:
-        return None
-    dark, light = sorted(luminance(Color.from_rich_color(part)) for part in (front, back))
-    return (light + 0.05) / (dark + 0.05)
-
 
 def read(widget: Widget) -> Iterator[tuple[str, Style]]:
     for row in range(widget.size.height):
@@ -43,19 +23,11 @@ def read(widget: Widget) -> Iterator[tuple[str, Style]]:
 
 
 @pytest.mark.long
-async def test_every_theme_can_be_read_and_the_editor_follows(program: Path) -> None:
-    program.write_text(PROGRAM + "subscrib listener\n")
+async def test_the_editor_follows_every_theme(program: Path) -> None:
     async with studio(program, (200, 60)) as driver:
-        main = driver.main
         for name in driver.app.available_themes:
             driver.app.theme = name
             await driver.settle()
-            panels = main.panels
-            for widget in (panels["nodes"], panels["problems"], panels["preview"]._view,
-                           main.query_one("#title"), main.query_one("#status")):  # fmt: skip
-                for text, style in read(widget):
-                    found = contrast(style)
-                    assert found is None or found >= LEAST, (name, widget, text, found)
             await follows(driver, name)
 
 
@@ -117,18 +89,12 @@ async def test_hidden_panels_and_the_panel_in_front_are_remembered(program: Path
         assert driver.main.dock_layout.is_in_sight("graph")
 
 
-@pytest.mark.parametrize(
-    ("size", "wanted"),
-    [((60, 20), ("Help", "Run", "Generate")), ((80, 24), ("Help", "Save", "Quit"))],
-)
-async def test_the_footer_shows_the_few_keys_that_matter(
-    program: Path, size: tuple[int, int], wanted: tuple[str, ...]
-) -> None:
-    async with studio(program, size) as driver:
+async def test_the_footer_shows_the_few_keys_that_matter(program: Path) -> None:
+    async with studio(program, (80, 24)) as driver:
         bar = driver.main.query_one("KeyBar")
-        assert all(word in bar.render_line(0).text for word in wanted)
+        assert all(word in bar.render_line(0).text for word in ("F1 Help", "Save", "Ctrl-Q Quit"))
         driver.main.action_show("nodes")
         await driver.settle()
         await driver.until(lambda: "Rename" in bar.render_line(0).text)
         await driver.press("down")
-        await driver.until(lambda: "Stop it" in bar.render_line(0).text)
+        await driver.until(lambda: "End it" in bar.render_line(0).text)

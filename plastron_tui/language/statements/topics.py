@@ -82,7 +82,7 @@ class Publish(Statement):
     type: str = slot(SlotKind.MESSAGE_TYPE, "the type of the topic's messages")
     rate: Rate | None = slot(
         SlotKind.RATE,
-        "how often, in hertz; without it 10, or as often as the loop of a loaded file",
+        "how often, in hertz; without it 10, or in a loaded file's loop once each time round",
     )
     once: bool = slot(SlotKind.ONCE, "sent once, and to each who listens later")
     trigger: str | None = slot(

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
 from enum import Enum
 from math import sqrt
 from typing import NamedTuple
 
-from .layers import Columns, Link
+from .layers import Columns, Link, Net
 
 PAIR = 4.5
 """How far the request and the response of a call run from the middle of their lane."""
@@ -77,55 +77,50 @@ def is_pair(boxes: Mapping[int, Box], link: Link) -> bool:
     return not shapes.isdisjoint((Shape.SERVICE, Shape.ACTION))
 
 
-_Slot = tuple[int, bool, Link | bool]
-
-
 class Ports:
     """Where lines reach their boxes: in the order of what they lead to, so that none cross there.
 
-    At a node each line has a port of its own; at a topic, service or action all lines of one
-    direction share one.
+    Each net has a port of its own at each box: at a node that is one for each link, at a topic,
+    service or action all links of one direction share one.
     """
 
     def __init__(
-        self,
-        boxes: Mapping[int, Box],
-        columns: Columns,
-        hubs: frozenset[int],
-        middles: Mapping[int, float],
+        self, columns: Columns, middles: Mapping[int, float], lane_of: Callable[[Net], float]
     ) -> None:
-        self._columns = columns
-        self._hubs = hubs
-        self._offsets: dict[_Slot, float] = {}
-        sides: dict[tuple[int, bool], dict[_Slot, list[float]]] = {}
-        lanes: dict[_Slot, float] = {}
-        for link, end, near, is_left in self._ends():
-            slot = self._slot(link, end, is_left=is_left)
-            sides.setdefault((end, is_left), {}).setdefault(slot, []).append(middles[near])
-            lanes[slot] = LANE[is_pair(boxes, link)]
-        for slots in sides.values():
-            mean = {slot: sum(places) / len(places) for slot, places in slots.items()}
-            at = -sum(lanes[slot] for slot in slots) / 2
-            for slot in sorted(slots, key=mean.__getitem__):
-                self._offsets[slot] = at + lanes[slot] / 2
-                at += lanes[slot]
+        """Place the ports, each in the middle of a lane.
 
-    def offset(self, link: Link, end: int, *, is_left: bool) -> float:
-        """Return how far off its box's middle a link's port is, on the one side or the other."""
-        return self._offsets[self._slot(link, end, is_left=is_left)]
+        Args:
+            columns: the boxes, and the links.
+            middles: where boxes and turning points are.
+            lane_of: how much of a box's side the lines of a net take.
+        """
+        self._columns = columns
+        self._offsets: dict[tuple[int, bool, Net], float] = {}
+        sides: dict[tuple[int, bool], dict[Net, list[float]]] = {}
+        for net, end, near, is_left in self._ends():
+            sides.setdefault((end, is_left), {}).setdefault(net, []).append(middles[near])
+        for (end, is_left), nets in sides.items():
+            mean = {net: sum(places) / len(places) for net, places in nets.items()}
+            lanes = {net: lane_of(net) for net in nets}
+            at = -sum(lanes.values()) / 2
+            for net in sorted(nets, key=mean.__getitem__):
+                self._offsets[end, is_left, net] = at + lanes[net] / 2
+                at += lanes[net]
+
+    def offset(self, net: Net, end: int, *, is_left: bool) -> float:
+        """Return how far off its box's middle a net's port is, on the one side or the other."""
+        return self._offsets[end, is_left, net]
 
     def by_neighbour(self) -> dict[tuple[int, int], float]:
         """Return the offset for each box and what it is joined with next."""
         return {
-            (end, near): self.offset(link, end, is_left=is_left)
-            for link, end, near, is_left in self._ends()
+            (end, near): self._offsets[end, is_left, net]
+            for net, end, near, is_left in self._ends()
         }
 
-    def _ends(self) -> Iterator[tuple[Link, int, int, bool]]:
+    def _ends(self) -> Iterator[tuple[Net, int, int, bool]]:
         """Yield each end of each link: the box, what comes next, whether at the box's left."""
         for link, route in self._columns.routes.items():
-            yield link, route[0], route[1], False
-            yield link, route[-1], route[-2], True
-
-    def _slot(self, link: Link, end: int, *, is_left: bool) -> _Slot:
-        return (end, is_left, link.tail == end if end in self._hubs else link)
+            net = self._columns.nets[link]
+            yield net, route[0], route[1], False
+            yield net, route[-1], route[-2], True

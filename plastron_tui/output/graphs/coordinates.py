@@ -4,28 +4,42 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from itertools import pairwise
+from typing import NamedTuple
 
-from .layers import Columns
-from .ordering import neighbours_of
+from .ordering import Neighbours
 
 _ROUNDS = 12
-_BOX_GAP = 20.0
-_TURN_GAP = 14.0
+
+
+class Spacing(NamedTuple):
+    """How far items of a column are apart: two boxes, and a turning point from anything."""
+
+    boxes: float
+    turns: float
+
+
+PIXELS = Spacing(20.0, 14.0)
 
 
 def placed(
-    columns: Columns,
+    neighbours: tuple[Neighbours, Neighbours],
     order: Sequence[Sequence[int]],
     heights: Mapping[int, float],
     ports: Mapping[tuple[int, int], float],
+    spacing: Spacing = PIXELS,
 ) -> dict[int, float]:
     """Return the middle of each item.
 
-    `heights` has those of boxes and turning points; `ports` says, of an item and a neighbour,
-    how far off the item's middle the line to the neighbour starts, where that is known.
+    Args:
+        neighbours: what each item is joined with on its left, and on its right.
+        order: the items of each column from top to bottom.
+        heights: those of boxes and turning points.
+        ports: of an item and a neighbour, how far off the item's middle the line to the
+            neighbour starts, where that is known.
+        spacing: how far items are apart.
     """
-    left, right = neighbours_of(columns)
-    gaps = [_gaps(column, heights) for column in order]
+    left, right = neighbours
+    gaps = [_gaps(column, heights, spacing) for column in order]
     middle: dict[int, float] = {}
     for column, apart in zip(order, gaps, strict=True):
         total = sum(apart)
@@ -63,9 +77,9 @@ def _stiffness(one: int, other: int) -> float:
     return (1.0, 3.0, 8.0)[(one < 0) + (other < 0)]
 
 
-def _gaps(column: Sequence[int], heights: Mapping[int, float]) -> list[float]:
+def _gaps(column: Sequence[int], heights: Mapping[int, float], spacing: Spacing) -> list[float]:
     return [
-        (heights[upper] + heights[lower]) / 2 + (_TURN_GAP if upper < 0 or lower < 0 else _BOX_GAP)
+        (heights[upper] + heights[lower]) / 2 + spacing[upper < 0 or lower < 0]
         for upper, lower in pairwise(column)
     ]
 

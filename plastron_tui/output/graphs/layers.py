@@ -19,6 +19,14 @@ class Link(NamedTuple):
     head: int
 
 
+class Net(NamedTuple):
+    """The links of a hub in one direction: they share turning points, and may share a line."""
+
+    hub: int
+    from_hub: bool
+    is_backward: bool
+
+
 @dataclass(frozen=True, slots=True)
 class Columns:
     """Boxes and turning points by column.
@@ -28,6 +36,7 @@ class Columns:
         column_of: the column of each box and each turning point.
         segments: pairs of neighbours in adjacent columns, the left one first.
         routes: for each link what it runs through, from left to right, its ends included.
+        nets: the net of each link.
         reversed: the links that run from right to left.
     """
 
@@ -35,18 +44,19 @@ class Columns:
     column_of: dict[int, int]
     segments: list[tuple[int, int]]
     routes: dict[Link, list[int]]
+    nets: dict[Link, Net]
     reversed: frozenset[Link]
 
 
-def components(count: int, links: Iterable[Link]) -> list[list[int]]:
+def components(boxes: Sequence[int], links: Iterable[Link]) -> list[list[int]]:
     """Return the boxes that hang together, in the order of their first boxes."""
-    neighbours: list[list[int]] = [[] for _ in range(count)]
+    neighbours: dict[int, list[int]] = {box: [] for box in boxes}
     for tail, head in links:
         neighbours[tail].append(head)
         neighbours[head].append(tail)
     seen: set[int] = set()
     found = []
-    for first in range(count):
+    for first in boxes:
         if first in seen:
             continue
         seen.add(first)
@@ -122,20 +132,21 @@ def _with_turns(
 ) -> Columns:
     """Cut links over several columns at turning points, which all links of a hub share."""
     next_turn = -1
-    turns: dict[tuple[int, bool, bool, int], int] = {}
+    turns: dict[tuple[Net, int], int] = {}
     segments: dict[tuple[int, int], None] = {}
     routes = {}
+    nets = {}
     for link in links:
         is_backward = link in backward
         left, right = (link.head, link.tail) if is_backward else link
         hub_is_tail = link.tail in hubs
         hub = link.tail if hub_is_tail else link.head
+        net = nets[link] = Net(hub, hub_is_tail, is_backward)
         route = [left]
         for column in range(column_of[left] + 1, column_of[right]):
-            key = (hub, hub_is_tail, is_backward, column)
-            turn = turns.get(key)
+            turn = turns.get((net, column))
             if turn is None:
-                turn = turns[key] = next_turn
+                turn = turns[net, column] = next_turn
                 column_of[turn] = column
                 next_turn -= 1
             route.append(turn)
@@ -145,4 +156,24 @@ def _with_turns(
     columns: list[list[int]] = [[] for _ in range(max(column_of.values()) + 1)]
     for item, column in column_of.items():
         columns[column].append(item)
-    return Columns(columns, column_of, list(segments), routes, backward)
+    return Columns(columns, column_of, list(segments), routes, nets, backward)
+
+
+Between = dict[Net, tuple[list[int], list[int]]]
+"""The nets between two columns, with the items that each joins on the left and on the right."""
+
+
+def nets_between(columns: Columns) -> list[Between]:
+    """Return the nets between each two columns, with the items that each joins there."""
+    found: list[dict[Net, tuple[dict[int, None], dict[int, None]]]] = [
+        {} for _ in range(len(columns.columns) - 1)
+    ]
+    for link, route in columns.routes.items():
+        for left, right in pairwise(route):
+            between = found[columns.column_of[left]]
+            lefts, rights = between.setdefault(columns.nets[link], ({}, {}))
+            lefts[left] = rights[right] = None
+    return [
+        {net: (list(lefts), list(rights)) for net, (lefts, rights) in between.items()}
+        for between in found
+    ]

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from bisect import bisect_right, insort
+from collections.abc import Container
 from itertools import pairwise
 
 from .layers import Columns
@@ -12,13 +13,17 @@ _MOST_EXCHANGED = 900
 Neighbours = dict[int, list[int]]
 
 
-def neighbours_of(columns: Columns) -> tuple[Neighbours, Neighbours]:
-    """Return what each box and turning point is joined with on its left, and on its right."""
+def neighbours_of(columns: Columns, cuts: Container[int] = ()) -> tuple[Neighbours, Neighbours]:
+    """Return what each box and turning point is joined with on its left, and on its right.
+
+    What is joined across the gap behind one of the columns `cuts` is left out.
+    """
     left: Neighbours = {item: [] for item in columns.column_of}
     right: Neighbours = {item: [] for item in columns.column_of}
     for one, other in columns.segments:
-        right[one].append(other)
-        left[other].append(one)
+        if columns.column_of[one] not in cuts:
+            right[one].append(other)
+            left[other].append(one)
     return left, right
 
 

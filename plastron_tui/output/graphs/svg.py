@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
+from itertools import pairwise
+from math import copysign
 from xml.sax.saxutils import escape
 
 from plastron_tui.diagnostics.terminal import visible
@@ -21,6 +23,7 @@ from .style import ARROW, LEGEND_HEIGHT, MARGIN, STYLE, legend, legend_width, nu
 from .widths import broken, drawable, text_width
 
 _ROOM = 230.0
+_ROUNDING = 9.0
 _NAME_SIZE = 13.0
 _CAPTION_SIZE = 10.5
 _LEADING = {_NAME_SIZE: 17.0, _CAPTION_SIZE: 14.0}
@@ -232,20 +235,42 @@ _LINES = {
 
 def _path(line: tuple[Point, ...]) -> str:
     """Draw a line up to the foot of its arrow head."""
-    first, tip = line[0], line[-1]
-    foot = Point(tip.x - ARROW * _direction(line), tip.y)
-    points = [*line[:-1], foot]
-    drawn = [f"M{number(first.x)} {number(first.y)}"]
-    for at in range(1, len(points)):
-        start, end = points[at - 1], points[at]
-        if at % 2:
+    tip = line[-1]
+    points = [*line[:-1], Point(tip.x - ARROW * _direction(line), tip.y)]
+    drawn = [f"M{number(points[0].x)} {number(points[0].y)}"]
+    for at, (start, end) in enumerate(pairwise(points)):
+        following = points[at + 2] if at + 2 < len(points) else None
+        if start.x != end.x and start.y != end.y:
+            half = number((start.x + end.x) / 2)
+            drawn.append(
+                f"C{half} {number(start.y)} {half} {number(end.y)} {number(end.x)} {number(end.y)}"
+            )
+        elif following is not None and _is_corner(start, end, following):
+            before, behind = _towards(end, start), _towards(end, following)
+            drawn.append(f"L{number(before.x)} {number(before.y)}")
+            drawn.append(f"Q{number(end.x)} {number(end.y)} {number(behind.x)} {number(behind.y)}")
+        elif start.y == end.y:
             drawn.append(f"H{number(end.x)}")
-            continue
-        half = number((start.x + end.x) / 2)
-        drawn.append(
-            f"C{half} {number(start.y)} {half} {number(end.y)} {number(end.x)} {number(end.y)}"
-        )
+        else:
+            drawn.append(f"V{number(end.y)}")
     return "".join(drawn)
+
+
+def _is_corner(start: Point, corner: Point, end: Point) -> bool:
+    """Tell whether a level piece meets an upright one."""
+    return (start.y == corner.y and corner.x == end.x) or (
+        start.x == corner.x and corner.y == end.y
+    )
+
+
+def _towards(corner: Point, other: Point) -> Point:
+    """Return where the rounding of a corner ends, on the way to another point."""
+    across, down = other.x - corner.x, other.y - corner.y
+    reach = min(_ROUNDING, max(abs(across), abs(down)) / 2)
+    return Point(
+        corner.x + copysign(min(reach, abs(across)), across),
+        corner.y + copysign(min(reach, abs(down)), down),
+    )
 
 
 def _head(line: tuple[Point, ...]) -> str:

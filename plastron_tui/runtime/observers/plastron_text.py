@@ -11,11 +11,11 @@ _LONGEST_STRING = 200
 
 def line_of(message: Any) -> str:
     """Return the fields of a message: `x: 1.0, y: 2.0, name: "arm"`."""
-    names = _field_names(message)
+    names = field_names(message)
     return ", ".join(f"{name}: {_text(getattr(message, name))}" for name in names)
 
 
-def _field_names(value: Any) -> list[str]:
+def field_names(value: Any) -> list[str]:
     """Return the names of a message's fields, nothing for a value that is no message."""
     if hasattr(value, "get_fields_and_field_types"):
         return list(value.get_fields_and_field_types())
@@ -37,7 +37,7 @@ def _text(value: Any) -> str:
         first = ", ".join(_text(_plain(element)) for element in value[:_MOST_ELEMENTS])
         more = f", … {len(value)} in all" if len(value) > _MOST_ELEMENTS else ""
         return f"[{first}{more}]"
-    if _field_names(value):
+    if field_names(value):
         return f"({line_of(value)})"
     return "" if hasattr(value, "__slots__") else str(value)
 

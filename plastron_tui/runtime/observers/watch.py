@@ -46,7 +46,8 @@ class Topic:
         return 1 / period if period > 0 else 0.0
 
 
-def _is_shown(name: str) -> bool:
+def is_shown(name: str) -> bool:
+    """Tell whether a topic or service is one that people look at."""
     # A name with a part that starts with `_` is hidden (ROS 2 design, "Topic and Service names").
     return name not in _INFRASTRUCTURE and "/_" not in name
 
@@ -95,7 +96,7 @@ def watch_ros1() -> None:
     try:
         while not rospy.is_shutdown():
             for name, type_name in rospy.get_published_topics():
-                if name not in topics and _is_shown(name):
+                if name not in topics and is_shown(name):
                     subscribe(name, type_name)
             _print(topics, decode)
             time.sleep(_PERIOD)
@@ -116,16 +117,16 @@ def watch_ros2() -> None:
     subscriptions: dict[str, Any] = {}
 
     def decode(topic: Topic) -> Any:
-        return deserialize_message(topic.last, _ros2_class(topic.type_name))
+        return deserialize_message(topic.last, ros2_class(topic.type_name))
 
     def subscribe(name: str, type_name: str) -> None:
         topic = topics[name] = Topic(type_name.replace("/msg/", "/"))
         try:
-            message_class = _ros2_class(topic.type_name)
+            message_class = ros2_class(topic.type_name)
         except (ImportError, AttributeError):
             topic.type_name += " (not installed)"
             return
-        listen(name, message_class, _ros2_qos(node, name))
+        listen(name, message_class, ros2_qos(node, name))
 
     def listen(name: str, message_class: Any, qos: Any) -> None:
         see = topics[name].see
@@ -133,7 +134,7 @@ def watch_ros2() -> None:
 
     def listen_to_all(name: str) -> None:
         """Ask for no more than publishers offer that came later."""
-        old, qos = subscriptions[name], _ros2_qos(node, name)
+        old, qos = subscriptions[name], ros2_qos(node, name)
         had = old.qos_profile
         # Asking for more again would bring the last message twice.
         if (
@@ -151,7 +152,7 @@ def watch_ros2() -> None:
                 continue
             printed = time.monotonic()
             for name, type_names in node.get_topic_names_and_types():
-                if name not in topics and _is_shown(name) and node.count_publishers(name):
+                if name not in topics and is_shown(name) and node.count_publishers(name):
                     subscribe(name, type_names[0])
             for name in subscriptions:
                 listen_to_all(name)
@@ -161,12 +162,13 @@ def watch_ros2() -> None:
         rclpy.shutdown()
 
 
-def _ros2_class(type_name: str) -> Any:
+def ros2_class(type_name: str) -> Any:
+    """Return the class of a message's type."""
     package, name = type_name.split("/")
     return getattr(importlib.import_module(f"{package}.msg"), name)
 
 
-def _ros2_qos(node: Any, topic: str) -> Any:
+def ros2_qos(node: Any, topic: str) -> Any:
     """Return a quality of service that every publisher of the topic can serve."""
     from rclpy.qos import (
         DurabilityPolicy,

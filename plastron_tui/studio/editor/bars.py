@@ -41,6 +41,7 @@ class FindBar(Vertical):
         """Ask for what a finder finds; `leave` gives the focus back."""
         super().__init__()
         self._finder = finder
+        finder.say = self._say
         self._leave = leave
         self._is_regex = False
         self._is_case_sensitive = False
@@ -57,7 +58,7 @@ class FindBar(Vertical):
             yield Input(id="find-what", compact=True)
             yield Button(".*", id="find-regex", compact=True, tooltip="regular expression")
             yield Button("Aa", id="find-case", compact=True, tooltip="upper and lower case")
-            yield Label("", id="find-count")
+            yield Label("", id="find-count", markup=False)
         with Horizontal(id="replace-line"):
             yield Label("with")
             yield Input(id="find-with", compact=True)
@@ -84,11 +85,10 @@ class FindBar(Vertical):
     def step(self, by: int) -> None:
         """Go to the next match, or with -1 to the one before; the bar need not be in sight."""
         self._finder.step(by)
-        if self.is_mounted:
-            self._say(self._finder.count)
 
     def _say(self, text: str) -> None:
-        self.query_one("#find-count", Label).update(text)
+        if self.is_mounted:
+            self.query_one("#find-count", Label).update(text)
 
     def _find(self) -> None:
         self._finder.find(
@@ -96,17 +96,10 @@ class FindBar(Vertical):
             is_regex=self._is_regex,
             is_case_sensitive=self._is_case_sensitive,
         )
-        self._say(self._finder.count)
 
     def _replace(self, *, every: bool) -> None:
-        try:
-            if every:
-                self._say(f"{self._finder.replace_all(self.replacement)} replaced")
-            else:
-                self._finder.replace(self.replacement)
-                self._say(self._finder.count)
-        except ValueError as error:
-            self._say(str(error))
+        replace = self._finder.replace_all if every else self._finder.replace
+        replace(self.replacement)
 
     def action_close(self) -> None:
         """Close the bar, and go back to the text."""

@@ -9,6 +9,8 @@ from __future__ import annotations
 from bisect import bisect_left, bisect_right
 from collections.abc import Iterator
 from functools import lru_cache
+from itertools import accumulate
+from typing import NamedTuple
 
 from rich.cells import cell_len, split_graphemes
 
@@ -19,6 +21,20 @@ _INVISIBLE = "�"
 _JOINING = dict.fromkeys((0x200D, 0xFE0E, 0xFE0F))
 """Terminals do not agree on how wide the characters are that these join or change: they are
 left out of what is shown, and the cells are right everywhere."""
+
+
+class _Looks(NamedTuple):
+    """What is shown of a character, how many cells that takes, and how many bytes it has."""
+
+    shown: str
+    cells: int
+    size: int
+
+    @classmethod
+    def of(cls, cluster: str, cell: int = 0) -> _Looks:
+        """Return how a character looks in a cell."""
+        shown = _shown(cluster, cell)
+        return cls(shown, cell_len(shown), len(cluster.encode("utf-8", "replace")))
 
 
 class Line:
@@ -46,22 +62,24 @@ class Line:
 
     def _lay_out(self, text: str) -> None:
         """Note for each character where it starts in bytes, in cells, and in what is shown."""
-        at_byte, at_cell, at_char = 0, 0, 0
-        stops_bytes, stops_cells, stops_chars, parts = [0], [0], [0], []
-        for cluster in _clusters(text):
-            shown = _shown(cluster, at_cell)
-            parts.append(shown)
-            if cluster == "\t":
-                self.tabs.append(at_byte)
-            at_byte += len(cluster.encode("utf-8", "replace"))
-            at_cell += cell_len(shown)
-            at_char += len(shown)
-            stops_bytes.append(at_byte)
-            stops_cells.append(at_cell)
-            stops_chars.append(at_char)
+        clusters = list(_clusters(text))
+        # A long line has few characters that differ; how a tab looks depends on its place.
+        known = {each: _Looks.of(each) for each in set(clusters)}
+        looks = [known[each] for each in clusters]
+        if "\t" in known:
+            at_cell = 0
+            for at, each in enumerate(looks):
+                if clusters[at] == "\t":
+                    looks[at] = each = _Looks.of("\t", at_cell)
+                at_cell += each.cells
+        stops_bytes = [*accumulate((each.size for each in looks), initial=0)]
+        stops_cells = [*accumulate((each.cells for each in looks), initial=0)]
+        stops_chars = [*accumulate((len(each.shown) for each in looks), initial=0)]
+        if "\t" in known:
+            self.tabs = [stops_bytes[at] for at, each in enumerate(clusters) if each == "\t"]
         self._bytes, self._cells, self._chars = stops_bytes, stops_cells, stops_chars
-        self.shown = "".join(parts)
-        self.width = at_cell
+        self.shown = "".join([each.shown for each in looks])
+        self.width = stops_cells[-1]
 
     def cell(self, column: int) -> int:
         """Return the cell at which the character of a byte column starts."""
@@ -83,6 +101,22 @@ class Line:
         last = bisect_left(self._bytes, end)
         last = min(last, len(self._bytes) - 1)
         return self.shown[self._chars[first] : self._chars[last]]
+
+    def last_space(self, start: int, end: int) -> int | None:
+        """Return the byte column of the last space between two columns, None where there is none.
+
+        It is looked for at once where each byte is a character, as it is in most long lines.
+        """
+        if self._bytes is None:
+            at = self.shown.rfind(" ", start, end)
+            return at if at >= 0 else None
+        at = end
+        while at > start:
+            before = self.previous_stop(at)
+            if self.piece(before, at) == " ":
+                return before
+            at = before
+        return None
 
     def next_stop(self, column: int) -> int:
         """Return the byte column after the character at a column."""

@@ -100,7 +100,7 @@ def _vertical(by: int) -> Callable[[bool], Run]:
         def run(editor: ProgramEditor) -> None:
             if editor.popup.is_open and not extend:
                 editor.view.choose(by)
-            else:
+            elif extend or not editor.hover.scroll(by):
                 _go_lines(editor, by, extend)
 
         return run
@@ -109,7 +109,14 @@ def _vertical(by: int) -> Callable[[bool], Run]:
 
 
 def _page(by: int) -> Callable[[bool], Run]:
-    return lambda extend: lambda editor: _go_lines(editor, by * editor.view.page, extend)
+    def extendable(extend: bool) -> Run:
+        def run(editor: ProgramEditor) -> None:
+            if extend or not editor.hover.scroll(by * editor.view.card.region.height):
+                _go_lines(editor, by * editor.view.page, extend)
+
+        return run
+
+    return extendable
 
 
 def _go_lines(editor: ProgramEditor, by: int, extend: bool) -> None:
@@ -146,6 +153,7 @@ def _new_line(editor: ProgramEditor) -> None:
     if editor.popup.is_chosen:
         editor.accept()
     else:
+        editor.completer.take_blank_back()
         text_commands.break_line(editor.state)
         editor.done()
 
@@ -165,16 +173,19 @@ def _accept(editor: ProgramEditor) -> None:
 
 
 def _dismiss(editor: ProgramEditor) -> None:
-    """Close the list, or let go of what is selected."""
+    """Close the list, or the card, or let go of what is selected."""
     if editor.popup.is_open:
         editor.view.close_popup()
+    elif editor.view.card.is_open:
+        editor.hover.close()
     else:
         editor.state.move(editor.cursor_offset)
         editor.done()
 
 
 def _can_dismiss(editor: ProgramEditor) -> bool:
-    return editor.popup.is_open or not editor.selection.is_empty
+    is_over = editor.popup.is_open or editor.view.card.is_open
+    return is_over or not editor.selection.is_empty
 
 
 def _toggle_wrap(editor: ProgramEditor) -> None:
@@ -239,16 +250,16 @@ COMMANDS: tuple[Command, ...] = (
     Command("external_editor", "Open in $EDITOR", "ctrl+e", program_commands.edit_elsewhere,
             "Edit the text with your own editor."),
     Command("toggle_wrap", "Wrap long lines", "alt+z", _toggle_wrap,
-            "Break long lines, or let them run on."),
+            "Show long lines whole, over several rows, or let them run on."),
     Command("next_problem", "Next problem", "f8",
             lambda e: _go_to_mark(e, e.marks.next_after(e.cursor_offset)),
-            "Go to the next mistake."),
+            "Go to the next problem."),
     Command("previous_problem", "Previous problem", "shift+f8",
             lambda e: _go_to_mark(e, e.marks.previous_before(e.cursor_offset)),
-            "Go to the mistake before.", "f20"),
+            "Go to the problem before.", "f20"),
     Command("accept", "Complete", "tab", _accept),
     Command("dismiss", "Close the list", "escape", _dismiss, applies=_can_dismiss),
-    Command("newline", "New line", "enter", _new_line),
+    Command("newline", "New line", "enter,ctrl+j", _new_line),
     Command("delete_left", "Delete left", "backspace", _delete(motions.left)),
     Command("delete_right", "Delete right", "delete", _delete(motions.right)),
     Command("delete_word_left", "Delete the word", "ctrl+w,alt+backspace,ctrl+backspace",

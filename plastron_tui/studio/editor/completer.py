@@ -2,18 +2,34 @@
 
 from __future__ import annotations
 
+from typing import NamedTuple
+
 from plastron_tui.diagnostics import Span
-from plastron_tui.language.expectations import Expectation
+from plastron_tui.language import Document, Slot
+from plastron_tui.language.expectations import Expectation, expected_at
 from plastron_tui.language.lowering import lower
+from plastron_tui.model.workspace import Workspace
 
 from .completion import candidates, candidates_by_purpose, detail_of
 from .history import Selection
-from .state import TextState
+from .state import Splice, TextState
 from .view import EditorView
 from .vocabulary import Vocabulary
 
 _SMALL = 64 * 1024
 """A text of so many bytes is understood at once; a longer one waits for its diagnostics."""
+
+
+class _Given(NamedTuple):
+    """A blank that completion left behind a word.
+
+    Attributes:
+        text: the text with it.
+        splice: what writes the word without it, in terms of the text before.
+    """
+
+    text: bytes
+    splice: Splice
 
 
 class Completer:
@@ -28,6 +44,7 @@ class Completer:
         self._state = state
         self._view = view
         self._replaced = Span(0, 0)
+        self._given: _Given | None = None
 
     def offer(self, expected: Expectation, *, is_asked: bool = False) -> None:
         """Offer what is expected at the cursor; where nobody asked for it, not on an empty line."""
@@ -57,7 +74,7 @@ class Completer:
         if self.vocabulary is None:
             session = self._state.buffer.session
             if self._state.buffer.size > _SMALL:
-                return Vocabulary(lower(type(session.document)()), type(session.workspace)())
+                return Vocabulary(lower(Document()), Workspace())
             self.vocabulary = Vocabulary(session.program, session.workspace)
         return self.vocabulary
 
@@ -68,17 +85,74 @@ class Completer:
         is_open = prefix[:1] == "'" and not (len(written) > 1 and written.endswith(b"'"))
         return Span(span.start, self._state.cursor if is_open else span.end)
 
-    def accept(self) -> None:
-        """Write what is marked in the popup, and what follows it if the line ends there."""
+    def accept(self) -> bool:
+        """Write what is marked in the popup, and what follows it if the line ends there.
+
+        Where the sentence goes on, that is a blank at least: True says that there is one.
+        """
         candidate, span = self._view.popup.current, self._replaced
         if candidate is None:
-            return
+            return False
         state, buffer = self._state, self._state.buffer
-        rest = buffer.text[span.end : buffer.end(buffer.row(span.end))]
+        end = buffer.end(buffer.row(span.end))
+        rest = buffer.text[span.end : end]
         text = candidate.text
         if candidate.after and (not rest.strip() or candidate.after == "="):
             text += candidate.after if not rest.startswith(b"=") else ""
         new = text.encode("utf-8")
-        at = span.start + len(new)
+        before = buffer.text[buffer.start(buffer.row(span.start)) : span.start]
+        is_given = not rest.strip() and not text.endswith(" ") and goes_on(before + new)
+        splice = (span.start, end if is_given else span.end, new)
         state.history.close()
-        state.apply([(span.start, span.end, new)], Selection(at, at))
+        self._write(splice, b" " if is_given else b"")
+        self._given = _Given(buffer.text, splice) if is_given else None
+        return is_given
+
+    def _write(self, splice: Splice, blank: bytes) -> None:
+        start, end, new = splice
+        at = start + len(new) + len(blank)
+        self._state.apply([(start, end, new + blank)], Selection(at, at))
+
+    def takes_blank(self) -> bool:
+        """Tell whether the blank that is typed is there already, and let it count as typed."""
+        given, state = self._given, self._state
+        self._given = None
+        if given is None or given.text is not state.buffer.text:
+            return False
+        start, _, new = given.splice
+        return state.selection == (start + len(new) + 1,) * 2
+
+    def take_blank_back(self) -> None:
+        """Remove the blank that was left for a next word, because there is none."""
+        given, state = self._given, self._state
+        self._given = None
+        if given is None or given.text is not state.buffer.text:
+            return
+        selection = state.selection
+        start, _, new = given.splice
+        after = start + len(new)
+        # In the place of the step that wrote the word: it is undone at once.
+        state.undo()
+        self._write(given.splice, b"")
+        state.select(*(at - (at > after) for at in selection))
+
+    def moved(self) -> None:
+        """Leave no blank behind at the end of a line that the cursor has left."""
+        given, buffer = self._given, self._state.buffer
+        if given is None:
+            return
+        if given.text is not buffer.text:
+            self._given = None
+        elif self._state.row != buffer.row(given.splice[0]):
+            self.take_blank_back()
+
+
+def goes_on(line: bytes) -> bool:
+    """Tell whether the sentence that a line begins with needs another word."""
+    expected = expected_at(Document(line + b" "), len(line) + 1)
+    if expected.declaration is None:
+        return bool(expected.keywords)
+    slot = expected.slot
+    if slot is not None and slot.kind.form.is_open and expected.written:
+        return False
+    return isinstance(expected.element, (str, Slot))

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
-from itertools import islice
+from itertools import chain, islice
 from pathlib import PurePath
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NamedTuple
 
 from plastron_tui.language import SlotKind
 from plastron_tui.language.expectations import Expectation
@@ -13,7 +13,8 @@ from plastron_tui.language.keywords import BY_KEYWORD
 from plastron_tui.model.kinds import INTERFACES
 from plastron_tui.model.packages import BUILT_FOLDER
 from plastron_tui.model.rename import RENAMED
-from plastron_tui.ros.interfaces import Interface, InterfaceKind
+from plastron_tui.ros.common_types import most_common_first, types_for
+from plastron_tui.ros.interfaces import Interface, InterfaceKind, InterfaceName
 from plastron_tui.ros.parameters import ParameterType
 from plastron_tui.ros.qos_words import offered_words
 from plastron_tui.ros.robots.names import FILE_ENDINGS
@@ -50,8 +51,67 @@ _MET = ("topic", "service", "action")
 def candidates(expected: Expectation, vocabulary: Vocabulary, session: Session) -> list[Candidate]:
     """Return what may stand at a place, what fits its prefix best first."""
     prefix = expected.prefix.lstrip("'\"")
-    found = _ranked(_offered(expected, vocabulary, session), prefix)
-    return list(islice(found, MOST_OFFERED))
+    found = _offered(expected, vocabulary, session)
+    meant: Sequence[_Meant] = ()
+    # Names of types begin with a capital: a small word may be one of purpose.
+    if prefix.islower() and prefix.isalpha():
+        meant = _for_purpose(expected, vocabulary, session)
+    ranked = _ranked(found, prefix, meant) if prefix else found
+    return list(islice(ranked, MOST_OFFERED))
+
+
+class _Meant(NamedTuple):
+    """A type that serves a purpose, and whether all of its word is written."""
+
+    candidate: Candidate
+    is_whole: bool
+
+
+def _for_purpose(
+    expected: Expectation, vocabulary: Vocabulary, session: Session
+) -> Sequence[_Meant]:
+    """Return the types that are for what was typed, such as `speed`, as their lines have it."""
+    kind = None if expected.slot is None else INTERFACES.get(expected.slot.kind)
+    if kind is None:
+        return ()
+    catalog = _catalog(expected, vocabulary, session)
+    found = types_for(expected.prefix, catalog.names(kind), kind)[:_MOST_BY_PURPOSE]
+    return [
+        _Meant(Candidate(_written(each.name, catalog, kind), each.line), each.is_whole)
+        for each in found
+    ]
+
+
+def _ranked(
+    found: Iterable[Candidate], prefix: str, meant: Sequence[_Meant]
+) -> Iterator[Candidate]:
+    """Yield what fits a prefix: what is called so, is meant for it, begins so, or has it within."""
+    folded = prefix.lower()
+    same: list[Candidate] = []
+    ranks: tuple[list[Candidate], ...] = ([], [], [])
+    for candidate in found:
+        text = candidate.text.lstrip("'")
+        lower = text.lower()
+        if lower.rpartition("/")[2] == folded:
+            same.append(candidate)
+        elif text.startswith(prefix):
+            ranks[0].append(candidate)
+        elif lower.startswith(folded) or f"/{folded}" in lower:
+            ranks[1].append(candidate)
+        elif folded in lower:
+            ranks[2].append(candidate)
+    whole = [each.candidate for each in meant if each.is_whole]
+    begun = [each.candidate for each in meant if not each.is_whole]
+    seen: set[str] = set()
+    for candidate in chain(same, whole, ranks[0], ranks[1], begun, ranks[2]):
+        if candidate.text not in seen:
+            seen.add(candidate.text)
+            yield candidate
+
+
+def _written(name: InterfaceName, catalog: Catalog, kind: InterfaceKind) -> str:
+    """Return the shortest way in which a program names a type."""
+    return name.name if catalog.candidates(name.name, kind) == (name,) else str(name)
 
 
 def candidates_by_purpose(
@@ -69,25 +129,6 @@ def candidates_by_purpose(
     catalog = _catalog(expected, vocabulary, session)
     found = search_types(catalog, kind, expected.prefix, is_lenient=False)
     return [Candidate(each.written, each.line) for each in found[:_MOST_BY_PURPOSE]]
-
-
-def _ranked(found: Iterable[Candidate], prefix: str) -> Iterator[Candidate]:
-    if not prefix:
-        yield from found
-        return
-    folded = prefix.lower()
-    ranks: tuple[list[Candidate], ...] = ([], [], [])
-    for candidate in found:
-        text = candidate.text.lstrip("'")
-        lower = text.lower()
-        if text.startswith(prefix):
-            ranks[0].append(candidate)
-        elif lower.startswith(folded) or f"/{folded}" in lower:
-            ranks[1].append(candidate)
-        elif folded in lower:
-            ranks[2].append(candidate)
-    for rank in ranks:
-        yield from rank
 
 
 def _offered(
@@ -256,9 +297,8 @@ def _types(
     own = [each for each in vocabulary.types if each != first and _is_of(each, kind, catalog)]
     yield from (Candidate(each, vocabulary.types[each]) for each in own)
     qualified = "/" in expected.prefix
-    for each in catalog.names(kind):
-        alone = not qualified and len(catalog.candidates(each.name, kind)) == 1
-        text = each.name if alone and catalog.candidates(each.name, kind)[0] == each else str(each)
+    for each in most_common_first(catalog.names(kind), kind):
+        text = str(each) if qualified else _written(each, catalog, kind)
         if text != first and text not in own:
             yield Candidate(text, "")
 

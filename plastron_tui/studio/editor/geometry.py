@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 
 from textual.geometry import Offset, Size
 
+from .columns import TAB_WIDTH
 from .marks import Mark, Marks, worst
 from .rows import has_room
 from .state import Edited, TextState
@@ -61,7 +62,7 @@ class Geometry:
         """How many screen lines there are."""
         return self.state.buffer.row_count + self.lines.total_extra
 
-    def sections(self, row: int) -> list[tuple[int, int]]:
+    def sections(self, row: int) -> Sequence[tuple[int, int]]:
         """Return the pieces that a row is shown in, in byte columns."""
         line = self.state.buffer.line(row)
         if not self.is_wrapped or line.width < self.width:
@@ -73,14 +74,31 @@ class Geometry:
         buffer = self.state.buffer
         rows: set[int] = set()
         if self.is_wrapped:
-            rows.update(
-                row
-                for row in range(buffer.row_count)
-                if buffer.end(row) - buffer.start(row) >= self.width
-            )
-        if 0 < len(self.marks) <= _MOST_BELOW:
-            rows.update(buffer.row(start) for start in self.marks.starts())
+            width = self.width
+            for row, line in enumerate(buffer.text.split(b"\n")):
+                # No byte takes more cells than one, but a tab.
+                if len(line) + (TAB_WIDTH - 1) * line.count(b"\t") >= width:
+                    rows.add(row)
+        rows |= self._marked_rows()
         self.lines.set({row: self._extra(row) for row in rows})
+
+    def place_marks(self, marks: Marks) -> None:
+        """Take other mistakes, and find the rows that take more lines or fewer with them.
+
+        All other rows are where they were: to break long lines anew takes longer than a key may.
+        """
+        rows = self._marked_rows()
+        self.marks = marks
+        rows |= self._marked_rows()
+        extra = {row: self._extra(row) for row in rows}
+        if any(self.lines.extra.get(row, 0) != more for row, more in extra.items()):
+            self.lines.set({**self.lines.extra, **extra})
+
+    def _marked_rows(self) -> set[int]:
+        """Return the rows that may have a message below them."""
+        if not 0 < len(self.marks) <= _MOST_BELOW:
+            return set()
+        return {self.state.buffer.row(start) for start in self.marks.starts()}
 
     def edited(self, edited: Edited) -> None:
         """Move the mistakes and the rows along with an edit."""

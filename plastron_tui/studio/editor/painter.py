@@ -87,8 +87,8 @@ class Painter:
         if row >= self._state.buffer.row_count:
             return Strip.blank(frame.width, frame.palette.text)
         canvas = Canvas(frame.palette, frame.gutter, frame.width - frame.gutter, frame.left)
-        look = self._look(row, frame)
         pieces = self._geometry.sections(row)
+        look = self._look(row, frame, pieces[min(line, len(pieces) - 1)])
         message = worst([mark for _, _, mark in look.marks])
         if line >= len(pieces):
             return below(look, canvas, message) if message else Strip.blank(frame.width)
@@ -97,7 +97,8 @@ class Painter:
         start, end = pieces[line]
         return draw(look, canvas, start, end, message=message if end == look.line.size else None)
 
-    def _look(self, row: int, frame: Frame) -> Row:
+    def _look(self, row: int, frame: Frame, piece: tuple[int, int]) -> Row:
+        """Return how a row looks; of what is found, only what is in sight of one of its pieces."""
         buffer, selection = self._state.buffer, self._state.selection
         start, line = buffer.start(row), buffer.line(row)
         if row not in self.paint:
@@ -108,17 +109,23 @@ class Painter:
             self._state.row == row and frame.has_focus and selection.is_empty,
             self.paint.get(row, ()),
             [(mark.start - start, mark.end - start, mark) for mark in self._geometry.marks_of(row)],
-            self._layers(row, start, line, frame),
+            [*self._found(start, line, frame, piece), *self._layers(row, start, line, frame)],
         )
+
+    def _found(self, start: int, line: Line, frame: Frame, piece: tuple[int, int]) -> list[Layer]:
+        """Return the matches of a search that are in sight: a long line may have thousands."""
+        if self.matches is None:
+            return []
+        left = line.cell(piece[0]) + frame.left
+        first, last = line.column(left), line.next_stop(line.column(left + frame.width))
+        return [
+            Layer(begin - start, until - start, frame.palette.match)
+            for begin, until in self.matches(start + first, start + min(last, piece[1]))
+        ]
 
     def _layers(self, row: int, start: int, line: Line, frame: Frame) -> list[Layer]:
         palette, selection = frame.palette, self._state.selection
         layers: list[Layer] = []
-        if self.matches is not None:
-            layers += [
-                Layer(begin - start, until - start, palette.match)
-                for begin, until in self.matches(start, start + line.size)
-            ]
         if not selection.is_empty and selection.start <= start + line.size:
             begin, until = selection.start - start, selection.end - start
             if until > 0:

@@ -10,6 +10,8 @@ from rich.style import Style
 from textual.color import Color
 from textual.widget import Widget
 
+from ..legibility import LEAST, contrast, legible
+
 PLAIN = Style.null()
 
 _THEMED: Mapping[str, tuple[str, str]] = {
@@ -34,11 +36,6 @@ _THEMED: Mapping[str, tuple[str, str]] = {
     "comment": ("", "dim italic"),
 }
 """For each capture of the grammar's query: a colour of the theme, and how it is written."""
-
-_LEGIBLE = 4.5
-"""The least contrast of text with what is behind it that WCAG 2 asks for."""
-_QUIET = 3.0
-"""That of line numbers, which are there to be found rather than read."""
 
 _ANSI: Mapping[str, str] = {
     "primary": "blue",
@@ -97,7 +94,7 @@ def themed_palette(variables: Mapping[str, str], foreground: Color, background: 
 
     foreground = legible(foreground, background)
     text = Style(color=foreground.rich_color, bgcolor=background.rich_color)
-    quiet = legible(background.blend(foreground, 0.45), background, _QUIET)
+    quiet = legible(background.blend(foreground, 0.45), background)
     here = background.blend(foreground, 0.06)
     panel = background.blend(foreground, 0.12)
     selected = _behind(foreground, background, color("primary"))
@@ -136,38 +133,13 @@ def themed_palette(variables: Mapping[str, str], foreground: Color, background: 
     )
 
 
-def legible(color: Color, background: Color, least: float = _LEGIBLE) -> Color:
-    """Move a colour away from the background until the contrast is enough to read it."""
-    target = Color(255, 255, 255) if _luminance(background) < 0.18 else Color(0, 0, 0)
-    for step in range(20):
-        moved = color.blend(target, step / 20, 1)
-        if contrast(moved, background) >= least:
-            return moved
-    return target
-
-
 def _behind(text: Color, background: Color, tint: Color) -> Color:
     """Mix as much of a colour into the background as leaves the text on it legible."""
     for tenths in (4, 3, 2, 1):
         mixed = background.blend(tint, tenths / 10, 1)
-        if contrast(text, mixed) >= _LEGIBLE:
+        if contrast(text, mixed) >= LEAST:
             return mixed
     return background.blend(text, 0.15, 1)
-
-
-def contrast(one: Color, other: Color) -> float:
-    """Return the contrast of two colours, from 1 to 21, as WCAG 2 defines it."""
-    low, high = sorted((_luminance(one), _luminance(other)))
-    return (high + 0.05) / (low + 0.05)
-
-
-def _luminance(color: Color) -> float:
-    """Return the relative luminance of a colour, from 0 to 1, as WCAG 2 defines it."""
-    parts = (part / 255 for part in color.rgb)
-    linear = [
-        part / 12.92 if part <= 0.04045 else ((part + 0.055) / 1.055) ** 2.4 for part in parts
-    ]
-    return 0.2126 * linear[0] + 0.7152 * linear[1] + 0.0722 * linear[2]
 
 
 def ansi_palette() -> Palette:

@@ -20,6 +20,8 @@ from .palette import Palette, combined
 
 SIGNS = {Severity.ERROR: "●", Severity.WARNING: "▲"}
 _GAP = 3
+_GOES_ON = "↪"
+"""What stands in the place of the number where a long line goes on."""
 
 
 class Layer(NamedTuple):
@@ -64,18 +66,20 @@ def has_room(line: Line, message: str, width: int) -> bool:
     return line.width + _GAP + 2 + cell_len(message) <= width
 
 
-def gutter(row: Row, canvas: Canvas, *, is_first: bool = True) -> list[Segment]:
-    """Return the sign and the number of a row."""
+def gutter(
+    row: Row, canvas: Canvas, *, is_first: bool = True, goes_on: bool = False
+) -> list[Segment]:
+    """Return the sign and the number of a row, or that a line `goes_on` that did not fit."""
     palette = canvas.palette
     if canvas.gutter == 0:
         return []
     worst = min((mark for _, _, mark in row.marks), key=_rank, default=None)
     base = palette.text
+    number = str(row.number) if is_first else _GOES_ON if goes_on else ""
     if worst is None or not is_first:
         sign = Segment(" ", base)
     else:
         sign = Segment(SIGNS[worst.severity], combined(base, _style_of(worst, palette)))
-    number = str(row.number) if is_first else ""
     style = palette.gutter_here if row.here else palette.gutter
     return [sign, Segment(number.rjust(canvas.gutter - 2) + " ", combined(base, style))]
 
@@ -106,7 +110,7 @@ def draw(row: Row, canvas: Canvas, start: int, end: int, *, message: Mark | None
     rest = canvas.width - strip.cell_length
     padding = [Segment(" " * rest, base)] if rest > 0 else []
     is_first = start == 0
-    return Strip([*gutter(row, canvas, is_first=is_first), *strip, *padding])
+    return Strip([*gutter(row, canvas, is_first=is_first, goes_on=True), *strip, *padding])
 
 
 def below(row: Row, canvas: Canvas, message: Mark) -> Strip:

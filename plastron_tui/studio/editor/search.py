@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from bisect import bisect_left, bisect_right
+from collections.abc import Callable
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
@@ -14,6 +15,15 @@ MOST_MATCHES = 20_000
 
 TIME_LIMIT = 0.25
 """Seconds after which a search gives up: an expression may need longer than anybody lives."""
+
+
+@dataclass(frozen=True, slots=True)
+class Found:
+    """What a search found: the places in bytes, the matches, or why there are none."""
+
+    spans: list[tuple[int, int]] = field(default_factory=list)
+    matches: list[regex.Match[str]] = field(default_factory=list)
+    problem: str = ""
 
 
 @dataclass
@@ -43,38 +53,32 @@ class Search:
             return cls(problem=str(error))
 
     def run(self, text: bytes) -> None:
-        """Find all matches, up to `MOST_MATCHES`; none where that takes longer than `TIME_LIMIT`.
+        """Find all matches now, as `find` does."""
+        self.take(self.find(text))
+
+    def take(self, found: Found) -> None:
+        """Let what was found be what there is."""
+        self.spans, self._matches = found.spans, found.matches
+        if found.problem:
+            self.pattern, self.problem = None, found.problem
+
+    def find(self, text: bytes, is_stale: Callable[[], bool] = lambda: False) -> Found:
+        """Return all matches, up to `MOST_MATCHES`; none where that takes longer than `TIME_LIMIT`.
 
         To an expression a line ends in a newline, whatever ends the lines of the text.
-        """
-        self.spans = []
-        self._matches = []
-        if self.pattern is None:
-            return
-        try:
-            self._run(self.pattern, text)
-        except TimeoutError:
-            self.pattern, self.problem = None, "takes too long"
-            self.spans = []
-            self._matches = []
 
-    def _run(self, pattern: regex.Pattern[str], text: bytes) -> None:
-        plain = text.replace(b"\r\n", b"\n")
-        returns = _returns(text) if len(plain) < len(text) else []
-        written = plain.decode("utf-8", "replace")
-        is_ascii = len(written) == len(plain)
-        at_char = at_byte = 0
-        for match in pattern.finditer(written, timeout=TIME_LIMIT):
-            start, end = match.span()
-            if not is_ascii:
-                at_byte += len(written[at_char:start].encode())
-                at_char = start
-                start, end = at_byte, at_byte + len(match.group().encode())
-            start, end = (at + bisect_left(returns, at) for at in (start, end))
-            self.spans.append((start, end))
-            self._matches.append(match)
-            if len(self.spans) >= MOST_MATCHES:
-                break
+        Args:
+            text: the text.
+            is_stale: tells, now and then, that nobody wants to know any more.
+        """
+        if self.pattern is None:
+            return Found()
+        try:
+            return _find(self.pattern, text, is_stale)
+        except TimeoutError:
+            return Found(problem="that expression takes too long")
+        except MemoryError:
+            return Found(problem="that expression takes too much memory")
 
     def within(self, start: int, end: int) -> list[tuple[int, int]]:
         """Return the matches that touch a range."""
@@ -105,6 +109,28 @@ class Search:
             return self._matches[at].expand(template)
         except (regex.error, IndexError) as error:
             raise ValueError(str(error)) from error
+
+
+def _find(pattern: regex.Pattern[str], text: bytes, is_stale: Callable[[], bool]) -> Found:
+    plain = text.replace(b"\r\n", b"\n")
+    returns = _returns(text) if len(plain) < len(text) else []
+    written = plain.decode("utf-8", "replace")
+    is_ascii = len(written) == len(plain)
+    at_char = at_byte = 0
+    found = Found()
+    for match in pattern.finditer(written, concurrent=True, timeout=TIME_LIMIT):
+        start, end = match.span()
+        if not is_ascii:
+            at_byte += len(written[at_char:start].encode())
+            at_char = start
+            start, end = at_byte, at_byte + len(match.group().encode())
+        if returns:
+            start, end = (at + bisect_left(returns, at) for at in (start, end))
+        found.spans.append((start, end))
+        found.matches.append(match)
+        if len(found.spans) >= MOST_MATCHES or is_stale():
+            break
+    return found
 
 
 def _returns(text: bytes) -> list[int]:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from typing import Protocol
 
 from textual import events
 from textual.geometry import Offset, Region, Size
@@ -13,9 +12,11 @@ from textual.strip import Strip
 
 from . import motions
 from .candidate import Candidate
+from .card_box import CardBox
 from .geometry import Geometry, scrolled_to
 from .history import Selection
 from .marks import Marks
+from .owner import Owner
 from .painter import Frame, Painter
 from .palette import Palette, palette_of
 from .popup import Popup
@@ -27,28 +28,15 @@ _MOST_MEASURED = 2 * 1024 * 1024
 """A text of more bytes takes longer to measure than a key may."""
 
 
-class Owner(Protocol):
-    """Who edits the text that a view shows; keys and the mouse ask it to, as they come."""
-
-    def type_text(self, text: str) -> None:
-        """Type characters over what is selected."""
-
-    def insert_text(self, text: str) -> None:
-        """Put a text over what is selected, as a step of its own to undo."""
-
-    def select_range(self, anchor: int, head: int) -> None:
-        """Select a range."""
-
-    def accept(self) -> None:
-        """Write the entry of the popup that is marked."""
-
-
 class EditorView(ScrollView, can_focus=True, inherit_bindings=False):
     """Shows a `TextState`, and tells its owner of keys and of the mouse."""
 
     DEFAULT_CSS = """
     EditorView { width: 1fr; height: 1fr; scrollbar-gutter: stable; overflow-x: auto; }
     """
+
+    takes_bursts = True
+    """A text that comes as keys, many at once, is put in as one: a terminal has pasted it."""
 
     soft_wrap: reactive[bool] = reactive(False)
     line_numbers: reactive[bool] = reactive(True)
@@ -59,6 +47,7 @@ class EditorView(ScrollView, can_focus=True, inherit_bindings=False):
         self.geometry = Geometry(state)
         self.painter = Painter(state, self.geometry, self.window)
         self.popup = Popup()
+        self.card = CardBox()
         self._owner = owner
         self._palette: Palette | None = None
         self._edits: list[Edited] = []
@@ -73,8 +62,10 @@ class EditorView(ScrollView, can_focus=True, inherit_bindings=False):
 
     def show_marks(self, marks: Marks) -> None:
         """Show other mistakes."""
-        self.geometry.marks = marks
-        self._place_lines()
+        self.geometry.place_marks(marks)
+        if self.geometry.width != self.text_width:
+            self._place_lines()
+        self._fit()
         self.refresh()
 
     def show_from_top(self) -> None:
@@ -84,7 +75,9 @@ class EditorView(ScrollView, can_focus=True, inherit_bindings=False):
         self.painter.brackets = None
         self._edits.clear()
         self._shown = self.state.selection
-        self.show_marks(Marks())
+        self.geometry.marks = Marks()
+        self._place_lines()
+        self.refresh()
         self.scroll_to(0, 0, animate=False, force=True)
 
     def recolor(self) -> None:
@@ -135,8 +128,9 @@ class EditorView(ScrollView, can_focus=True, inherit_bindings=False):
         width = self.scrollable_content_region.width
         frame = Frame(self.palette, width, self.gutter_width, self._left, self.has_focus)
         strip = self.painter.draw(self.scroll_offset.y + y, frame)
-        if self.popup.is_open and y in self.popup.region.line_range:
-            return self.popup.over(strip, y, self.palette)
+        for box in (self.popup, self.card):
+            if box.is_open and y in box.region.line_range:
+                strip = box.over(strip, y, self.palette)
         return strip
 
     def on_mount(self) -> None:
@@ -262,10 +256,8 @@ class EditorView(ScrollView, can_focus=True, inherit_bindings=False):
     ) -> None:
         """Show the popup below an offset."""
         covered = self.popup.region if self.popup.is_open else None
-        region, scroll = self.scrollable_content_region, self.scroll_offset
-        place = self.geometry.place_of(offset)
-        x = self.gutter_width + place.x - self._left
-        self.popup.offer(candidates, detail, Offset(x, place.y - scroll.y), region.size)
+        size = self.scrollable_content_region.size
+        self.popup.offer(candidates, detail, self.cell_of(offset), size)
         for changed in (covered, self.popup.region):
             if changed is not None:
                 self.refresh(changed)
@@ -282,9 +274,10 @@ class EditorView(ScrollView, can_focus=True, inherit_bindings=False):
             self.refresh(self.popup.region)
 
     def watch_scroll_y(self, old_value: float, new_value: float) -> None:
-        """Let the popup go when its word does."""
+        """Let the popup and the card go when their word does."""
         super().watch_scroll_y(old_value, new_value)
         self.close_popup()
+        self.card.close()
 
     @property
     def page(self) -> int:
@@ -305,10 +298,12 @@ class EditorView(ScrollView, can_focus=True, inherit_bindings=False):
     @property
     def cursor_on_screen(self) -> Offset:
         """The cell of the screen that the cursor is in."""
-        place = self.geometry.place_of(self.state.cursor)
-        region, scroll = self.content_region, self.scroll_offset
-        x = region.x + self.gutter_width + place.x - self._left
-        return Offset(x, region.y + place.y - scroll.y)
+        return self.content_region.offset + self.cell_of(self.state.cursor)
+
+    def cell_of(self, offset: int) -> Offset:
+        """Return the cell of the view that a character is in; it may be out of sight."""
+        place = self.geometry.place_of(offset)
+        return Offset(self.gutter_width + place.x - self._left, place.y - self.scroll_offset.y)
 
     def _place_terminal_cursor(self) -> None:
         """Tell the terminal where its own cursor is, for input methods."""
@@ -346,9 +341,12 @@ class EditorView(ScrollView, can_focus=True, inherit_bindings=False):
         self._owner.insert_text(event.text)
 
     def _offset_of(self, event: events.MouseEvent) -> int:
-        place = event.get_content_offset_capture(self)
-        x = place.x - self.gutter_width + self._left
-        return self.geometry.offset_at(x, place.y + self.scroll_offset.y)
+        return self.offset_at(event.get_content_offset_capture(self))
+
+    def offset_at(self, cell: Offset) -> int:
+        """Return the offset of the character that is nearest to a cell of the view."""
+        x = cell.x - self.gutter_width + self._left
+        return self.geometry.offset_at(x, cell.y + self.scroll_offset.y)
 
     def on_mouse_down(self, event: events.MouseDown) -> None:
         """Put the cursor there; with shift, select up to there."""

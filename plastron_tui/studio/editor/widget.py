@@ -7,6 +7,7 @@ from collections.abc import Callable, Iterable
 from functools import cached_property
 from typing import TYPE_CHECKING, ClassVar
 
+from textual import events
 from textual.app import ComposeResult
 from textual.binding import BindingType
 from textual.containers import Vertical
@@ -24,6 +25,7 @@ from .completer import Completer
 from .finder import Finder
 from .highlights import LONGEST
 from .history import Selection
+from .hover import Hover
 from .marks import Mark, Marks, worst
 from .popup import Popup
 from .state import TextState
@@ -54,6 +56,7 @@ class ProgramEditor(Vertical):
         view: what shows it.
         completer: what offers words.
         finder: what finds and replaces.
+        hover: what shows cards about words.
         expected: what the language has room for at the cursor.
     """
 
@@ -97,6 +100,7 @@ class ProgramEditor(Vertical):
         self.view = EditorView(self.state, self)
         self.completer = Completer(self.state, self.view)
         self.finder = Finder(self.state, self.view, self.done)
+        self.hover = Hover(self, self.state, self.view)
         self.expected: Expectation = expected_at(session.document, 0)
         self._told_text = self.text
         self._told_cursor = 0
@@ -112,6 +116,18 @@ class ProgramEditor(Vertical):
         return self.view.focus(scroll_visible)
 
     # What keys and the mouse do.
+
+    def on_mouse_move(self, event: events.MouseMove) -> None:
+        """Show what is said about the word that the mouse rests on."""
+        self.hover.mouse_moved(event)
+
+    def on_leave(self) -> None:
+        """Show nothing of a word that the mouse has left."""
+        self.hover.mouse_left()
+
+    def on_descendant_blur(self) -> None:
+        """Show nothing of a word where keys go elsewhere."""
+        self.hover.close()
 
     def check_action(self, action: str, parameters: tuple[object, ...]) -> bool | None:
         """Leave most keys to a bar that has the focus: they are meant for what is typed there."""
@@ -136,7 +152,8 @@ class ProgramEditor(Vertical):
 
     def type_text(self, text: str) -> None:
         """Type characters over what is selected, and offer what may follow."""
-        text_commands.type_text(self.state, text)
+        if text != " " or not self.completer.takes_blank():
+            text_commands.type_text(self.state, text)
         self.done(keeps_popup=True)
         self.completer.offer(self.expected)
 
@@ -152,13 +169,17 @@ class ProgramEditor(Vertical):
 
     def accept(self) -> None:
         """Write the entry of the popup that is marked."""
-        self.completer.accept()
+        goes_on = self.completer.accept()
         self.done()
+        if goes_on:
+            self.completer.offer(self.expected)
 
     def done(self, *, scroll: bool = True, center: bool = False, keeps_popup: bool = False) -> None:
         """Show and tell what was done to the text, or with its selection."""
         if not keeps_popup:
             self.view.close_popup()
+        self.completer.moved()
+        self.hover.close()
         if center:
             self.view.scroll_to_cursor(center=True)
         self.view.sync(scroll=scroll)

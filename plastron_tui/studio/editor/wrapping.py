@@ -2,10 +2,16 @@
 
 from __future__ import annotations
 
+from functools import lru_cache
+
 from .columns import Line
 
+_LONGEST_WORD = 40
+"""Of a longer word nobody minds where it is broken; a line may be one of 100,000 characters."""
 
-def sections(line: Line, width: int) -> list[tuple[int, int]]:
+
+@lru_cache(4096)
+def sections(line: Line, width: int) -> tuple[tuple[int, int], ...]:
     """Return the pieces of a line, in byte columns, none wider than `width` cells.
 
     A piece ends after a space where it has one, so that words stay whole.
@@ -21,15 +27,10 @@ def sections(line: Line, width: int) -> list[tuple[int, int]]:
         found.append((start, end))
         start = end
     found.append((start, line.size))
-    return found
+    return tuple(found)
 
 
 def _after_space(line: Line, start: int, end: int) -> int:
     """Return the column after the last space of a piece, its end if it has none."""
-    at = end
-    while at > start:
-        before = line.previous_stop(at)
-        if line.piece(before, at) == " ":
-            return at
-        at = before
-    return end
+    at = line.last_space(max(start, end - _LONGEST_WORD), end)
+    return end if at is None else line.next_stop(at)

@@ -10,6 +10,7 @@ from ..open_program import Open
 
 if TYPE_CHECKING:
     from ..analysis import Analysis
+    from ..editor.card import Card
 
 
 class ActiveProgram:
@@ -23,6 +24,8 @@ class ActiveProgram:
     def __init__(self, open_: Open) -> None:
         self.open = open_
         self.editor = ProgramEditor(open_.session, id="editor")
+        self.editor.hover.card_of = self.card_at
+        self.editor.border_title = "Program"
 
     @property
     def text(self) -> bytes:
@@ -39,6 +42,16 @@ class ActiveProgram:
         """What the text means, None as long as that is not known."""
         analysis = self.open.analysis
         return analysis if analysis is not None and analysis.text == self.open.text else None
+
+    def card_at(self, offset: int) -> Card | None:
+        """Return what is said about the word at an offset, as it was last understood."""
+        analysis = self.open.analysis
+        if analysis is None:
+            return None
+        # Imported when somebody asks, not at the start.
+        from ..cards import Known, card_at
+
+        return card_at(Known(self.open.session, analysis.program, analysis.workspace), offset)
 
     def replace(self, open_: Open, cursor: int = 0) -> None:
         """Put another program in its place."""

@@ -99,6 +99,7 @@ class DiskWatch:
                 [("keep", "Keep my text"), ("load", "Load the file")],
                 text="This is how the file differs from the text in the editor:",
                 lines=difference(open_.text, now.text),
+                is_unasked=True,
             )
         )
         if open_ is not self._program.open:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 
-from textual import on
+from textual import events, on
 from textual.app import ComposeResult
 from textual.containers import Horizontal, Vertical
 from textual.widget import Widget
@@ -19,6 +19,8 @@ MEDIUM = 104
 """From so many columns on, there is a dock at its left and one below; with fewer, only below."""
 TEXT = 80
 """The columns that the text gets before the dock at its right gets more."""
+FRAMED = 30
+"""From so many rows on, in a window that is not narrow, all that takes keys has a frame."""
 LOW = 14
 """With fewer rows the text has the window, as long as no panel has the focus."""
 
@@ -58,6 +60,7 @@ class DockLayout(Horizontal):
             Dock(side, {panel: each for panel, each in widgets.items() if panel.dock == side})
             for side in ("outline", "result", "bottom")
         )
+        self._outline_edge, self._result_edge = Edge(id="outline-edge"), Edge(id="result-edge")
         self.sizes = {dock.side: 0 for dock in self.docks}
         self.front = self.outline
         self._counts: Mapping[str, int] = {}
@@ -72,11 +75,11 @@ class DockLayout(Horizontal):
         for dock in self._places():
             dock.fill()
         yield self.outline
-        yield Edge(id="outline-edge")
+        yield self._outline_edge
         with Vertical(id="center"):
             yield self._editor
             yield self.bottom
-        yield Edge(id="result-edge")
+        yield self._result_edge
         yield self.result
 
     def _restore(self) -> None:
@@ -88,7 +91,7 @@ class DockLayout(Horizontal):
         self._hides_panels = "all" in remembered.hidden
         for dock in self.docks:
             tab = remembered.tabs.get(dock.side, "")
-            if dock.holds(tab):
+            if any(panel.name == tab and panel.is_kept for panel in dock.panels):
                 dock.show(tab)
             if remembered.tabs.get("front") == dock.side:
                 self.front = dock
@@ -108,6 +111,11 @@ class DockLayout(Horizontal):
         """How the window is divided: `wide`, `medium` or `narrow`."""
         width = self.app.size.width
         return "wide" if width >= WIDE else "medium" if width >= MEDIUM else "narrow"
+
+    @property
+    def is_framed(self) -> bool:
+        """Whether there is room for frames; else there is only the line with the tabs."""
+        return self.shape != "narrow" and self.app.size.height >= FRAMED
 
     def _places(self) -> dict[Dock, str]:
         """Return where each dock that is in sight is: `left`, `right` or `below`."""
@@ -140,8 +148,12 @@ class DockLayout(Horizontal):
             if dock in places:
                 dock.fill()
                 self._place(dock, places[dock])
-        self.query_one("#outline-edge", Edge).display = places.get(self.outline) == "left"
-        self.query_one("#result-edge", Edge).display = places.get(self.result) == "right"
+        is_framed = self.is_framed
+        self._outline_edge.display = places.get(self.outline) == "left"
+        self._outline_edge.ends = ("╮", "╯") if is_framed else ("│", "│")
+        self._result_edge.display = places.get(self.result) == "right"
+        self._result_edge.ends = ("╭", "╰") if is_framed else ("│", "│")
+        self._editor.set_class(is_framed, "-framed")
         self._editor.display = zoomed is None
         self.query_one("#center").display = zoomed in (None, self.bottom)
         self._show_tabs()
@@ -151,6 +163,8 @@ class DockLayout(Horizontal):
         width, height = self.app.size
         dock.styles.dock = "none"
         dock.set_class(place in ("below", "all"), "-below")
+        dock.frame(left=self.is_framed and place != "right",
+                   right=self.is_framed and place != "left")  # fmt: skip
         if place == "all":
             dock.styles.width, dock.styles.height = "1fr", "1fr"
         elif place == "below":
@@ -160,7 +174,7 @@ class DockLayout(Horizontal):
             dock.styles.height = min(rows, most)
             dock.styles.dock = "none" if dock is self.bottom else "bottom"
         else:
-            usual = _OUTLINE_COLUMNS if dock is self.outline else max(40, width - 36 - TEXT)
+            usual = _OUTLINE_COLUMNS if dock is self.outline else max(40, width - 38 - TEXT)
             columns = self.sizes[dock.side] or usual
             dock.styles.width = max(_LEAST, min(columns, width - _EDITOR_COLUMNS))
             dock.styles.height = "100%"
@@ -168,7 +182,7 @@ class DockLayout(Horizontal):
     def _usual_rows(self, dock: Dock) -> int:
         height = self.app.size.height
         if self.shape == "wide" and dock is self.bottom:
-            return max(5, height // 6)
+            return max(5 + self.is_framed, height // 6)
         return max(6, height * 2 // 5)
 
     # Tabs.
@@ -199,6 +213,13 @@ class DockLayout(Horizontal):
         dock = self.dock_of(name)
         return bool(dock.display) and dock.active == name
 
+    def reveal(self, name: str) -> None:
+        """Bring a panel in sight; the editor keeps the focus if it has it and there is room."""
+        self._hides_panels = False
+        self.bring(name, focus=self.focused_dock is not None)
+        if not self.is_in_sight(name):
+            self.bring(name, focus=True)
+
     def bring(self, name: str, *, focus: bool = False) -> None:
         """Bring a panel in sight."""
         dock = self.dock_of(name)
@@ -218,6 +239,13 @@ class DockLayout(Horizontal):
         dock, self._entering = self._entering, None
         if dock is not None and self.focused_dock is not dock:
             dock.focus_panel()
+
+    @on(events.DescendantFocus)
+    @on(events.DescendantBlur)
+    def _light_edges(self) -> None:
+        """Let the edges have the colour of the frames that they are sides of."""
+        self._outline_edge.set_class(self.outline.has_focus_within, "-focused")
+        self._result_edge.set_class(self.result.has_focus_within, "-focused")
 
     @on(TabStrip.Picked)
     @on(Dock.Turned)

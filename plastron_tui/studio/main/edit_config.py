@@ -20,7 +20,9 @@ def edit_config(screen: Screen[None]) -> None:
     if problem is not None:
         screen.notify(problem, severity="error", markup=False)
         return
-    screen.notify(f"{file}\nit counts from the next start on", timeout=8, markup=False)
+    screen.notify(
+        f"{file}\nsettings count from the next start of the studio on", timeout=8, markup=False
+    )
     command = external_editor(os.environ)
     if command is None:
         return

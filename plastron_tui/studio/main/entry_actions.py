@@ -43,7 +43,7 @@ class EntryActions:
         """Return what the text means; say so when that is not known yet."""
         analysis = self._program.analysis
         if analysis is None:
-            self._say("the panels are not up to date yet; press it again")
+            self._say("the panels are not up to date yet: press the key again")
         return analysis
 
     def _say(self, text: str, seconds: float = 2) -> None:
@@ -124,4 +124,4 @@ class EntryActions:
                 self._program.editor.apply(found.fix.edits)
                 self._say(found.fix.title)
                 return
-        self._say("nothing on this line has a remedy that can be applied", 3)
+        self._say("no problem on this line has a fix", 3)

@@ -114,9 +114,9 @@ class FileActions:
         if await self.may_leave():
             self.take_file(path)
 
-    async def offer(self, kept: Kept) -> None:
+    async def offer(self, kept: Kept, *, is_asked_for: bool = False) -> None:
         """Offer a text that was not saved before the studio ended, and open it."""
-        if not await self._recovery.is_wanted(kept):
+        if not await self._recovery.is_wanted(kept, is_asked_for=is_asked_for):
             return
         if self._program.open.is_changed and not await self.may_leave():
             return
@@ -139,7 +139,7 @@ class FileActions:
         welcome = Welcome(self._profile.remembered.recent, kept)
         match await self._screen.app.push_screen_wait(welcome):
             case ("kept", str(number)):
-                await self.offer(kept[int(number)])
+                await self.offer(kept[int(number)], is_asked_for=True)
             case ("open", str(path)):
                 await self.open_path(Path(path))
             case ("recipe", str(path)):

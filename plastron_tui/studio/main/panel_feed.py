@@ -8,12 +8,17 @@ from typing import TYPE_CHECKING
 from textual.screen import Screen
 from textual.widget import Widget
 
+from plastron_tui.diagnostics import Diagnostic
+
 from ..analysis_worker import AnalysisWorker
 from ..delay import Delay
+from ..panels.entry import Entries
 from ..panels.panel import Panel, ProgramView, Request
+from ..panels.problems import PROBLEMS, without
 from ..panels.robot_panel import ROBOTS
 from .active_program import ActiveProgram
 from .dock_layout import DockLayout
+from .held_back import HeldBack
 
 if TYPE_CHECKING:
     from ..analysis import Analysis
@@ -52,6 +57,8 @@ class PanelFeed:
         }
         self._pause = Delay(screen, self.ask_anew)
         self._asked: tuple[Request, ...] | None = None
+        self.held_back = HeldBack(screen, program.editor, self._show_known)
+        self._unheld: tuple[Entries, frozenset[Diagnostic], Entries] | None = None
 
     def start(self) -> None:
         """Ask for the first time, now that there is something to see."""
@@ -100,11 +107,34 @@ class PanelFeed:
         if _has_first_robot(before, analysis) and self._layout.focused_dock is None:
             self._layout.bring(ROBOTS.name)
         if is_new:
-            meaning = (analysis.program, analysis.workspace)
-            self._program.editor.set_diagnostics(analysis.diagnostics, meaning)
-            self._layout.show_counts(analysis.counts)
+            self._show_diagnostics(analysis)
         self.refresh()
         return is_new
+
+    def _show_diagnostics(self, analysis: Analysis) -> None:
+        """Show what is wrong, but for what is held back."""
+        held = self.held_back.of(analysis.diagnostics)
+        shown = [each for each in analysis.diagnostics if each not in held]
+        meaning = (analysis.program, analysis.workspace)
+        self._program.editor.set_diagnostics(shown, meaning)
+        self._layout.show_counts({**analysis.counts, PROBLEMS.name: len(shown)})
+
+    def _show_known(self) -> None:
+        """Show all that is wrong, if that is known."""
+        analysis = self._program.analysis
+        if analysis is not None:
+            self._show_diagnostics(analysis)
+            self.refresh()
+
+    def edited(self) -> None:
+        """Ask what the text means, as soon as no key comes; hold back what is half written."""
+        self.held_back.edited()
+        self.ask_soon()
+
+    def moved(self) -> None:
+        """Let the panels follow the cursor."""
+        self.held_back.moved()
+        self.refresh()
 
     def refresh(self) -> None:
         """Show what is known in the panels in sight, and ask for the rest."""
@@ -118,12 +148,26 @@ class PanelFeed:
             if is_in_sight or panel.is_alarm:
                 request = Request(panel.name, view.request(analysis, offset))
                 if request.what is None or request in analysis.made:
-                    view.show(analysis.made.get(request))
+                    made = analysis.made.get(request)
+                    if panel is PROBLEMS and isinstance(made, Entries):
+                        made = self._without_held(analysis, made)
+                    view.show(made)
             if is_in_sight:
                 view.follow(offset)
 
+    def _without_held(self, analysis: Analysis, entries: Entries) -> Entries:
+        """Return the problems without those that are held back; the same again for the same."""
+        held = self.held_back.of(analysis.diagnostics)
+        if not held:
+            return entries
+        known = self._unheld
+        if known is None or known[0] is not entries or known[1] != held:
+            known = self._unheld = (entries, held, without(entries, held))
+        return known[2]
+
     def clear(self) -> None:
         """Show nothing, because another program is there."""
+        self.held_back.clear()
         for view in self._views.values():
             view.show(None)
         self._layout.show_counts({})

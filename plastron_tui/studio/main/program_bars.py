@@ -2,21 +2,84 @@
 
 from __future__ import annotations
 
+from typing import NamedTuple
+
+from rich.cells import cell_len
+
 from ..open_program import Open
 from ..panels.bars import Bar, help_pieces
+
+Pieces = tuple[tuple[str, str], ...]
+
+
+class Title(NamedTuple):
+    """What the line above everything says.
+
+    Attributes:
+        name: the program's name.
+        is_changed: whether it is not saved.
+        folder: the folder that it is in, "" for a new program.
+        ros: the client library of nodes that name none, and the ROS that it is for.
+        library: that library alone.
+        stop_key: the key that stops the nodes, None where none run.
+    """
+
+    name: str
+    is_changed: bool
+    folder: str
+    ros: str
+    library: str
+    stop_key: str | None
+
+    def pieces(self, width: int) -> tuple[Pieces, Pieces]:
+        """Return the left and the right side: what matters less goes first where room is short."""
+        sides = [self._sides(*each) for each in _TITLES]
+        return next((each for each in sides if _cells(each) <= width), sides[-1])
+
+    def _sides(self, brand: str, folder: bool, stops: bool, is_full: bool) -> tuple[Pieces, Pieces]:
+        sign = " ● " if self.is_changed else "   "
+        left = ((brand, "quiet"), (self.name, "strong"), (sign, "here"))
+        running = "" if self.stop_key is None else "running  "
+        if running and stops and self.stop_key:
+            running = f"running: {self.stop_key} stops  "
+        shown_folder = f"{self.folder}/  " if folder and self.folder else ""
+        ros = self.ros if is_full else self.library
+        return left, ((running, "here"), (shown_folder, "quiet"), (ros, "quiet"))
+
+
+_TITLES = (
+    ("plastron ", True, True, True),
+    ("", True, True, True),
+    ("", False, True, True),
+    ("", False, False, True),
+    ("", False, False, False),
+)
+"""How the title is written, the roomiest first: brand, folder, how to stop, the ROS in full."""
+
+
+def _cells(sides: tuple[Pieces, Pieces]) -> int:
+    """Return the cells of both sides, with one at each end."""
+    return 2 + sum(cell_len(text) for side in sides for text, _ in side)
 
 
 class TitleBar(Bar):
     """The program's name, and what is the case with it."""
 
+    _title: Title | None = None
+
     def show_program(self, open_: Open, stop_key: str | None) -> None:
         """Show a program, whether it is saved, and where nodes run the key that stops them."""
-        sign = "●" if open_.is_changed else " "
-        left = (("plastron ", "quiet"), (open_.name, "strong"), (f" {sign} ", "here"))
-        folder = "" if open_.path is None else f"{open_.path.absolute().parent.name}/  "
-        setting = (f"{folder}{open_.session.library}", "quiet")
-        running = () if stop_key is None else ((f"running: {stop_key} stops  ", "here"),)
-        self.show(left, (*running, setting))
+        ros = open_.session.ros
+        folder = "" if open_.path is None else open_.path.absolute().parent.name
+        self._title = Title(
+            open_.name, open_.is_changed, folder, ros.words, ros.library, stop_key
+        )  # fmt: skip
+        self.on_resize()
+
+    def on_resize(self) -> None:
+        """Say as much as there is room for."""
+        if self._title is not None:
+            self.show(*self._title.pieces(self.app.size.width))
 
 
 class StatusBar(Bar):

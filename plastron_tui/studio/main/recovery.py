@@ -87,8 +87,13 @@ class Recovery:
         own = self._program.open.journal.file
         return [each for each in kept_texts(self._journals) if each.file != own]
 
-    async def is_wanted(self, kept: Kept) -> bool:
-        """Ask whether a text that was not saved is to be opened; forget it where it is not."""
+    async def is_wanted(self, kept: Kept, *, is_asked_for: bool) -> bool:
+        """Ask whether a text that was not saved is to be opened; forget it where it is not.
+
+        Args:
+            kept: the text.
+            is_asked_for: whether somebody chose it, so that the question comes as no surprise.
+        """
         from datetime import datetime
 
         from ..screens.question import Question
@@ -106,6 +111,7 @@ class Recovery:
                 [("restore", "Restore"), ("later", "Later"), ("drop", "Forget it")],
                 text=_sentence(kept, when),
                 lines=difference(before, kept.text),
+                is_unasked=not is_asked_for,
             )
         )
         if answer == "drop":

@@ -11,7 +11,7 @@ from textual.binding import Binding, BindingType
 from textual.geometry import Region
 from textual.screen import Screen
 
-from ..actions import ACTIONS, BY_ID, bindings
+from ..actions import ACTIONS, BY_ID, KEPT, bindings
 from ..analysis_worker import Analysed, AnalysisFailed
 from ..config import Profile
 from ..editor import ProgramEditor
@@ -20,7 +20,9 @@ from ..journal import Kept
 from ..open_program import Open
 from ..panels.dock import Dock
 from ..panels.entry_keys import Asked, Chosen, Lit
+from ..panels.entry_list import EntryList
 from ..panels.key_bar import KeyBar
+from ..panels.live_panel import LivePanel
 from ..panels.output import OutputPanel
 from ..panels.panel import Resized
 from ..panels.registry import PANELS
@@ -58,6 +60,7 @@ class MainScreen(Screen[None]):
         self.profile = profile
         self.program = ActiveProgram(open_)
         self._title, self._status = TitleBar(id="title"), StatusBar(id="status")
+        self._keys = KeyBar(KEPT)
         widgets = {panel: panel.widget(id=panel.name) for panel in PANELS}
         self.panels = {panel.name: widget for panel, widget in widgets.items()}
         self.dock_layout = DockLayout(
@@ -72,11 +75,13 @@ class MainScreen(Screen[None]):
             self, self.program, self.files, self.recovery, self.feed.ask_anew, self.show_title
         )
         self._trust = TrustPrompt(self, self.program, self.key_of)
-        output = self.panels["output"]
-        assert isinstance(output, OutputPanel)
+        output, nodes, live = self.panels["output"], self.panels["nodes"], self.panels["live"]
+        assert isinstance(output, OutputPanel) and isinstance(nodes, EntryList)
+        assert isinstance(live, LivePanel)
         self.runner = RunActions(
-            self, self.program, self.files, self.dock_layout, output, self._trust, self.show_title
-        )
+            self, self.program, self.files, self.dock_layout, output, nodes, self._trust, live,
+            self.show_title,
+        )  # fmt: skip
         self._entries = EntryActions(self, self.program)
         self._wizard = WizardHost(self, self.program)
 
@@ -95,7 +100,7 @@ class MainScreen(Screen[None]):
         yield self._title
         yield self.dock_layout
         yield self._status
-        yield KeyBar()
+        yield self._keys
 
     def on_mount(self) -> None:
         """Start the worker, and look at the files from time to time."""
@@ -121,7 +126,7 @@ class MainScreen(Screen[None]):
 
     def on_resize(self) -> None:
         """Lay the panels out for another size."""
-        self.query_one(KeyBar).display = self.app.size.height >= _LEAST_ROWS
+        self._keys.display = self.app.size.height >= _LEAST_ROWS
         self.dock_layout.lay_out()
 
     def look_at_disk(self) -> None:
@@ -133,7 +138,7 @@ class MainScreen(Screen[None]):
     @on(ProgramEditor.Changed)
     def text_changed(self) -> None:
         """Find out what the text means; keep it in the journal."""
-        self.feed.ask_soon()
+        self.feed.edited()
         self.recovery.keep_soon()
         self.show_title()
 
@@ -141,13 +146,14 @@ class MainScreen(Screen[None]):
     def cursor_moved(self) -> None:
         """Let the panels follow."""
         self.show_status()
-        self.feed.refresh()
+        self.feed.moved()
 
     @on(Analysed)
     def analysed(self, message: Analysed) -> None:
         """Show what the text means, if it is still that text."""
         if self.feed.take(message.analysis):
             self.show_title()
+            self.runner.known(message.analysis.diagnostics)
             self._trust.tell_what_waits(message.analysis)
 
     @on(AnalysisFailed)
@@ -198,7 +204,9 @@ class MainScreen(Screen[None]):
 
     def show_title(self) -> None:
         """Show the program's name, whether it is saved, and what is the case with it."""
-        self._title.show_program(self.open, self.key_of("run") if self.runner.is_running else None)
+        is_running = self.runner.is_running
+        self._title.show_program(self.open, self.key_of("run") if is_running else None)
+        self._keys.retitle({"run": "Stop"} if is_running else {})
 
     def show_status(self) -> None:
         """Show the sentence of the statement at the cursor, and where the cursor is."""
@@ -334,10 +342,15 @@ class MainScreen(Screen[None]):
         action = await self.app.push_screen_wait(ActionMenu(remembered.actions, self.key_of))
         if action is not None:
             remembered.did(action.id)
-            await self.app.run_action(action.call, self)
+            await self.app.run_action(action.chosen or action.call, self)
 
-    def action_help(self) -> None:
-        """Show help for what has the focus."""
+    def action_help(self, of_word: bool = True) -> None:
+        """Say what the word at the cursor means; asked again, help for what has the focus."""
+        hover = self.editor.hover
+        is_first = of_word and self.focused is self.editor.view and not hover.is_asked
+        if is_first and hover.show_at_cursor(f"{self.key_of('help')} again: help for all"):
+            return
+        hover.close()
         from ..screens.help import Help, action_lines
 
         around = [] if self.focused is None else self.focused.ancestors_with_self

@@ -11,8 +11,9 @@ from rich.style import Style
 from textual import events
 from textual.app import ComposeResult
 from textual.binding import Binding, BindingType
-from textual.containers import Vertical
+from textual.containers import Container, Vertical
 from textual.message import Message
+from textual.reactive import reactive
 from textual.strip import Strip
 from textual.widget import Widget
 
@@ -39,7 +40,11 @@ class TabStrip(Toned):
         "tab-strip--active",
         "tab-strip--count",
         "tab-strip--alarm",
+        "tab-strip--rule",
     }
+
+    corners: reactive[tuple[str, str]] = reactive(("", ""))
+    """What the line begins and ends with, where it is the upper side of a frame."""
 
     class Picked(Message):
         """A tab was clicked."""
@@ -74,14 +79,17 @@ class TabStrip(Toned):
 
     def render_line(self, y: int) -> Strip:
         """Draw the line: as many tabs as fit, the active one always."""
-        base, width = self.rich_style, self.size.width
+        base = self.rich_style
+        before, behind = self.corners
+        width = max(0, self.size.width - len(before) - len(behind))
         tabs = self._fitting(width)
         sizes = [cell_len(text) + cell_len(count) for _, text, count in tabs]
         at = next((at for at, (panel, _, _) in enumerate(tabs) if panel.name == self.active), 0)
         first = 0
         while first < at and sum(sizes[first : at + 1]) > width:
             first += 1
-        segments, x = [], 0
+        rule = base + self.tone("rule", "tab-strip")
+        segments, x = [Segment(before, rule)], 0
         self._places = []
         for (panel, text, count), size in list(zip(tabs, sizes, strict=True))[first:]:
             is_active = panel.name == self.active
@@ -89,9 +97,10 @@ class TabStrip(Toned):
             kind = "alarm" if panel.is_alarm else "count"
             segments.append(Segment(text, style))
             segments.append(Segment(count, style + self.tone(kind, "tab-strip")))
-            self._places.append((x, x + size, panel.name))
+            self._places.append((len(before) + x, len(before) + x + size, panel.name))
             x += size
-        return Strip(segments).adjust_cell_length(width, base)
+        tabs_strip = Strip(segments).crop(0, len(before) + width)
+        return Strip([*tabs_strip, Segment("─" * max(0, width - x) + behind, rule)])
 
     def _fitting(self, width: int) -> list[tuple[Panel, str, str]]:
         """Return the tabs, their text and count: with all counts and some room if that fits."""
@@ -135,7 +144,10 @@ class TabStrip(Toned):
 
 
 class Edge(Widget):
-    """The line between a dock and the editor, to drag."""
+    """The line between a dock and the editor, to drag; where there are frames, a side of one."""
+
+    ends: reactive[tuple[str, str]] = reactive(("│", "│"))
+    """What it has at its top and at its bottom."""
 
     class Dragged(Message):
         """The edge was dragged to a column of the screen."""
@@ -147,7 +159,9 @@ class Edge(Widget):
 
     def render_line(self, y: int) -> Strip:
         """Draw a piece of the line."""
-        return Strip([Segment("│", self.rich_style)])
+        top, bottom = self.ends
+        piece = top if y == 0 else bottom if y == self.size.height - 1 else "│"
+        return Strip([Segment(piece, self.rich_style)])
 
     def on_mouse_down(self, event: events.MouseDown) -> None:
         """Begin to drag."""
@@ -196,6 +210,7 @@ class Dock(Vertical):
         self._widgets = {panel.name: widget for panel, widget in widgets.items()}
         self.panels = tuple(widgets)
         self.strip = TabStrip()
+        self._body = Container(classes="dock-body")
         self.active = self.panels[0].name
         self.is_filled = False
 
@@ -203,14 +218,25 @@ class Dock(Vertical):
         """Make the strip, and the panel in sight; all others are made when they are shown."""
         if self.is_filled:
             yield self.strip
-            yield self.panel
+            with self._body:
+                yield self.panel
 
     def fill(self) -> None:
         """Make what a dock needs that comes in sight."""
         if not self.is_filled:
             self.is_filled = True
             if self.is_mounted:
-                self.mount(self.strip, self.panel)
+                self.mount(self.strip, self._body)
+                self._body.mount(self.panel)
+
+    def frame(self, *, left: bool, right: bool) -> None:
+        """Draw the sides of a frame around the panel, with its tabs as the title; False for none.
+
+        Where only one side is asked for, an `Edge` is the other one.
+        """
+        self._body.set_class(left, "-left")
+        self._body.set_class(right, "-right")
+        self.strip.corners = ("╭─" if left else "─" if right else "", "╮" if right else "")
 
     def holds(self, name: str) -> bool:
         """Tell whether a panel is in it."""
@@ -222,7 +248,7 @@ class Dock(Vertical):
         for other, widget in self._widgets.items():
             widget.display = other == name
         if self.is_mounted and self.is_filled and not self.panel.is_attached:
-            self.mount(self.panel)
+            self._body.mount(self.panel)
 
     @property
     def panel(self) -> Widget:

@@ -77,11 +77,11 @@ class Acting(Pointing):
     """Offers what can be done about the entry under its cursor: each becomes a statement."""
 
     BINDINGS: ClassVar[list[BindingType]] = [
-        _asking("end", "delete,d", "Stop it",
+        _asking("end", "delete,d", "End it",
                 "Write the statement that ends it: unsubscribe, stop_publishing, …"),
         _asking("rename", "f2,r", "Rename", "Give it another name, everywhere"),
         _asking("generate", "g", "Generate", "Write the statement that writes it to its files"),
-        _asking("fix", "f,alt+enter", "Mend", "Apply the remedy"),
+        _asking("fix", "f,alt+enter", "Mend", "Do what its help says"),
     ]  # fmt: skip
 
     def check_action(self, action: str, parameters: tuple[object, ...]) -> bool | None:

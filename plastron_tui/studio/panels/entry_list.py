@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from typing import ClassVar
 
 from rich.cells import cell_len, set_cell_size
@@ -43,6 +44,8 @@ class EntryList(Pointing, Toned, ScrollView, can_focus=True):
         self._shown: list[Entry] = []
         self._rows: dict[str, int] = {}
         self._here: str | None = None
+        self.remarks: Mapping[str, str] = {}
+        """What is wrong with entries at the left, by their text, besides their warnings."""
 
     @property
     def current(self) -> Entry | None:
@@ -73,6 +76,12 @@ class EntryList(Pointing, Toned, ScrollView, can_focus=True):
             self._reveal(row)
         self.refresh()
         return entry
+
+    def remark(self, remarks: Mapping[str, str]) -> None:
+        """Show other remarks."""
+        if remarks != self.remarks:
+            self.remarks = remarks
+            self.refresh()
 
     def _lay_out(self) -> None:
         shown: list[Entry] = []
@@ -163,8 +172,9 @@ class EntryList(Pointing, Toned, ScrollView, can_focus=True):
         parts = [(indent, ""), (f"{entry.sign} " if entry.sign else "", entry.tone)]
         parts.append((entry.text + fold, "strong" if entry.depth == 0 else ""))
         room = width - sum(cell_len(text) for text, _ in parts) - 1
-        sign = " ⚑" if entry.edits else " ⚠" if entry.warning else ""
-        warning = f"{sign} {entry.warning}" if sign else ""
+        said = (self.remarks.get(entry.text) if entry.depth == 0 else None) or entry.warning
+        sign = " ⚑" if entry.edits else " ⚠" if said else ""
+        warning = f"{sign} {said}" if sign else ""
         if cell_len(warning) > room:
             warning = sign
             if cell_len(sign) > room:

@@ -13,7 +13,7 @@ from textual.geometry import Size as Extent
 from textual.scroll_view import ScrollView
 from textual.strip import Strip
 
-from .drawing import DETAILS, Place
+from .drawing import DETAILS
 from .entry import Entry
 from .entry_keys import Acting
 from .panel import Panel, Resized
@@ -21,10 +21,12 @@ from .picture import Fitted, Picture, Size, picture_of
 from .styles import COMPONENTS, Lines, Toned
 
 if TYPE_CHECKING:
+    from plastron_tui.output.graphs.wiring import Place
+
     from ..analysis import Analysis
 
 _EMPTY = Fitted((), 0, {}, 0)
-_SMALL = 40
+_SMALL = 16
 """So many boxes are drawn within a few milliseconds."""
 
 
@@ -273,7 +275,8 @@ GRAPH = Panel(
     summary="Nodes, topics, services and actions as boxes and arrows.",
     about=(
         "Nodes are boxes with corners, topics, services and actions have round ones. The arrows go "
-        "from who speaks to who listens. Arrow keys scroll, Ctrl-T enlarges."
+        "from who speaks to who listens; a line that is broken at another one passes below it. "
+        "Arrow keys go from box to box, Ctrl-T enlarges."
     ),
     widget=GraphPanel,
     make=_picture,

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from typing import ClassVar
+from collections.abc import Container, Mapping, Sequence
+from typing import ClassVar, NamedTuple
 
 from rich.cells import cell_len
 from rich.segment import Segment
@@ -13,32 +14,85 @@ from textual.strip import Strip
 
 from .styles import Toned
 
+_GAP = 2
+"""The cells between two keys."""
+
+
+class Key(NamedTuple):
+    """A key of the line: what it is called, what it does, as Textual writes it, and its id."""
+
+    name: str
+    title: str
+    key: str
+    id: str
+
+    @property
+    def width(self) -> int:
+        """The cells that it takes, without the gap behind it."""
+        return cell_len(self.name) + 1 + cell_len(self.title)
+
+
+def fitting(keys: Sequence[Key], kept: Container[str], width: int) -> list[Key]:
+    """Return the keys that fit, in their order: those that are `kept` before any other.
+
+    Args:
+        keys: the keys, by importance.
+        kept: the ids of those that are to be there however narrow the line is.
+        width: its cells.
+    """
+    room = width - 1 + _GAP
+    chosen = set()
+    for is_kept in (True, False):
+        for at, key in enumerate(keys):
+            if (key.id in kept) is is_kept and key.width + _GAP <= room:
+                chosen.add(at)
+                room -= key.width + _GAP
+    return [key for at, key in enumerate(keys) if at in chosen]
+
 
 class KeyBar(Toned):
     """Shows the bindings of what has the focus, and does what is clicked."""
 
     COMPONENT_CLASSES: ClassVar[set[str]] = {"key-bar--key"}
 
-    def __init__(self) -> None:
+    def __init__(self, kept: Container[str] = frozenset()) -> None:
+        """Make the line.
+
+        Args:
+            kept: the ids of bindings that are to be there however narrow the line is.
+        """
         super().__init__()
-        self._shown: tuple[tuple[str, str, str], ...] = ()
+        self._kept = kept
+        self._shown: tuple[Key, ...] = ()
+        self._titles: Mapping[str, str] = {}
         self._places: list[tuple[int, int, str]] = []
 
     def on_mount(self) -> None:
         """Follow the focus."""
         self.screen.bindings_updated_signal.subscribe(self, self._update)
 
+    def retitle(self, titles: Mapping[str, str]) -> None:
+        """Call bindings, by their ids, otherwise than they are declared for now."""
+        if titles != self._titles:
+            self._titles = titles
+            self._update(self.screen)
+
     def _update(self, screen: Screen[object]) -> None:
         if not self.is_attached or screen is not self.screen or not screen.is_current:
             return
-        shown: dict[str, tuple[Binding, str]] = {}
+        shown: dict[str, Binding] = {}
         for active in screen.active_bindings.values():
             binding = active.binding
             if binding.show and active.enabled:
-                shown.setdefault(binding.action, (binding, binding.key))
+                shown.setdefault(binding.action, binding)
         keys = tuple(
-            (self.app.get_key_display(binding), binding.description, key)
-            for binding, key in shown.values()
+            Key(
+                self.app.get_key_display(each),
+                self._titles.get(each.id or "", each.description),
+                each.key,
+                each.id or "",
+            )
+            for each in shown.values()
         )
         if keys != self._shown:
             self._shown = keys
@@ -47,7 +101,11 @@ class KeyBar(Toned):
     @property
     def text(self) -> str:
         """What the line says."""
-        return "  ".join(f"{key} {title}" for key, title, _ in self._shown)
+        return "  ".join(f"{each.name} {each.title}" for each in self._fitting)
+
+    @property
+    def _fitting(self) -> list[Key]:
+        return fitting(self._shown, self._kept, self.size.width)
 
     def render_line(self, y: int) -> Strip:
         """Draw the line: as many keys as fit."""
@@ -55,14 +113,11 @@ class KeyBar(Toned):
         segments = [Segment(" ", base)]
         x = 1
         self._places = []
-        for key, title, name in self._shown:
-            size = cell_len(key) + cell_len(title) + 3
-            if x + size - 2 > width:
-                break
-            segments.append(Segment(key, base + self.tone("key", "key-bar")))
-            segments.append(Segment(f" {title}  ", base))
-            self._places.append((x, x + size - 2, name))
-            x += size
+        for each in self._fitting:
+            segments.append(Segment(each.name, base + self.tone("key", "key-bar")))
+            segments.append(Segment(f" {each.title}{' ' * _GAP}", base))
+            self._places.append((x, x + each.width, each.key))
+            x += each.width + _GAP
         return Strip(segments).adjust_cell_length(width, base)
 
     def on_click(self, event: events.Click) -> None:

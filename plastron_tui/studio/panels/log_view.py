@@ -22,6 +22,8 @@ class LogView(TextView):
 
     _rows: Lines = ()
     _room = (0, 0)
+    _heights: tuple[int, ...] = ()
+    """How many rows each line takes; empty as long as nobody knows."""
 
     @property
     def rows(self) -> Lines:
@@ -41,8 +43,41 @@ class LogView(TextView):
         width, height = self.outer_size
         self._room = width, height
         if width > 1:
-            self._rows = tuple(row for line in self.lines for row in wrapped(line, width - 1))
+            broken = [wrapped(line, width - 1) for line in self.lines]
+            self._heights = tuple(map(len, broken))
+            self._rows = tuple(row for rows in broken for row in rows)
             self.virtual_size = Size(width - 1, len(self._rows))
+
+    def splice(self, dropped: int, start: int, lines: Lines) -> None:
+        """Replace the lines from one on, and drop the first ones.
+
+        Only the new ones are broken into rows. Who sees the last one still does, and who reads
+        further up still sees the same.
+
+        Args:
+            dropped: how many of the first lines go.
+            start: from which line on, as they are counted before, others come.
+            lines: those others.
+        """
+        was_at_end = self.is_vertical_scroll_end
+        width = self._room[0]
+        kept = self.lines[dropped:start]
+        if width <= 1 or len(self._heights) != len(self.lines):
+            self.show((*kept, *lines), follow=True)
+            return
+        above = sum(self._heights[:dropped])
+        below = above + sum(self._heights[dropped:start])
+        broken = [wrapped(line, width - 1) for line in lines]
+        self.lines = (*kept, *lines)
+        self._heights = (*self._heights[dropped:start], *map(len, broken))
+        self._rows = (*self._rows[above:below], *(row for rows in broken for row in rows))
+        self.virtual_size = Size(width - 1, len(self._rows))
+        if was_at_end:
+            self.scroll_end(animate=False, force=True)
+        elif above:
+            top = max(0, self.scroll_offset.y - above)
+            self.scroll_to(y=top, animate=False, force=True, immediate=True)
+        self.refresh()
 
 
 @lru_cache(maxsize=10_000)

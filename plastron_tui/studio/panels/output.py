@@ -2,41 +2,144 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
+from typing import TYPE_CHECKING, ClassVar
 
-from plastron_tui.diagnostics.terminal import visible
+from textual import on
+from textual.app import ComposeResult
+from textual.binding import Binding, BindingType
+from textual.containers import Horizontal, Vertical
+from textual.widgets import Input, Label
 
 from .log_view import LogView
+from .output_log import Change, OutputLog, Record, printed_record
 from .panel import Panel
-from .styles import Line, Piece
+from .styles import Lines
 
-_MOST_LINES = 5000
+if TYPE_CHECKING:
+    from typing_extensions import Self
 
 
-class OutputPanel(LogView):
+class FilterBar(Horizontal):
+    """The line below the output in which words are typed that lines have to have."""
+
+    BINDINGS: ClassVar[list[BindingType]] = [
+        Binding("escape", "close", "Show all", id="output.show_all"),
+        Binding("enter,down,up", "keep", "Back to the lines", id="output.keep_filter"),
+    ]
+
+    def __init__(self, leave: Callable[[], object]) -> None:
+        """Make the line; `leave` gives the focus back to the lines."""
+        super().__init__(id="output-filter")
+        self._leave = leave
+        self.field = Input(id="output-words", compact=True, placeholder="a node, or words")
+        self._count = Label("", id="output-count")
+
+    def compose(self) -> ComposeResult:
+        """Make the field, and what it found."""
+        yield Label("filter")
+        yield self.field
+        yield self._count
+
+    def say(self, shown: int, there: int) -> None:
+        """Say how many lines are shown of how many."""
+        self._count.update(f"{shown:,} of {there:,}")
+
+    def action_close(self) -> None:
+        """Show all lines again."""
+        self.field.value = ""
+        self.display = False
+        self.action_keep()
+
+    def action_keep(self) -> None:
+        """Go back to the lines."""
+        self._leave()
+
+
+class OutputPanel(Vertical):
     """Lines as they are printed, of which the last ones are kept."""
+
+    BINDINGS: ClassVar[list[BindingType]] = [
+        Binding("slash", "filter", "Filter", id="output.filter",
+                tooltip="Show only the lines with certain words in them"),
+    ]  # fmt: skip
+
+    def __init__(self, *, id: str | None = None) -> None:  # noqa: A002 - Textual's word
+        super().__init__(id=id)
+        self.view = LogView(id="output-lines")
+        self._bar: FilterBar | None = None
+        self._log = OutputLog()
+        self._words: tuple[str, ...] = ()
+
+    def compose(self) -> ComposeResult:
+        """Make the lines; the filter is made when somebody asks for it."""
+        yield self.view
+
+    @property
+    def text(self) -> str:
+        """What is shown, without its colours."""
+        return self.view.text
+
+    @property
+    def lines(self) -> Lines:
+        """The lines that are shown."""
+        return self.view.lines
+
+    def focus(self, scroll_visible: bool = True) -> Self:
+        """Give the lines the focus."""
+        self.view.focus(scroll_visible)
+        return self
 
     def begin(self, title: str) -> None:
         """Show what is started, and nothing of what was printed before."""
-        self.show(((Piece(title, "quiet"),),))
+        self._log.clear()
+        self._log.add([Record("", title, "quiet")])
+        self._show_all()
 
-    def add(self, printed: Iterable[str], end: Piece | None = None) -> None:
+    def add(self, printed: Iterable[str], end: Record | None = None) -> None:
         """Show lines that were printed; `end` says how the nodes ended."""
-        lines = [*map(_coloured, printed)]
+        records = [*map(printed_record, printed)]
         if end is not None:
-            lines.append((end,))
-        self.show((*self.lines, *lines)[-_MOST_LINES:], follow=True)
+            records.append(end)
+        change = self._log.add(records)
+        if self._words:
+            self._show_all()
+        else:
+            self._show_changed(change)
 
+    def _show_changed(self, change: Change) -> None:
+        new = self._log.records[change.start - change.dropped :]
+        self.view.splice(change.dropped, change.start, tuple(map(self._log.line, new)))
 
-def _coloured(text: str) -> Line:
-    shown = visible(text.expandtabs(4))
-    lower = shown.lower()
-    if "error" in lower or "traceback" in lower:
-        return (Piece(shown, "error"),)
-    if "warn" in lower:
-        return (Piece(shown, "warning"),)
-    name, colon, rest = shown.partition(" | ")
-    return (Piece(name + colon, "primary"), Piece(rest)) if colon else (Piece(shown),)
+    def _show_all(self) -> None:
+        records = self._log.records
+        found = [record for record in records if record.matches(self._words)]
+        self.view.show(tuple(map(self._log.line, found)), follow=True)
+        if self._bar is not None:
+            self._bar.say(len(found), len(records))
+
+    async def action_filter(self) -> None:
+        """Ask for the words that lines have to have."""
+        if self._bar is None:
+            self._bar = FilterBar(self.focus)
+            await self.mount(self._bar)
+        self._bar.display = True
+        self.screen.set_focus(self._bar.field)
+        self._bar.field.select_all()
+        self._show_all()
+
+    @on(Input.Changed, "#output-words")
+    def words_changed(self, message: Input.Changed) -> None:
+        """Show the lines with these words."""
+        message.stop()
+        self._words = tuple(message.value.lower().split())
+        self._show_all()
+
+    @on(Input.Submitted, "#output-words")
+    def words_taken(self, message: Input.Submitted) -> None:
+        """Go back to the lines that were found."""
+        message.stop()
+        self.focus()
 
 
 OUTPUT = Panel(
@@ -44,7 +147,12 @@ OUTPUT = Panel(
     title="Output",
     dock="bottom",
     keys="alt+8",
-    summary="What the nodes that run print.",
-    about="What the nodes print that F5 started.",
+    summary="What the nodes print while they run.",
+    about=(
+        "What the nodes print that F5 started, each in its colour. A line that comes again is "
+        "counted: ×37. / shows only the lines with certain words; Esc in that field shows all. "
+        "Scroll up to read: the lines stay where they are until you go to the end."
+    ),
     widget=OutputPanel,
+    is_kept=False,
 )

@@ -60,6 +60,8 @@ class Panel:
         count: how much is in it, for the tab; in the worker, after each edit.
         is_alarm: whether it is about what is wrong: then it is made unseen, and the count is red.
         is_slow: whether all others are shown before it is made.
+        is_kept: whether it is in front at the next start if it was at the end: it has something
+            to show then.
     """
 
     name: str
@@ -73,3 +75,4 @@ class Panel:
     count: Callable[[Analysis], int] | None = None
     is_alarm: bool = False
     is_slow: bool = False
+    is_kept: bool = True

@@ -24,7 +24,7 @@ if TYPE_CHECKING:
 
 _STATES = {
     "create": ("will be created", "success"),
-    "identical": ("on the disk as it is", "quiet"),
+    "identical": ("is written already", "quiet"),
     "changed": ("will be changed", "warning"),
     "conflict": ("was changed by hand", "error"),
 }

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Collection, Iterator
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -16,12 +16,26 @@ if TYPE_CHECKING:
     from ..analysis import Analysis
 
 
+_EMPTY = "no problems"
+_HELP = "help "
+
+
 def _entries(analysis: Analysis, _: object) -> Entries:
     in_order = sorted(
         analysis.diagnostics, key=lambda found: (found.file is not None, found.span or (0, 0))
     )
     lines = analysis.session.lines
-    return Entries((entry for found in in_order for entry in _problem(found, lines)), "no problems")
+    return Entries((entry for found in in_order for entry in _problem(found, lines)), _EMPTY)
+
+
+def without(entries: Entries, held: Collection[Diagnostic]) -> Entries:
+    """Return the entries of problems without those of some mistakes of the program itself."""
+    keys = {(prefix + _key(each), each.span) for each in held for prefix in ("", _HELP)}
+    return Entries((each for each in entries.all if (each.key, each.span) not in keys), _EMPTY)
+
+
+def _key(found: Diagnostic) -> str:
+    return f"problem {found.code} {found.message}"
 
 
 def _problem(
@@ -34,7 +48,7 @@ def _problem(
         where += f":{index.position(found.span.start).line}" if where else ""
         where = where or f"line {index.position(found.span.start).line}"
     own = found.file is None
-    key = f"problem {found.code} {found.message}"
+    key = _key(found)
     yield Entry(
         key,
         found.message,
@@ -51,7 +65,7 @@ def _problem(
     if found.help is not None:
         span = found.span if own else None
         yield Entry(
-            f"help {key}",
+            f"{_HELP}{key}",
             found.help,
             sign="=",
             depth=1,
@@ -66,8 +80,8 @@ PROBLEMS = Panel(
     title="Problems",
     dock="bottom",
     keys="alt+7",
-    summary="All that is wrong, with what mends it.",
-    about="Everything that is wrong. Enter goes there; F applies the remedy where there is a ⚑.",
+    summary="What is wrong, and how to fix it.",
+    about="Everything that is wrong. Enter goes there; F fixes it where there is a ⚑.",
     widget=ProgramPanel,
     make=_entries,
     count=lambda analysis: len(analysis.diagnostics),

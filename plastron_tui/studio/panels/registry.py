@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from .graph_panel import GRAPH
+from .live_panel import LIVE
 from .messages import MESSAGES
 from .nodes import NODES
 from .output import OUTPUT
@@ -19,7 +20,9 @@ if TYPE_CHECKING:
     from ..analysis import Analysis
     from .panel import Request
 
-PANELS = (NODES, TOPICS, SERVICES, MESSAGES, PREVIEW, GRAPH, PACKAGES, ROBOTS, PROBLEMS, OUTPUT)
+PANELS = (
+    NODES, TOPICS, SERVICES, MESSAGES, PREVIEW, GRAPH, PACKAGES, ROBOTS, LIVE, PROBLEMS, OUTPUT,
+)  # fmt: skip
 
 BY_NAME = {panel.name: panel for panel in PANELS}
 

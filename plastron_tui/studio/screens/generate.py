@@ -38,7 +38,7 @@ class GenerateDialog(Dialog[bool]):
         Binding("escape", "close", "Close"),
         Binding("f6", "write", "Write"),
         Binding("f5", "run", "Run"),
-        Binding("d", "toggle_diff", "Look at it in another way"),
+        Binding("d", "toggle_diff", "Another view"),
     ]
     AUTO_FOCUS = "#dialog-files"
 
@@ -123,7 +123,9 @@ class GenerateDialog(Dialog[bool]):
         said = []
         if self.plan.files and all_there and not has_problem:
             how = f" To run: F5, or in a shell: plastron run {self._program()}" if may_run else ""
-            said.append(f"{'Written' if self.is_written else 'All is there'}.{how}")
+            said.append(
+                f"{'Written' if self.is_written else 'Everything is written already'}.{how}"
+            )
         elif conflicts and not has_problem:
             said.append("Files marked ! were changed by hand, and are left alone.")
         if not self.is_written and self.plan.files:

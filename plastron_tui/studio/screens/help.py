@@ -20,8 +20,9 @@ from .dialog import Dialog
 
 ABOUT = {
     "editor": ("The editor", "One statement a line. While you type, a list offers what can stand "
-               "there: Tab takes it, Esc closes it. A mistake is underlined, with its message "
-               "beside it."),
+               "there: Tab takes it, Esc closes it. F1 says what the word at the cursor means, "
+               "and so does the mouse when it rests on one. A problem is underlined, with its "
+               "message beside it."),
     **{panel.name: (panel.title, panel.about) for panel in PANELS},
 }  # fmt: skip
 """What each part is for, by its id."""

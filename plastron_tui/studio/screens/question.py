@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from time import monotonic
 from typing import ClassVar
 
-from textual import on
+from textual import events, on
 from textual.app import ComposeResult
 from textual.binding import Binding, BindingType
 from textual.containers import Horizontal, Vertical
@@ -13,12 +14,16 @@ from textual.widgets import Button, Input, Label
 
 from plastron_tui.diagnostics.terminal import visible, visible_text
 
+from ..key_order import Unasked
 from ..panels.styles import Lines
 from ..panels.text_view import TextView
 from .dialog import Dialog
 
+REST = 0.5
+"""Seconds without a key after which a letter is an answer."""
 
-class Question(Dialog[str]):
+
+class Question(Dialog[str], Unasked):
     """Asks; the result is the id of the answer, "" for none."""
 
     BINDINGS: ClassVar[list[BindingType]] = [
@@ -34,6 +39,7 @@ class Question(Dialog[str]):
         *,
         text: str = "",
         lines: Lines | None = None,
+        is_unasked: bool = False,
     ) -> None:
         """Make a question.
 
@@ -43,12 +49,16 @@ class Question(Dialog[str]):
                 letter that starts the words, pressed, gives the answer too.
             text: an explanation.
             lines: something to look at, a diff say.
+            is_unasked: whether it comes by itself, while somebody may be typing.
         """
         super().__init__()
         self._title = title
         self._answers = list(answers)
         self._text = text
         self._lines = lines
+        self._is_unasked = is_unasked
+        self._last_key = 0.0
+        self._is_seen = False
 
     def compose(self) -> ComposeResult:
         """Make the question and its answers."""
@@ -65,6 +75,9 @@ class Question(Dialog[str]):
 
     def on_mount(self) -> None:
         """Let Enter give the first answer."""
+        self._last_key = monotonic()
+        if self._is_unasked:
+            self.appeared = self._last_key
         self.query(Button).first().focus()
 
     @on(Button.Pressed)
@@ -72,13 +85,21 @@ class Question(Dialog[str]):
         """Answer."""
         self.dismiss(event.button.id or "")
 
-    def on_key(self, event: object) -> None:
-        """Take the first letter of an answer for the answer."""
-        character = getattr(event, "character", None)
-        for id_, words in self._answers:
-            if character and character.lower() == words[0].lower():
-                self.dismiss(id_)
-                return
+    def on_key(self, event: events.Key) -> None:
+        """Take the first letter of an answer for the answer, if it was pressed for that.
+
+        Who has gone on typing does not see the question yet: letters count after a rest, or once
+        an answer was chosen with the arrows or Tab.
+        """
+        now = monotonic()
+        has_rested, self._last_key = now - self._last_key >= REST, now
+        if not event.is_printable:
+            self._is_seen = self._is_seen or event.key in ("left", "right", "tab", "shift+tab")
+        elif has_rested or self._is_seen:
+            for id_, words in self._answers:
+                if event.character and event.character.lower() == words[0].lower():
+                    self.dismiss(id_)
+                    return
 
     def action_answer(self, answer: str) -> None:
         """Answer."""

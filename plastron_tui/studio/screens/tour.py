@@ -46,8 +46,8 @@ STEPS = (
     Step("How it hangs together", "Who speaks to whom, as a picture. Ctrl-T enlarges it.", "graph"),
     Step(
         "What is wrong",
-        "Mistakes are underlined at once, and listed here. F8 goes to the next one; Alt-Enter "
-        "mends it where the remedy is known.",
+        "Problems are underlined, and listed here. F8 goes to the next one; Alt-Enter fixes it "
+        "where the fix is known.",
         "problems",
     ),
     Step(

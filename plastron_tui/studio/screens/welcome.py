@@ -11,34 +11,30 @@ from textual.app import ComposeResult
 from textual.binding import Binding, BindingType
 from textual.containers import Vertical
 from textual.content import Content
-from textual.widgets import Label, OptionList, Static
+from textual.widgets import Label, OptionList
 from textual.widgets.option_list import Option
 
 from plastron_tui.diagnostics.terminal import visible
 
 from ..folder_labels import shown_folder, shown_name, shown_place
 from ..journal import Kept
+from ..key_display import key_name
 from ..recipes import recipes
 from .dialog import Dialog
 
-_LOGO = """\
-       _           _
- _ __ | | __ _ ___| |_ _ __ ___  _ __
-| '_ \\| |/ _` / __| __| '__/ _ \\| '_ \\
-| |_) | | (_| \\__ \\ |_| | | (_) | | | |
-| .__/|_|\\__,_|___/\\__|_|  \\___/|_| |_|
-|_|     ROS nodes, described in sentences"""
-
-_LOGO_ROWS = 7
-_FRAME = 3
-"""Rows around the list: the border, and the line with the keys."""
+_TITLE = "Plastron"
+_ABOUT = "ROS nodes and robots, described in sentences"
+_FRAME = 4
+"""Rows around the list: the border, the title, and the line with the keys."""
+_LOW = 16
+"""With fewer rows there is no title."""
 
 Answer = tuple[str, str]
 
 START = (
-    ("action", "screen.wizard", "Build nodes with the wizard", "^U"),
-    ("action", "screen.new", "Write a new program", "^N"),
-    ("action", "screen.open", "Open a program", "^O"),
+    ("action", "screen.wizard", "Build nodes with the wizard", key_name("ctrl+u")),
+    ("action", "screen.new", "Write a new program", key_name("ctrl+n")),
+    ("action", "screen.open", "Open a program", key_name("ctrl+o")),
     ("action", "screen.tour", "Take the two-minute tour", ""),
 )
 """What can be started: the kind of answer, its value, its words, its key."""
@@ -53,7 +49,7 @@ class Welcome(Dialog["Answer | None"]):
         Binding("ctrl+u,alt+w", "answer('screen.wizard')", "Wizard", show=False),
         Binding("ctrl+n", "answer('screen.new')", "New", show=False),
         Binding("ctrl+o", "answer('screen.open')", "Open", show=False),
-        Binding("f1", "answer('screen.help')", "Help", show=False),
+        Binding("f1", "answer('screen.help(False)')", "Help", show=False),
     ]
     AUTO_FOCUS = "#welcome-list"
 
@@ -72,13 +68,17 @@ class Welcome(Dialog["Answer | None"]):
 
     def compose(self) -> ComposeResult:
         """Make the name and the list."""
+        about = Content.assemble((_TITLE, "bold $text-primary"), "   ", (_ABOUT, "$foreground 75%"))
         with Vertical(id="welcome"):
-            yield Static(_LOGO, id="welcome-logo", markup=False)
+            yield Label(about, id="welcome-title")
             yield OptionList(*self._rows, id="welcome-list", compact=True)
-            yield Label("↑ ↓ choose   Enter begin   Esc write at once", id="welcome-keys")
+            yield Label("↑ ↓ choose   Enter opens it   Esc starts writing", id="welcome-keys")
 
-    def _options(self) -> list[Option | None]:
-        options: list[Option | None] = []
+    def _options(self) -> list[Option]:
+        options: list[Option] = []
+
+        def head(words: str) -> None:
+            options.append(Option(Content.styled(words, "$text-muted bold"), disabled=True))
 
         def add(kind: str, value: str, words: str, note: str) -> None:
             self._answers.append((kind, value))
@@ -88,29 +88,28 @@ class Welcome(Dialog["Answer | None"]):
         for entry in START:
             add(*entry)
         if self._kept:
-            options.append(None)
+            head("Not saved")
             for number, kept in enumerate(self._kept):
                 note = f"not saved, {shown_place(kept)}".removesuffix(", ")
                 add("kept", str(number), shown_name(kept), note)
         if self._recent:
-            options.append(None)
+            head("Opened lately")
             for name in self._recent:
                 path = Path(name)
                 add("open", name, visible(path.name), shown_folder(path.parent))
         found = recipes()
         if found:
-            options.append(None)
+            head("Examples that work")
             for recipe in found:
                 add("recipe", str(recipe.path), recipe.title, recipe.description)
         return options
 
     def on_resize(self, event: events.Resize) -> None:
-        """Give the list the room that there is; the name goes where all of it does not fit."""
-        options = self.query_one(OptionList)
-        room = event.size.height - _FRAME
-        rows = len(self._rows)
-        self.query_one("#welcome-logo").display = rows + _LOGO_ROWS <= room
-        options.styles.max_height = max(room, 1)
+        """Give the list the room that there is; where that is little, the title goes."""
+        title = self.query_one("#welcome-title")
+        title.display = event.size.height >= _LOW
+        room = event.size.height - _FRAME + (not title.display)
+        self.query_one(OptionList).styles.max_height = max(room, 1)
 
     @on(OptionList.OptionSelected)
     def selected(self, event: OptionList.OptionSelected) -> None:

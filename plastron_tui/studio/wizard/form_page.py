@@ -342,7 +342,7 @@ def _specs(filled: Filled) -> list[_Spec]:
         text = new_words(slot) if cell.is_new else cell.text
         label = slot.name.replace("_", " ")
         is_flag = slot.kind.form is Written.FLAG
-        left_out = _LEFT_OUT.get(slot.kind, "left out")
+        left_out = _LEFT_OUT.get(slot.kind, "may stay empty")
         placeholder = left_out if slot.name in optional and not is_flag else ""
         is_fixed = bool(cell.reason)
         note = cell.reason

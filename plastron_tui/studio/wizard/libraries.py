@@ -30,7 +30,7 @@ class LibraryKind(Kind):
     def choices(self, ask: Ask, query: str) -> list[Choice]:
         """Return the libraries: what each is for, and what is installed of it."""
         default = ask.scene.library_of(ask.node) if ask.node else ask.scene.session.library
-        found = [Choice("", f"{default}, {_why(ask, default)}", label="leave it out")]
+        found = [Choice("", f"{default}, {_why(ask, default)}", label="the usual")]
         for name, library in LIBRARIES.items():
             purpose = f"{library.purpose}; " if library.purpose else ""
             note = f"{library.language}, ROS {library.ros_version}"
@@ -95,7 +95,7 @@ def explained(ask: Ask) -> str:
     if nodes and not ask.node:
         library = LibraryKind().suggest(ask) or ros.library
         return f"the other nodes are for {library}: nodes of ROS 1 and ROS 2 do not hear each other"
-    said = f"{ros.library} for {ros.name}: {ros.why.value}"
+    said = f"{ros.words}: {ros.why.value}"
     there = _installation(ros.library)
     if there is not None and not _missing(ros.library, there):
         return said

@@ -50,9 +50,13 @@ def _type_of(ask: Ask) -> ParameterType | None:
 
 def _entry(ask: Ask, type_: ParameterType) -> Entry:
     """Return the default as a field of a message."""
-    name, python = _TYPES[type_.element]
-    field = FieldType(name, is_array=type_.is_list)
-    return Entry((ask.slot.name,), field, python, "")
+    return parameter_entry(ask.slot.name, type_)
+
+
+def parameter_entry(name: str, type_: ParameterType) -> Entry:
+    """Return a parameter as a field of a message."""
+    primitive, python = _TYPES[type_.element]
+    return Entry((name,), FieldType(primitive, is_array=type_.is_list), python, _ABOUT[type_])
 
 
 class ParameterKind(Kind):

@@ -165,7 +165,7 @@ class QosKind(Kind):
         if said and parse_words(said)[1]:
             said = said[:-1]
         before = "".join(f"{_text(each)}, " for each in said)
-        found = [] if said else [Choice("", "all messages, the last 10 kept", label="leave it out")]
+        found = [] if said else [Choice("", "all messages, the last 10 kept", label="the usual")]
         words = offered_words([word for word, _ in said], ask.version, _type_of(ask))
         for word in words:
             example = {"depth": " 5", "": ""}.get(word.number, " 0.5")

@@ -21,7 +21,7 @@ def done_items(session: Session, heard: str) -> dict[str, Item]:
     workspace = session.workspace
     closed = ""
     if has_errors(session.diagnostics):
-        closed = "a mistake in the program has to be mended first"
+        closed = "a problem in the program has to be fixed first"
     elif not workspace.is_written:
         closed = "the program writes nothing to a file yet"
     idle = closed or ("" if workspace.may_run else "the program has no node to run yet")

@@ -91,6 +91,25 @@ def check_clearance(made: Layout) -> None:
                     assert not inside or (own and top == bottom), (link, box)
 
 
+def check_runs(made: Layout) -> None:
+    """Lines of different hubs, or of different directions, share no level and no upright piece."""
+    runs: dict[tuple[bool, float], list[tuple[float, float, object]]] = {}
+    for link, lines in made.lines.items():
+        hub = max(link)
+        for at, line in enumerate(lines):
+            net = hub, link.tail == hub, at
+            for start, end in pairwise(line):
+                if start == end or (start.x != end.x and start.y != end.y):
+                    continue
+                is_level = start.y == end.y
+                place = start.y if is_level else start.x
+                low, high = sorted((start.x, end.x) if is_level else (start.y, end.y))
+                others = runs.setdefault((is_level, round(place, 1)), [])
+                for other_low, other_high, other in others:
+                    assert other == net or high <= other_low or low >= other_high, (net, other)
+                others.append((low, high, net))
+
+
 def _touches(point, box: Box) -> bool:
     dy = point.y - box.middle
     inset = box.inset(dy)
@@ -104,6 +123,7 @@ def test_boxes_stand_apart_and_lines_join_them(workspace: Workspace) -> None:
     made = laid_out(workspace)
     check_layout(made)
     check_clearance(made)
+    check_runs(made)
 
 
 @pytest.mark.parametrize("count", [1, 5, 40])
@@ -112,7 +132,33 @@ def test_pictures_of_any_size(count: int) -> None:
     made = laid_out(workspace)
     check_layout(made)
     check_clearance(made)
+    check_runs(made)
     check_document(render(graph_of(workspace)), workspace)
+
+
+def chain(length: int, *, of_services: bool = False) -> Workspace:
+    """Nodes of which each passes something on to the next one, the first from the last."""
+    make = Maker()
+    nodes = [make.node(f"node_{at}") for at in range(length)]
+    for at, node in enumerate(nodes):
+        if of_services:
+            make.call(node, f"to_{at}", {})
+            make.provide(node, f"to_{at - 1}")
+            continue
+        make.publish(node, f"to_{at}", ("m", 10.0))
+        make.subscribe(node, f"to_{(at or length) - 1}")
+    return make.workspace
+
+
+@pytest.mark.parametrize("count", [10, 14, 30])
+@pytest.mark.parametrize("of_services", [False, True])
+def test_a_long_chain_is_broken_into_rows(count: int, of_services: bool) -> None:
+    made = laid_out(chain(count, of_services=of_services))
+    check_layout(made)
+    check_clearance(made)
+    check_runs(made)
+    assert 1.0 < made.width / made.height < 2.6
+    assert len({round(box.middle) for box in made.boxes}) > 1
 
 
 def test_a_picture_of_500_nodes() -> None:

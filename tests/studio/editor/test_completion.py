@@ -9,6 +9,7 @@ from textual.geometry import Offset
 from plastron_tui.language.expectations import expected_at
 from plastron_tui.session import Session
 from plastron_tui.studio.editor.candidate import Candidate
+from plastron_tui.studio.editor.completer import goes_on
 from plastron_tui.studio.editor.completion import candidates, detail_of
 from plastron_tui.studio.editor.vocabulary import Vocabulary
 
@@ -56,7 +57,7 @@ def texts(line: str) -> list[str]:
         ("talker publish here to 'new' of message_type ", ["Point"]),
         ("create_message m of message_type Twi", ["Twist", "TwistStamped"]),
         ("create_message m of message_type geometry_msgs/Tw", ["geometry_msgs/Twist"]),
-        ("create_message m of message_type nav_msgs/", ["nav_msgs/GetMapAction"]),
+        ("create_message m of message_type nav_msgs/", ["nav_msgs/Odometry", "nav_msgs/Path"]),
         ("talker provides_service 'x' of service_type SetB", ["SetBool"]),
         ("generate_node talker using rc", ["rclpy", "rclcpp"]),
         ("create_node 'listener' as ", ["listener"]),
@@ -74,6 +75,58 @@ def texts(line: str) -> list[str]:
 )
 def test_offered(line: str, first: list[str]) -> None:
     assert texts(line)[: len(first)] == first
+
+
+@pytest.mark.parametrize(
+    ("line", "goes_on_"),
+    [
+        ("create_node", True),
+        ("talker", True),
+        ("talker publish", True),
+        ("talker publish hello to 'c' of message_type", True),
+        ("talker publish hello to 'c' of message_type String", False),
+        ("talker publish hello to 'c' of message_type String at", True),
+        ("create_message m of message_type String", True),
+        ("create_message m of message_type String and input none", False),
+        ("create_message m of message_type Twist and input linear.x=1", False),
+        ("generate_node talker", False),
+        ("generate_node talker using", True),
+        ("generate_node talker using rclpy", False),
+        ("oops oops", False),
+        ("// talker", False),
+    ],
+)
+def test_whether_a_sentence_goes_on(line: str, goes_on_: bool) -> None:
+    assert goes_on(line.encode()) is goes_on_
+
+
+@pytest.mark.parametrize(
+    ("word", "type_"),
+    [
+        ("speed", "Twist"),
+        ("camera", "Image"),
+        ("laser", "LaserScan"),
+        ("text", "String"),
+        ("joystick", "Joy"),
+        ("joys", "Joy"),
+        ("position", "Odometry"),
+        ("map", "OccupancyGrid"),
+        ("battery", "BatteryState"),
+        ("twist", "Twist"),
+        ("str", "String"),
+    ],
+)
+def test_a_word_of_purpose_finds_a_type_and_says_why(word: str, type_: str) -> None:
+    first = offered(f"create_message m of message_type {word}")[0]
+    assert first.text == type_
+    assert bool(first.detail) is (word not in ("twist", "str"))
+
+
+def test_types_begin_with_those_that_people_use() -> None:
+    assert texts("create_message m of message_type ")[:5] == [
+        *("String", "Twist", "LaserScan", "Image", "Odometry")
+    ]
+    assert texts("talker provides_service 's' of service_type ")[:2] == ["Trigger", "SetBool"]
 
 
 ARM = """\
@@ -255,8 +308,29 @@ class TestPopup:
             await at.type("create_n")
             assert at.editor.popup.is_open
             await at.press("tab")
-            assert at.marked == "create_node[]"
+            assert at.marked == "create_node []"
             assert not at.editor.popup.is_open
+
+    async def test_the_blank_behind_a_word_is_there_once(self) -> None:
+        async with editing(PROGRAM, cursor=len(PROGRAM)) as at:
+            await at.understand()
+            await at.type("ta")
+            await at.press("tab", "tab")
+            # What may follow is offered, as behind a blank that was typed.
+            assert at.editor.text.endswith(b"talker publish ")
+            await at.type(" hello to 'chatter' of message_type Str")
+            await at.press("tab")
+            assert at.editor.text.endswith(
+                b"talker publish hello to 'chatter' of message_type String"
+            )
+            await at.press("enter")
+            await at.type("ta")
+            await at.press("tab", "escape", "up")
+            assert at.editor.text.endswith(b" String\ntalker")
+            await at.press("ctrl+z")
+            assert at.editor.text.endswith(b" String\nta")
+            await at.press("tab", "enter")
+            assert at.editor.text.endswith(b" String\ntalker\n")
 
     async def test_enter_breaks_the_line_unless_an_entry_was_chosen(self) -> None:
         async with editing("") as at:
@@ -265,7 +339,7 @@ class TestPopup:
             assert at.editor.text == b"crea\n"
             await at.type("crea")
             await at.press("down", "enter")
-            assert at.editor.text == b"crea\ncreate_message"
+            assert at.editor.text == b"crea\ncreate_message "
 
     async def test_escape_closes_it_and_up_chooses_the_last(self) -> None:
         async with editing("") as at:
@@ -287,12 +361,12 @@ class TestPopup:
 
     async def test_a_type_is_found_by_what_it_is_for_when_somebody_asks(self) -> None:
         async with editing("") as at:
-            await at.type("create_message m of message_type veloc")
+            await at.type("create_message m of message_type child_frame")
             assert not at.editor.popup.is_open
             await at.press("f4")
-            assert at.editor.popup.candidates[0].text == "Twist"
+            assert at.editor.popup.candidates[0].text == "TransformStamped"
             await at.press("tab")
-            assert at.editor.text.decode().endswith("message_type Twist")
+            assert at.editor.text.decode().endswith("message_type TransformStamped ")
 
     async def test_a_half_typed_type_is_no_type_of_the_topic(self) -> None:
         line = "subscribe talker to 'chatter' of message_type Str\n"
@@ -346,7 +420,7 @@ class TestPopup:
             region = at.editor.popup.region
             await at.pilot.click(at.editor.view, offset=Offset(region.x + 2, region.y + 1))
             await at.pilot.pause()
-            assert at.editor.text == b"create_message"
+            assert at.editor.text == b"create_message "
 
     async def test_it_does_not_come_on_an_empty_line_or_by_moving(self) -> None:
         async with editing(PROGRAM) as at:

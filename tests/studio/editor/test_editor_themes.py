@@ -7,7 +7,8 @@ from editor_host import PROGRAM, editing
 from textual.color import Color
 
 from plastron_tui.language.grammar import highlights_query
-from plastron_tui.studio.editor.palette import ansi_palette, contrast
+from plastron_tui.studio.editor.palette import ansi_palette
+from plastron_tui.studio.legibility import LEAST, contrast
 
 
 async def test_the_editor_follows_the_theme() -> None:
@@ -38,7 +39,7 @@ async def test_all_can_be_read_in_every_theme() -> None:
                 assert whole.color is not None
                 assert whole.bgcolor is not None
                 found = contrast(*map(Color.from_rich_color, (whole.color, whole.bgcolor)))
-                assert found >= 4.4, (theme.name, name)
+                assert found >= LEAST, (theme.name, name)
 
 
 async def test_sixteen_colours_are_the_terminals_own() -> None:

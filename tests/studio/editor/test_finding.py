@@ -2,9 +2,14 @@
 
 from __future__ import annotations
 
+import threading
+from collections.abc import Callable
+
 import pytest
 from editor_host import PROGRAM, editing
-from textual.widgets import Label
+from textual.widgets import Input, Label
+
+from plastron_tui.studio.editor.search import Found, Search
 
 
 class TestFinding:
@@ -76,6 +81,69 @@ class TestFinding:
             assert at.editor.finder.search.problem
             await at.press("enter", "escape")
             assert at.editor.text == b"ab\n"
+
+    async def test_keys_do_not_wait_for_a_slow_expression(
+        self, monkeypatch: pytest.MonkeyPatch
+    ) -> None:
+        goes_on = threading.Event()
+        find = Search.find
+
+        def slow(self: Search, text: bytes, *is_stale: Callable[[], bool]) -> Found:
+            assert not self.is_regex or goes_on.wait(60)
+            return find(self, text, *is_stale)
+
+        monkeypatch.setattr(Search, "find", slow)
+        async with editing("ab b\n") as at:
+            await at.press("ctrl+r", "tab", "z", "tab", "alt+r")
+            goes_on.set()
+            await at.until(lambda: not at.editor.finder.is_searching)
+            goes_on.clear()
+            label = at.editor.find_bar.query_one("#find-count", Label)
+            await at.type("a")
+            assert str(label.content) == "searching …"
+            # What is asked for meanwhile is done once it is known where.
+            await at.press("backspace", "b", "alt+a")
+            assert at.editor.text == b"ab b\n"
+            goes_on.set()
+            await at.until(lambda: at.editor.text == b"az z\n")
+            await at.until(lambda: str(label.content) == "2 replaced")
+            goes_on.clear()
+            await at.press("backspace", "z", "escape", "x")
+            assert b"x" in at.editor.text
+            goes_on.set()
+
+    @pytest.mark.parametrize("wraps", [False, True])
+    async def test_of_a_long_line_only_the_matches_in_sight_are_drawn(self, wraps: bool) -> None:
+        async with editing("ab é " * 20_000) as at:
+            view = at.editor.view
+            view.soft_wrap = wraps
+            await at.press("ctrl+f", "a")
+            assert at.editor.finder.count.endswith("of 20000")
+            find, asked = at.editor.finder.search.within, list[tuple[int, int]]()
+
+            def within(start: int, end: int) -> list[tuple[int, int]]:
+                asked.append((start, end))
+                return find(start, end)
+
+            view.painter.matches = within
+            strips = [view.render_line(y) for y in range(view.size.height)]
+            assert max(end - start for start, end in asked) < 3 * view.size.width
+            match = view.palette.match.bgcolor
+            shown = [
+                segment.text
+                for strip in strips
+                for segment in strip
+                if segment.style is not None and segment.style.bgcolor == match
+            ]
+            assert len(shown) >= view.size.width // 5 - 5
+            assert set("".join(shown)) == {"a"}
+
+    async def test_an_expression_that_takes_too_long_is_said(self) -> None:
+        async with editing("a" * 60 + "b\n") as at:
+            await at.press("ctrl+f", "alt+r")
+            at.editor.find_bar.query_one("#find-what", Input).value = r"^(a|aa)+\1?$"
+            label = at.editor.find_bar.query_one("#find-count", Label)
+            await at.until(lambda: str(label.content) == "that expression takes too long")
 
     @pytest.mark.parametrize(
         ("answer", "offset"), [("2", 4), ("2:3", 6), ("99", 8), ("2:99", 7), ("0", 0)]

@@ -225,7 +225,7 @@ async def test_long_lines_scroll_or_wrap() -> None:
         assert at.lines[0].endswith("39")
         await at.press("alt+z")
         assert at.lines[0].startswith("   1 // 0 1 2")
-        assert at.lines[1].startswith("     ")
+        assert at.lines[1].startswith("   ↪ ")
         end = at.editor.cursor_offset
         await at.press("down")
         assert at.editor.cursor_offset > end

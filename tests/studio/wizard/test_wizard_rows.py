@@ -162,7 +162,7 @@ async def test_the_library_is_what_is_installed_and_explained(
         # The shell takes the same one: it need not be written.
         assert it.statements == ("create_node 'talker' as talker",)
         await it.go_to("library")
-        assert it.help == "rclpy for ROS 2 kilted: it is installed"
+        assert it.help == "rclpy (ROS 2 kilted): it is installed"
         about = {choice.text: choice.closed or choice.about for choice in it.form.choices}
         standing = {name: each.rpartition("; ")[2] for name, each in about.items()}
         assert standing["rclpy"] == "ROS 2 kilted (from the Python packages)"
@@ -182,7 +182,7 @@ async def test_a_library_of_which_nothing_is_installed_is_explained(
     async with wizard() as it:
         await it.pick(MAKE)
         await it.go_to("library")
-        assert it.help.startswith("rclpy for ROS 2 kilted: no ROS is found here; it can be written")
+        assert it.help.startswith("rclpy (ROS 2 kilted): no ROS is found here; it can be written")
 
 
 @pytest.mark.long

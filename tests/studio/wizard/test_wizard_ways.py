@@ -140,7 +140,7 @@ async def test_a_mistake_elsewhere_is_no_hindrance_but_is_said(here: Path) -> No
         await it.pick(MESSAGE)
         await it.press("enter", "enter")
         closed = {item.title: item.closed for item in it.screen._items}
-        assert closed["write the files"] == "a mistake in the program has to be mended first"
+        assert closed["write the files"] == "a problem in the program has to be fixed first"
 
 
 async def test_to_take_away_what_a_node_file_has_is_never_suggested(here: Path) -> None:

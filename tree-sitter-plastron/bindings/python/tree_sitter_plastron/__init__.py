@@ -2,10 +2,21 @@
 
 from ._binding import language
 
-__all__ = ["HIGHLIGHTS_QUERY", "LOCALS_QUERY", "TAGS_QUERY", "language"]
+__all__ = [
+    "FOLDS_QUERY",
+    "HIGHLIGHTS_QUERY",
+    "INDENTS_QUERY",
+    "INJECTIONS_QUERY",
+    "LOCALS_QUERY",
+    "TAGS_QUERY",
+    "language",
+]
 
 _QUERIES = {
+    "FOLDS_QUERY": "folds.scm",
     "HIGHLIGHTS_QUERY": "highlights.scm",
+    "INDENTS_QUERY": "indents.scm",
+    "INJECTIONS_QUERY": "injections.scm",
     "LOCALS_QUERY": "locals.scm",
     "TAGS_QUERY": "tags.scm",
 }

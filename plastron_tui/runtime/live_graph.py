@@ -1,0 +1,184 @@
+"""What is known of nodes that run, fed by the reports of their monitor."""
+
+from __future__ import annotations
+
+from collections import deque
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import Any, NamedTuple
+
+MOST_SAMPLES = 60
+"""So many of the latest numbers are kept of a topic, and of each field that is looked at."""
+_MOST_NAMES = 5000
+
+
+class LiveField(NamedTuple):
+    """A field of the last message: its path, and its value as text."""
+
+    path: str
+    text: str
+
+
+@dataclass(slots=True)
+class LiveTopic:
+    """A topic of a running graph.
+
+    Attributes:
+        name: its full name.
+        type: its type, such as `std_msgs/String`.
+        publishers: how many publish to it.
+        subscribers: how many listen.
+        count: how many messages were seen while it was looked at.
+        rate: messages a second.
+        text: the last message in a line, "" before the first one.
+        samples: the latest numbers of its messages, the last one last.
+        fields: the fields of the last message, where they are looked at.
+        field_samples: the latest numbers of each field, by its path.
+        is_gone: whether it was there earlier in the run, and is no more.
+    """
+
+    name: str
+    type: str
+    publishers: int = 0
+    subscribers: int = 0
+    count: int = 0
+    rate: float = 0.0
+    text: str = ""
+    samples: deque[float] = field(default_factory=lambda: deque(maxlen=MOST_SAMPLES))
+    fields: tuple[LiveField, ...] = ()
+    field_samples: dict[str, deque[float]] = field(default_factory=dict)
+    is_gone: bool = False
+
+    def take(self, row: Mapping[str, Any]) -> None:
+        """Take what a monitor says of it."""
+        has_more = int(row["count"]) != self.count
+        self.count, self.rate = int(row["count"]), float(row["rate"])
+        self.text = str(row.get("text", self.text))
+        number = row.get("number")
+        if has_more and isinstance(number, (int, float)):
+            self.samples.append(float(number))
+        if "fields" not in row:
+            self.fields = ()
+            return
+        self.fields = tuple(LiveField(str(path), str(text)) for path, text, _ in row["fields"])
+        known = self.field_samples
+        self.field_samples = {}
+        for path, _, number in row["fields"]:
+            if isinstance(number, (int, float)):
+                samples = known.get(path) or deque(maxlen=MOST_SAMPLES)
+                if has_more or not samples:
+                    samples.append(float(number))
+                self.field_samples[str(path)] = samples
+
+
+class LiveService(NamedTuple):
+    """A service, its type, and whether it was there and is no more."""
+
+    name: str
+    type: str
+    is_gone: bool = False
+
+
+class LiveParameter(NamedTuple):
+    """A parameter of a node.
+
+    Attributes:
+        name: its name.
+        value: its value, None where it has none.
+        type: its type as programs name it, "" for one that cannot be set here.
+        range: the least and the greatest value, None where nothing limits them.
+        about: what the node says about it.
+        is_read_only: whether nobody can set it.
+    """
+
+    name: str
+    value: bool | int | float | str | tuple[Any, ...] | None
+    type: str = ""
+    range: tuple[float, float] | None = None
+    about: str = ""
+    is_read_only: bool = False
+
+
+@dataclass(slots=True)
+class LiveGraph:
+    """The topics, services and nodes of one generation of ROS.
+
+    Attributes:
+        ros_version: the generation.
+        topics: by name.
+        services: by name.
+        nodes: by name, each with whether it is still there.
+        parameters: those of the nodes that are looked at, by node.
+        is_known: whether the monitor has said what there is.
+        problem: what is wrong with the monitor, "" where nothing is.
+    """
+
+    ros_version: int
+    topics: dict[str, LiveTopic] = field(default_factory=dict)
+    services: dict[str, LiveService] = field(default_factory=dict)
+    nodes: dict[str, bool] = field(default_factory=dict)
+    parameters: dict[str, tuple[LiveParameter, ...]] = field(default_factory=dict)
+    is_known: bool = False
+    problem: str = ""
+
+    def feed(self, report: Mapping[str, Any]) -> bool:
+        """Take a report; tell whether something is new. What is no report changes nothing."""
+        try:
+            match report.get("tell"):
+                case "graph":
+                    self._take_graph(report)
+                case "topics":
+                    for name, row in report["rows"].items():
+                        if name in self.topics:
+                            self.topics[name].take(row)
+                case "parameters":
+                    rows = tuple(_parameter(row) for row in report["rows"])
+                    self.parameters[str(report["node"])] = rows
+                case "problem":
+                    self.problem = str(report["text"])
+                case _:
+                    return False
+        except (KeyError, TypeError, ValueError, AttributeError):
+            return False
+        return True
+
+    def _take_graph(self, report: Mapping[str, Any]) -> None:
+        self.problem = ""
+        self.is_known = True
+        found: dict[str, LiveTopic] = {}
+        for name, type_, publishers, subscribers in report["topics"][:_MOST_NAMES]:
+            topic = self.topics.get(name)
+            if topic is None or topic.type != type_:
+                topic = LiveTopic(str(name), str(type_))
+            topic.publishers, topic.subscribers = int(publishers), int(subscribers)
+            topic.is_gone = False
+            found[topic.name] = topic
+        for name, topic in self.topics.items():
+            if name not in found and len(found) < _MOST_NAMES:
+                topic.is_gone, topic.publishers, topic.subscribers = True, 0, 0
+                topic.rate = 0.0
+                found[name] = topic
+        self.topics = dict(sorted(found.items()))
+        now = {name: LiveService(str(name), str(type_)) for name, type_ in report["services"]}
+        gone = {name: each._replace(is_gone=True) for name, each in self.services.items()}
+        self.services = dict(sorted({**gone, **now}.items())[:_MOST_NAMES])
+        there = set(map(str, report["nodes"]))
+        self.nodes = {name: name in there for name in sorted({*self.nodes, *there})[:_MOST_NAMES]}
+
+    def end(self) -> None:
+        """Note that the nodes have ended: nothing is sent any more."""
+        for topic in self.topics.values():
+            topic.rate = 0.0
+        self.nodes = dict.fromkeys(self.nodes, False)
+
+
+def _parameter(row: Mapping[str, Any]) -> LiveParameter:
+    value, limits = row["value"], row.get("range")
+    return LiveParameter(
+        str(row["name"]),
+        tuple(value) if isinstance(value, list) else value,
+        str(row["type"]),
+        None if limits is None else (float(limits[0]), float(limits[1])),
+        str(row["about"]),
+        bool(row["is_read_only"]),
+    )

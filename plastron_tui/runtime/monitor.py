@@ -1,0 +1,197 @@
+"""A monitor: a process beside the nodes that says what travels, and sends, calls and sets.
+
+It runs with the Python of the nodes' ROS (`observers/monitor_ros1.py`, `observers/monitor_ros2.py`)
+and speaks lines of JSON. What it says is only queued here, in threads of their own, until somebody
+takes it; nothing here waits for it.
+"""
+
+from __future__ import annotations
+
+import json
+import os
+import subprocess
+import threading
+import time
+from collections import deque
+from collections.abc import Callable, Iterable, Mapping
+from contextlib import suppress
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from .environment import Environment
+
+_OBSERVERS = Path(__file__).with_name("observers")
+_MOST_REPORTS = 2000
+"""So many reports are kept of those that nobody has taken yet; the oldest are dropped."""
+_LONGEST = 1 << 20
+_MOST_UNSENT = 1 << 20
+SILENT = 8.0
+"""Seconds without a word, of a monitor that says one every second, after which it hangs."""
+
+
+@dataclass(frozen=True, slots=True)
+class MonitorCommand:
+    """What starts a monitor.
+
+    Attributes:
+        ros_version: the generation of ROS whose nodes it watches.
+        command: the program and its arguments.
+        environ: its environment variables, those of the nodes.
+    """
+
+    ros_version: int
+    command: tuple[str, ...]
+    environ: Mapping[str, str]
+
+
+def monitor_command(environment: Environment, environ: Mapping[str, str]) -> MonitorCommand:
+    """Return what starts the monitor of nodes that run with an environment."""
+    version = environment.ros_version
+    script = _OBSERVERS / f"monitor_ros{version}.py"
+    return MonitorCommand(version, (str(environment.python), str(script)), environ)
+
+
+def announcement(commands: Iterable[MonitorCommand]) -> str:
+    """Return a line that says what starts monitors, for `announced`."""
+    told = [
+        {"ros_version": each.ros_version, "command": each.command, "environ": dict(each.environ)}
+        for each in commands
+    ]
+    return json.dumps(told) + "\n"
+
+
+def announced(line: str) -> tuple[MonitorCommand, ...]:
+    """Read a line of `announcement`; nothing where it is none."""
+    try:
+        return tuple(
+            MonitorCommand(
+                int(each["ros_version"]), tuple(map(str, each["command"])), dict(each["environ"])
+            )
+            for each in json.loads(line)
+        )
+    except (ValueError, TypeError, KeyError):
+        return ()
+
+
+class Monitor:
+    """A monitor that runs; it ends with the process that started it, however that ends.
+
+    Attributes:
+        ros_version: the generation of ROS whose nodes it watches.
+        ended: why it ended, None as long as it runs.
+    """
+
+    def __init__(self, command: MonitorCommand, on_news: Callable[[], None]) -> None:
+        """Start a monitor.
+
+        Args:
+            command: what starts it.
+            on_news: called, in a thread of its own, when there are reports to take or it has
+                ended; not again before `take` was called.
+
+        Raises:
+            OSError: no process can be started.
+        """
+        self.ros_version = command.ros_version
+        self.ended: str | None = None
+        self._on_news = on_news
+        self._reports: deque[Mapping[str, Any]] = deque(maxlen=_MOST_REPORTS)
+        self._is_told = threading.Event()
+        self._heard = time.monotonic()
+        self._unsent = b""
+        self._said: deque[str] = deque(maxlen=5)
+        self._process = subprocess.Popen(
+            command.command,
+            stdin=subprocess.PIPE,
+            stdout=subprocess.PIPE,
+            stderr=subprocess.PIPE,
+            env=command.environ,
+            start_new_session=True,
+        )
+        assert self._process.stdin is not None
+        self._orders = self._process.stdin
+        # One that hangs reads nothing, and must not keep who writes to it waiting.
+        os.set_blocking(self._orders.fileno(), False)
+        threading.Thread(target=self._read_errors, daemon=True).start()
+        threading.Thread(target=self._read, daemon=True).start()
+
+    @property
+    def is_silent(self) -> bool:
+        """Whether it has said nothing for so long that it hangs."""
+        return self.ended is None and time.monotonic() - self._heard > SILENT
+
+    def take(self) -> list[Mapping[str, Any]]:
+        """Return what it said since this was called last."""
+        self._is_told.clear()
+        found = []
+        with suppress(IndexError):
+            while True:
+                found.append(self._reports.popleft())
+        if self._unsent:
+            self._write()
+        return found
+
+    def order(self, **order: Any) -> bool:
+        """Tell it what to do; False where it takes no orders any more."""
+        if self.ended is not None or len(self._unsent) > _MOST_UNSENT:
+            return False
+        self._unsent += json.dumps(order).encode() + b"\n"
+        return self._write()
+
+    def close(self) -> None:
+        """End it; nothing waits for that."""
+        with suppress(OSError):
+            self._orders.close()
+        threading.Thread(target=self._end, daemon=True).start()
+
+    def kill(self) -> None:
+        """End it at once, because it hangs."""
+        with suppress(OSError):
+            self._process.kill()
+
+    def _end(self) -> None:
+        try:
+            self._process.wait(2)
+        except subprocess.TimeoutExpired:
+            self.kill()
+
+    def _write(self) -> bool:
+        try:
+            while self._unsent:
+                written = os.write(self._orders.fileno(), self._unsent)
+                self._unsent = self._unsent[written:]
+        except BlockingIOError:
+            return True
+        except (OSError, ValueError):
+            return False
+        return True
+
+    def _read(self) -> None:
+        assert self._process.stdout is not None
+        with self._process.stdout as stream:
+            for line in iter(lambda: stream.readline(_LONGEST), b""):
+                self._heard = time.monotonic()
+                # What is no report, a client library has printed.
+                with suppress(ValueError, RecursionError):
+                    report = json.loads(line)
+                    if isinstance(report, dict):
+                        self._reports.append(report)
+                        self._tell()
+        status = self._process.wait()
+        self.ended = next(iter(reversed(self._said)), "") or f"it ended with status {status}"
+        self._is_told.clear()
+        self._tell()
+
+    def _read_errors(self) -> None:
+        assert self._process.stderr is not None
+        with self._process.stderr as stream:
+            for line in iter(lambda: stream.readline(_LONGEST), b""):
+                text = line.decode("utf-8", "replace").strip()
+                if text:
+                    self._said.append(text)
+
+    def _tell(self) -> None:
+        if not self._is_told.is_set():
+            self._is_told.set()
+            self._on_news()

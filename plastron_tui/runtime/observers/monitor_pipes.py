@@ -1,0 +1,60 @@
+"""How a monitor speaks with the studio: lines of JSON, orders on stdin and reports on stdout.
+
+The studio holds the other end of stdin: when that ends, however it did, so does the monitor.
+"""
+
+from __future__ import annotations
+
+import json
+import os
+import queue
+import sys
+import threading
+from collections.abc import Iterator
+from typing import Any
+
+_LEFT: dict[str, Any] = {"do": "leave"}
+_LOCK = threading.Lock()
+
+
+def send(**report: Any) -> None:
+    """Tell the studio something; without a studio the monitor ends at once."""
+    line = json.dumps(report, ensure_ascii=True) + "\n"
+    try:
+        with _LOCK:
+            sys.stdout.write(line)
+            sys.stdout.flush()
+    except OSError:
+        os._exit(0)
+
+
+class Orders:
+    """What the studio wants, read in a thread of its own."""
+
+    def __init__(self) -> None:
+        self._queue: queue.SimpleQueue[dict[str, Any]] = queue.SimpleQueue()
+        threading.Thread(target=self._read, daemon=True).start()
+
+    def _read(self) -> None:
+        for line in sys.stdin:
+            try:
+                order = json.loads(line)
+            except ValueError:
+                continue
+            if isinstance(order, dict):
+                self._queue.put(order)
+        self._queue.put(_LEFT)
+
+    def take(self, wait: float) -> Iterator[dict[str, Any]]:
+        """Yield the orders that came, waiting for the first one for so many seconds."""
+        try:
+            yield self._queue.get(timeout=wait)
+            while True:
+                yield self._queue.get_nowait()
+        except queue.Empty:
+            return
+
+
+def answer(order: dict[str, Any], text: str, *, is_failure: bool = False) -> None:
+    """Tell what came of an order."""
+    send(tell="answer", id=order.get("id"), text=text, is_failure=is_failure)

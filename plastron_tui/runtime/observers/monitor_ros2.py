@@ -1,0 +1,288 @@
+"""The studio's monitor of nodes of ROS 2 (see `monitor_pipes.py` for how the two speak).
+
+It looks every second for topics, services and nodes, and subscribes to no topic but those that the
+studio looks at. Their messages are taken from the middleware in turns, as they are: an executor
+would look through all subscriptions for each single message, and only the last message of a turn
+is made readable.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import importlib
+import time
+from collections.abc import Callable, Iterable
+from typing import Any
+
+import rclpy
+from message_filling import fill, has_stamp
+from monitor_parameters import Parameters
+from monitor_pipes import Orders, answer, send
+from monitor_topics import WatchedTopic
+from plastron_text import line_of
+from rclpy.executors import SingleThreadedExecutor
+from rclpy.qos import DurabilityPolicy, QoSProfile, ReliabilityPolicy
+from rclpy.serialization import deserialize_message
+from rclpy.signals import SignalHandlerOptions
+from watch import is_shown, ros2_class, ros2_qos
+
+_TURN, _IDLE_TURN = 0.05, 0.5
+_REPORT = 0.25
+_LOOK = 1.0
+_ANSWER = 10.0
+_MATCHING = 1.5
+_MOST_A_TURN = 1000
+_NAMES = ("_plastron_monitor", "_plastron_monitor_calls")
+_INFRASTRUCTURE = ("rcl_interfaces/", "type_description_interfaces/", "lifecycle_msgs/")
+
+
+class _Watching:
+    """A subscription that nobody spins: its messages are taken in turns."""
+
+    def __init__(self, node: Any, name: str, type_name: str) -> None:
+        self.name = name
+        self._node = node
+        self._class = ros2_class(type_name)
+        self.topic = WatchedTopic(type_name, lambda raw: deserialize_message(raw, self._class))
+        self._subscription = self._subscribed(ros2_qos(node, name))
+
+    def _subscribed(self, qos: Any) -> Any:
+        return self._node.create_subscription(self._class, self.name, lambda _: None, qos, raw=True)
+
+    def take(self) -> None:
+        """Note the messages that came."""
+        subscription = self._subscription
+        clock = time.monotonic() - time.time()
+        with subscription.handle:
+            for _ in range(_MOST_A_TURN):
+                found = subscription.handle.take_message(subscription.msg_type, True)
+                if found is None:
+                    return
+                at = found[1]["received_timestamp"] / 1e9 + clock
+                self.topic.see(found[0], at if abs(at - time.monotonic()) < 1 else None)
+
+    def look(self) -> None:
+        """Ask for no more than publishers offer that came later."""
+        had, qos = self._subscription.qos_profile, ros2_qos(self._node, self.name)
+        if (
+            had.reliability != qos.reliability == ReliabilityPolicy.BEST_EFFORT
+            or had.durability != qos.durability == DurabilityPolicy.VOLATILE
+        ):
+            self.close()
+            self._subscription = self._subscribed(qos)
+
+    def close(self) -> None:
+        """Hear no more of it."""
+        self._node.destroy_subscription(self._subscription)
+
+
+class _Monitor:
+    """The nodes of the monitor, and what the studio has asked for."""
+
+    def __init__(self) -> None:
+        self._node, self._caller = (
+            rclpy.create_node(name, enable_rosout=False, start_parameter_services=False)
+            for name in _NAMES
+        )
+        self._executor = SingleThreadedExecutor()
+        self._executor.add_node(self._caller)
+        self._watched: dict[str, _Watching | None] = {}
+        self._types: dict[str, str] = {}
+        self._publishers: dict[str, Any] = {}
+        self._pending: list[tuple[float, Callable[[bool], bool]]] = []
+        self._parameters = Parameters(self._caller)
+        self._graph: dict[str, Any] = {}
+        self._looked = self._reported = 0.0
+
+    @property
+    def turn_time(self) -> float:
+        """Seconds until the next turn."""
+        is_busy = any(self._watched.values()) or self._pending or self._parameters.is_asking
+        return _TURN if is_busy else _IDLE_TURN
+
+    def do(self, order: dict[str, Any]) -> None:
+        """Do what the studio wants."""
+        try:
+            match order["do"]:
+                case "watch":
+                    self._watch(order["topics"], set(order["full"]))
+                    self._parameters.watch(order["nodes"])
+                case "publish":
+                    self._publish(order)
+                case "call":
+                    self._call(order)
+                case "set":
+                    self._parameters.set(order, self._later)
+        except Exception as error:  # a type that is not installed, a value that does not fit, …
+            answer(order, str(error) or type(error).__name__, is_failure=True)
+
+    def turn(self) -> None:
+        """Take what came, and tell of it."""
+        now = time.monotonic()
+        if now - self._looked >= _LOOK:
+            self._looked = now
+            self._look()
+        for watching in self._watched.values():
+            if watching is not None:
+                watching.take()
+        if now - self._reported >= _REPORT:
+            self._reported = now
+            self._report()
+        self._parameters.turn(now)
+        if self._pending or self._parameters.is_asking:
+            for _ in range(10):
+                self._executor.spin_once(timeout_sec=0)
+            self._pending = [
+                (end, step) for end, step in self._pending if not step(time.monotonic() > end)
+            ]
+
+    def _look(self) -> None:
+        """Find out what is there, and tell it where that is new."""
+        try:
+            graph = self._found()
+        except Exception as error:  # rclpy's own kinds of error differ between distributions
+            send(tell="problem", text=str(error))
+            return
+        for name, watching in self._watched.items():
+            if watching is None and name in self._types:
+                self._subscribe(name)
+            elif watching is not None:
+                watching.look()
+        self._parameters.nodes = frozenset(graph["nodes"])
+        if graph != self._graph:
+            self._graph = graph
+            send(tell="graph", **graph)
+        send(tell="beat")
+
+    def _found(self) -> dict[str, Any]:
+        node = self._node
+        topics = []
+        for name, types in node.get_topic_names_and_types():
+            if not is_shown(name):
+                continue
+            self._types[name] = type_name = types[0].replace("/msg/", "/")
+            own = name in self._publishers
+            heard = self._watched.get(name) is not None
+            publishers = node.count_publishers(name) - own
+            subscribers = node.count_subscribers(name) - heard
+            if publishers + subscribers > 0:
+                topics.append((name, type_name, publishers, subscribers))
+        services = [
+            (name, types[0].replace("/srv/", "/"))
+            for name, types in node.get_service_names_and_types()
+            if is_shown(name) and not types[0].startswith(_INFRASTRUCTURE)
+        ]
+        nodes = sorted(
+            f"{namespace.rstrip('/')}/{name}"
+            for name, namespace in node.get_node_names_and_namespaces()
+            if not name.startswith("_")
+        )
+        return {"topics": topics, "services": services, "nodes": nodes}
+
+    def _watch(self, names: Iterable[str], full: set[str]) -> None:
+        wanted = set(names)
+        for name in set(self._watched) - wanted:
+            watching = self._watched.pop(name)
+            if watching is not None:
+                watching.close()
+        for name in sorted(wanted - set(self._watched)):
+            self._watched[name] = None
+            if name in self._types:
+                self._subscribe(name)
+        for name, watching in self._watched.items():
+            if watching is not None:
+                watching.topic.is_full = name in full
+
+    def _subscribe(self, name: str) -> None:
+        try:
+            self._watched[name] = _Watching(self._node, name, self._types[name])
+        except (ImportError, AttributeError, ValueError):
+            text = f"{self._types[name]} is not installed here"
+            send(tell="topics", rows={name: {"count": 0, "rate": 0, "text": text, "number": None}})
+
+    def _report(self) -> None:
+        reports = {
+            name: watching.topic.report() for name, watching in self._watched.items() if watching
+        }
+        rows = {name: report for name, report in reports.items() if report is not None}
+        if rows:
+            send(tell="topics", rows=rows)
+
+    def _later(self, step: Callable[[bool], bool], limit: float = _ANSWER) -> None:
+        """Ask `step` in each turn whether it is done; it is told when the time is up."""
+        self._pending.append((time.monotonic() + limit, step))
+
+    def _publish(self, order: dict[str, Any]) -> None:
+        name, values = order["name"], order["values"]
+        message = fill(ros2_class(order["type"])(), values)
+        publisher = self._publishers.get(name)
+        if publisher is None:
+            qos = self._publisher_qos(name)
+            publisher = self._node.create_publisher(type(message), name, qos)
+            self._publishers[name] = publisher
+
+        def step(is_late: bool) -> bool:
+            listening = self._node.count_subscribers(name)
+            if publisher.get_subscription_count() < listening and not is_late:
+                return False
+            if has_stamp(message, values):
+                message.header.stamp = self._node.get_clock().now().to_msg()
+            publisher.publish(message)
+            others = listening - (self._watched.get(name) is not None)
+            answer(order, f"sent to {name}" if others else f"sent to {name}; nobody listens there")
+            return True
+
+        self._later(step, _MATCHING)
+
+    def _publisher_qos(self, name: str) -> Any:
+        """Return a quality of service that every subscription of the topic accepts."""
+        infos = self._node.get_subscriptions_info_by_topic(name)
+        is_kept = any(
+            info.qos_profile.durability == DurabilityPolicy.TRANSIENT_LOCAL for info in infos
+        )
+        return QoSProfile(
+            depth=10,
+            reliability=ReliabilityPolicy.RELIABLE,
+            durability=DurabilityPolicy.TRANSIENT_LOCAL if is_kept else DurabilityPolicy.VOLATILE,
+        )
+
+    def _call(self, order: dict[str, Any]) -> None:
+        package, name = order["type"].split("/")
+        service = getattr(importlib.import_module(f"{package}.srv"), name)
+        request = fill(service.Request(), order["values"])
+        client = self._caller.create_client(service, order["name"])
+        sent: list[Any] = []
+
+        def step(is_late: bool) -> bool:
+            if not sent and client.service_is_ready():
+                sent.append(client.call_async(request))
+            if sent and sent[0].done():
+                error = sent[0].exception()
+                text = str(error) if error is not None else line_of(sent[0].result()) or "done"
+                answer(order, text, is_failure=error is not None)
+            elif is_late:
+                text = "no answer came" if sent else "nobody provides it now"
+                answer(order, text, is_failure=True)
+            else:
+                return False
+            self._caller.destroy_client(client)
+            return True
+
+        self._later(step)
+
+
+def main() -> None:
+    """Watch until the studio has enough."""
+    rclpy.init(args=[], signal_handler_options=SignalHandlerOptions.NO)
+    monitor, orders = _Monitor(), Orders()
+    while True:
+        monitor.turn()
+        for order in orders.take(monitor.turn_time):
+            if order.get("do") == "leave":
+                return
+            monitor.do(order)
+
+
+if __name__ == "__main__":
+    with contextlib.suppress(KeyboardInterrupt):
+        main()

@@ -1,0 +1,93 @@
+"""Text that comes as keys, many at once: what a terminal pastes that puts no brackets around it.
+
+A terminal, tmux or a robot that types sends no more than characters, and each would be a key: 500
+lines are 20,000 keys, with what follows from each. What a person types comes one by one. So what
+is read at once from a terminal is looked at before it is taken apart into keys.
+"""
+
+from __future__ import annotations
+
+import re
+from enum import Enum
+from typing import NamedTuple
+
+_START, _STOP = "\x1b[200~", "\x1b[201~"
+_TEXT = re.compile(r"[^\x00-\x08\x0b\x0c\x0e-\x1f\x7f-\x9f]+")
+_LONG = 64
+"""Characters that nobody types between two readings of a terminal, however slow the line to it."""
+_ENDS = re.compile(r"[\r\n]+")
+_MOST_LINES = 5
+"""Ends of lines that are no answers any more, typed ahead for menus and forms."""
+_SOON = 0.1
+"""Seconds within which what comes belongs to the burst before it, or to an end of a line."""
+_LONGEST_SEQUENCE = 32
+"""Characters that the sequence of one key has at most."""
+
+
+class Kind(Enum):
+    """What came."""
+
+    KEYS = "keys"
+    BURST = "burst"
+    """A text, where the focus takes one; keys that somebody typed ahead, where it takes those."""
+    PASTE = "paste"
+    """More than anybody types ahead."""
+
+
+class Part(NamedTuple):
+    """What was read in one piece."""
+
+    text: str
+    kind: Kind = Kind.KEYS
+
+
+class Bursts:
+    """Tells bursts of text from keys, in what a terminal sends.
+
+    CR and LF together are one end of a line: a terminal sends CR for Enter, and LF for Ctrl-J.
+    """
+
+    def __init__(self) -> None:
+        self._is_bracketed = False
+        self._before = ""
+        self._time = -1.0
+        self._burst_time = -1.0
+        self._burst = Kind.BURST
+
+    def parts(self, data: str, now: float) -> list[Part]:
+        """Return what was read at a time, in seconds, as keys and bursts in its order."""
+        before, since = self._before, now - self._time
+        self._before, self._time = (before + data)[-_LONGEST_SEQUENCE:], now
+        if self._is_bracketed or "\x1b" in data or ("\x1b" in before and since < _SOON):
+            self._follow_brackets(before[1 - len(_START) :] + data)
+            return [Part(data)]
+        if before.endswith("\r") and since < _SOON:
+            data = data.removeprefix("\n")
+        data = data.replace("\r\n", "\r")
+        parts, at = [], 0
+        for found in _TEXT.finditer(data):
+            if found.start() > at:
+                parts.append(Part(data[at : found.start()]))
+            parts.extend(self._told_apart(found.group(), now))
+            at = found.end()
+        return [*parts, Part(data[at:])] if at < len(data) else parts
+
+    def _follow_brackets(self, data: str) -> None:
+        start, stop = data.rfind(_START), data.rfind(_STOP)
+        if start != stop:
+            self._is_bracketed = start > stop
+
+    def _told_apart(self, text: str, now: float) -> list[Part]:
+        is_going_on = now - self._burst_time < _SOON
+        if is_going_on or len(text) >= _LONG:
+            line = text.rstrip("\r\n")
+            if not is_going_on and "\r" not in line and "\n" not in line:
+                # Enter after a line is somebody's answer.
+                end = text[len(line) :]
+                return [Part(line, Kind.BURST), *([Part(end)] if end else [])]
+            if not is_going_on:
+                is_long = len(_ENDS.findall(text)) >= _MOST_LINES
+                self._burst = Kind.PASTE if is_long else Kind.BURST
+            self._burst_time = now
+            return [Part(text, self._burst)]
+        return [Part(text)]

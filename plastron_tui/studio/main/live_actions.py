@@ -1,0 +1,207 @@
+"""The live panel's monitors: what they say is shown, and what is asked of nodes goes to them."""
+
+from __future__ import annotations
+
+import itertools
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any
+
+from textual.screen import Screen
+
+from plastron_tui.regular_files import reason
+from plastron_tui.runtime.live_graph import LiveGraph
+
+from ..delay import Delay
+from ..panels.live_panel import LOOKING, NOTHING_RUNS, STARTING, LivePanel, Watching
+from ..panels.live_rows import Answer, Kind, LiveRow
+from .active_program import ActiveProgram
+from .workers import start_exclusive
+
+if TYPE_CHECKING:
+    from plastron_tui.runtime.monitor import Monitor, MonitorCommand
+
+    from ..wizard.values import Path
+
+_SHOWN_AFTER = 0.1
+"""Seconds for which what monitors say is gathered: the eye needs no more, and keys come first."""
+_LOOK = 2.0
+"""Seconds after which is looked again whether a monitor hangs."""
+
+
+class LiveActions:
+    """Starts and ends the monitors of the nodes that run."""
+
+    def __init__(self, screen: Screen[None], program: ActiveProgram, panel: LivePanel) -> None:
+        """Start with nothing that runs.
+
+        Args:
+            screen: shows dialogs.
+            program: whose nodes they are; its types are those of the forms.
+            panel: shows what is known.
+        """
+        self._screen = screen
+        self._program = program
+        self._panel = panel
+        panel.on_watched, panel.on_asked = self.watch, self.do
+        self._delay = Delay(screen, self._show)
+        self._look = Delay(screen, self._look_at_monitors)
+        self._commands: Sequence[MonitorCommand] = ()
+        self._monitors: dict[int, Monitor] = {}
+        self._graphs: dict[int, LiveGraph] = {}
+        self._watching: dict[int, Watching] = {}
+        self._numbers = itertools.count(1)
+        self._asked: dict[int, LiveRow] = {}
+        self._answers: dict[str, Answer] = {}
+        self._given: dict[str, dict[Path, str]] = {}
+        self._empty = NOTHING_RUNS
+
+    def starting(self) -> None:
+        """Show that nodes are about to run, and nothing of those before."""
+        self.end()
+        self._graphs, self._answers, self._commands = {}, {}, ()
+        self._tell(STARTING)
+
+    def start(self, commands: Sequence[MonitorCommand]) -> None:
+        """Watch nodes."""
+        from plastron_tui.runtime.monitor import Monitor
+
+        self._commands = commands
+        self._close()
+        self._tell(LOOKING)
+        for each in commands:
+            self._graphs.setdefault(each.ros_version, LiveGraph(each.ros_version))
+            try:
+                self._monitors[each.ros_version] = Monitor(each, self._news)
+            except OSError as error:
+                self._fail(each.ros_version, f"the nodes cannot be watched: {reason(error)}")
+        self.watch()
+        self._look.start(_LOOK)
+
+    def end(self) -> None:
+        """Watch no more: the nodes have ended. What was seen last stays."""
+        self._close()
+        for graph in self._graphs.values():
+            graph.end()
+        self._tell(NOTHING_RUNS)
+
+    def close(self) -> None:
+        """End the monitors, because the studio ends."""
+        self._close()
+
+    def _close(self) -> None:
+        for monitor in self._monitors.values():
+            monitor.close()
+        self._monitors, self._watching = {}, {}
+        self._delay.stop()
+        self._look.stop()
+
+    def watch(self) -> None:
+        """Tell the monitors what is in sight now, where that is something else."""
+        for version, monitor in self._monitors.items():
+            wanted = self._panel.watching(version)
+            if self._watching.get(version) != wanted:
+                self._watching[version] = wanted
+                monitor.order(
+                    do="watch", topics=wanted.topics, full=wanted.full, nodes=wanted.nodes
+                )
+
+    def show_soon(self) -> None:
+        """Show what monitors say, soon: all that comes until then at once."""
+        if not self._delay.is_waiting:
+            self._delay.start(_SHOWN_AFTER)
+
+    def _news(self) -> None:
+        """Show it soon; called from a thread that reads."""
+        self._screen.call_later(self.show_soon)
+
+    def _show(self) -> None:
+        is_new = False
+        for version, monitor in list(self._monitors.items()):
+            graph = self._graphs[version]
+            for report in monitor.take():
+                if report.get("tell") == "answer":
+                    is_new |= self._take_answer(report)
+                else:
+                    is_new |= graph.feed(report)
+            if monitor.ended is not None:
+                self._lost(version, f"the monitor has ended: {monitor.ended}")
+                is_new = False
+        if is_new:
+            self._tell(self._empty)
+            self.watch()
+
+    def _tell(self, empty: str) -> None:
+        self._empty = empty
+        graphs = [graph for graph in self._graphs.values() if graph.is_known or graph.problem]
+        self._panel.show_live(graphs, self._answers, empty)
+
+    def _look_at_monitors(self) -> None:
+        for version, monitor in list(self._monitors.items()):
+            if monitor.is_silent:
+                monitor.kill()
+                self._lost(version, "the monitor of the nodes did not answer any more")
+        if self._monitors:
+            self._look.start(_LOOK)
+
+    def _lost(self, version: int, why: str) -> None:
+        """Say that a monitor is no more; the nodes run on."""
+        monitor = self._monitors.pop(version)
+        monitor.close()
+        self._watching.pop(version, None)
+        self._fail(version, f"{why}; press R to watch again")
+        text = f"the nodes run on, but are not watched: {why}"
+        self._screen.notify(text, severity="warning", markup=False)
+
+    def _fail(self, version: int, problem: str) -> None:
+        graph = self._graphs[version]
+        graph.problem = problem
+        for topic in graph.topics.values():
+            topic.rate = 0.0
+        self._tell(self._empty)
+
+    # What is asked of nodes.
+
+    def do(self, what: str, row: LiveRow | None) -> None:
+        """Do what was asked about a row of the panel: see `LivePanel.on_asked`."""
+        if what == "restart":
+            if self._commands and not self._monitors:
+                self.start(self._commands)
+        elif row is not None:
+            start_exclusive(self._screen, "live", self._ask, row)
+
+    async def _ask(self, row: LiveRow) -> None:
+        monitor = self._monitors.get(row.ros_version)
+        if monitor is None:
+            self._say("nothing runs that could take it")
+            return
+        from ..wizard.live_orders import form_for
+
+        form = form_for(row, self._program.open.session, self._given.get(row.key, {}))
+        if isinstance(form, str):
+            self._say(form)
+            return
+        given = await self._screen.app.push_screen_wait(form.dialog)
+        if given is None:
+            return
+        self._given[row.key] = given
+        number = next(self._numbers)
+        self._asked[number] = row
+        if not monitor.order(id=number, **form.order(given)):
+            self._say("the monitor of the nodes takes nothing any more")
+
+    def _take_answer(self, report: Any) -> bool:
+        row = self._asked.pop(report.get("id", 0), None)
+        if row is None:
+            return False
+        is_failure, text = bool(report.get("is_failure")), str(report.get("text"))
+        if row.kind in (Kind.SERVICE, Kind.ANSWER):
+            key = f"{row.ros_version} service {row.owner}"
+            self._answers[key] = Answer(text, is_failure)
+            return True
+        severity = "warning" if is_failure else "information"
+        words = f"{row.name}: {text}" if row.kind is Kind.PARAMETER else text
+        self._screen.notify(words, severity=severity, markup=False, timeout=3)  # type: ignore[arg-type]
+        return False
+
+    def _say(self, text: str) -> None:
+        self._screen.notify(text, timeout=3, markup=False)

@@ -1,0 +1,300 @@
+"""What travels between the nodes that run: topics, services, nodes and their parameters."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from itertools import takewhile
+from typing import ClassVar, NamedTuple
+
+from rich.segment import Segment
+from rich.style import Style
+from textual.binding import Binding, BindingType
+from textual.geometry import Region
+from textual.strip import Strip
+
+from plastron_tui.runtime.live_graph import LiveGraph
+
+from ..delay import Delay
+from .entry import Entries, Entry
+from .entry_list import EntryList
+from .live_columns import Columns, columns_of, line_of
+from .live_rows import Answer, Kind, LiveRow, live_rows
+from .panel import Panel
+
+NOTHING_RUNS = "nothing runs\nF5 starts the nodes; here is then what they send"
+STARTING = "the nodes start…\nwhat they send is shown here"
+LOOKING = "looking for topics…\nwhat the nodes send is shown here"
+_ROWS_AT_ONCE = 16
+_BETWEEN = 0.03
+"""Seconds between the rows that are drawn at once and the next ones."""
+_KINDS = {"publish": Kind.TOPIC, "call": Kind.SERVICE, "set": Kind.PARAMETER}
+
+
+class Watching(NamedTuple):
+    """What is looked at, of one generation of ROS.
+
+    Attributes:
+        topics: the topics in sight.
+        full: those of them whose fields are in sight.
+        nodes: the nodes whose parameters are in sight.
+    """
+
+    topics: tuple[str, ...] = ()
+    full: tuple[str, ...] = ()
+    nodes: tuple[str, ...] = ()
+
+
+def _asking(what: str, keys: str, title: str, tooltip: str, *, show: bool = True) -> Binding:
+    return Binding(keys, f"ask('{what}')", title, id=f"live.{what}", tooltip=tooltip, show=show)
+
+
+class LivePanel(EntryList):
+    """A table of what runs. It only knows what it is shown, and tells what is in sight of that.
+
+    Attributes:
+        on_watched: called when other rows came in sight, or the panel itself did, or is no more.
+        on_asked: called when something shall be done about a row: `publish`, `call` or `set`; or
+            `restart`, whatever the row is.
+    """
+
+    BINDINGS: ClassVar[list[BindingType]] = [
+        Binding("enter", "choose", "Open", id="live.open", tooltip="Unfold it, call it or set it"),
+        Binding("right,l", "unfold", "Unfold", show=False, id="live.unfold"),
+        Binding("left,h", "fold_back", "Fold", show=False, id="live.fold"),
+        _asking("publish", "p", "Publish", "Send a message to the topic"),
+        _asking("call", "c", "Call", "Call the service"),
+        _asking("set", "s", "Set", "Give the parameter another value"),
+        _asking("restart", "r", "Watch again", "Start the monitor of the nodes again", show=False),
+    ]
+
+    def __init__(self, *, id: str | None = None) -> None:  # noqa: A002 - Textual's word
+        super().__init__(id=id, empty=NOTHING_RUNS)
+        self.on_watched: Callable[[], None] = lambda: None
+        self.on_asked: Callable[[str, LiveRow | None], None] = lambda _, __: None
+        self._graphs: Sequence[LiveGraph] = ()
+        self._answers: Mapping[str, Answer] = {}
+        self._live: list[LiveRow] = []
+        self._unfolded: set[str] = set()
+        self._columns = Columns(0, 0, 0, 0, 0)
+        self._is_in_sight = False
+        self._stale: set[int] = set()
+        self._drawing = Delay(self, self._draw_some)
+        self._base: Style | None = None
+
+    @property
+    def row(self) -> LiveRow | None:
+        """The row that the cursor is on."""
+        return self._live[self.index] if 0 <= self.index < len(self._live) else None
+
+    @property
+    def lines(self) -> list[str]:
+        """The rows as they are drawn, without their colours."""
+        width = self.scrollable_content_region.width
+        drawn = (line_of(row, self._columns, width) for row in self._live)
+        return ["".join(piece.text for piece in line).rstrip() for line in drawn]
+
+    @property
+    def is_in_sight(self) -> bool:
+        """Whether somebody can look at it."""
+        return self._is_in_sight
+
+    def watching(self, version: int) -> Watching:
+        """Return what is in sight of a generation of ROS."""
+        if not self._is_in_sight:
+            return Watching()
+        top = int(self.scroll_offset.y)
+        seen = [
+            row
+            for row in self._live[top : top + max(1, self.size.height)]
+            if row.ros_version == version
+        ]
+        topics = dict.fromkeys(row.owner for row in seen if row.kind in (Kind.TOPIC, Kind.FIELD))
+        prefix = f"{version} topic "
+        full = [name for name in topics if f"{prefix}{name}" in self._unfolded]
+        nodes = [row.owner for row in self._live if row.kind is Kind.NODE and row.is_open]
+        return Watching(tuple(topics), tuple(full), tuple(nodes))
+
+    def show_live(
+        self, graphs: Sequence[LiveGraph], answers: Mapping[str, Answer], empty: str
+    ) -> None:
+        """Show what is known of what runs.
+
+        Args:
+            graphs: what is known, of each generation of ROS.
+            answers: the last answers of services, by the key of their rows.
+            empty: what is said where nothing is known.
+        """
+        self._graphs, self._answers = graphs, answers
+        if self._is_in_sight:
+            self._show_rows(empty)
+
+    def _show_rows(self, empty: str | None = None) -> None:
+        rows = live_rows(self._graphs, self._unfolded, self._answers)
+        empty = self.entries.empty if empty is None else empty
+        before, self._live = self._live, rows
+        old_columns = self._columns
+        self._columns = columns_of(rows, self.scrollable_content_region.width)
+        same = [row.key for row in before] == [row.key for row in rows]
+        if not same or empty != self.entries.empty:
+            self.show(Entries(map(_entry, rows), empty))
+            if not before and len(rows) > 1:
+                # The first one is a heading.
+                self.index = 1
+            self.on_watched()
+            self.refresh_bindings()
+        elif self._columns != old_columns:
+            self.refresh()
+        else:
+            self._refresh_rows(at for at, pair in enumerate(zip(before, rows, strict=True))
+                               if pair[0] != pair[1])  # fmt: skip
+
+    def _refresh_rows(self, rows: Iterable[int]) -> None:
+        """Draw rows again, some at a time: a key that comes meanwhile waits for no more of them.
+
+        Who is on a slow line gets no more than what is new.
+        """
+        self._stale.update(rows)
+        if not self._drawing.is_waiting:
+            self._draw_some()
+
+    def _draw_some(self) -> None:
+        top, height = int(self.scroll_offset.y), self.size.height
+        in_sight = sorted(row for row in self._stale if top <= row < top + height)
+        if not in_sight:
+            self._stale.clear()
+            return
+        first = in_sight[0]
+        drawn = range(first, min(first + _ROWS_AT_ONCE, in_sight[-1] + 1))
+        self._stale.difference_update(drawn)
+        self.refresh(Region(0, first - top, self.size.width, len(drawn)))
+        self._drawing.start(_BETWEEN)
+
+    @property
+    def rich_style(self) -> Style:
+        """The style of its background; looked up once for all lines that are drawn in one go."""
+        if self._base is None:
+            return super().rich_style
+        return self._base
+
+    def render_lines(self, crop: Region) -> list[Strip]:
+        """Draw lines."""
+        self._base = super().rich_style
+        try:
+            return super().render_lines(crop)
+        finally:
+            self._base = None
+
+    def on_show(self) -> None:
+        """Show what came meanwhile."""
+        self._is_in_sight = True
+        self._show_rows()
+        self.on_watched()
+
+    def on_hide(self) -> None:
+        """Tell that nobody looks any more."""
+        self._is_in_sight = False
+        self.on_watched()
+
+    def on_resize(self) -> None:
+        """Lay the columns out anew."""
+        self._columns = columns_of(self._live, self.scrollable_content_region.width)
+        self.refresh()
+        self.on_watched()
+
+    def watch_scroll_y(self, old_value: float, new_value: float) -> None:
+        """Tell that other rows are in sight."""
+        super().watch_scroll_y(old_value, new_value)
+        if round(old_value) != round(new_value):
+            self.on_watched()
+
+    def watch_index(self, old: int, new: int) -> None:
+        """Offer other actions with another row."""
+        super().watch_index(old, new)
+        if self.has_focus:
+            self.refresh_bindings()
+
+    def check_action(self, action: str, parameters: tuple[object, ...]) -> bool | None:
+        """Offer what can be done about the row under the cursor."""
+        if action != "ask" or parameters[0] == "restart":
+            return True
+        row = self.row
+        return row is not None and row.kind is _KINDS[str(parameters[0])]
+
+    def action_ask(self, what: str) -> None:
+        """Ask for something to be done."""
+        self.on_asked(what, self.row)
+
+    def action_choose(self) -> None:
+        """Unfold the row, or fold it; call a service; set a parameter."""
+        row = self.row
+        if row is None:
+            return
+        match row.kind:
+            case Kind.SERVICE | Kind.ANSWER:
+                self.action_ask("call")
+            case Kind.PARAMETER:
+                self.action_ask("set")
+            case _:
+                self.action_fold()
+
+    def action_fold(self) -> None:
+        """Fold or unfold the row, or the one that it belongs to."""
+        at = self._branch()
+        if at is not None:
+            self._toggle(at)
+
+    def action_unfold(self) -> None:
+        """Unfold the row."""
+        row = self.row
+        if row is not None and row.is_branch and not row.is_open:
+            self._toggle(self.index)
+
+    def action_fold_back(self) -> None:
+        """Fold the row, or the one that it belongs to."""
+        at = self._branch()
+        if at is not None and self._live[at].is_open:
+            self._toggle(at)
+
+    def _branch(self) -> int | None:
+        """Return the row under the cursor, or the one that it belongs to, if it can be folded."""
+        at = self.index
+        while 0 < at < len(self._live) and self._live[at].depth:
+            at -= 1
+        return at if 0 <= at < len(self._live) and self._live[at].is_branch else None
+
+    def _toggle(self, at: int) -> None:
+        key = self._live[at].key
+        self._unfolded ^= {key}
+        self.index = at
+        self._show_rows()
+        below = takewhile(lambda row: row.depth, self._live[at + 1 :])
+        self._reveal(at + sum(1 for _ in below))
+        self._reveal(at)
+
+    def _segments(self, entry: Entry, width: int, base: Style, is_lit: bool) -> list[Segment]:
+        row = self._live[self._rows[entry.key]]
+        return [
+            Segment(text, base + (Style.null() if is_lit else self.tone(tone)))
+            for text, tone in line_of(row, self._columns, width)
+            if text
+        ]
+
+
+def _entry(row: LiveRow) -> Entry:
+    return Entry(row.key, row.name, is_branch=row.is_branch, depth=row.depth)
+
+
+LIVE = Panel(
+    name="live",
+    title="Live",
+    dock="result",
+    keys="alt+v",
+    summary="What travels between the nodes that run.",
+    about=(
+        "Each topic ≈ of the nodes that run, with how often a message comes and what is in the "
+        "last one; Enter unfolds its fields, P sends a message to it. Enter on a service ◆ calls "
+        "it. Enter on a node ● shows its parameters, and on a parameter sets it. What is not in "
+        "sight is not listened to."
+    ),
+    widget=LivePanel,
+)

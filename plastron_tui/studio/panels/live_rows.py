@@ -1,0 +1,238 @@
+"""The rows of the live panel: what is known of running nodes, as data."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Set as AbstractSet
+from enum import Enum
+from typing import NamedTuple
+
+from plastron_tui.diagnostics.terminal import visible
+from plastron_tui.runtime.live_graph import LiveGraph, LiveParameter, LiveTopic
+
+WAITING = "waiting for the first message…"
+NOBODY = "nobody publishes here yet"
+
+
+class Kind(Enum):
+    """What a row is about."""
+
+    HEADING = "heading"
+    TOPIC = "topic"
+    FIELD = "field"
+    SERVICE = "service"
+    ANSWER = "answer"
+    NODE = "node"
+    PARAMETER = "parameter"
+    NOTE = "note"
+
+
+class Answer(NamedTuple):
+    """What a service answered."""
+
+    text: str
+    is_failure: bool = False
+
+
+class LiveRow(NamedTuple):
+    """A line of the panel.
+
+    Attributes:
+        key: what it is, the same as long as that is there.
+        kind: what it is about.
+        name: what is in its first column.
+        owner: the full name of the topic, service or node that it belongs to.
+        ros_version: the generation of ROS.
+        type: the type of a topic, a service or a parameter.
+        rate: messages a second, in words.
+        value: the last message, a field's or a parameter's value, an answer.
+        tone: the tone of the value.
+        samples: the numbers of its curve.
+        depth: how far it is indented.
+        is_branch: whether it can be unfolded.
+        is_open: whether it is.
+        parameter: what is known of a parameter.
+    """
+
+    key: str
+    kind: Kind
+    name: str
+    owner: str = ""
+    ros_version: int = 2
+    type: str = ""
+    rate: str = ""
+    value: str = ""
+    tone: str = ""
+    samples: tuple[float, ...] = ()
+    depth: int = 0
+    is_branch: bool = False
+    is_open: bool = False
+    parameter: LiveParameter | None = None
+
+
+def live_rows(
+    graphs: Sequence[LiveGraph], unfolded: AbstractSet[str], answers: Mapping[str, Answer]
+) -> list[LiveRow]:
+    """Return the rows about running nodes.
+
+    Args:
+        graphs: what is known, of each generation of ROS.
+        unfolded: the keys of the rows that are unfolded.
+        answers: the last answer of services, by the key of their rows.
+    """
+    rows: list[LiveRow] = []
+    for graph in graphs:
+        words = f"ROS {graph.ros_version} " if len(graphs) > 1 else ""
+        parts = (
+            ("topics", _topics(graph, unfolded)),
+            ("services", _services(graph, answers)),
+            ("nodes", _nodes(graph, unfolded)),
+        )
+        for part, found in parts:
+            below = list(found)
+            if below:
+                rows.append(LiveRow(f"{graph.ros_version} {part}", Kind.HEADING, words + part))
+                rows += below
+        if graph.problem:
+            key = f"{graph.ros_version} problem"
+            rows.append(LiveRow(key, Kind.NOTE, visible(graph.problem), tone="error"))
+    return rows
+
+
+def _topics(graph: LiveGraph, unfolded: AbstractSet[str]) -> Iterator[LiveRow]:
+    for topic in graph.topics.values():
+        key = f"{graph.ros_version} topic {topic.name}"
+        is_open = key in unfolded
+        value, tone = _topic_value(topic)
+        yield LiveRow(
+            key,
+            Kind.TOPIC,
+            visible(topic.name),
+            topic.name,
+            graph.ros_version,
+            topic.type,
+            _rate(topic),
+            value,
+            tone,
+            tuple(topic.samples),
+            is_branch=True,
+            is_open=is_open,
+        )
+        if is_open:
+            yield from _fields(key, topic, graph.ros_version)
+
+
+def _fields(key: str, topic: LiveTopic, version: int) -> Iterator[LiveRow]:
+    # The type has no column in a narrow panel.
+    ends = f"{_several(topic.publishers, 'publisher')}, {_several(topic.subscribers, 'subscriber')}"
+    about = f"{visible(topic.type)}, {ends}"
+    yield LiveRow(f"{key} about", Kind.NOTE, about, topic.name, version, depth=1, tone="quiet")
+    for path, text in topic.fields:
+        yield LiveRow(
+            f"{key} field {path}",
+            Kind.FIELD,
+            visible(path),
+            topic.name,
+            version,
+            value=visible(text),
+            samples=tuple(topic.field_samples.get(path, ())),
+            depth=1,
+        )
+
+
+def _several(count: int, word: str) -> str:
+    return f"{count or 'no'} {word}{'' if count == 1 else 's'}"
+
+
+def _rate(topic: LiveTopic) -> str:
+    if topic.rate >= 1000:
+        return f"{topic.rate / 1000:.1f} kHz"
+    if topic.rate > 0:
+        return f"{topic.rate:.1f} Hz"
+    return "" if topic.count < 2 or topic.is_gone else "silent"
+
+
+def _topic_value(topic: LiveTopic) -> tuple[str, str]:
+    """Return the last message, or what there is to say before it, and its tone."""
+    if topic.is_gone:
+        return "gone", "warning"
+    if topic.text:
+        return visible(topic.text), "" if topic.rate > 0 or topic.count < 2 else "quiet"
+    return (WAITING if topic.publishers else NOBODY), "quiet"
+
+
+def _services(graph: LiveGraph, answers: Mapping[str, Answer]) -> Iterator[LiveRow]:
+    for service in graph.services.values():
+        key = f"{graph.ros_version} service {service.name}"
+        yield LiveRow(
+            key,
+            Kind.SERVICE,
+            visible(service.name),
+            service.name,
+            graph.ros_version,
+            service.type,
+            value="gone" if service.is_gone else visible(service.type),
+            tone="warning" if service.is_gone else "quiet",
+        )
+        answer = answers.get(key)
+        if answer is not None:
+            yield LiveRow(
+                f"{key} answer",
+                Kind.ANSWER,
+                "✗" if answer.is_failure else "→",
+                service.name,
+                graph.ros_version,
+                service.type,
+                value=visible(answer.text),
+                tone="error" if answer.is_failure else "",
+                depth=1,
+            )
+
+
+def _nodes(graph: LiveGraph, unfolded: AbstractSet[str]) -> Iterator[LiveRow]:
+    for name, is_there in graph.nodes.items():
+        key = f"{graph.ros_version} node {name}"
+        is_open = key in unfolded and is_there
+        yield LiveRow(
+            key,
+            Kind.NODE,
+            visible(name),
+            name,
+            graph.ros_version,
+            value="" if is_there else "gone",
+            tone="quiet" if is_there else "warning",
+            is_branch=is_there,
+            is_open=is_open,
+        )
+        if not is_open:
+            continue
+        found = graph.parameters.get(name)
+        if not found:
+            words = "asking for its parameters…" if found is None else "has no parameters"
+            yield LiveRow(f"{key} none", Kind.NOTE, words, name, depth=1, tone="quiet")
+        for each in found or ():
+            yield LiveRow(
+                f"{key} parameter {each.name}",
+                Kind.PARAMETER,
+                visible(each.name),
+                name,
+                graph.ros_version,
+                each.type,
+                value=_parameter_value(each),
+                depth=1,
+                parameter=each,
+            )
+
+
+def _parameter_value(parameter: LiveParameter) -> str:
+    value = parameter.value
+    shown = f"[{', '.join(map(str, value))}]" if isinstance(value, tuple) else str(value)
+    limits = parameter.range
+    parts = [shown if value is not None else "not set"]
+    if limits is not None:
+        parts.append(f"{limits[0]:g}…{limits[1]:g}")
+    if parameter.is_read_only:
+        parts.append("cannot be set")
+    if parameter.about:
+        parts.append(parameter.about)
+    return visible("  ".join(parts))

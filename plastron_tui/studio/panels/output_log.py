@@ -1,0 +1,140 @@
+"""What nodes print, as records: repeated lines are one with a count, each node has its colour."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable
+from dataclasses import dataclass, replace
+from typing import NamedTuple
+
+from plastron_tui.diagnostics.terminal import visible
+
+from .styles import Line, Piece
+
+MOST_RECORDS = 5000
+_NEAR = 8
+"""So many records above the last one a repeated line is still counted, and not shown again."""
+_LONGEST = 4000
+"""The most characters of a line that are shown."""
+_SIGN = " | "
+"""What `plastron run` puts between the node and what it printed."""
+_OWN_NAME = "plastron"
+_NODE_TONES = ("primary", "accent", "success", "secondary")
+"""Yellow and red are for what is wrong."""
+_LEVEL = re.compile(r"\[(DEBUG|INFO|WARN|WARNING|ERROR|FATAL)\]", re.IGNORECASE)
+_LEVEL_TONES = {"WARN": "warning", "WARNING": "warning", "ERROR": "error", "FATAL": "error"}
+
+
+@dataclass(frozen=True, slots=True)
+class Record:
+    """A line that was printed.
+
+    Attributes:
+        label: the node's name with the sign behind it, "" for what no node printed.
+        text: what it printed, with nothing in it that a terminal obeys.
+        tone: the colour of the text.
+        times: how often it was printed.
+    """
+
+    label: str
+    text: str
+    tone: str = ""
+    times: int = 1
+
+    @property
+    def node(self) -> str:
+        """The name of the node."""
+        return self.label.removesuffix(_SIGN).rstrip()
+
+    def matches(self, words: Iterable[str]) -> bool:
+        """Tell whether all words are in it, whatever their case; they are lower case."""
+        whole = f"{self.label}{self.text}".lower()
+        return all(word in whole for word in words)
+
+
+class Change(NamedTuple):
+    """How the records have changed.
+
+    Attributes:
+        dropped: how many of the first ones are gone.
+        start: from which one on, as they were counted before, they are other ones.
+    """
+
+    dropped: int
+    start: int
+
+
+class OutputLog:
+    """The last records, and the colour of each node.
+
+    Attributes:
+        records: the records, the oldest first.
+    """
+
+    def __init__(self) -> None:
+        self.records: list[Record] = []
+        self._tones: dict[str, str] = {}
+
+    def clear(self) -> None:
+        """Forget all records; nodes keep their colours."""
+        self.records.clear()
+
+    def add(self, printed: Iterable[Record]) -> Change:
+        """Take records; count those that were there just before."""
+        records = self.records
+        before = start = len(records)
+        for record in printed:
+            at = _repeated(records, record)
+            if at is None:
+                records.append(record)
+            else:
+                records[at] = replace(records[at], times=records[at].times + record.times)
+                start = min(start, at)
+        excess = max(0, len(records) - MOST_RECORDS)
+        del records[:excess]
+        dropped = min(excess, before)
+        return Change(dropped, max(start, dropped))
+
+    def line(self, record: Record) -> Line:
+        """Return a record as it is shown."""
+        pieces = [Piece(record.text, record.tone)]
+        if record.label:
+            pieces.insert(0, Piece(record.label, self._tone(record.node)))
+        if record.times > 1:
+            pieces.append(Piece(f"  ×{record.times:,}", "quiet"))
+        return tuple(pieces)
+
+    def _tone(self, node: str) -> str:
+        if node == _OWN_NAME:
+            return "quiet"
+        return self._tones.setdefault(node, _NODE_TONES[len(self._tones) % len(_NODE_TONES)])
+
+
+def _repeated(records: list[Record], record: Record) -> int | None:
+    """Return which record of late is the same: the last one of its node, if it is near."""
+    for at in range(len(records) - 1, max(-1, len(records) - 1 - _NEAR), -1):
+        if records[at].label == record.label:
+            is_same = records[at].text == record.text and records[at].tone == record.tone
+            return at if is_same and record.text.strip() else None
+    return None
+
+
+def printed_record(text: str) -> Record:
+    """Return the record of a line that was printed."""
+    shown = visible(text.expandtabs(4))
+    label, sign, rest = shown.partition(_SIGN)
+    if not sign:
+        label, rest = "", shown
+    if len(rest) > _LONGEST:
+        rest = f"{rest[:_LONGEST]} … and {len(rest) - _LONGEST:,} characters more"
+    return Record(label + sign, rest, _tone_of(rest))
+
+
+def _tone_of(text: str) -> str:
+    level = _LEVEL.search(text[:80])
+    if level is not None:
+        return _LEVEL_TONES.get(level[1].upper(), "")
+    lower = text.lower()
+    if "error" in lower or "traceback" in lower or " was ended by " in lower or " died " in lower:
+        return "error"
+    return "warning" if "warn" in lower else ""

@@ -1,0 +1,94 @@
+"""The studio's line to a terminal: what is written is kept short, what comes at once stays so."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterable
+from time import monotonic
+from typing import IO, TYPE_CHECKING, cast
+
+from textual import events
+from textual.driver import Driver
+from textual.message import Message
+
+from .key_bursts import Bursts, Kind
+from .terminal_output import ShownScreen
+from .textual_private import linux_driver, parse_input_with
+
+if TYPE_CHECKING:
+    from textual._xterm_parser import XTermParser
+
+
+class Burst(events.Event):
+    """A text that came as keys.
+
+    Attributes:
+        text: the text; a line ends in CR or LF.
+        keys: the keys.
+    """
+
+    def __init__(self, text: str, keys: list[events.Key]) -> None:
+        super().__init__()
+        self.text = text
+        self.keys = keys
+
+
+def for_terminal(driver: type[Driver], shown: ShownScreen) -> type[Driver]:
+    """Return a driver for the studio that does all that another one does; a browser's as it is.
+
+    Args:
+        driver: Textual's choice.
+        shown: what the terminal shows; it is told of what is written, and has to be told of else.
+    """
+    base = linux_driver()
+    if base is None or driver is not base:
+        return driver
+    parse_input_with(_with_bursts)
+
+    class StudioDriver(driver):  # type: ignore[valid-type, misc]
+        """Writes to the terminal only what differs from what it shows."""
+
+        def write(self, data: str) -> None:
+            """Write what is not shown yet."""
+            changes = shown.changes(data, _size(self._file))
+            if changes:
+                super().write(changes)
+
+    return StudioDriver
+
+
+def _size(file: IO[str]) -> tuple[int, int] | None:
+    """Return the columns and rows of a terminal; None if it is none."""
+    try:
+        size = os.get_terminal_size(file.fileno())
+    except (OSError, ValueError):
+        return None
+    return size.columns, size.lines
+
+
+def _with_bursts(parser: type[XTermParser]) -> type[XTermParser]:
+    """Return a parser of what a terminal sends that tells bursts of text from keys."""
+
+    class BurstParser(parser):  # type: ignore[valid-type, misc]
+        """Hands a text that comes at once on as one event."""
+
+        def __init__(self, debug: bool = False) -> None:
+            super().__init__(debug)
+            self._bursts = Bursts()
+
+        def feed(self, data: str) -> Iterable[Message]:
+            """Take what was read; "" at the end."""
+            if not data:
+                yield from super().feed(data)
+                return
+            for part in self._bursts.parts(data, monotonic()):
+                match part.kind:
+                    case Kind.KEYS:
+                        yield from super().feed(part.text)
+                    case Kind.BURST:
+                        keys = cast("list[events.Key]", list(super().feed(part.text)))
+                        yield Burst(part.text, keys)
+                    case Kind.PASTE:
+                        yield events.Paste(part.text)
+
+    return BurstParser

@@ -1,0 +1,145 @@
+"""A form for what is sent to nodes that run: a message, a request, a parameter's value."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from typing import Any, ClassVar
+
+from textual import on
+from textual.app import ComposeResult
+from textual.binding import Binding, BindingType
+from textual.containers import Horizontal, Vertical, VerticalScroll
+from textual.widgets import Button, Label
+
+from plastron_tui.diagnostics.terminal import visible
+from plastron_tui.language.declaration import DECLARATIONS
+from plastron_tui.language.statements import CreateMessage
+
+from ..screens.dialog import Dialog
+from .rows import Confirmed, Entered, Reached, Row
+from .sent_values import Wrong
+from .values import Entry, Heading, Path
+
+Check = Callable[[Mapping[Path, str]], Any]
+"""Makes what is sent of what was entered; a `Wrong` where that does not fit."""
+
+
+class LiveForm(Dialog["dict[Path, str] | None"]):
+    """Asks for values, and gives them once they fit; None where nothing is to be sent.
+
+    Attributes:
+        given: what was entered, by field.
+    """
+
+    BINDINGS: ClassVar[list[BindingType]] = [
+        Binding("escape", "cancel", "Cancel"),
+        Binding("down", "app.focus_next", show=False),
+        Binding("up", "app.focus_previous", show=False),
+    ]
+
+    def __init__(
+        self,
+        title: str,
+        verb: str,
+        form: Sequence[Entry | Heading],
+        check: Check,
+        given: Mapping[Path, str],
+        about: str = "",
+    ) -> None:
+        """Make a form.
+
+        Args:
+            title: what it is for.
+            verb: what the button says: `Send`, `Call`, `Set`.
+            form: the fields.
+            check: tells whether what was entered fits.
+            given: what is entered at first.
+            about: a line about it.
+        """
+        super().__init__()
+        self.given = dict(given)
+        self._title, self._verb, self._about = title, verb, about
+        self._form = form
+        self._check = check
+
+    def compose(self) -> ComposeResult:
+        """Make a row for each field."""
+        slot = DECLARATIONS[CreateMessage].slots[-1]
+        has_values = any(isinstance(each, Entry) for each in self._form)
+        with Vertical(id="dialog"):
+            yield Label(visible(self._title), id="dialog-title", markup=False)
+            if self._about or not has_values:
+                words = self._about or "it takes no values"
+                yield Label(visible(words), id="dialog-text", markup=False)
+            with VerticalScroll(id="live-rows", can_focus=False):
+                for each in self._form:
+                    label = "  " * (len(each.path) - 1) + each.path[-1]
+                    if isinstance(each, Heading):
+                        yield Label(f"{label}  {each.note}", classes="wizard-heading", markup=False)
+                        continue
+                    text = self.given.get(each.path, "")
+                    yield Row(slot, label, text, note=each.note, entry=each, path=each.path,
+                              placeholder=each.default)  # fmt: skip
+            yield Label("", id="wizard-help", markup=False)
+            with Horizontal(id="dialog-buttons"):
+                yield Button(self._verb, id="send", variant="primary", compact=True)
+                yield Button("Cancel", id="cancel", compact=True)
+
+    def on_mount(self) -> None:
+        """Begin at the first field."""
+        first = next(iter(self.query(Row)), None)
+        (self.query_one("#send", Button) if first is None else first.box).focus()
+
+    @on(Entered)
+    def entered(self, message: Entered) -> None:
+        """Note what was entered, and tell at once where it does not fit."""
+        message.stop()
+        if message.row.path is not None:
+            self.given[message.row.path] = message.text
+        found = self._check(self.given)
+        self._say(found if isinstance(found, Wrong) else None)
+
+    @on(Reached)
+    def reached(self, message: Reached) -> None:
+        """Bring the row in sight, and say what its field is."""
+        message.stop()
+        message.row.scroll_visible(animate=False)
+        label = self.query_one("#wizard-help", Label)
+        entry = message.row.entry
+        if not label.has_class("-wrong") and entry is not None:
+            label.update(visible(entry.comment or entry.note))
+
+    @on(Confirmed)
+    def confirmed(self, message: Confirmed) -> None:
+        """Send it, if it fits."""
+        message.stop()
+        self._send()
+
+    @on(Button.Pressed)
+    def pressed(self, event: Button.Pressed) -> None:
+        """Send it, or leave."""
+        if event.button.id == "send":
+            self._send()
+        else:
+            self.dismiss(None)
+
+    def action_cancel(self) -> None:
+        """Send nothing."""
+        self.dismiss(None)
+
+    def _send(self) -> None:
+        found = self._check(self.given)
+        if not isinstance(found, Wrong):
+            self.dismiss(self.given)
+            return
+        self._say(found)
+        row = next((each for each in self.query(Row) if each.path == found.path), None)
+        if row is not None:
+            row.box.focus()
+
+    def _say(self, wrong: Wrong | None) -> None:
+        label = self.query_one("#wizard-help", Label)
+        label.set_class(wrong is not None, "-wrong")
+        label.update("" if wrong is None else f"✗ {visible(wrong.message)}")
+        for row in self.query(Row):
+            row.set_class(wrong is not None and row.path == wrong.path, "-wrong")

@@ -1,0 +1,130 @@
+"""What the reports of a monitor add up to, and the process that makes them."""
+
+from __future__ import annotations
+
+import os
+import sys
+import threading
+from collections.abc import Mapping
+from typing import Any
+
+import pytest
+from machine import wait_until
+
+from plastron_tui.runtime import monitor as monitors
+from plastron_tui.runtime.live_graph import MOST_SAMPLES, LiveGraph
+from plastron_tui.runtime.monitor import Monitor, MonitorCommand, announced, announcement
+
+GRAPH = {
+    "tell": "graph",
+    "topics": [["/chatter", "std_msgs/String", 1, 2], ["/speed", "std_msgs/Float64", 1, 0]],
+    "services": [["/add", "a/Add"]],
+    "nodes": ["/talker", "/listener"],
+}
+
+
+def row(count: int, **more: Any) -> Mapping[str, Any]:
+    return {"count": count, "rate": 2.0, "text": str(count), "number": count, **more}
+
+
+def test_reports_add_up() -> None:
+    graph = LiveGraph(2)
+    assert graph.feed(GRAPH) and graph.is_known
+    for count in range(1, MOST_SAMPLES + 10):
+        fields = [["data", str(count), count], ["unit", '"m"', None]]
+        assert graph.feed({"tell": "topics", "rows": {"/speed": row(count, fields=fields)}})
+    topic = graph.topics["/speed"]
+    assert (topic.rate, topic.text, len(topic.samples)) == (2.0, topic.fields[0].text, MOST_SAMPLES)
+    assert list(topic.field_samples) == ["data"] and topic.field_samples["data"][-1] == topic.count
+    # The same message again is no new number.
+    graph.feed({"tell": "topics", "rows": {"/speed": row(topic.count)}})
+    assert len(topic.samples) == MOST_SAMPLES and not topic.fields
+    # A topic of which the graph does not know is none.
+    graph.feed({"tell": "topics", "rows": {"/other": row(1)}})
+    assert list(graph.topics) == ["/chatter", "/speed"]
+
+
+def test_what_has_gone_stays_and_is_marked() -> None:
+    graph = LiveGraph(2)
+    graph.feed(GRAPH)
+    graph.feed({"tell": "topics", "rows": {"/chatter": row(3)}})
+    graph.feed({**GRAPH, "topics": GRAPH["topics"][1:], "services": [], "nodes": ["/listener"]})
+    topic = graph.topics["/chatter"]
+    assert topic.is_gone and topic.rate == 0 and topic.text == "3"
+    assert graph.services["/add"].is_gone
+    assert graph.nodes == {"/listener": True, "/talker": False}
+    graph.feed(GRAPH)
+    assert not graph.topics["/chatter"].is_gone and graph.nodes["/talker"]
+    graph.end()
+    assert not any(graph.nodes.values())
+
+
+def test_parameters_are_those_of_the_last_report() -> None:
+    graph = LiveGraph(2)
+    told = {"name": "speed", "value": 0.5, "type": "float", "range": [0, 1], "about": "m/s",
+            "is_read_only": False}  # fmt: skip
+    for value in (0.5, [1, 2]):
+        graph.feed({"tell": "parameters", "node": "/a", "rows": [{**told, "value": value}]})
+    (found,) = graph.parameters["/a"]
+    assert (found.value, found.range, found.about) == ((1, 2), (0.0, 1.0), "m/s")
+
+
+@pytest.mark.parametrize(
+    "report",
+    [{}, {"tell": "graph"}, {"tell": "graph", "topics": 3, "services": [], "nodes": []},
+     {"tell": "topics", "rows": {"/chatter": {"count": "many"}}}, {"tell": "topics", "rows": [1]},
+     {"tell": "parameters", "node": "/a", "rows": [{}]}, {"tell": "beat"}, {"tell": ["x"]}],
+)  # fmt: skip
+def test_what_is_no_report_changes_nothing(report: Mapping[str, Any]) -> None:
+    graph = LiveGraph(2)
+    graph.feed(GRAPH)
+    assert not graph.feed(report)
+    assert list(graph.topics) == ["/chatter", "/speed"]
+
+
+def test_what_starts_monitors_is_told_in_a_line() -> None:
+    commands = (MonitorCommand(1, ("a", "b"), {"X": "ü\n"}), MonitorCommand(2, ("c",), {}))
+    line = announcement(commands)
+    assert line.count("\n") == 1 and announced(line) == commands
+    for wrong in ("", "[1]", "{}", "[{}]", "nonsense"):
+        assert announced(wrong) == ()
+
+
+def started(script: str) -> tuple[Monitor, threading.Event]:
+    told = threading.Event()
+    command = MonitorCommand(2, (sys.executable, "-c", script), dict(os.environ))
+    return Monitor(command, told.set), told
+
+
+def test_a_monitor_is_heard_and_ends_with_its_orders() -> None:
+    monitor, told = started(
+        'import sys\nprint(\'noise\\n[1]\\n{"tell": "beat"}\', flush=True)\n'
+        "for line in sys.stdin: print(line, end='', flush=True)"
+    )
+    assert told.wait(60)
+    assert monitor.order(do="watch", topics=["/a"])
+    found: list[Any] = []
+    wait_until(lambda: found.extend(monitor.take()) or len(found) > 1, "the order comes back", 60)
+    assert found == [{"tell": "beat"}, {"do": "watch", "topics": ["/a"]}]
+    monitor.close()
+    wait_until(lambda: monitor.ended is not None, "it ends", 60)
+    assert not monitor.order(do="watch")
+
+
+def test_why_a_monitor_ended_is_known() -> None:
+    monitor, _ = started("import sys; sys.exit('no such ROS')")
+    wait_until(lambda: monitor.ended is not None, "it ends", 60)
+    assert monitor.ended == "no such ROS"
+
+
+def test_one_that_hangs_keeps_nobody_waiting(monkeypatch: pytest.MonkeyPatch) -> None:
+    monitor, _ = started("import time; time.sleep(600)")
+    try:
+        # Far more than a pipe holds; in the end it is refused.
+        wait_until(lambda: not monitor.order(do="x" * 100_000), "it is refused", 60)
+        assert not monitor.is_silent
+        monkeypatch.setattr(monitors, "SILENT", 0.0)
+        assert monitor.is_silent
+    finally:
+        monitor.kill()
+    wait_until(lambda: monitor.ended is not None, "it ends", 60)

@@ -1,0 +1,89 @@
+"""What stays in the lines above and below where the window is narrow; what keys are called."""
+
+from __future__ import annotations
+
+import pytest
+
+from plastron_tui.studio.actions import ACTIONS, KEPT
+from plastron_tui.studio.key_display import key_name
+from plastron_tui.studio.main.program_bars import Title
+from plastron_tui.studio.panels.key_bar import Key, fitting
+
+NAMES = {
+    "f1": "F1",
+    "f15": "Shift-F3",
+    "shift+f5": "Shift-F5",
+    "ctrl+q": "Ctrl-Q",
+    "ctrl+underscore": "Ctrl-/",
+    "ctrl+at": "Ctrl-Space",
+    "ctrl+shift+up": "Ctrl-Shift-↑",
+    "alt+1": "Alt-1",
+    "alt+enter": "Alt-Enter",
+    "alt+question_mark": "Alt-?",
+    "alt+minus": "Alt--",
+    "left_square_bracket": "[",
+    "escape": "Esc",
+    "delete": "Delete",
+    "tab": "Tab",
+    "space": "Space",
+    "pageup": "PgUp",
+    "d": "d",
+    "K": "K",
+}
+
+
+@pytest.mark.parametrize("key", NAMES)
+def test_a_key_is_called_as_on_keyboards(key: str) -> None:
+    assert key_name(key) == NAMES[key]
+
+
+def test_no_key_of_an_action_has_a_name_that_cannot_be_read() -> None:
+    for key in ",".join(action.keys for action in ACTIONS if action.keys).split(","):
+        name = key_name(key)
+        assert name.isprintable()
+        assert not set(name) & set("^_ "), name
+
+
+FOOTER = [
+    Key(key_name(action.keys.split(",")[0]), action.title, "", action.id)
+    for action in ACTIONS
+    if action.footer
+]
+
+
+@pytest.mark.parametrize(
+    ("width", "titles"),
+    [
+        (120, "Help Run Generate Panels Menu Save Open Quit"),
+        (80, "Help Run Generate Panels Menu Save Quit"),
+        (60, "Help Run Generate Menu Quit"),
+        (50, "Help Run Panels Menu Quit"),
+        (41, "Help Run Menu Quit"),
+        (30, "Help Run Menu"),
+        (5, ""),
+    ],
+)
+def test_the_footer_keeps_what_matters(width: int, titles: str) -> None:
+    found = fitting(FOOTER, KEPT, width)
+    assert [key.title for key in found] == titles.split()
+    assert sum(key.width + 2 for key in found) - 2 < max(width, 1)
+
+
+@pytest.mark.parametrize(
+    ("width", "stop_key", "text"),
+    [
+        (80, None, "plastron talk.plastron ● work/  rclpy (ROS 2 kilted)"),
+        (80, "F5", "plastron talk.plastron ● running: F5 stops  work/  rclpy (ROS 2 kilted)"),
+        (70, "F5", "talk.plastron ● running: F5 stops  work/  rclpy (ROS 2 kilted)"),
+        (60, "F5", "talk.plastron ● running: F5 stops  rclpy (ROS 2 kilted)"),
+        (50, "F5", "talk.plastron ● running  rclpy (ROS 2 kilted)"),
+        (40, "F5", "talk.plastron ● running  rclpy"),
+        (10, "F5", "talk.plastron ● running  rclpy"),
+    ],
+)
+def test_the_title_drops_first_what_matters_less(
+    width: int, stop_key: str | None, text: str
+) -> None:
+    title = Title("talk.plastron", True, "work", "rclpy (ROS 2 kilted)", "rclpy", stop_key)
+    left, right = title.pieces(width)
+    assert "".join(words for words, _ in (*left, *right)) == text

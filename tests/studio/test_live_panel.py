@@ -1,0 +1,148 @@
+"""The live panel, fed by a monitor that needs no ROS."""
+
+from __future__ import annotations
+
+import json
+import os
+import sys
+from pathlib import Path
+from typing import Any
+
+import pytest
+from studio_driver import Driver, studio
+from textual.widgets import Label
+
+from plastron_tui.runtime.monitor import MonitorCommand
+from plastron_tui.studio import running
+from plastron_tui.studio.panels.live_panel import LivePanel, Watching
+
+STAND_IN = Path(__file__).with_name("monitor_stand_in.py")
+
+
+class Nodes:
+    """Nodes that are said to run until they are stopped."""
+
+    monitors: tuple[MonitorCommand, ...] = ()
+
+    def __init__(self, path: Path, options: object, news: Any) -> None:
+        self.status: int | None = None
+        self.was_stopped = False
+        self._news = news
+        news()
+
+    def take(self) -> list[str]:
+        return []
+
+    def stop(self) -> None:
+        self.status, self.was_stopped = 130, True
+        self._news()
+
+    close = stop
+
+
+@pytest.fixture
+def orders(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """The file in which the monitor writes down what it is asked."""
+    log = tmp_path / "orders"
+    log.touch()
+    command = (sys.executable, str(STAND_IN), str(log))
+    monkeypatch.setattr(Nodes, "monitors", (MonitorCommand(2, command, dict(os.environ)),))
+    monkeypatch.setattr(running, "Running", Nodes)
+    return log
+
+
+def asked(orders: Path, what: str) -> list[dict[str, Any]]:
+    """Return what the monitor was asked of a kind."""
+    found = [json.loads(line) for line in orders.read_text().splitlines()]
+    return [each for each in found if each["do"] == what]
+
+
+def live(driver: Driver) -> LivePanel:
+    panel = driver.main.panels["live"]
+    assert isinstance(panel, LivePanel)
+    return panel
+
+
+async def wait_shown(driver: Driver, text: str) -> str:
+    await driver.until(lambda: any(text in line for line in live(driver).lines))
+    return next(line for line in live(driver).lines if text in line)
+
+
+async def test_what_travels_is_shown_and_nodes_are_spoken_to(program: Path, orders: Path) -> None:
+    async with studio(program, (80, 24)) as driver:
+        await driver.show("live")
+        assert "nothing runs" in live(driver).entries.empty
+        await driver.press("f5")
+        line = await wait_shown(driver, "≈ /chatter")
+        assert driver.main.focused is live(driver)
+        await wait_shown(driver, "/chatter      2.0 Hz 0.25")
+        # Only what is in sight is listened to, and nothing unfolded yet.
+        watched = asked(orders, "watch")[-1]
+        rows = live(driver).size.height
+        assert "/chatter" in watched["topics"] and len(watched["topics"]) == rows - 1
+        assert not watched["full"]
+        assert live(driver).row.name == "/chatter", line
+        # Its fields.
+        await driver.press("right")
+        await wait_shown(driver, "linear.x")
+        assert asked(orders, "watch")[-1]["full"] == ["/chatter"]
+        # A message: what does not fit is said, and not sent.
+        await driver.pilot.press("p")
+        form = await driver.dialog("LiveForm")
+        await driver.type("fast")
+        await driver.pilot.press("enter")
+        await driver.pilot.pause()
+        assert "takes a number" in str(form.query_one("#wizard-help", Label).content)
+        assert not asked(orders, "publish")
+        await driver.pilot.press("backspace", *["backspace"] * 3, "0", ".", "5", "enter")
+        await driver.back()
+        await driver.until(lambda: "done: publish" in driver.notes())
+        (order,) = asked(orders, "publish")
+        assert (order["name"], order["values"]) == ("/chatter", {"linear": {"x": 0.5}})
+        # A parameter.
+        await driver.press("end", "right")
+        await wait_shown(driver, "speed")
+        await driver.press("down")
+        await driver.pilot.press("enter")
+        await driver.dialog("LiveForm")
+        await driver.pilot.press(*"0.75", "enter")
+        await driver.until(lambda: "speed: done: set" in driver.notes())
+        assert asked(orders, "set")[0]["value"] == 0.75
+        # A service, whose answer is shown below it.
+        await driver.press("up", "up", "up")
+        assert live(driver).row.name == "/add"
+        await driver.pilot.press("enter")
+        await driver.dialog("LiveForm")
+        await driver.pilot.press("1", "enter")
+        await driver.back()
+        await wait_shown(driver, "→ done: call")
+        # Out of sight nothing is listened to; back in sight it is again.
+        await driver.press("alt+1")
+        await driver.until(lambda: not asked(orders, "watch")[-1]["topics"])
+        assert live(driver).watching(2) == Watching()
+        await driver.press("alt+v")
+        await driver.until(lambda: asked(orders, "watch")[-1]["topics"])
+        # A monitor that dies is told, the nodes run on, and another one can be had.
+        await driver.press("enter")
+        await driver.dialog("LiveForm")
+        await driver.pilot.press("backspace", "enter")
+        await driver.back()
+        await driver.until(lambda: "the nodes run on, but are not watched" in driver.notes())
+        await driver.press("end")
+        await wait_shown(driver, "press R to watch again")
+        assert driver.main.runner.is_running
+        await driver.press("r", "home")
+        await driver.until(lambda: "ended" not in "".join(live(driver).lines))
+        # Nodes that have ended are marked.
+        await driver.press("f5")
+        await driver.until(lambda: not driver.main.runner.is_running)
+        await driver.show("live")
+        assert any("/talker" in line and "gone" in line for line in live(driver).lines)
+
+
+async def test_in_a_wide_window_the_output_stays(program: Path, orders: Path) -> None:
+    async with studio(program, (160, 40)) as driver:
+        await driver.press("f5")
+        await wait_shown(driver, "≈ /chatter")
+        assert driver.main.focused is driver.main.panels["output"]
+        assert driver.main.dock_layout.is_in_sight("live")

@@ -1,0 +1,145 @@
+"""The live panel as data: rows, columns, curves; and what a form makes of what is entered."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import pytest
+from rich.cells import cell_len
+
+from plastron_tui.ros.catalog import Catalog
+from plastron_tui.ros.interfaces import InterfaceKind, InterfaceName
+from plastron_tui.ros.parameters import ParameterType
+from plastron_tui.runtime.live_graph import LiveGraph
+from plastron_tui.studio.panels.live_columns import columns_of, line_of
+from plastron_tui.studio.panels.live_rows import NOBODY, WAITING, Answer, Kind, live_rows
+from plastron_tui.studio.panels.sparkline import sparkline
+from plastron_tui.studio.wizard.parameter_kinds import parameter_entry
+from plastron_tui.studio.wizard.sent_values import Wrong, sent_setting, sent_values
+from plastron_tui.studio.wizard.values import entries_of
+
+
+@pytest.mark.parametrize(
+    ("samples", "cells", "curve"),
+    [([], 5, ""), ([1.0], 5, "─"), ([2, 2, 2], 5, "───"), ([0, 1], 5, "▁█"), ([0, 1, 2], 2, "▁█"),
+     (range(8), 8, "▁▂▃▄▅▆▇█"), ([-1.7e308, 1.7e308], 4, "▁█"), ([1, 2], 0, "")],
+)  # fmt: skip
+def test_a_curve_is_between_the_least_and_the_greatest(
+    samples: Any, cells: int, curve: str
+) -> None:
+    assert sparkline(samples, cells) == curve
+
+
+@pytest.fixture
+def graph() -> LiveGraph:
+    graph = LiveGraph(2)
+    graph.feed({
+        "tell": "graph",
+        "topics": [["/a\x1b[2J", "std_msgs/String", 1, 0], ["/speed", "std_msgs/Float64", 1, 1],
+                   ["/cmd_vel", "geometry_msgs/Twist", 0, 1]],
+        "services": [["/add", "example_interfaces/AddTwoInts"]],
+        "nodes": ["/talker"],
+    })  # fmt: skip
+    fields = [["data", "0.5", 0.5]]
+    for count, number in enumerate((0.25, 0.5), 1):
+        row = {"count": count, "rate": 2.0, "text": f"{number}", "number": number, "fields": fields}
+        graph.feed({"tell": "topics", "rows": {"/speed": row}})
+    return graph
+
+
+def drawn(
+    graph: LiveGraph, width: int, unfolded: set[str], answer: Answer | None = None
+) -> list[str]:
+    rows = live_rows([graph], unfolded, {} if answer is None else {"2 service /add": answer})
+    columns = columns_of(rows, width)
+    lines = ["".join(piece.text for piece in line_of(row, columns, width)) for row in rows]
+    for line in lines:
+        assert cell_len(line) <= width, line
+    return [line.rstrip() for line in lines]
+
+
+def test_the_rows_say_what_runs(graph: LiveGraph) -> None:
+    unfolded = {"2 topic /speed", "2 node /talker"}
+    assert drawn(graph, 90, unfolded, answer=Answer("sum: 3")) == [
+        " topics",
+        f"▸ ≈ /a\\x1b[2J           {WAITING}",
+        f"▸ ≈ /cmd_vel            {NOBODY}",
+        f"▾ ≈ /speed       2.0 Hz 0.5{'▁█':>63}",
+        "      std_msgs/Float64, 1 publisher, 1 subscriber",
+        f"      data    0.5{'──':>73}",
+        " services",
+        "  ◆ /add      example_interfaces/AddTwoInts",
+        "      → sum: 3",
+        " nodes",
+        "▾ ● /talker",
+        "      asking for its parameters…",
+    ]
+
+
+def test_nothing_is_wider_than_the_panel_and_each_name_is_seen(graph: LiveGraph) -> None:
+    for width in range(30, 140, 7):
+        lines = drawn(graph, width, {"2 topic /speed"}, answer=Answer("no", is_failure=True))
+        for name in ("/cmd_vel", "/speed", "/add", "/talker"):
+            assert any(name in line for line in lines), (width, name)
+        assert any("2.0 Hz" in line and "0.5" in line for line in lines)
+
+
+def test_what_is_gone_or_silent_is_marked(graph: LiveGraph) -> None:
+    row = {"count": 2, "rate": 0.0, "text": "0.5", "number": 0.5}
+    graph.feed({"tell": "topics", "rows": {"/speed": row}})
+    assert any("/speed       silent 0.5" in line for line in drawn(graph, 60, set()))
+    graph.feed({"tell": "graph", "topics": [], "services": [], "nodes": []})
+    lines = drawn(graph, 60, set())
+    assert sum("gone" in line for line in lines) == 5
+
+
+def test_two_generations_are_told_apart_and_problems_said(graph: LiveGraph) -> None:
+    other = LiveGraph(1)
+    other.problem = "the master\x1b is gone"
+    rows = live_rows([graph, other], set(), {})
+    assert rows[0].name == "ROS 2 topics"
+    assert (rows[-1].kind, rows[-1].name) == (Kind.NOTE, "the master\\x1b is gone")
+
+
+CATALOG = Catalog("kilted")
+SENT: list[tuple[str, str, dict[tuple[str, ...], str], Any]] = [
+    ("msg", "std_msgs/String", {("data",): "hi, you"}, {"data": "hi, you"}),
+    ("msg", "geometry_msgs/Twist", {("linear", "x"): "1"}, {"linear": {"x": 1.0}}),
+    ("msg", "geometry_msgs/Twist", {}, {}),
+    ("msg", "std_msgs/Int32MultiArray", {("data",): "1, 2"}, {"data": [1, 2]}),
+    ("msg", "builtin_interfaces/Time", {("sec",): "5"}, {"sec": 5}),
+    ("srv", "std_srvs/SetBool", {("data",): "yes"}, {"data": True}),
+    ("msg", "geometry_msgs/Polygon", {("points",): "(x=1, y=2)"},
+     {"points": [{"x": 1.0, "y": 2.0}]}),
+    ("msg", "geometry_msgs/Twist", {("linear", "x"): "fast"},
+     Wrong("x takes a number, such as 0.5", ("linear", "x"))),
+    ("msg", "std_msgs/UInt8", {("data",): "300"}, ("data",)),
+    ("msg", "std_msgs/Float64", {("data",): "received.data"}, ("data",)),
+    ("msg", "geometry_msgs/Polygon", {("points",): "(q=1)"}, None),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize(("kind", "type_", "given", "wanted"), SENT)
+def test_what_is_entered_is_checked_and_becomes_values(
+    kind: str, type_: str, given: dict[tuple[str, ...], str], wanted: Any
+) -> None:
+    interface = CATALOG.find(InterfaceName(*type_.split("/")), InterfaceKind(kind))
+    assert interface is not None
+    found = sent_values(interface, CATALOG, entries_of(interface, CATALOG), given)
+    if wanted is None or (isinstance(wanted, tuple) and not isinstance(wanted, Wrong)):
+        assert isinstance(found, Wrong) and found.path == wanted
+    else:
+        assert found == wanted
+
+
+@pytest.mark.parametrize(
+    ("type_", "text", "value"),
+    [("float", "1", 1.0), ("int", "-3", -3), ("bool", "off", False), ("string", "a, b", "a, b"),
+     ("float_list", "[1, 2.5]", [1.0, 2.5]), ("string_list", '"a, b", c', ["a, b", "c"]),
+     ("int", "1.5", None), ("float", "fast", None), ("int", str(2**63), None),
+     ("float", "parameter 'x'", None)],
+)  # fmt: skip
+def test_a_parameter_gets_a_value_of_its_type(type_: str, text: str, value: Any) -> None:
+    kind = ParameterType(type_)
+    found = sent_setting(parameter_entry("p", kind), kind, text, 2)
+    assert isinstance(found, Wrong) if value is None else found == value

@@ -1,0 +1,144 @@
+"""The panel with what nodes print: repeated lines, colours, the filter, reading further up."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as some
+from studio_driver import Driver, studio
+from textual.widgets._toast import Toast
+
+from plastron_tui.runtime.child import Exit, Process
+from plastron_tui.runtime.console import ended_node
+from plastron_tui.studio.app import StudioApp
+from plastron_tui.studio.panels import output_log
+from plastron_tui.studio.panels.log_view import wrapped
+from plastron_tui.studio.panels.output_log import OutputLog, printed_record
+
+
+def shown(log: OutputLog) -> list[str]:
+    return ["".join(piece.text for piece in log.line(record)) for record in log.records]
+
+
+def log_of(*lines: str) -> OutputLog:
+    log = OutputLog()
+    for line in lines:
+        log.add([printed_record(line)])
+    return log
+
+
+@pytest.mark.parametrize(
+    ("lines", "wanted"),
+    [
+        (["a | x"] * 37, ["a | x  ×37"]),
+        (["a | x", "b | y"] * 3, ["a | x  ×3", "b | y  ×3"]),
+        (["a | x", "a | y", "a | x"], ["a | x", "a | y", "a | x"]),
+        (["a | ", "a | "], ["a | ", "a | "]),
+        (["x", "x"], ["x  ×2"]),
+        # What is far above was perhaps read and forgotten: it is said again.
+        (
+            ["a | x", *(f"b | {number}" for number in range(9)), "a | x"],
+            ["a | x", *(f"b | {number}" for number in range(9)), "a | x"],
+        ),
+        (["a | " + "x" * 5000], ["a | " + "x" * 4000 + " … and 1,000 characters more"]),
+    ],
+)
+def test_repeated_lines_are_counted(lines: list[str], wanted: list[str]) -> None:
+    assert shown(log_of(*lines)) == wanted
+
+
+@given(some.lists(some.tuples(some.sampled_from("abc"), some.sampled_from("xyz"))))
+def test_every_line_is_counted_once(printed: list[tuple[str, str]]) -> None:
+    log = log_of(*(f"{node} | {text}" for node, text in printed))
+    for pair in set(printed):
+        times = sum(each.times for each in log.records if (each.node, each.text) == pair)
+        assert times == printed.count(pair)
+
+
+def test_nodes_have_their_colours_and_levels_too() -> None:
+    log = log_of("a   | one", "bb  | [WARN] two", "a   | [INFO] no error here", "plastron | three")
+    tones = [[piece.tone for piece in log.line(record)] for record in log.records]
+    assert tones[0][0] == tones[2][0] != tones[1][0]
+    assert tones[3][0] not in (tones[0][0], tones[1][0])
+    assert [line[1] for line in tones] == ["", "warning", "", ""]
+
+
+def test_what_a_run_says_of_a_node_that_fails_is_understood() -> None:
+    process = Process("talker", ("python3",))
+    for end in (Exit(process, -9), Exit(process, 1), Exit(process, None, "no such file")):
+        found = ended_node(f"plastron | talker {end.words}: KeyError: 'x'")
+        assert found is not None and found.node == "talker" and found.how.startswith(end.words)
+    assert ended_node(f"plastron | talker {Exit(process, 0).words}") is None
+    assert ended_node("other | talker died with exit status 1") is None
+
+
+@given(some.lists(some.lists(some.integers(0, 3), max_size=12)))
+def test_a_change_tells_which_records_are_other_ones(steps: list[list[int]]) -> None:
+    log = OutputLog()
+    known: list[str] = []
+    for numbers in steps:
+        change = log.add(printed_record(f"n{number % 2} | {number}") for number in numbers)
+        known = [*known[change.dropped : change.start], *shown(log)[change.start :]]
+        assert known == shown(log)
+
+
+async def test_the_output_can_be_read_and_filtered_while_nodes_print(
+    program: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    most = 300
+    monkeypatch.setattr(output_log, "MOST_RECORDS", most)
+    async with studio(program, (80, 24)) as driver:
+        main = driver.main
+        output = main.panels["output"]
+        main.dock_layout.reveal("output")
+        await driver.settle()
+        # The editor keeps the focus: who starts nodes goes on to write.
+        assert main.focused is main.editor.view
+        output.begin("plastron run talk.plastron")
+        output.add(f"talker | {number} {'long ' * 30}" for number in range(most - 1))
+        await driver.pilot.pause()
+        assert output.view.is_vertical_scroll_end
+        await driver.show("output")
+        await driver.press("pageup", "pageup")
+        before = output.view.render_line(0).text
+        output.add(f"listener | {number}" for number in range(50))
+        await driver.pilot.pause()
+        assert output.view.render_line(0).text == before
+        assert len(output.lines) == most
+        width = output.view.outer_size.width - 1
+        assert output.view.rows == tuple(
+            row for line in output.lines for row in wrapped(line, width)
+        )
+        await driver.press("slash", *"LISTENER", "space", "7")
+        wanted = {f"listener | {number}" for number in (7, *range(17, 50, 10))}
+        assert set(output.text.splitlines()) == wanted
+        output.add(["talker | no", "listener | 77"])
+        await driver.pilot.pause()
+        assert set(output.text.splitlines()) == wanted | {"listener | 77"}
+        assert "6 of 300" in str(output.query_one("#output-count").content)
+        await driver.press("enter")
+        assert output.view.has_focus
+        await driver.press("slash", "escape")
+        assert len(output.lines) == most
+        assert output.view.has_focus
+
+
+async def test_notes_stand_above_the_lines_below_and_once(program: Path) -> None:
+    program.write_text("nonsense\n")
+    app = StudioApp(program)
+    app.animation_level = "none"
+    async with app.run_test(size=(50, 12), notifications=True) as pilot:
+        driver, main = Driver(app, pilot), app.main
+        await driver.back()
+        await driver.press("f5", "f5")
+        await driver.until(lambda: len(main.query(Toast)) > 0)
+        await driver.pilot.pause()
+        assert len(main.query(Toast)) == 1
+        toast = main.query_one(Toast).region
+        assert toast.x >= 0 and toast.bottom <= app.size.height - 2
+        # It goes when it is dealt with, without waiting for its time.
+        main.editor.replace_all(b"create_node 'a' as a\n")
+        await driver.settle()
+        await driver.until(lambda: not main.query(Toast))

@@ -1,0 +1,3 @@
+/* Helix compiles the scanner that is beside the parser. */
+
+#include "../../src/scanner.c"
