@@ -63,17 +63,18 @@ async def test_the_menu_finds_does_and_remembers(program: Path, size: tuple[int,
         await driver.pilot.press("escape")
         await driver.back()
         assert driver.app.profile.remembered.actions == []
+        wraps = driver.main.editor.view.soft_wrap
         await driver.pilot.press("f10", *"exit")
         assert menu.app.screen.entries[0].action is BY_ID["quit"]
         await driver.pilot.press(*("backspace",) * 4, *"soft", "enter")
         await driver.back()
-        assert driver.main.editor.view.soft_wrap
+        assert driver.main.editor.view.soft_wrap != wraps
         await driver.pilot.press("f10")
         menu = await driver.dialog("ActionMenu")
         assert menu.entries[0].heading == RECENT
         await driver.pilot.press("enter")
         await driver.back()
-        assert not driver.main.editor.view.soft_wrap
+        assert driver.main.editor.view.soft_wrap == wraps
         await driver.pilot.press("f10", *"xyzzy", "enter")
         assert type(driver.app.screen).__name__ == "ActionMenu"
         await driver.pilot.press("escape")
