@@ -69,6 +69,8 @@ async def test_keys_are_remapped_and_a_bad_configuration_is_said(program: Path, 
         )
         await driver.pilot.press("escape")
         await driver.back()
+        await driver.press("escape")
+        assert "F11 Generate" in driver.main.query_one("KeyBar").text
         await driver.pilot.press("f11")
         await driver.dialog("GenerateDialog")
 
