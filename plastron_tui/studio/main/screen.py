@@ -105,7 +105,6 @@ class MainScreen(Screen[None]):
     def on_mount(self) -> None:
         """Start the worker, and look at the files from time to time."""
         self.feed.worker.start()
-        self.editor.completer.waits = True
         self.on_resize()
         self.editor.view.soft_wrap = self.profile.config.wrap
         self.editor.view.line_numbers = self.profile.config.numbers
