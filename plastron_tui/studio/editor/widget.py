@@ -295,7 +295,7 @@ class ProgramEditor(Vertical):
         self.view.show_marks(Marks(own))
         self.view.repaint()
         program, workspace = meaning or (self.session.program, self.session.workspace)
-        self.completer.vocabulary = Vocabulary(program, workspace)
+        self.completer.learn(Vocabulary(program, workspace))
 
     def go_to(self, offset: int) -> None:
         """Put the cursor at an offset, with the lines around it in sight."""
