@@ -33,7 +33,7 @@ from .actions import key_owners
 from .analysis_worker import AnalysisFailed
 from .config import Profile, config_file, load_config, load_remembered, save_remembered
 from .control_characters import ONLY_TEXT
-from .files import OnDisk, open_file
+from .files import OnDisk, meant_by, open_file
 from .folder_labels import not_saved
 from .journal import Kept
 from .key_display import key_name
@@ -88,7 +88,8 @@ class StudioApp(InOrder, inherit_bindings=False):
         config, self._messages = load_config(config_file(), key_owners(), self.available_themes)
         self.profile = Profile(config, load_remembered(folder), folder)
         self.set_reactive(App.theme, self._first_theme())
-        self._paths = [] if path is None else [path, *_different(path, others)]
+        meant = [] if path is None else [meant_by(path), *map(meant_by, others)]
+        self._paths = [*meant[:1], *_different(meant[0], meant[1:])] if meant else []
         self._options = options or Options()
         self._first = None if first is None else f"screen.{first}"
         self._failures: set[str] = set()

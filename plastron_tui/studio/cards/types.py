@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 from plastron_tui.model.types import TypeResolver
 from plastron_tui.ros.common_types import line_about
+from plastron_tui.ros.field_meanings import meaning_of
 from plastron_tui.ros.interfaces import Field, Interface, InterfaceKind, Section
 
 from ..editor.card import CardRow
@@ -45,12 +46,15 @@ def type_rows(found: Interface, catalog: Catalog, known: Known) -> Iterator[Card
     for name, section in zip(_SECTIONS[found.kind], found.sections, strict=False):
         if name:
             yield CardRow(f"{name}:")
-        yield from _section_rows(section, catalog)
+        yield from _section_rows(found, section, catalog)
     yield from _users(found, known)
 
 
-def _section_rows(section: Section, catalog: Catalog) -> Iterator[CardRow]:
-    rows = list(_field_rows(section.fields, catalog))
+def _section_rows(found: Interface, section: Section, catalog: Catalog) -> Iterator[CardRow]:
+    rows = [
+        CardRow(".".join(path), str(field.type), _note(found, section, path, field, catalog))
+        for path, field in _fields(section.fields, catalog)
+    ]
     if not rows:
         yield CardRow("no fields")
     yield from rows[:_MOST_ROWS]
@@ -62,10 +66,10 @@ def _section_rows(section: Section, catalog: Catalog) -> Iterator[CardRow]:
         yield CardRow("…", f"{len(section.constants) - _MOST_CONSTANTS} more constants")
 
 
-def _field_rows(
+def _fields(
     fields: Sequence[Field], catalog: Catalog, before: tuple[str, ...] = ()
-) -> Iterator[CardRow]:
-    """Yield the fields by the names that programs write, those of a message within it dotted."""
+) -> Iterator[tuple[tuple[str, ...], Field]]:
+    """Yield the fields by their paths, in the place of a message within it those of that one."""
     for field in fields:
         path = (*before, field.name)
         inner = None
@@ -73,9 +77,17 @@ def _field_rows(
         if message is not None and not field.type.is_array and len(path) < _DEEPEST:
             inner = catalog.find(message, InterfaceKind.MESSAGE)
         if inner is not None and inner.fields:
-            yield from _field_rows(inner.fields, catalog, path)
+            yield from _fields(inner.fields, catalog, path)
         else:
-            yield CardRow(".".join(path), str(field.type), field.comment)
+            yield path, field
+
+
+def _note(
+    found: Interface, section: Section, path: tuple[str, ...], field: Field, catalog: Catalog
+) -> str:
+    """Return the unit of a field and what it means, else what its definition says of it."""
+    meaning = meaning_of(catalog, found, path, section)
+    return field.comment if meaning is None else meaning.said
 
 
 def _users(found: Interface, known: Known) -> Iterator[CardRow]:
