@@ -59,6 +59,9 @@ async def test_keys_are_remapped_and_a_bad_configuration_is_said(program: Path, 
         await driver.press("alt+6", "z")
         assert "size: " in driver.notes()
         # What shows keys shows those that work.
+        await driver.press("escape")
+        assert "F11 Generate" in driver.main.query_one("KeyBar").text
+        await driver.press("f1")
         await driver.pilot.press("f1")
         dialog = await driver.dialog("Help")
         assert "F11" in next(

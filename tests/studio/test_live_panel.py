@@ -137,12 +137,15 @@ async def test_what_travels_is_shown_and_nodes_are_spoken_to(program: Path, orde
         await driver.press("f5")
         await driver.until(lambda: not driver.main.runner.is_running)
         await driver.show("live")
-        assert any("/talker" in line and "gone" in line for line in live(driver).lines)
+        await driver.until(
+            lambda: any("/talker" in line and "gone" in line for line in live(driver).lines)
+        )
 
 
 async def test_in_a_wide_window_the_output_stays(program: Path, orders: Path) -> None:
     async with studio(program, (160, 40)) as driver:
         await driver.press("f5")
         await wait_shown(driver, "≈ /chatter")
-        assert driver.main.focused is driver.main.panels["output"]
+        assert driver.main.focused is driver.main.editor.view
         assert driver.main.dock_layout.is_in_sight("live")
+        assert driver.main.dock_layout.is_in_sight("output")

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 from textual.screen import Screen
 
+from plastron_tui.diagnostics.terminal import visible
 from plastron_tui.regular_files import reason
 from plastron_tui.runtime.live_graph import LiveGraph
 
@@ -149,7 +150,7 @@ class LiveActions:
         monitor.close()
         self._watching.pop(version, None)
         self._fail(version, f"{why}; press R to watch again")
-        text = f"the nodes run on, but are not watched: {why}"
+        text = f"the nodes run on, but are not watched: {visible(why)}"
         self._screen.notify(text, severity="warning", markup=False)
 
     def _fail(self, version: int, problem: str) -> None:
@@ -199,9 +200,9 @@ class LiveActions:
             self._answers[key] = Answer(text, is_failure)
             return True
         severity = "warning" if is_failure else "information"
-        words = f"{row.name}: {text}" if row.kind is Kind.PARAMETER else text
+        words = f"{row.name}: {visible(text)}" if row.kind is Kind.PARAMETER else visible(text)
         self._screen.notify(words, severity=severity, markup=False, timeout=3)  # type: ignore[arg-type]
         return False
 
     def _say(self, text: str) -> None:
-        self._screen.notify(text, timeout=3, markup=False)
+        self._screen.notify(visible(text), timeout=3, markup=False)

@@ -59,6 +59,8 @@ class PanelFeed:
         self._asked: tuple[Request, ...] | None = None
         self.held_back = HeldBack(screen, program.editor, self._show_known)
         self._unheld: tuple[Entries, frozenset[Diagnostic], Entries] | None = None
+        # The names that completion offers come with what the worker finds out.
+        program.editor.completer.waits = True
 
     def start(self) -> None:
         """Ask for the first time, now that there is something to see."""
