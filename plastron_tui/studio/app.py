@@ -7,7 +7,7 @@ import os
 import signal
 import sys
 import threading
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from contextlib import suppress
 from functools import partial
 from pathlib import Path
@@ -88,8 +88,7 @@ class StudioApp(InOrder, inherit_bindings=False):
         config, self._messages = load_config(config_file(), key_owners(), self.available_themes)
         self.profile = Profile(config, load_remembered(folder), folder)
         self.set_reactive(App.theme, self._first_theme())
-        meant = [] if path is None else [meant_by(path), *map(meant_by, others)]
-        self._paths = [*meant[:1], *_different(meant[0], meant[1:])] if meant else []
+        self._paths = [] if path is None else _different([path, *others])
         self._options = options or Options()
         self._first = None if first is None else f"screen.{first}"
         self._failures: set[str] = set()
@@ -285,10 +284,11 @@ def _belongs(kept: Kept, open_: Open) -> bool:
     return kept.belongs_to(open_.path, open_.session.folder)
 
 
-def _different(path: Path, others: Sequence[Path]) -> list[Path]:
-    """Return the paths, each file once, and not the first one again."""
-    by_file = {os.path.realpath(each): each for each in others}
-    by_file.pop(os.path.realpath(path), None)
+def _different(paths: Iterable[Path]) -> list[Path]:
+    """Return the programs that are meant by paths, each file once."""
+    by_file: dict[str, Path] = {}
+    for path in map(meant_by, paths):
+        by_file.setdefault(os.path.realpath(path), path)
     return list(by_file.values())
 
 

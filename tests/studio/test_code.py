@@ -187,6 +187,36 @@ def test_what_is_found_is_marked_whatever_the_case() -> None:
     ]  # fmt: skip
 
 
+def test_of_letters_only_those_of_english_are_the_same() -> None:
+    assert marked([("Über", "")], "über") == [("Über", "")]
+    assert marked([("ÜBER", "")], "Über") == [("ÜBER", "match")]
+
+
+@pytest.mark.long
+def test_the_terminal_is_lent_to_an_editor_at_the_line_and_comes_back(
+    terminal: Terminal,  # noqa: F811 - a fixture
+    tmp_path: Path,
+) -> None:
+    editor = tmp_path / "vi"
+    editor.write_text('#!/bin/sh\necho "told $1"; read answer; echo "# $answer" >>"$2"\n')
+    editor.chmod(0o755)
+    terminal._environ["EDITOR"] = str(editor)
+    program = tmp_path / "mine.plastron"
+    program.write_text(PROGRAM)
+    write(Session(PROGRAM.encode(), program).plan()[0])
+    start(terminal, "mine.plastron")
+    terminal.wait(lambda screen: "listener" in screen)
+    terminal.keys("M-c")
+    terminal.wait(lambda screen: "node talker" in screen and "Esc closes" in screen)
+    terminal.keys("e")
+    terminal.wait(lambda screen: "told +" in screen and "Esc closes" not in screen)
+    terminal.keys("-l", "an answer")
+    terminal.keys("Enter")
+    terminal.wait(lambda screen: "node talker" in screen and "Esc closes" in screen)
+    terminal.keys("End")
+    terminal.wait(lambda screen: "# an answer" in screen)
+
+
 def test_the_line_is_found_again_in_another_text() -> None:
     path = Path("a.py")
     before = CodeLines(b"a\nb\nc\nb\n", path)
@@ -234,5 +264,8 @@ async def test_the_view_shows_finds_turns_and_edits(
         assert told.read_text().split() == [f"+{line + 1}", str(file)]
         assert file.read_text().startswith("# mine\n")
         file.unlink()
+        outside = Entry("", "wrong", subject=Subject.PROBLEM, file=Path("/etc/hostname"), line=1)
+        driver.main.action_code(outside)
+        await driver.until(lambda: "hostname is outside of the project" in driver.notes())
         view.look_at_disk()
         assert "cannot be read: no such file" in str(view.query_one("#dialog-title", Label).content)

@@ -155,3 +155,7 @@ async def test_nodes_go_on_while_another_program_is_in_front(
         await driver.press("alt+q")
         assert "the nodes of other.plastron were stopped" in driver.notes()
         assert output.text.splitlines()[-1] == "stopped"
+        # Behind the last program there is a new one, of which nothing has run.
+        await driver.press("alt+q")
+        assert driver.main.open.path is None
+        assert output.text == ""

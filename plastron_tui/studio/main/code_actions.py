@@ -7,7 +7,7 @@ import asyncio
 from textual.screen import Screen
 
 from ..code_places import Found, Place, find_code
-from ..panels.entry import Entry
+from ..panels.entry import Entry, Subject
 from ..panels.entry_keys import Pointing
 from .active_program import ActiveProgram
 
@@ -23,7 +23,8 @@ class CodeActions:
         """Show the code of what the cursor is on: in the panel with the focus, or in the text."""
         focused = self._screen.focused
         entry = focused.current if isinstance(focused, Pointing) else None
-        await self.show(self._program.editor.cursor_offset if entry is None else entry)
+        is_known = entry is not None and (entry.subject is not Subject.OTHER or entry.span)
+        await self.show(entry if entry and is_known else self._program.editor.cursor_offset)
 
     async def show(self, asked: Entry | int) -> None:
         """Show the code of an entry, or of the statement at an offset."""

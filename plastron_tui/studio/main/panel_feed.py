@@ -101,7 +101,8 @@ class PanelFeed:
     def take(self, analysis: Analysis) -> bool:
         """Show what the text means; tell whether that is new. It may be about an older text."""
         open_ = self._program.open
-        if analysis.text != open_.text:
+        # Programs in several tabs may have the same text.
+        if analysis.text != open_.text or analysis.session.path != open_.path:
             return False
         before = open_.analysis
         is_new = analysis is not before

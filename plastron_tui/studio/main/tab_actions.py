@@ -27,7 +27,7 @@ class TabActions:
             screen: shows the questions.
             program: the programs that are open.
             files: saves them, and brings another one in front.
-            on_close: called with a tab that is gone.
+            on_close: called with a tab that goes.
             on_change: called when another program is there.
         """
         self._screen = screen
@@ -50,13 +50,12 @@ class TabActions:
         """Close the program in front; behind the last one there is a new one."""
         if not await self._files.may_leave():
             return
-        closed = self._program.tab
+        self._on_close(self._program.tab)
         if len(self._program.tabs) == 1:
             self._files.new(in_place=True)
         else:
             self._program.remove()
             self._on_change()
-        self._on_close(closed)
         self._program.editor.focus()
 
     async def may_quit(self) -> bool:

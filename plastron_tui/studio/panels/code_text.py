@@ -63,8 +63,8 @@ class CodeText(TextView):
         self.refresh()
 
     def mark(self, wanted: str) -> None:
-        """Mark what is looked for; capitals and small letters are the same."""
-        self._wanted = wanted.lower().encode()
+        """Mark what is looked for; capitals and small letters are the same, of A to Z."""
+        self._wanted = wanted.encode().lower()
         self.refresh()
 
     def find(self, by: int, *, here: bool = False) -> bool:
@@ -115,15 +115,20 @@ class CodeText(TextView):
         """Return the pieces of a line; those that are looked for have a tone of their own."""
         pieces = list(self.code[row])
         wanted = self._wanted.decode()
-        if not wanted or wanted not in "".join(text for text, _ in pieces).lower():
+        if not wanted or wanted not in _lower("".join(text for text, _ in pieces)):
             return [*pieces]
         return marked([*pieces], wanted)
+
+
+def _lower(text: str) -> str:
+    """Return a text of the same length with small letters for A to Z."""
+    return "".join(letter.lower() if letter.isascii() else letter for letter in text)
 
 
 def marked(pieces: list[tuple[str, str]], wanted: str) -> list[tuple[str, str]]:
     """Return the pieces of a line with the tone `match` where it has what is looked for."""
     letters = [(letter, tone) for text, tone in pieces for letter in text]
-    lower = "".join(letter.lower()[:1] for letter, _ in letters)
+    lower = _lower("".join(letter for letter, _ in letters))
     at = lower.find(wanted)
     while at >= 0:
         end = at + len(wanted)

@@ -100,7 +100,7 @@ class Acting(Pointing):
             case "generate":
                 return entry.subject in (*_NODE_PARTS, *_MADE)
             case "code":
-                return entry.span is not None or entry.file is not None or bool(entry.robot)
+                return entry.span is not None or entry.subject is not Subject.OTHER
             case _:
                 return bool(entry.edits)
 
