@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import array
+import ast
 from collections.abc import Iterator
 from pathlib import Path
 from types import SimpleNamespace
@@ -144,6 +145,18 @@ def test_what_cannot_be_decoded_is_said() -> None:
 class Duration:
     def __init__(self, secs: int = 0, nsecs: int = 0) -> None:
         self.secs, self.nsecs = secs, nsecs
+
+
+@pytest.mark.parametrize(
+    "name",
+    ["message_filling", "message_summary", "monitor_pipes", "monitor_ros1", "monitor_topics",
+     "plastron_text", "watch"],
+)  # fmt: skip
+def test_the_python_of_ros_1_can_read_it(name: str) -> None:
+    """Noetic has Python 3.8."""
+    text = Path(observers.__file__).with_name(f"{name}.py").read_text()
+    ast.parse(text, feature_version=(3, 8))
+    assert "strict=" not in text and "from __future__ import annotations" in text
 
 
 def test_messages_are_filled_with_what_came_as_json() -> None:

@@ -12,6 +12,7 @@ import pytest
 from studio_driver import Driver, studio
 from textual.widgets import Label
 
+from plastron_tui.runtime import monitor
 from plastron_tui.runtime.monitor import MonitorCommand
 from plastron_tui.studio import running
 from plastron_tui.studio.panels.live_panel import LivePanel, Watching
@@ -137,12 +138,21 @@ async def test_what_travels_is_shown_and_nodes_are_spoken_to(program: Path, orde
         await driver.press("f5")
         await driver.until(lambda: not driver.main.runner.is_running)
         await driver.show("live")
-        assert any("/talker" in line and "gone" in line for line in live(driver).lines)
+        await driver.until(
+            lambda: any("/talker" in line and "gone" in line for line in live(driver).lines)
+        )
 
 
-async def test_in_a_wide_window_the_output_stays(program: Path, orders: Path) -> None:
+async def test_in_a_wide_window_the_output_stays(
+    program: Path, orders: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
     async with studio(program, (160, 40)) as driver:
         await driver.press("f5")
         await wait_shown(driver, "≈ /chatter")
-        assert driver.main.focused is driver.main.panels["output"]
+        assert driver.main.focused is driver.main.editor.view
         assert driver.main.dock_layout.is_in_sight("live")
+        assert driver.main.dock_layout.is_in_sight("output")
+        # A monitor that hangs is ended, and that is said.
+        monkeypatch.setattr(monitor, "SILENT", 0.0)
+        await driver.until(lambda: "did not answer any more" in driver.notes())
+        assert driver.main.runner.is_running

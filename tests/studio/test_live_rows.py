@@ -93,6 +93,27 @@ def test_what_is_gone_or_silent_is_marked(graph: LiveGraph) -> None:
     assert sum("gone" in line for line in lines) == 5
 
 
+def test_what_the_network_says_is_only_shown() -> None:
+    wild = "/x\x1b]0;y\x07\u202e"
+    graph = LiveGraph(2, problem=wild)
+    graph.feed({"tell": "graph", "topics": [[wild, wild, 1, 1]], "services": [[wild, wild]],
+                "nodes": [wild]})  # fmt: skip
+    row = {"count": 1, "rate": 1, "text": wild, "number": 1, "fields": [[wild, wild, None]]}
+    graph.feed({"tell": "topics", "rows": {wild: row}})
+    parameter = {"name": wild, "value": wild, "type": "string", "range": None, "about": wild,
+                 "is_read_only": True}  # fmt: skip
+    graph.feed({"tell": "parameters", "node": wild, "rows": [parameter]})
+    graph.problem = wild
+    rows = live_rows([graph], {f"2 topic {wild}", f"2 node {wild}"}, {
+        f"2 service {wild}": Answer(wild)
+    })  # fmt: skip
+    assert {row.kind for row in rows} == set(Kind)
+    for width in (40, 120):
+        columns = columns_of(rows, width)
+        drawn = "".join(piece.text for row in rows for piece in line_of(row, columns, width))
+        assert drawn.isprintable() and "\u202e" not in drawn
+
+
 def test_two_generations_are_told_apart_and_problems_said(graph: LiveGraph) -> None:
     other = LiveGraph(1)
     other.problem = "the master\x1b is gone"

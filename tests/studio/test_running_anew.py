@@ -8,6 +8,7 @@ import pytest
 from studio_driver import studio
 
 from plastron_tui.studio import running
+from plastron_tui.studio.main import run_actions
 
 PROGRAM = "create_node 'a' as a\nsubscribe a to 'b' of message_type String\ngenerate_node a\n"
 
@@ -40,6 +41,7 @@ async def test_running_nodes_are_started_anew(
 ) -> None:
     monkeypatch.setattr(Nodes, "made", [], raising=False)
     monkeypatch.setattr(running, "Running", Nodes)
+    monkeypatch.setattr(run_actions, "TWICE", 0.0)
     path = tmp_path / "a.plastron"
     path.write_text(PROGRAM)
     async with studio(path) as driver:

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 from textual.screen import Screen
 
+from plastron_tui.diagnostics.terminal import visible
 from plastron_tui.regular_files import reason
 from plastron_tui.runtime.live_graph import LiveGraph
 
@@ -63,13 +64,20 @@ class LiveActions:
 
     def start(self, commands: Sequence[MonitorCommand]) -> None:
         """Watch nodes."""
-        from plastron_tui.runtime.monitor import Monitor
-
         self._commands = commands
         self._close()
         self._tell(LOOKING)
-        for each in commands:
-            self._graphs.setdefault(each.ros_version, LiveGraph(each.ros_version))
+        self._start_missing()
+
+    def _start_missing(self) -> None:
+        """Start the monitors that do not run."""
+        from plastron_tui.runtime.monitor import Monitor
+
+        for each in self._commands:
+            if each.ros_version in self._monitors:
+                continue
+            graph = self._graphs.setdefault(each.ros_version, LiveGraph(each.ros_version))
+            graph.problem = ""
             try:
                 self._monitors[each.ros_version] = Monitor(each, self._news)
             except OSError as error:
@@ -79,6 +87,7 @@ class LiveActions:
 
     def end(self) -> None:
         """Watch no more: the nodes have ended. What was seen last stays."""
+        self._commands = ()
         self._close()
         for graph in self._graphs.values():
             graph.end()
@@ -128,7 +137,7 @@ class LiveActions:
                 is_new = False
         if is_new:
             self._tell(self._empty)
-            self.watch()
+        self.watch()
 
     def _tell(self, empty: str) -> None:
         self._empty = empty
@@ -149,7 +158,7 @@ class LiveActions:
         monitor.close()
         self._watching.pop(version, None)
         self._fail(version, f"{why}; press R to watch again")
-        text = f"the nodes run on, but are not watched: {why}"
+        text = f"the nodes run on, but are not watched: {visible(why)}"
         self._screen.notify(text, severity="warning", markup=False)
 
     def _fail(self, version: int, problem: str) -> None:
@@ -164,8 +173,7 @@ class LiveActions:
     def do(self, what: str, row: LiveRow | None) -> None:
         """Do what was asked about a row of the panel: see `LivePanel.on_asked`."""
         if what == "restart":
-            if self._commands and not self._monitors:
-                self.start(self._commands)
+            self._start_missing()
         elif row is not None:
             start_exclusive(self._screen, "live", self._ask, row)
 
@@ -199,9 +207,9 @@ class LiveActions:
             self._answers[key] = Answer(text, is_failure)
             return True
         severity = "warning" if is_failure else "information"
-        words = f"{row.name}: {text}" if row.kind is Kind.PARAMETER else text
+        words = f"{row.name}: {visible(text)}" if row.kind is Kind.PARAMETER else visible(text)
         self._screen.notify(words, severity=severity, markup=False, timeout=3)  # type: ignore[arg-type]
         return False
 
     def _say(self, text: str) -> None:
-        self._screen.notify(text, timeout=3, markup=False)
+        self._screen.notify(visible(text), timeout=3, markup=False)

@@ -7,6 +7,8 @@ from typing import NamedTuple
 
 from rich.cells import cell_len, set_cell_size
 
+from plastron_tui.diagnostics.terminal import visible
+
 from .live_rows import Kind, LiveRow
 from .sparkline import sparkline
 from .styles import Line, Piece
@@ -68,7 +70,9 @@ def line_of(row: LiveRow, columns: Columns, width: int) -> Line:
         rate = row.rate.rjust(columns.rate)
         pieces.append(Piece(rate + " ", "quiet" if row.rate == "silent" else "primary"))
     if columns.type and has_rate:
-        pieces.append(Piece(_fitted(row.type.rpartition("/")[2], columns.type) + " ", "quiet"))
+        pieces.append(
+            Piece(_fitted(visible(row.type.rpartition("/")[2]), columns.type) + " ", "quiet")
+        )
     if not row.samples or not columns.curve:
         used = sum(cell_len(piece.text) for piece in pieces)
         return (*pieces, Piece(_cut(row.value, width - used), row.tone))

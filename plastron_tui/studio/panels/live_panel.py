@@ -73,10 +73,10 @@ class LivePanel(EntryList):
         self.on_asked: Callable[[str, LiveRow | None], None] = lambda _, __: None
         self._graphs: Sequence[LiveGraph] = ()
         self._answers: Mapping[str, Answer] = {}
+        self._empty = NOTHING_RUNS
         self._live: list[LiveRow] = []
         self._unfolded: set[str] = set()
         self._columns = Columns(0, 0, 0, 0, 0)
-        self._is_in_sight = False
         self._stale: set[int] = set()
         self._drawing = Delay(self, self._draw_some)
         self._base: Style | None = None
@@ -95,12 +95,12 @@ class LivePanel(EntryList):
 
     @property
     def is_in_sight(self) -> bool:
-        """Whether somebody can look at it."""
-        return self._is_in_sight
+        """Whether somebody can look at it: what is told of that comes late, or not at all."""
+        return self.is_attached and all(each.display for each in self.ancestors_with_self)
 
     def watching(self, version: int) -> Watching:
         """Return what is in sight of a generation of ROS."""
-        if not self._is_in_sight:
+        if not self.is_in_sight:
             return Watching()
         top = int(self.scroll_offset.y)
         seen = [
@@ -124,19 +124,18 @@ class LivePanel(EntryList):
             answers: the last answers of services, by the key of their rows.
             empty: what is said where nothing is known.
         """
-        self._graphs, self._answers = graphs, answers
-        if self._is_in_sight:
-            self._show_rows(empty)
+        self._graphs, self._answers, self._empty = graphs, answers, empty
+        if self.is_in_sight:
+            self._show_rows()
 
-    def _show_rows(self, empty: str | None = None) -> None:
+    def _show_rows(self) -> None:
         rows = live_rows(self._graphs, self._unfolded, self._answers)
-        empty = self.entries.empty if empty is None else empty
         before, self._live = self._live, rows
         old_columns = self._columns
         self._columns = columns_of(rows, self.scrollable_content_region.width)
         same = [row.key for row in before] == [row.key for row in rows]
-        if not same or empty != self.entries.empty:
-            self.show(Entries(map(_entry, rows), empty))
+        if not same or self._empty != self.entries.empty:
+            self.show(Entries(map(_entry, rows), self._empty))
             if not before and len(rows) > 1:
                 # The first one is a heading.
                 self.index = 1
@@ -186,13 +185,15 @@ class LivePanel(EntryList):
 
     def on_show(self) -> None:
         """Show what came meanwhile."""
-        self._is_in_sight = True
-        self._show_rows()
-        self.on_watched()
+        self._look()
 
     def on_hide(self) -> None:
         """Tell that nobody looks any more."""
-        self._is_in_sight = False
+        self._look()
+
+    def _look(self) -> None:
+        if self.is_in_sight:
+            self._show_rows()
         self.on_watched()
 
     def on_resize(self) -> None:

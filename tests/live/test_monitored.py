@@ -1,0 +1,108 @@
+"""The studio's monitors, beside real nodes of both generations."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import pytest
+from graph import Graph
+from machine import wait_until
+from processes import generate_one
+
+import plastron_tui.runtime.observers as observers
+from plastron_tui.runtime.live_graph import LiveGraph
+from plastron_tui.runtime.monitor import Monitor, MonitorCommand
+
+pytestmark = [pytest.mark.live, pytest.mark.long]
+
+PROGRAM = """\
+create_node 'robot' as robot
+create_message go of message_type Twist and input linear.x=0.5
+robot publish go to 'cmd_vel' of message_type Twist at 10 hz
+subscribe robot to 'goal' of message_type Float64
+robot provides_service 'switch' of service_type SetBool
+robot has_parameter 'speed' of parameter_type float with default 0.5
+generate_node robot
+"""
+
+
+class Watched:
+    """A monitor, and what it has said."""
+
+    def __init__(self, graph: Graph) -> None:
+        self.version = 1 if graph.target == "rospy" else 2
+        script = Path(observers.__file__).with_name(f"monitor_ros{self.version}.py")
+        command = MonitorCommand(self.version, (str(graph.python), str(script)), dict(graph.env))
+        self.monitor = Monitor(command, lambda: None)
+        self.known = LiveGraph(self.version)
+        self.answers: dict[int, dict[str, Any]] = {}
+
+    def until(self, condition: Any, what: str) -> None:
+        """Wait for something that the monitor says."""
+        wait_until(lambda: self._is(condition), what, 60)
+
+    def _is(self, condition: Any) -> bool:
+        for report in self.monitor.take():
+            if report.get("tell") == "answer":
+                self.answers[report["id"]] = dict(report)
+            self.known.feed(report)
+        assert self.monitor.ended is None, self.monitor.ended
+        return bool(condition())
+
+    def ask(self, number: int, **order: Any) -> dict[str, Any]:
+        """Let the monitor do something, and return what came of it."""
+        assert self.monitor.order(id=number, **order)
+        self.until(lambda: number in self.answers, f"an answer to {order}")
+        return self.answers[number]
+
+
+@pytest.fixture
+def watched(graph: Graph) -> Iterator[Watched]:
+    watched = Watched(graph)
+    yield watched
+    watched.monitor.close()
+    wait_until(lambda: watched.monitor.ended is not None, "the monitor ends", 60)
+
+
+def test_what_runs_is_seen_and_spoken_to(graph: Graph, tmp_path: Path, watched: Watched) -> None:
+    (program := tmp_path / "robot.plastron").write_text(PROGRAM)
+    node = graph.run_and_wait(generate_one(str(program.with_suffix("")), tmp_path, graph.target))
+    topics, known = watched.known.topics, watched.known
+    watched.until(lambda: known.nodes.get("/robot") and len(known.topics) == 2, "the graph")
+    topics = known.topics
+    assert (topics["/cmd_vel"].publishers, topics["/goal"].subscribers) == (1, 1)
+    assert topics["/cmd_vel"].type == "geometry_msgs/Twist"
+    watched.until(lambda: list(known.services) == ["/switch"], "the service")
+    # Nobody looks, and nothing is listened to.
+    assert topics["/cmd_vel"].count == 0
+    watched.monitor.order(
+        do="watch", topics=["/cmd_vel", "/goal"], full=["/cmd_vel"], nodes=["/robot"]
+    )
+    watched.until(lambda: known.topics["/cmd_vel"].rate > 2, "a rate")
+    topic = known.topics["/cmd_vel"]
+    assert topic.text == "linear.x: 0.5" and 0.5 in topic.samples
+    assert topic.fields[0] == ("linear.x", "0.5")
+    watched.until(lambda: known.parameters.get("/robot"), "the parameters")
+    (speed,) = known.parameters["/robot"]
+    assert (speed.name, speed.value, speed.type) == ("speed", 0.5, "float")
+    # It is seen to listen as well, but not as one of theirs.
+    assert topic.subscribers == 0
+    said = watched.ask(1, do="publish", name="/goal", type="std_msgs/Float64", values={"data": 2.5})
+    assert (said["text"], said["is_failure"]) == ("sent to /goal", False)
+    node.wait_to_print("2.5")
+    watched.until(lambda: known.topics["/goal"].text == "2.5", "what was sent")
+    said = watched.ask(2, do="call", name="/switch", type="std_srvs/SetBool", values={"data": True})
+    assert "success: " in said["text"] and not said["is_failure"]
+    said = watched.ask(3, do="set", node="/robot", name="speed", value=0.75, type="float")
+    assert not said["is_failure"], said
+    watched.until(lambda: known.parameters["/robot"][0].value == 0.75, "the new value")
+    # What cannot be is said.
+    said = watched.ask(4, do="publish", name="/goal", type="no_such/Type", values={})
+    assert said["is_failure"]
+    said = watched.ask(5, do="publish", name="/goal", type="std_msgs/Float64", values={"x": 1})
+    assert said["is_failure"]
+    node.interrupt()
+    watched.until(lambda: known.nodes["/robot"] is False, "the node is gone")
+    assert known.topics["/goal"].is_gone or known.topics["/goal"].subscribers == 0
