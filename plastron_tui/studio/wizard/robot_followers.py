@@ -36,6 +36,7 @@ def robot_extras(filled: Filled) -> Iterator[Extra]:
     if declaration is st.CreateRobot:
         robot = texts["variable"]
         yield _base(robot)
+        yield _wheels(robot)
     else:
         robot = texts["robot"]
         known = workspace.robots.get(robot)
@@ -61,6 +62,20 @@ def _base(robot: str) -> Extra:
               child="body", position="0, 0, 0.05"),
     )  # fmt: skip
     return Extra("base", "begin with a body: a box, 40 cm long", lines)
+
+
+def _wheels(robot: str) -> Extra:
+    """Return two wheels, one on each side of the body, that turn without end."""
+    lines = []
+    for side, place in (("left", "0, 0.17, 0"), ("right", "0, -0.17, 0")):
+        wheel = f"{side}_wheel"
+        lines += [
+            _line(st.HasLink, robot=robot, link=wheel, shape="cylinder", size="0.1, 0.04",
+                  weight="0.5", color="dark_gray", rotation="90, 0, 0", unit="deg"),
+            _line(st.HasJoint, robot=robot, joint=f"{wheel}_joint", type="continuous",
+                  parent="body", child=wheel, position=place, axis="0, 1, 0"),
+        ]  # fmt: skip
+    return Extra("wheels", "with two wheels that turn", tuple(lines))
 
 
 def _held(robot: str, texts: dict[str, str], description: Description) -> Iterator[Extra]:

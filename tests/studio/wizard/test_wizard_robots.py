@@ -38,9 +38,21 @@ def test_a_new_robot_begins_with_a_body() -> None:
         "rover has_link 'base_link'",
         "rover has_link 'body' shaped box 0.4, 0.3, 0.1 weighing 5 painted blue",
         "rover has_joint 'body_joint' of joint_type fixed from 'base_link' to 'body' at 0, 0, 0.05",
+        *(
+            f"rover {line}"
+            for side, place in (("left", "0, 0.17, 0"), ("right", "0, -0.17, 0"))
+            for line in (
+                f"has_link '{side}_wheel' shaped cylinder 0.1, 0.04 weighing 0.5"
+                " painted dark_gray turned 90, 0, 0 deg",
+                f"has_joint '{side}_wheel_joint' of joint_type continuous from 'body'"
+                f" to '{side}_wheel' at {place} with axis 0, 1, 0",
+            )
+        ),
         "generate_robot rover",
     ]
-    assert [option.key for option in it.options(look)] == ["base", "write"]
+    assert [option.key for option in it.options(look)] == ["base", "wheels", "write"]
+    it.want("wheels", False)
+    assert len(it.look().outcome.lines) == 5  # type: ignore[union-attr]
     it.want("base", False)
     assert "rover has_link 'base_link'" not in it.look().outcome.lines  # type: ignore[union-attr]
 
@@ -52,6 +64,8 @@ def test_what_can_be_done_with_a_robot_names_it_and_its_package() -> None:
     lines = "create_package 'pack' as pack\npack contains rover\ngenerate_package pack\n"
     packed = done_items(Session(f"{ROVER}{lines}".encode(), None, environ={}), "")
     assert packed["screen.run(True)"].closed == ""
+    assert alone["screen.show('robots')"].is_advised
+    assert {"part", "package"} <= set(alone) and "package" not in packed
 
 
 def test_a_part_is_held_where_it_would_be_a_second_root() -> None:
@@ -227,5 +241,6 @@ async def test_a_robot_is_described_from_nothing_by_keys(here: Path) -> None:
     session = Session(text.encode(), environ={})
     assert session.diagnostics == ()
     (robot,) = session.workspace.robots.values()
-    assert list(robot.description.links) == ["base_link", "body", "wheel"]
+    wheels = ["left_wheel", "right_wheel", "wheel"]
+    assert list(robot.description.links) == ["base_link", "body", *wheels]
     assert it.keys <= 60

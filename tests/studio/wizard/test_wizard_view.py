@@ -6,6 +6,7 @@ from pathlib import Path
 
 import pytest
 from machine import mostly_long
+from rich.cells import cell_len
 from studio_driver import studio
 from wizard_courses import CHANGE, MAKE, MORE, NODE_FILE, REACT, SEND
 from wizard_driver import WizardDriver, wizard
@@ -137,3 +138,23 @@ async def test_what_was_right_stays_in_view_as_long_as_something_is_wrong(here: 
         await it.write("rate", "often")
         assert "a number of times a second" in it.help
         assert (it.view("code"), it.view("graph")) == before
+
+
+@pytest.mark.parametrize("size", mostly_long([(80, 24), (120, 40)], [(120, 40)]))
+async def test_the_code_is_not_cut_and_the_form_begins_at_what_matters(
+    here: Path, size: tuple[int, int]
+) -> None:
+    async with wizard(size=size) as it:
+        await it.go(MAKE, SEND)
+        assert it.form.row_here is it.row("topic")
+        await it.write("topic", "cmd_vel")
+        code = it.screen.query_one("#wizard-code", TextView)
+        assert "Twist" in it.view("code")
+        room = code.scrollable_content_region.width
+        assert all(sum(cell_len(piece.text) for piece in row) <= room for row in code.rows)
+        page = it.screen.query_one("#wizard-page")
+        assert size[0] < 110 or room >= page.size.width - 4
+        await it.press("enter")
+        here_now = it.form.row_here
+        assert here_now is it.row("x") and here_now.text == "0.2"
+        assert it.help == "linear.x (float64): m/s, forward, below 0 backward"
