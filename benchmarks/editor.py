@@ -39,6 +39,9 @@ _SIZE = (120, 40)
 _TYPED = "node500 publish text500 to 'chatter' of message_type String"
 _STRETCH = 15
 _ROUNDS = 4
+_LONG_TEXT = b'"' + b"text, " * 16_660 + b'"\n'
+_SLOW = "(.*,){20}x"
+"""An expression that is given up, after a quarter of a second."""
 
 
 class _Drawn:
@@ -85,13 +88,18 @@ def _stock(text: bytes) -> TextArea:
 
 async def _key(pilot: Pilot[None], character: str) -> float:
     """Press a key; return the seconds until the lines were drawn."""
-    app = pilot.app
-    start = perf_counter()
-    app.post_message(events.Key(key_name(character), character))
-    while _Drawn.at <= start:
-        await asyncio.sleep(0)
+    start = await _press(pilot, character)
     await pilot.pause()
     return _Drawn.at - start
+
+
+async def _press(pilot: Pilot[None], character: str) -> float:
+    """Press a key, and wait until lines are drawn; return when it was pressed."""
+    start = perf_counter()
+    pilot.app.post_message(events.Key(key_name(character), character))
+    while _Drawn.at <= start:
+        await asyncio.sleep(0)
+    return start
 
 
 def key_name(character: str) -> str:
@@ -132,7 +140,29 @@ async def _measure() -> tuple[list[float], list[float]]:
     return ours, stock
 
 
+async def _measure_long(is_searching: bool) -> list[float]:
+    """Type within a line of 100,000 characters, wrapped, perhaps while an expression is sought."""
+    editor = _ours(b"create_message text of message_type String and input " + _LONG_TEXT)
+    editor.view.soft_wrap = True
+    times = []
+    async with _App(editor).run_test(size=_SIZE) as pilot:
+        editor.focus()
+        editor.go_to(len(_LONG_TEXT) // 2)
+        for character in _TYPED[: 2 * _STRETCH]:
+            await pilot.pause()
+            if is_searching:
+                editor.finder.find(_SLOW, is_regex=True, is_case_sensitive=True)
+            # What is found later is drawn later, and is no part of the key.
+            start = await _press(pilot, character)
+            times.append(_Drawn.at - start)
+    return times
+
+
 def rows() -> Iterator[Row]:
+    line = "a key in a line of 100,000 characters"
+    for is_searching, what, bound in ((False, "", 33), (True, ", a slow expression sought", 50)):
+        times = asyncio.run(_measure_long(is_searching))
+        yield Row(f"{line}{what}, median", median(times) * 1e3, bound, "ms")
     ours, stock = asyncio.run(_measure())
     here, there = median(ours), median(stock)
     yield Row(

@@ -49,6 +49,23 @@ class Terminal:
             if select.select([self.file], [], [], left)[0]:
                 os.read(self.file, 1 << 16)
 
+    def quiet(self, seconds: float) -> bytes:
+        """Take what is printed until nothing is for a while, or a cursor blinks; return it."""
+        printed, end = b"", perf_counter() + 3 * seconds
+        while perf_counter() < end and select.select([self.file], [], [], seconds)[0]:
+            printed += os.read(self.file, 1 << 16)
+        return printed
+
+    def answer(self, text: bytes, seconds: float) -> bytes:
+        """Let keys come; return what is printed until nothing is for a while."""
+        os.write(self.file, text)
+        return self.quiet(seconds)
+
+    def processor_seconds(self) -> float:
+        """Return how long the process has worked so far."""
+        fields = Path(f"/proc/{self.pid}/stat").read_text().rpartition(")")[2].split()
+        return (int(fields[11]) + int(fields[12])) / os.sysconf("SC_CLK_TCK")
+
     def type(self, text: bytes) -> None:
         """Let keys come; what was printed until then is forgotten."""
         self.output = b""

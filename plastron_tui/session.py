@@ -141,6 +141,11 @@ class Session:
         other.document = self.document.snapshot()
         return other
 
+    def anew(self) -> Session:
+        """Return a session of the program as it is now that shares nothing with this one."""
+        text = self.document.text
+        return Session(text, self.path, self.options, self._environ, self._begun)
+
     def edit(self, start: int, old_end: int, new: bytes) -> None:
         """Replace the bytes from `start` to `old_end` of the program."""
         self.document.edit(start, old_end, new)

@@ -10,6 +10,7 @@ from hypothesis import settings
 from machine import IN_CI, be_quick, examples
 from rewriting import compile_share
 from suite_order import in_order, minutes
+from worker_reports import ShortReports
 
 from plastron_tui.ros import installations
 
@@ -46,6 +47,8 @@ def pytest_configure(config: pytest.Config) -> None:
         "plastron", deadline=None, derandomize=IN_CI, max_examples=examples(100)
     )
     settings.load_profile("plastron")
+    if hasattr(config, "workerinput"):
+        config.pluginmanager.register(ShortReports(config), "short_reports")
 
 
 def pytest_sessionstart(session: pytest.Session) -> None:

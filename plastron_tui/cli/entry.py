@@ -72,17 +72,17 @@ def _run_command() -> object:
 
 
 def _is_for_studio(arguments: Sequence[str]) -> bool:
-    """Tell whether the arguments are those of `plastron [FILE]`, with nothing to refuse or say."""
+    """Tell whether the arguments are those of `plastron [FILE]...`, nothing to refuse or say."""
     if "_PLASTRON_COMPLETE" in os.environ or not has_terminal():
         return False
-    if not arguments:
-        return True
-    name = arguments[0]
-    is_program = name.endswith(".plastron") and not name.startswith("-")
-    return is_program and len(arguments) == 1 and not Path(name).is_dir()
+    return all(
+        name.endswith(".plastron") and not name.startswith("-") and not Path(name).is_dir()
+        for name in arguments
+    )
 
 
 def _open_studio(arguments: Sequence[str]) -> int:
     from plastron_tui.studio.app import run as run_studio
 
-    return run_studio(Path(arguments[0]) if arguments else None)
+    paths = [*map(Path, arguments)]
+    return run_studio(paths[0] if paths else None, others=paths[1:])

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from pathlib import Path
 
 import click
@@ -14,23 +15,29 @@ from .streams import has_terminal
 
 @click.command(
     name="plastron",
-    epilog="Without FILE it opens with a welcome. All else is a command: see plastron --help.",
+    epilog="Without a file it opens with a welcome. All else is a command: see plastron --help.",
 )
-@click.argument("file", required=False, type=click.Path(path_type=Path, dir_okay=False))
+@click.argument("files", nargs=-1, type=click.Path(path_type=Path, dir_okay=False))
 @output_option
 @target_option
-def command(file: Path | None, output: Path | None, target: str | None) -> None:
-    """Open the studio, with a program to write or to change."""
-    open_studio(file, Options(target, output))
+def command(files: tuple[Path, ...], output: Path | None, target: str | None) -> None:
+    """Open the studio, with programs to write or to change, each in a tab."""
+    open_studio(files[0] if files else None, Options(target, output), others=files[1:])
 
 
-def open_studio(file: Path | None, options: Options, first: str | None = None) -> None:
+def open_studio(
+    file: Path | None,
+    options: Options,
+    first: str | None = None,
+    others: Sequence[Path] = (),
+) -> None:
     """Open the studio in this terminal, and exit with its status where that is not 0.
 
     Args:
         file: the program; None for a new one.
         options: what the command line sets.
         first: what is done first, as the name of an action of the main screen.
+        others: more programs, each for a tab of its own.
     """
     context = click.get_current_context()
     if not has_terminal():
@@ -41,6 +48,6 @@ def open_studio(file: Path | None, options: Options, first: str | None = None) -
         context.exit(2)
     from plastron_tui.studio.app import run
 
-    status = run(file, options, first)
+    status = run(file, options, first, others)
     if status:
         context.exit(status)

@@ -7,7 +7,7 @@ import os
 import signal
 import sys
 import threading
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from contextlib import suppress
 from functools import partial
 from pathlib import Path
@@ -33,13 +33,14 @@ from .actions import key_owners
 from .analysis_worker import AnalysisFailed
 from .config import Profile, config_file, load_config, load_remembered, save_remembered
 from .control_characters import ONLY_TEXT
-from .files import open_file
+from .files import OnDisk, meant_by, open_file
 from .folder_labels import not_saved
+from .journal import Kept
 from .key_display import key_name
 from .key_order import InOrder
 from .legibility import LEGIBLE
 from .main.screen import MainScreen
-from .open_program import opened
+from .open_program import Open, opened
 from .terminal_driver import for_terminal
 from .terminal_keys import teach
 from .terminal_output import ShownScreen
@@ -67,7 +68,11 @@ class StudioApp(InOrder, inherit_bindings=False):
     BINDINGS: ClassVar[list[BindingType]] = []
 
     def __init__(
-        self, path: Path | None = None, options: Options | None = None, first: str | None = None
+        self,
+        path: Path | None = None,
+        options: Options | None = None,
+        first: str | None = None,
+        others: Sequence[Path] = (),
     ) -> None:
         """Start the studio.
 
@@ -75,6 +80,7 @@ class StudioApp(InOrder, inherit_bindings=False):
             path: the program to open; it need not be there yet.
             options: what the command line sets.
             first: the action of the main screen that is done first, instead of the welcome.
+            others: more programs, each for a tab of its own.
         """
         self._shown = ShownScreen()
         super().__init__()
@@ -82,7 +88,7 @@ class StudioApp(InOrder, inherit_bindings=False):
         config, self._messages = load_config(config_file(), key_owners(), self.available_themes)
         self.profile = Profile(config, load_remembered(folder), folder)
         self.set_reactive(App.theme, self._first_theme())
-        self._path = path
+        self._paths = [] if path is None else _different([path, *others])
         self._options = options or Options()
         self._first = None if first is None else f"screen.{first}"
         self._failures: set[str] = set()
@@ -91,15 +97,17 @@ class StudioApp(InOrder, inherit_bindings=False):
         self._is_up = False
 
     def get_default_screen(self) -> Screen[None]:
-        """Open the program that was asked for."""
-        disk = None
-        if self._path is not None:
-            found = open_file(self._path)
-            disk = found.disk
+        """Open the programs that were asked for."""
+        disks: list[OnDisk | None] = []
+        for path in self._paths:
+            found = open_file(path)
             self._messages += found.said
+            if found.disk is not None:
+                disks.append(found.disk)
             if found.problem is not None:
                 self._messages += (found.problem.message,)
-        return MainScreen(opened(disk, self.profile.journals, self._options), self.profile)
+        programs = [opened(disk, self.profile.journals, self._options) for disk in disks or [None]]
+        return MainScreen(programs[0], self.profile, programs[1:])
 
     @property
     def main(self) -> MainScreen:
@@ -123,22 +131,24 @@ class StudioApp(InOrder, inherit_bindings=False):
         if not self.is_headless:
             for number in (signal.SIGTERM, signal.SIGHUP):
                 signal.signal(number, partial(self._told_to_end, asyncio.get_running_loop()))
-        path, folder = self.main.open.path, self.main.open.session.folder
+        programs = [tab.open for tab in self.main.program.tabs]
         kept = self.main.recovery.not_saved()
-        own = [each for each in kept if each.belongs_to(path, folder)]
-        others = [each for each in kept if each not in own]
-        if path is not None:
-            self.profile.remembered.opened(path)
+        of = {open_: [each for each in kept if _belongs(each, open_)] for open_ in programs}
+        own = [each for belonging in of.values() for each in belonging[:1]]
+        others = [each for each in kept if not any(_belongs(each, open_) for open_ in programs)]
+        for open_ in reversed(programs):
+            if open_.path is not None:
+                self.profile.remembered.opened(open_.path)
         # The welcome lists them; it is not in front where something else was asked for.
-        if others and (path is not None or self._first is not None):
+        if others and (self._paths or self._first is not None):
             page = f"the welcome page ({self.main.key_of('welcome')})"
             text = f"{not_saved(others)}\n{page} has what was typed"
             self.notify(text, timeout=10, markup=False)
         if own:
-            self.call_after_refresh(self.main.offer_kept, own[0], self._first)
+            self.call_after_refresh(self.main.offer_kept, own, self._first)
         elif self._first is not None:
             self.call_after_refresh(self.run_call, self._first)
-        elif self._path is None:
+        elif not self._paths:
             self.call_after_refresh(self.main.action_welcome)
 
     def _came_up(self) -> None:
@@ -218,8 +228,8 @@ class StudioApp(InOrder, inherit_bindings=False):
         """Keep what is not saved; return where, None when all is saved or nothing is open."""
         with suppress(Exception):
             self.main.recovery.keep_now()
-            if self.main.open.is_changed:
-                return self.main.open.journal.file
+            changed = (tab.open for tab in self.main.program.tabs if tab.open.is_changed)
+            return next((open_.journal.file for open_ in changed), None)
         return None
 
     def _told_to_end(
@@ -270,10 +280,27 @@ class StudioApp(InOrder, inherit_bindings=False):
         save_remembered(self.profile.folder, self.profile.remembered)
 
 
-def run(path: Path | None, options: Options | None = None, first: str | None = None) -> int:
+def _belongs(kept: Kept, open_: Open) -> bool:
+    return kept.belongs_to(open_.path, open_.session.folder)
+
+
+def _different(paths: Iterable[Path]) -> list[Path]:
+    """Return the programs that are meant by paths, each file once."""
+    by_file: dict[str, Path] = {}
+    for path in map(meant_by, paths):
+        by_file.setdefault(os.path.realpath(path), path)
+    return list(by_file.values())
+
+
+def run(
+    path: Path | None,
+    options: Options | None = None,
+    first: str | None = None,
+    others: Sequence[Path] = (),
+) -> int:
     """Run the studio in this terminal, and return the exit status."""
     teach()
-    app = StudioApp(path, options, first)
+    app = StudioApp(path, options, first, others)
     app.run(mouse=app.profile.config.mouse)
     if app.last_words:
         print(app.last_words, file=sys.stderr)

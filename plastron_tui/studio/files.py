@@ -139,6 +139,11 @@ def read_again(disk: OnDisk) -> OnDisk:
     return OnDisk(disk.path, _present(disk.path), stamp_of(disk.path))
 
 
+def meant_by(path: Path) -> Path:
+    """Return the program that a name means: NAME.plastron, where no file has the very name."""
+    return path if os.path.lexists(path) else with_suffix(path)
+
+
 def with_suffix(path: Path) -> Path:
     """Return the path with `.plastron` at its end where it has no suffix."""
     return path if path.suffix else path.with_name(path.name + SUFFIX)

@@ -9,6 +9,7 @@ import threading
 from contextlib import suppress
 from dataclasses import dataclass
 from hashlib import sha256
+from itertools import count
 from pathlib import Path
 from time import time
 from typing import Any
@@ -17,6 +18,8 @@ from plastron_tui.private_files import is_running, process_mark, read_private, s
 from plastron_tui.project.program_file import LARGEST_PROGRAM
 
 _FORMAT = 1
+_NEW = count(1)
+"""Tells the programs without a file apart that one studio has open."""
 _LATEST = 4e9
 """A time that every calendar has, in seconds since the epoch; a broken journal may name others."""
 _LARGEST = 2 * LARGEST_PROGRAM
@@ -74,7 +77,7 @@ class Journal:
         self._latest = 0
         self._writing = threading.Lock()
         self._counting = threading.Lock()
-        name = "new" if path is None else _name(path)
+        name = f"new-{next(_NEW)}" if path is None else _name(path)
         # With the process in its name no studio writes over what another one kept.
         self.file = journals / f"{name}-{process_mark()}.journal"
 

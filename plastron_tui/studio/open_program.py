@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     from .analysis import Analysis
 
 
-@dataclass(repr=False)
+@dataclass(repr=False, eq=False)
 class Open:
     """The program that is open. Handlers of the main screen own it; nobody else writes here.
 
@@ -55,6 +55,11 @@ class Open:
         """Whether there is something to save."""
         text, saved = self.text, self.saved
         return len(text) != len(saved) or text != saved
+
+    @property
+    def is_blank(self) -> bool:
+        """Whether it is a program without a file in which nothing is written yet."""
+        return self.path is None and not self.text.strip()
 
     @property
     def name(self) -> str:

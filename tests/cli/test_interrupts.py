@@ -119,3 +119,23 @@ def test_interrupt_from_outside(here: Path, written: int) -> None:
     found = snapshot(here / "output")
     assert len([name for name in found if name.endswith(".py")]) in (0, count)
     assert not [name for name in found if name.startswith(".plastron-")]
+
+
+AT_START = """
+import sys
+from importlib.abc import MetaPathFinder
+from plastron_tui.cli import main
+class Interrupt(MetaPathFinder):
+    def find_spec(self, name, path, target=None):
+        if name == "plastron_tui.cli.streams":
+            raise KeyboardInterrupt
+sys.meta_path.insert(0, Interrupt())
+main()
+"""
+
+
+def test_ctrl_c_while_plastron_starts_is_quiet(tmp_path: Path) -> None:
+    done = subprocess.run(
+        [sys.executable, "-c", AT_START], cwd=tmp_path, capture_output=True, timeout=120
+    )
+    assert (done.returncode, done.stdout, done.stderr) == (130, b"", b"")

@@ -10,6 +10,7 @@ from pathlib import Path
 from typing import Any
 
 from machine import wait_until
+from probes import ask
 from processes import Process
 
 
@@ -98,10 +99,9 @@ class Graph:
             silent: topics that need not have a message, only a publisher.
         """
         arguments = map(json.dumps, (topics, seconds, list(qos), list(silent)))
-        probe = self._start([self.python, self.probe, "listen", *arguments], "listen")
-        assert probe.wait(seconds + 120) == 0, probe.output
+        said = self._said("listen", *arguments, seconds=seconds + 120)
         found: dict[str, list[Received]] = {topic: [] for topic in topics}
-        for line in probe.output.splitlines():
+        for line in said.splitlines():
             if line.startswith('{"topic"'):
                 entry = json.loads(line)
                 found[entry["topic"]].append(Received(entry["time"], entry["message"]))
@@ -139,9 +139,13 @@ class Graph:
 
     def _ask(self, command: str, *arguments: str) -> Any:
         """Return what a command of the probe prints at last."""
-        probe = self._start([self.python, self.probe, command, *arguments], command)
-        assert probe.wait(120) == 0, probe.output
-        return json.loads(probe.output.splitlines()[-1])
+        return json.loads(self._said(command, *arguments).splitlines()[-1])
+
+    def _said(self, command: str, *arguments: str, seconds: float = 120) -> str:
+        """Return what a command of the probe prints."""
+        output = self.folder / f"{next(self._numbers)}-{command}.log"
+        given = (command, *arguments)
+        return ask(self.python, self.probe, self.env, given, output, seconds)
 
     def wait_for_endpoint(self, node: str, kind: str, name: str) -> dict[str, list[str]]:
         """Wait until a node has an endpoint, and return all that it has."""

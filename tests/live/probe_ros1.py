@@ -1,4 +1,4 @@
-"""Speak to a ROS 1 graph from the outside; run by the Python that has rospy."""
+"""Speak to a ROS 1 graph from the outside; copied by the Python that has rospy."""
 
 import json
 import sys
@@ -118,7 +118,7 @@ def describe(node):
     )
 
 
-if __name__ == "__main__":
+def main():
     command, *arguments = sys.argv[1:]
     if command == "listen":
         listen(*map(json.loads, arguments))

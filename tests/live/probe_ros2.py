@@ -1,4 +1,4 @@
-"""Speak to a ROS 2 graph from the outside; run by a Python that has rclpy."""
+"""Speak to a ROS 2 graph from the outside; copied by a Python that has rclpy."""
 
 import json
 import sys
@@ -212,7 +212,3 @@ def main():
         describe(node, executor, arguments[0])
     else:
         endpoints(node, executor, arguments[0])
-
-
-if __name__ == "__main__":
-    main()

@@ -180,6 +180,35 @@ def test_ctrl_c_at_many_moments_of_the_start(graph: Graph, tmp_path: Path) -> No
     interrupt_after(graph, tmp_path, DELAYS)
 
 
+# Ctrl-C comes while a timer has its turn; its topic is closed while it sends.
+AT_ITS_TURN = f"""\
+{DEFINED}
+import time
+rospy = names["rospy"]
+publish = rospy.Publisher.publish
+def late(publisher, *message):
+    if publisher.name == "/chatter":
+        rospy.Publisher.publish = publish
+        print("its turn", flush=True)
+        os.kill(os.getpid(), signal.SIGINT)
+        while not rospy.is_shutdown():
+            time.sleep(0.01)
+        # What rospy raises where it closes the connections at the same time.
+        raise rospy.ROSException("topic was closed during publish()")
+    publish(publisher, *message)
+rospy.Publisher.publish = late
+{GUARDED}"""
+
+
+def test_ctrl_c_at_the_turn_of_a_timer(ros1: Graph, tmp_path: Path) -> None:
+    start, file = busy_node(ros1, tmp_path)
+    start.write_text(AT_ITS_TURN)
+    node = ros1.run_with(start, str(file))
+    assert_ended(ros1, node, node.wait(60), "at the turn of a timer")
+    assert "its turn" in node.output
+    assert "Traceback" not in node.output, node.output
+
+
 CLOSING = """\
     def closing():
         print("closing", flush=True)

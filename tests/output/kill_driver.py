@@ -10,6 +10,7 @@ wrong, as JSON.
 
 from __future__ import annotations
 
+import gc
 import json
 import os
 import shutil
@@ -112,6 +113,9 @@ def run(name: str, event: str, folder: Path, calls: tuple[str, ...]) -> tuple[in
     os.chdir(base)
     scene.prepare()
     warm_up(scene, base, folder / "warm")
+    # Children would copy what they share with this process by looking for garbage in it.
+    gc.collect()
+    gc.freeze()
     os.chdir(folder)
     # After an error everything is old or new, and one command tells.
     commands = list(scene.following)[: None if event == "kill" else 1]

@@ -2,7 +2,7 @@ from __future__ import annotations
 
 import asyncio
 import os
-from collections.abc import AsyncIterator, Callable
+from collections.abc import AsyncIterator, Callable, Sequence
 from contextlib import asynccontextmanager
 from pathlib import Path
 from typing import Any
@@ -159,9 +159,10 @@ async def studio(
     *,
     welcome: bool = False,
     options: Options | None = None,
+    others: Sequence[Path] = (),
 ) -> AsyncIterator[Driver]:
     """Run the studio; without a file it is past the welcome, unless that is what is tested."""
-    app = StudioApp(path, options)
+    app = StudioApp(path, options, others=others)
     app.animation_level = "none"
     async with app.run_test(size=size) as pilot:
         driver = Driver(app, pilot)

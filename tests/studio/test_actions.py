@@ -61,6 +61,7 @@ async def test_keys_are_remapped_and_a_bad_configuration_is_said(program: Path, 
         # What shows keys shows those that work.
         await driver.press("escape")
         assert "F11 Generate" in driver.main.query_one("KeyBar").text
+        await driver.press("f1")
         await driver.pilot.press("f1")
         dialog = await driver.dialog("Help")
         assert "F11" in next(
@@ -68,6 +69,8 @@ async def test_keys_are_remapped_and_a_bad_configuration_is_said(program: Path, 
         )
         await driver.pilot.press("escape")
         await driver.back()
+        await driver.press("escape")
+        assert "F11 Generate" in driver.main.query_one("KeyBar").text
         await driver.pilot.press("f11")
         await driver.dialog("GenerateDialog")
 

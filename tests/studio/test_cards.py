@@ -4,7 +4,7 @@ from pathlib import Path
 
 import pytest
 from hostile import OBEYED, PAYLOAD
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
 from rich.cells import cell_len
 from studio_driver import studio
@@ -102,9 +102,31 @@ def test_where_there_is_nothing_to_say(marked: str) -> None:
     assert card_of(marked) is None
 
 
+def test_what_is_wrong_with_a_word_comes_first() -> None:
+    text = f"{PROGRAM}subscribe ear to 'scan' of message_type LaserScn\n"
+    session = Session(text.encode(), environ={})
+    known = Known(session, session.program, session.workspace, session.diagnostics)
+    card = card_at(known, text.index("LaserScn"))
+    _, message, remedy, *_ = said(card).splitlines()
+    assert message.startswith("no message type `LaserScn` is known")
+    assert remedy == "did you mean `LaserScan`?"
+
+
+def test_a_card_is_about_the_word_at_the_place() -> None:
+    session = Session(PROGRAM.encode(), environ={})
+    known = Known(session, session.program, session.workspace)
+    for offset, character in enumerate(PROGRAM):
+        card = card_at(known, offset)
+        if card is not None:
+            assert card.span.start <= offset <= card.span.end
+        # Every letter is of a word about which something can be said.
+        assert card is not None or not character.isalpha()
+
+
 TEXTS = st.text(st.sampled_from("ab c名\x1b\u202e"), max_size=30)
 
 
+@settings(max_examples=50)
 @given(
     st.lists(st.builds(CardRow, TEXTS, TEXTS, TEXTS, st.booleans()), max_size=5),
     TEXTS,
@@ -118,6 +140,7 @@ def test_a_card_fits_its_width(rows: list[CardRow], title: str, width: int) -> N
         assert not OBEYED.search(text)
 
 
+@settings(max_examples=50)
 @given(
     st.builds(Size, st.integers(10, 90), st.integers(1, 40)),
     st.tuples(st.integers(0, 89), st.integers(0, 39)),

@@ -75,18 +75,17 @@ async def test_leaving_asks_about_what_is_not_saved(
     assert ("// hi" in program.read_text()) == is_saved
 
 
-@pytest.mark.parametrize("call", ["screen.new", "screen.open", "screen.welcome"])
-async def test_nothing_replaces_a_text_that_is_not_saved(program: Path, call: str) -> None:
+async def test_nothing_replaces_a_text_that_is_not_saved(program: Path) -> None:
     async with studio(program) as driver:
         await driver.type("// hi")
-        driver.app.call_later(driver.app.run_action, call)
-        if call == "screen.welcome":
-            await driver.dialog("Welcome")
-            await driver.pilot.press("down", "enter")
-        await driver.dialog("Question")
-        await driver.pilot.press("escape")
+        tab = driver.main.program.tab
+        await driver.press("ctrl+n")
+        driver.main.action_welcome()
+        await driver.dialog("Welcome")
+        await driver.pilot.press("down", "enter")
         await driver.back()
-        assert driver.text.startswith("// hi")
+        assert driver.main.program.tab is not tab
+        assert tab.open.text.startswith(b"// hi")
 
 
 async def test_a_program_is_opened(program: Path) -> None:
@@ -117,7 +116,7 @@ async def test_a_file_that_is_no_program_is_said_and_the_text_stays(
     bad = program.with_name("bad.plastron")
     bad.write_bytes(contents)
     async with studio(program) as driver:
-        driver.main.open_path(bad)
+        driver.main.files.open_file(bad)
         await driver.until(lambda: said in driver.notes())
         assert driver.text == PROGRAM
     async with studio(bad) as driver:

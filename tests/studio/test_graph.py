@@ -10,7 +10,8 @@ from textual.geometry import Offset, Region
 from plastron_tui.model.graph import graph_of
 from plastron_tui.session import Session
 from plastron_tui.studio.panels.drawing import DETAILS
-from plastron_tui.studio.panels.picture import Fitted, Picture, Size, picture_of
+from plastron_tui.studio.panels.fitting import Fitted, Size
+from plastron_tui.studio.panels.picture import Picture, picture_of
 
 HELLO = 'create_message hello of message_type String and input "hello"\n'
 
@@ -62,10 +63,33 @@ def test_the_largest_drawing_that_fits_is_taken(program: str, room: tuple[int, i
     sizes = [made.fitted(Size(*room, detail)) for detail in range(len(DETAILS))]
     fits = [size.detail for size in sizes if size.width <= room[0] and len(size.lines) <= room[1]]
     if fits:
-        assert fitted.detail == fits[0]
+        # A smaller one is taken only where that saves lines from row to row.
+        assert fitted.detail == fits[0] or (fitted.detail in fits and "╯" in drawn(sizes[fits[0]]))
+        assert fitted.width <= room[0] and len(fitted.lines) <= room[1]
     else:
         narrow = [size.detail for size in sizes if size.width <= room[0]]
         assert fitted.detail == (narrow or [len(DETAILS) - 1])[0]
+
+
+def drawn(fitted: Fitted) -> str:
+    return "\n".join(text(fitted))
+
+
+def test_a_picture_is_drawn_smaller_rather_than_in_rows_that_many_lines_join() -> None:
+    long, far = "a_node_with_a_name_of_some_length", "/arm/left/joint_states"
+    program = f"""{HELLO}create_node '{long}' as one
+one publish hello to '{far}' of message_type String
+create_node 'short' as two
+subscribe two to '{far}' of message_type String
+two publish hello to 'x' of message_type String
+subscribe two to 'x' of message_type String
+subscribe one to 'x' of message_type String
+"""
+    made = picture(program)
+    broken, whole = made.fitted(Size(72, 20, 0)), made.fitted(Size(72, 20))
+    assert broken.width <= 72 and len(broken.lines) <= 20
+    assert whole.detail > 0
+    assert whole.places[0].x < whole.places[1].x
 
 
 @pytest.mark.parametrize("program", PROGRAMS.values(), ids=PROGRAMS)
@@ -107,6 +131,14 @@ def test_nodes_at_one_topic_are_folded_where_there_is_no_room_for_all() -> None:
     assert len(set(folded.places.values())) == len(made.entries) - 24
     # Who asks for a size sees all of it.
     assert "more" not in "\n".join(text(made.fitted(Size(80, 12, 3))))
+
+
+def test_what_changes_nothing_in_the_graph_is_not_laid_out_again() -> None:
+    before, after = picture(PROGRAM), picture(f"// A comment.\n{PROGRAM}")
+    assert before.statements != after.statements
+    assert before.fitted(Size(80, 20)) is after.fitted(Size(80, 20))
+    other = picture(PROGRAM.replace("'talker'", "'speaker'"))
+    assert other.fitted(Size(80, 20)) is not before.fitted(Size(80, 20))
 
 
 def test_too_many_boxes_are_said() -> None:

@@ -67,7 +67,7 @@ async def test_opening_another_file_offers_what_was_typed_in_it(
     leave_behind(other, "// other\n// typed\n")
     async with studio(program) as driver:
         assert "other.plastron" in driver.notes()
-        driver.main.open_path(other)
+        driver.main.files.open_file(other)
         dialog = await driver.dialog("Question")
         assert "+// typed" in dialog.query_one("TextView").text
         await driver.pilot.press("r")
@@ -150,7 +150,8 @@ async def test_the_window_changes_its_size_at_any_moment(program: Path, seed: in
         for _ in range(4):
             await driver.pilot.press("escape")
         await driver.until(lambda: driver.app.screen is driver.main)
-        driver.main.editor.focus()
+        # The palette may have closed it, or brought another one in front.
+        driver.main.files.open_file(program)
         await driver.settle()
         for _ in range(60):
             driver.main.editor.undo()

@@ -243,7 +243,7 @@ def test_it_comes_back_after_it_was_suspended(terminal: Terminal, tmp_path: Path
     terminal.wait(lambda screen: "no nodes yet" in screen)
     terminal.keys("-l", "// before")
     terminal.keys("F10")
-    terminal.wait(lambda screen: "Search" in screen)
+    terminal.wait(lambda screen: "What do you want" in screen)
     terminal.keys("-l", "suspend")
     terminal.wait(lambda screen: "Suspend" in screen)
     terminal.keys("Enter")

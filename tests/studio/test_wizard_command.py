@@ -26,7 +26,7 @@ def test_the_wizard_is_in_front_and_writes_into_the_file(
     assert not (tmp_path / "mine.plastron").exists()
 
 
-@pytest.mark.parametrize("name", [None, "mine.plastron"])
+@pytest.mark.parametrize("name", [None, "mine.plastron", "mine"])
 async def test_there_is_no_welcome_before_it(
     name: str | None, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -35,6 +35,7 @@ async def test_there_is_no_welcome_before_it(
     async with app.run_test() as pilot:
         driver = Driver(app, pilot)
         await driver.dialog("Wizard")
+        assert app.main.open.path == (None if name is None else Path("mine.plastron"))
         await pilot.press("escape")
         await driver.back()
 

@@ -32,12 +32,12 @@ class Grid:
     wires: tuple[Wire, ...]
 
 
-def grid_of(sheet: Sheet, room: int) -> Grid:
+def grid_of(sheet: Sheet, room: int, most_carried: int = MOST_CARRIED) -> Grid:
     """Lay a picture out, in several rows where one would be wider than there is room.
 
-    A picture that cannot be broken so that few lines lead from row to row stays in one.
+    A picture that cannot be broken so that at most some lines lead from row to row stays in one.
     """
-    cuts = estimate(sheet, room).cuts
+    cuts = estimate(sheet, room, most_carried).cuts
     excess = 0
     for _ in range(_TRIES):
         made = _Layout(sheet, cuts)
@@ -45,7 +45,7 @@ def grid_of(sheet: Sheet, room: int) -> Grid:
             return made.grid()
         # Lanes are counted before rows are known, and may become more.
         excess += made.width - room if cuts else 0
-        cuts = breaks_of(made.strip(), room - excess, MOST_CARRIED) or ()
+        cuts = breaks_of(made.strip(), room - excess, most_carried) or ()
         if not cuts:
             break
     return _Layout(sheet, ()).grid()

@@ -13,8 +13,8 @@ from .layers import Between, Columns, Net, nets_between
 
 BEFORE, BEHIND = 2, 1
 """Cells between a lane and a box on its right, which an arrow head needs, and on its left."""
-MOST_CARRIED = 8
-"""So many lines may lead from one row of a picture to the next."""
+FEW_CARRIED, MOST_CARRIED = 2, 8
+"""So many lines lead from row to row of a picture that is read with ease, and so many at most."""
 
 
 class Measure(NamedTuple):
@@ -89,12 +89,12 @@ class Estimate(NamedTuple):
     height: int
 
 
-def estimate(sheet: Sheet, room: int) -> Estimate:
+def estimate(sheet: Sheet, room: int, most_carried: int = MOST_CARRIED) -> Estimate:
     """Tell how a picture can be broken so that it fits into a room, if it is broken at all."""
     width = sum(sheet.widths) + len(sheet.nets) * (BEHIND + sheet.track + BEFORE)
     cuts: tuple[int, ...] = ()
     if width > room:
-        cuts = breaks_of(_estimated_strip(sheet), room, MOST_CARRIED) or ()
+        cuts = breaks_of(_estimated_strip(sheet), room, most_carried) or ()
     height = sum(len(sheet.nets[cut]) for cut in cuts)
     height += sum(
         max(sheet.column_heights[at] for at in row) for row in rows_between(cuts, len(sheet.order))

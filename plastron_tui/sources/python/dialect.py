@@ -25,6 +25,7 @@ class Dialect:
         standard: modules of Python that every node imports.
         calling: modules of Python that a node imports that calls services or sends goals; `sys`
             only where it ends then.
+        timing: modules of Python that a node imports that has timers.
         modules: modules of ROS that every node imports whole.
         symbols: names that every node imports.
         server_symbols: names that a node imports that provides actions.
@@ -45,6 +46,7 @@ class Dialect:
     ros_version: int
     standard: tuple[str, ...]
     calling: tuple[str, ...]
+    timing: tuple[str, ...]
     modules: tuple[str, ...]
     symbols: tuple[Symbol, ...]
     server_symbols: tuple[Symbol, ...]
@@ -63,7 +65,14 @@ class Dialect:
     def reserved(self, symbols: Iterable[Symbol]) -> set[str]:
         """Return the names that no imported type may have in a file that imports symbols."""
         own = {name for _, name in symbols}
-        return {*self.standard, *self.calling, *self.modules, *own, *self.module_names}
+        return {
+            *self.standard,
+            *self.calling,
+            *self.timing,
+            *self.modules,
+            *own,
+            *self.module_names,
+        }
 
     def scalar(self, type_: FieldType, value: Value, imports: Imports) -> str:
         """Write one value of a primitive field."""

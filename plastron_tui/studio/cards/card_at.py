@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable, Iterator
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
-from plastron_tui.diagnostics import Span
+from plastron_tui.diagnostics import Diagnostic, Span
 from plastron_tui.language import SlotKind
 from plastron_tui.language.expectations import Expectation, expected_at
 from plastron_tui.language.keywords import BY_KEYWORD, WORDS
@@ -12,7 +14,7 @@ from plastron_tui.model.kinds import INTERFACES, Parameter
 from plastron_tui.ros.interfaces import InterfaceKind
 from plastron_tui.targets import LIBRARIES
 
-from ..editor.card import Card
+from ..editor.card import Card, CardRow
 from ..editor.highlights import LONGEST
 from . import nodes, other, robots, types
 from .known import Known
@@ -33,12 +35,35 @@ _VALUES = (SlotKind.INPUT, SlotKind.ANSWER)
 def card_at(known: Known, offset: int) -> Card | None:
     """Return what is said about the word at an offset, None where there is nothing to say.
 
-    The word is that of the text as it is; what it means may be that of an older text.
+    The word is that of the text as it is; what it means may be that of an older text. What is
+    wrong with it comes first.
     """
     place = _place(known, offset)
     if place is None:
         return None
-    expected, word = place
+    card, span = _card_of(*place, known), place[0].span
+    wrong = tuple(_problem_rows(known.diagnostics, span))
+    if not wrong:
+        return card
+    if card is None:
+        return Card(span, place[1], "", wrong)
+    return replace(card, rows=(*wrong, *card.rows))
+
+
+def _problem_rows(diagnostics: Iterable[Diagnostic], span: Span) -> Iterator[CardRow]:
+    """Yield what is wrong with a word, and what mends it."""
+    for found in diagnostics:
+        if (
+            found.file is None
+            and found.span is not None
+            and span.start <= found.span.start < span.end
+        ):
+            yield CardRow(found.message, is_warning=True)
+            if found.help is not None:
+                yield CardRow(found.help)
+
+
+def _card_of(expected: Expectation, word: str, known: Known) -> Card | None:
     span, slot = expected.span, expected.slot
     kind = None if slot is None else slot.kind
     name = word.strip("'")

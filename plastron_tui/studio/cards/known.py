@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
+from plastron_tui.diagnostics import Diagnostic
 from plastron_tui.language import Program
 from plastron_tui.model.workspace import Workspace
 from plastron_tui.targets import ros_version
@@ -25,11 +26,13 @@ class Known:
         session: has the text as it is, and the types of a distribution.
         program: the statements.
         workspace: what they build.
+        diagnostics: what is wrong with the text as it is; none where that is not known.
     """
 
     session: Session
     program: Program
     workspace: Workspace
+    diagnostics: tuple[Diagnostic, ...] = ()
 
     def library_of(self, node: Node) -> str:
         """Return the client library that a node is written for."""

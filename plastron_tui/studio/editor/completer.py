@@ -7,7 +7,7 @@ from typing import NamedTuple
 from plastron_tui.diagnostics import Span
 from plastron_tui.language import Document, Slot
 from plastron_tui.language.expectations import Expectation, expected_at
-from plastron_tui.language.lowering import lower
+from plastron_tui.language.lowering import Program
 from plastron_tui.model.workspace import Workspace
 
 from .completion import candidates, candidates_by_purpose, detail_of
@@ -37,10 +37,13 @@ class Completer:
 
     Attributes:
         vocabulary: the names of the program, as of its last diagnostics; None before those.
+        waits: whether those are on their way, so that nothing has to be understood for a key.
     """
 
     def __init__(self, state: TextState, view: EditorView) -> None:
         self.vocabulary: Vocabulary | None = None
+        self.waits = False
+        self._without_names: tuple[bytes, int, bool] | None = None
         self._state = state
         self._view = view
         self._replaced = Span(0, 0)
@@ -48,13 +51,27 @@ class Completer:
 
     def offer(self, expected: Expectation, *, is_asked: bool = False) -> None:
         """Offer what is expected at the cursor; where nobody asked for it, not on an empty line."""
-        state, session = self._state, self._state.buffer.session
+        state = self._state
         if not state.selection.is_empty or (
             not is_asked and expected.starts_line and not expected.prefix
         ):
             self._view.close_popup()
             return
         names = self.names
+        self._offer(expected, names, is_asked=is_asked)
+        if self.vocabulary is None:
+            self._without_names = (state.buffer.text, state.cursor, self._view.popup.is_open)
+
+    def learn(self, vocabulary: Vocabulary) -> None:
+        """Take the names of the program; what was offered without them is offered anew."""
+        self.vocabulary = vocabulary
+        before, self._without_names = self._without_names, None
+        state = self._state
+        if before == (state.buffer.text, state.cursor, self._view.popup.is_open):
+            self.offer(expected_at(state.buffer.session.document, state.cursor))
+
+    def _offer(self, expected: Expectation, names: Vocabulary, *, is_asked: bool) -> None:
+        session = self._state.buffer.session
         found = candidates(expected, names, session)
         if not found and is_asked:
             found = candidates_by_purpose(expected, names, session)
@@ -73,8 +90,8 @@ class Completer:
         """The names of the program, as it was last understood; a short one is understood now."""
         if self.vocabulary is None:
             session = self._state.buffer.session
-            if self._state.buffer.size > _SMALL:
-                return Vocabulary(lower(Document()), Workspace())
+            if self.waits or self._state.buffer.size > _SMALL:
+                return Vocabulary(Program(()), Workspace())
             self.vocabulary = Vocabulary(session.program, session.workspace)
         return self.vocabulary
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 import shlex
 import subprocess
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 from shutil import rmtree
 from tempfile import mkdtemp
@@ -26,17 +26,43 @@ def external_editor(environ: Mapping[str, str]) -> list[str] | None:
     return None
 
 
-def run_editor(command: list[str], file: Path) -> str | None:
+_WAYS = {
+    "vi vim nvim view gvim ex elvis vile nano pico emacs emacsclient mg jed joe ne micro kak gedit "
+    "pluma xed mcedit tilde": ("+{line}", "{file}"),
+    "hx helix subl sublime_text zed zeditor lapce": ("{file}:{line}",),
+    "code code-insiders codium vscodium code-oss": ("--goto", "{file}:{line}"),
+    "kate kwrite geany": ("--line", "{line}", "{file}"),
+}
+"""What editors, by the names of their commands, are given to open a file at a line."""
+
+
+def command_at(command: Sequence[str], file: Path, line: int) -> list[str]:
+    """Return the command that opens a file at a line, from 1; of an unknown editor without it."""
+    # Absolute: a name may start with what an option starts with.
+    path, name = os.fspath(file.absolute()), Path(command[0]).name
+    ways = (words for names, words in _WAYS.items() if name in names.split())
+    return [*command, *(word.format(line=line, file=path) for word in next(ways, ("{file}",)))]
+
+
+def run_editor(
+    command: Sequence[str], file: Path, line: int = 1, *, and_so: str = ""
+) -> str | None:
     """Open a file in an editor, and return what went wrong.
 
     Nothing is raised: Textual takes the terminal back only when all went well.
+
+    Args:
+        command: the editor.
+        file: the file.
+        line: the line, from 1.
+        and_so: what follows from a status that is not 0, behind what is said of it.
     """
     try:
-        done = subprocess.run([*command, os.fspath(file)], check=False)
+        done = subprocess.run(command_at(command, file, line), check=False)
     except OSError as error:
         return f"`{command[0]}` cannot be started: {reason(error)}"
     if done.returncode:
-        return f"`{command[0]}` ended with status {done.returncode}; the text is as it was"
+        return f"`{command[0]}` ended with status {done.returncode}{and_so}"
     return None
 
 

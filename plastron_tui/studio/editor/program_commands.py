@@ -112,7 +112,8 @@ def edit_elsewhere(editor: ProgramEditor) -> None:
     with there:
         try:
             with editor.app.suspend():
-                problem = run_editor(command, there.file)
+                line = editor.state.row + 1
+                problem = run_editor(command, there.file, line, and_so="; the text is as it was")
         except SuspendNotSupported:
             editor.warn("this terminal cannot be lent to another editor")
             return

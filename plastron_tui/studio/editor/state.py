@@ -27,6 +27,14 @@ class Edited(NamedTuple):
     new_rows: int
 
 
+class EditingState(NamedTuple):
+    """Where somebody was in a text: what is kept of it while another text is in the editor."""
+
+    selection: Selection
+    history: History
+    scroll: tuple[int, int]
+
+
 class TextState:
     """The text of a session with a selection and a history.
 
@@ -43,11 +51,12 @@ class TextState:
         self.listeners: list[Callable[[Edited], None]] = []
         self.open(session)
 
-    def open(self, session: Session) -> None:
-        """Edit the text of another session, from its start and with a history of its own."""
+    def open(self, session: Session, before: EditingState | None = None) -> None:
+        """Edit the text of another session: from its start, or as it was edited `before`."""
         self.buffer = Buffer(session)
-        self.selection = Selection(0, 0)
-        self.history = History()
+        self.selection = Selection(0, 0) if before is None else before.selection
+        self.history = History() if before is None else before.history
+        self.history.close()
         self.goal = None
 
     @property

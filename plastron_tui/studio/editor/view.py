@@ -68,8 +68,8 @@ class EditorView(ScrollView, can_focus=True, inherit_bindings=False):
         self._fit()
         self.refresh()
 
-    def show_from_top(self) -> None:
-        """Show a text that is another one as a whole."""
+    def show_anew(self, scroll: tuple[int, int]) -> None:
+        """Show a text that is another one as a whole, scrolled to a column and a row."""
         self.close_popup()
         self.painter.paint.clear()
         self.painter.brackets = None
@@ -78,7 +78,7 @@ class EditorView(ScrollView, can_focus=True, inherit_bindings=False):
         self.geometry.marks = Marks()
         self._place_lines()
         self.refresh()
-        self.scroll_to(0, 0, animate=False, force=True)
+        self.scroll_to(*scroll, animate=False, force=True)
 
     def recolor(self) -> None:
         """Draw in the colours of another theme."""

@@ -28,7 +28,7 @@ from .history import Selection
 from .hover import Hover
 from .marks import Mark, Marks, worst
 from .popup import Popup
-from .state import TextState
+from .state import EditingState, TextState
 from .statement_help import help_of
 from .view import EditorView
 from .vocabulary import Vocabulary
@@ -263,10 +263,16 @@ class ProgramEditor(Vertical):
         buffer, row = self.state.buffer, self.state.row
         return worst(self.marks.between(buffer.start(row), buffer.end(row)))
 
-    def set_session(self, session: Session) -> None:
-        """Edit the text of another session, with a history of its own."""
-        self.state.open(session)
-        self.view.show_from_top()
+    @property
+    def editing(self) -> EditingState:
+        """What another `set_session` of this session needs to go on where the editor is."""
+        state, (column, row) = self.state, self.view.scroll_offset
+        return EditingState(state.selection, state.history, (column, row))
+
+    def set_session(self, session: Session, before: EditingState | None = None) -> None:
+        """Edit the text of another session: with a history of its own, or as it was `before`."""
+        self.state.open(session, before)
+        self.view.show_anew((0, 0) if before is None else before.scroll)
         self.completer.vocabulary = None
         self._told_text = self.text
         self._told_cursor = -1
@@ -289,7 +295,7 @@ class ProgramEditor(Vertical):
         self.view.show_marks(Marks(own))
         self.view.repaint()
         program, workspace = meaning or (self.session.program, self.session.workspace)
-        self.completer.vocabulary = Vocabulary(program, workspace)
+        self.completer.learn(Vocabulary(program, workspace))
 
     def go_to(self, offset: int) -> None:
         """Put the cursor at an offset, with the lines around it in sight."""

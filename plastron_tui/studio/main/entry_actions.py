@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import TYPE_CHECKING
 
 from textual.screen import Screen
@@ -21,9 +22,16 @@ if TYPE_CHECKING:
 class EntryActions:
     """Ends, renames and generates what an entry is about, and mends mistakes."""
 
-    def __init__(self, screen: Screen[None], program: ActiveProgram) -> None:
+    def __init__(
+        self,
+        screen: Screen[None],
+        program: ActiveProgram,
+        show_code: Callable[[Entry], object],
+    ) -> None:
+        """Prepare to act; `show_code` shows the file that an entry is in."""
         self._screen = screen
         self._program = program
+        self._show_code = show_code
 
     def do(self, asked: Asked) -> None:
         """Do what was asked about an entry."""
@@ -36,6 +44,8 @@ class EntryActions:
             case "fix" if entry.edits:
                 editor.apply(entry.edits)
                 editor.focus()
+            case "code":
+                self._show_code(entry)
             case "rename":
                 start_exclusive(self._screen, "rename", self._rename, entry)
 

@@ -15,7 +15,7 @@ from ..files import OnDisk, Opened, Saved, open_file, read_again, save_file, wit
 from ..journal import Kept
 from ..open_program import Open, opened
 from ..panels.source_lines import difference
-from .active_program import ActiveProgram
+from .active_program import ActiveProgram, Tab
 from .recovery import Recovery
 from .workers import start_exclusive
 
@@ -39,7 +39,7 @@ class FileActions:
 
         Args:
             screen: shows dialogs and messages.
-            program: what is saved, and what another program takes the place of.
+            program: what is saved; another program gets a tab beside it.
             profile: remembers what was open.
             recovery: offers what was typed in a file and not saved.
             on_open: called when another program is there.
@@ -54,9 +54,22 @@ class FileActions:
 
     # Opening.
 
-    def take(self, open_: Open, cursor: int = 0) -> None:
-        """Show another program."""
-        self._program.replace(open_, cursor)
+    def take(self, open_: Open, cursor: int = 0, *, in_place: bool = False) -> None:
+        """Show another program, in a tab of its own.
+
+        One in which nothing is written gives its place up, as does the text of the same file.
+
+        Args:
+            open_: the program.
+            cursor: where the cursor is put, in bytes.
+            in_place: whether the program in the editor gives its place up in any case.
+        """
+        before = self._program.open
+        is_same_file = open_.path is not None and open_.path == before.path
+        if in_place or is_same_file or before.is_blank:
+            self._program.replace(open_, cursor)
+        else:
+            self._program.add(open_, cursor)
         if open_.path is not None:
             self._profile.remembered.opened(open_.path)
         self._on_open()
@@ -64,8 +77,23 @@ class FileActions:
             self._recovery.keep_soon()
         self._program.editor.focus()
 
+    def bring(self, tab: Tab) -> None:
+        """Bring a tab in front."""
+        if tab is not self._program.tab:
+            self._program.bring(tab)
+            self._on_open()
+        self._program.editor.focus()
+
+    def open_file(self, path: Path) -> bool:
+        """Open a file in a tab, or bring the tab in front that has it; tell whether it is there."""
+        tab = self._program.tab_of(path)
+        if tab is None:
+            return self.take_file(path)
+        self.bring(tab)
+        return True
+
     def take_file(self, path: Path, *, kept: Kept | None = None) -> bool:
-        """Open a file, or say why that cannot be; the text that is open is then left alone."""
+        """Read a file and show it, or say why that cannot be."""
         found = self.read(path)
         if found.problem is not None:
             self._say_problem(found.problem)
@@ -93,33 +121,28 @@ class FileActions:
         options = self._program.open.session.options
         return opened(disk, self._profile.journals, options, text, begun)
 
-    async def new(self) -> None:
+    def new(self, *, in_place: bool = False) -> None:
         """Start an empty program."""
-        if await self.may_leave():
-            self.take(self._opened(None))
+        self.take(self._opened(None), in_place=in_place)
 
     async def choose(self) -> None:
         """Open a program that is asked for."""
         from ..screens.choose_file import ChooseFile
 
-        if not await self.may_leave():
-            return
         start = self._program.open.session.folder
         path = await self._screen.app.push_screen_wait(ChooseFile("Open", start, must_be=True))
         if path is not None:
-            self.take_file(path)
-
-    async def open_path(self, path: Path) -> None:
-        """Open a file that was chosen elsewhere."""
-        if await self.may_leave():
-            self.take_file(path)
+            self.open_file(path)
 
     async def offer(self, kept: Kept, *, is_asked_for: bool = False) -> None:
         """Offer a text that was not saved before the studio ended, and open it."""
         if not await self._recovery.is_wanted(kept, is_asked_for=is_asked_for):
             return
-        if self._program.open.is_changed and not await self.may_leave():
-            return
+        there = None if kept.path is None else self._program.tab_of(kept.path)
+        if there is not None:
+            self.bring(there)
+            if there.open.is_changed and not await self.may_leave():
+                return
         if kept.path is None:
             begun = kept.folder
             if begun is not None and not begun.is_dir():
@@ -141,7 +164,7 @@ class FileActions:
             case ("kept", str(number)):
                 await self.offer(kept[int(number)], is_asked_for=True)
             case ("open", str(path)):
-                await self.open_path(Path(path))
+                self.open_file(Path(path))
             case ("recipe", str(path)):
                 await self.start_from(path)
             case ("action", str(call)):
@@ -152,11 +175,11 @@ class FileActions:
     # Recipes.
 
     async def start_from(self, path: str) -> None:
-        """Open the recipe of a path in the place of the program at hand."""
+        """Open the recipe of a path."""
         from ..recipes import recipes
 
         for recipe in recipes():
-            if recipe.path == Path(path) and await self.may_leave():
+            if recipe.path == Path(path):
                 await self.take_recipe(recipe)
 
     async def take_recipe(self, recipe: Recipe) -> bool:
@@ -166,7 +189,7 @@ class FileActions:
         whether it was opened.
         """
         open_ = self._program.open
-        named = open_.disk if not open_.saved else None
+        named = open_.disk if not open_.text.strip() and not open_.saved else None
         if not recipe.files:
             self.take(self._opened(named, recipe.text))
             return True
@@ -174,6 +197,8 @@ class FileActions:
         name = recipe.path.name if named is None else named.path.name
         path = await self._ask_path(f"Save as, with {names} beside it", name)
         if path is None:
+            return False
+        if path == open_.path and open_.is_changed and not await self.may_leave():
             return False
         present = read_again(OnDisk(path, None, None))
         if present.text not in (None, recipe.text):
@@ -228,7 +253,15 @@ class FileActions:
         name = name or (self._suggested() if path is None else path.name)
         dialog = ChooseFile(title, start, name=name, must_be=False)
         chosen = await self._screen.app.push_screen_wait(dialog)
-        return None if chosen is None else with_suffix(chosen)
+        if chosen is None:
+            return None
+        path = with_suffix(chosen)
+        tab = self._program.tab_of(path)
+        if tab not in (None, self._program.tab):
+            message = f"{path.name} is open in another tab: close it there first"
+            self._screen.notify(message, severity="warning", markup=False)
+            return None
+        return path
 
     def _suggested(self) -> str:
         analysis = self._program.open.analysis
@@ -260,7 +293,8 @@ class FileActions:
             open_.told = None
             self._profile.remembered.opened(path)
         else:
-            self.take(self._opened(saved.disk), self._program.editor.cursor_offset)
+            cursor = self._program.editor.cursor_offset
+            self.take(self._opened(saved.disk), cursor, in_place=True)
         self._on_change()
         self._screen.notify(f"saved {path.name}", timeout=2, markup=False)
         return True

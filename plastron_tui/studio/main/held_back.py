@@ -68,6 +68,11 @@ class HeldBack:
         else:
             self.rest()
 
+    @property
+    def is_holding(self) -> bool:
+        """Whether somebody types, and has not rested since."""
+        return self._row is not None
+
     def rest(self) -> None:
         """Show all that is wrong."""
         if self._row is not None:

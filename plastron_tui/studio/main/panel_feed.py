@@ -59,6 +59,8 @@ class PanelFeed:
         self._asked: tuple[Request, ...] | None = None
         self.held_back = HeldBack(screen, program.editor, self._show_known)
         self._unheld: tuple[Entries, frozenset[Diagnostic], Entries] | None = None
+        # The names that completion offers come with what the worker finds out.
+        program.editor.completer.waits = True
 
     def start(self) -> None:
         """Ask for the first time, now that there is something to see."""
@@ -99,7 +101,8 @@ class PanelFeed:
     def take(self, analysis: Analysis) -> bool:
         """Show what the text means; tell whether that is new. It may be about an older text."""
         open_ = self._program.open
-        if analysis.text != open_.text:
+        # Programs in several tabs may have the same text.
+        if analysis.text != open_.text or analysis.session.path != open_.path:
             return False
         before = open_.analysis
         is_new = analysis is not before

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable, Sequence
 from functools import partial
 from pathlib import Path
 
@@ -12,9 +13,9 @@ from plastron_tui.regular_files import reason
 from ..delay import Delay
 from ..files import open_file
 from ..folder_labels import shown_name, shown_place
-from ..journal import Journal, Kept, kept_texts
+from ..journal import Kept, kept_texts
 from ..panels.source_lines import difference
-from .active_program import ActiveProgram
+from .active_program import ActiveProgram, Tab
 
 _KEEP = 0.5
 """Seconds after which what was typed is in the journal, at most."""
@@ -29,47 +30,53 @@ class Recovery:
         self._program = program
         self._journals = journals
         self._delay = Delay(screen, self._keep)
+        self._due: set[Tab] = set()
         self._is_writing = False
         self._has_failed = False
 
     # Keeping.
 
     def keep_soon(self) -> None:
-        """Keep the text within half a second."""
+        """Keep the text within half a second, also when another one is in front by then."""
+        self._due.add(self._program.tab)
         if not self._delay.is_waiting:
             self._delay.start(_KEEP)
 
     def keep_now(self) -> None:
-        """Keep the text at once: something has gone wrong."""
-        open_ = self._program.open
-        if open_.is_changed:
-            open_.journal.write(open_.text, self._program.editor.cursor_offset)
+        """Keep all that is not saved at once: something has gone wrong."""
+        for tab in self._program.tabs:
+            if tab.open.is_changed:
+                tab.open.journal.write(tab.open.text, self._program.cursor_of(tab))
 
     def stop(self) -> None:
         """Let go of what was to be kept soon: it is saved, or not wanted."""
         self._delay.stop()
 
     def _keep(self) -> None:
-        open_ = self._program.open
-        if not open_.is_changed:
-            open_.journal.drop()
-            return
         if self._is_writing:
             # The disk is slower than who types: one text at a time, and then the latest.
-            self.keep_soon()
+            self._delay.start(_KEEP)
+            return
+        due, self._due = self._due, set()
+        writes = []
+        for tab in due.intersection(self._program.tabs):
+            open_, journal = tab.open, tab.open.journal
+            if open_.is_changed:
+                cursor = self._program.cursor_of(tab)
+                writes.append(partial(journal.write, open_.text, cursor, journal.turn()))
+            else:
+                journal.drop()
+        if not writes:
             return
         self._is_writing = True
-        journal, cursor = open_.journal, self._program.editor.cursor_offset
         self._screen.run_worker(
-            partial(self._write, journal, open_.text, cursor, journal.turn()),
-            group="journal",
-            exit_on_error=False,
-            thread=True,
+            partial(self._write, writes), group="journal", exit_on_error=False, thread=True
         )
 
-    def _write(self, journal: Journal, text: bytes, cursor: int, turn: int) -> None:
-        """Write the journal, in a thread."""
-        error = journal.write(text, cursor, turn)
+    def _write(self, writes: Sequence[Callable[[], OSError | None]]) -> None:
+        """Write journals, in a thread."""
+        errors = [write() for write in writes]
+        error = next((error for error in errors if error is not None), None)
         self._is_writing = False
         if error is not None:
             self._screen.app.call_from_thread(self._refused, error)
@@ -84,8 +91,8 @@ class Recovery:
 
     def not_saved(self) -> list[Kept]:
         """Return what studios that have ended did not save, the newest first."""
-        own = self._program.open.journal.file
-        return [each for each in kept_texts(self._journals) if each.file != own]
+        own = {tab.open.journal.file for tab in self._program.tabs}
+        return [each for each in kept_texts(self._journals) if each.file not in own]
 
     async def is_wanted(self, kept: Kept, *, is_asked_for: bool) -> bool:
         """Ask whether a text that was not saved is to be opened; forget it where it is not.

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import asyncio
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import dataclass, field
 from pathlib import Path
 from time import monotonic
 from typing import TYPE_CHECKING
@@ -20,9 +21,9 @@ from ..delay import Delay
 from ..panels.entry_list import EntryList
 from ..panels.live_panel import LivePanel
 from ..panels.output import OutputPanel
-from ..panels.output_log import Record
+from ..panels.output_log import OutputLog, Record, printed_record
 from ..textual_private import forget_notes
-from .active_program import ActiveProgram
+from .active_program import ActiveProgram, Tab
 from .dock_layout import DockLayout
 from .file_actions import FileActions
 from .live_actions import LiveActions
@@ -45,8 +46,25 @@ class Printed(Message):
     """Nodes that run printed something, or ended."""
 
 
+@dataclass(eq=False)
+class TabRun:
+    """The nodes of a tab.
+
+    Attributes:
+        log: what they have printed.
+        failed: which have failed, by their names, and what is said of that.
+        running: those that run, None for none.
+        started_at: when they were started, by the clock of `monotonic`.
+    """
+
+    log: OutputLog
+    failed: Mapping[str, str] = field(default_factory=dict)
+    running: Running | None = None
+    started_at: float = 0.0
+
+
 class RunActions:
-    """Generates, starts and stops nodes."""
+    """Generates, starts and stops nodes; those of each tab go on while another is in front."""
 
     def __init__(
         self,
@@ -81,17 +99,27 @@ class RunActions:
         self._output = output
         self._nodes = nodes
         self._said: set[str] = set()
-        self._started_at = 0.0
         self._trust = trust
         self._live = LiveActions(screen, program, live)
-        self._is_watched = False
+        self._watched: Tab | None = None
+        """Whose monitors the live panel has: all nodes are in one graph, whatever tab is theirs."""
         self._on_change = on_change
-        self._running: Running | None = None
+        self._runs = {program.tab: TabRun(output.printed)}
+
+    @property
+    def _run(self) -> TabRun:
+        """The run of the tab in front."""
+        return self._runs.setdefault(self._program.tab, TabRun(OutputLog()))
+
+    def runs_in(self, tab: Tab) -> bool:
+        """Tell whether nodes of a tab run."""
+        run = self._runs.get(tab)
+        return run is not None and run.running is not None
 
     @property
     def is_running(self) -> bool:
-        """Whether nodes run."""
-        return self._running is not None
+        """Whether nodes of the program in front run."""
+        return self.runs_in(self._program.tab)
 
     async def generate(self) -> bool:
         """Show what would be written, then write it; tell whether files may be other ones now."""
@@ -106,15 +134,18 @@ class RunActions:
 
     async def run(self, *, anew: bool = False) -> None:
         """Save, then start the nodes; those that run are stopped, and started `anew` if asked."""
-        if self._running is not None:
-            if not anew and monotonic() - self._started_at < TWICE:
+        tab, run = self._program.tab, self._run
+        if run.running is not None:
+            if not anew and monotonic() - run.started_at < TWICE:
                 return
             self._layout.reveal("output")
-            self._running.stop()
+            run.running.stop()
             if not anew:
                 return
-            while self._running is not None:
+            while self.runs_in(tab):
                 await asyncio.sleep(_LOOK)
+            if tab is not self._program.tab:
+                return
         if not await self._has_place() or await self._has_errors():
             return
         if self._program.open.is_changed and not await self._files.save():
@@ -139,17 +170,34 @@ class RunActions:
         forget_notes(self._screen.app, lambda note: note.message in said)
 
     def stop(self) -> None:
-        """Stop what runs."""
-        if self._running is None:
-            self._screen.notify("nothing runs", timeout=2)
-        else:
-            self._running.stop()
+        """Stop what runs of the program in front; say where else nodes run."""
+        running = self._run.running
+        if running is not None:
+            running.stop()
+            return
+        others = [tab.open.name for tab in self._runs if self.runs_in(tab)]
+        said = f"nothing runs here; nodes run of {', '.join(others)}" if others else "nothing runs"
+        self._screen.notify(said, timeout=2, markup=False)
 
     def close(self) -> None:
-        """Have the nodes ended, because the studio ends."""
+        """Have all nodes ended, because the studio ends."""
         self._live.close()
-        if self._running is not None:
-            self._running.close()
+        for run in self._runs.values():
+            if run.running is not None:
+                run.running.close()
+
+    def forget(self, tab: Tab) -> None:
+        """Have the nodes of a tab ended, because it is gone."""
+        run = self._runs.pop(tab, None)
+        if run is not None and run.running is not None:
+            run.running.close()
+            self._screen.notify(f"the nodes of {tab.open.name} were stopped", markup=False)
+            self._end_watch(tab)
+
+    def follow(self) -> None:
+        """Show what the nodes of the program in front have printed, and which have failed."""
+        self._output.show_log(self._run.log)
+        self._nodes.remark(self._run.failed)
 
     async def _has_place(self) -> bool:
         """Make sure that there is a folder to generate into: that of the program."""
@@ -181,16 +229,18 @@ class RunActions:
     def _start(self, path: Path) -> None:
         from ..running import Running
 
+        run = self._run
         try:
-            self._running = Running(path, self._program.open.session.options, self._news)
+            run.running = Running(path, self._program.open.session.options, self._news)
         except OSError as error:
             message = f"cannot run: {reason(error)}"
             self._screen.notify(message, severity="error", markup=False)
             return
-        self._started_at = monotonic()
+        run.started_at = monotonic()
         self._unsay()
-        self._nodes.remark({})
-        self._is_watched = False
+        run.failed = {}
+        self._nodes.remark(run.failed)
+        self._watched = None
         self._live.starting()
         self._output.begin(f"plastron run {path.name}")
         self._on_change()
@@ -206,37 +256,55 @@ class RunActions:
             self._delay.start(_SHOWN_AFTER)
 
     def _show(self) -> None:
-        running = self._running
-        if running is None:
-            return
+        for tab, run in list(self._runs.items()):
+            if run.running is not None:
+                self._show_run(tab, run, run.running)
+        for tab, run in self._runs.items():
+            if self._watched is None and run.running is not None and run.running.monitors:
+                self._watch(tab, run.running)
+
+    def _show_run(self, tab: Tab, run: TabRun, running: Running) -> None:
+        """Take what nodes of a tab have printed, and show it where the tab is in front."""
+        is_in_front = tab is self._program.tab
         status, end = running.status, None
-        if running.monitors and not self._is_watched:
-            self._watch(running)
         if status is not None:
-            self._running = None
+            run.running = None
             words = "stopped" if running.was_stopped else f"ended with status {status}"
             tone = "quiet" if running.was_stopped else "success" if status == 0 else "error"
             end = Record("", words, tone)
-            self._live.end()
-            if tone == "error" and self._layout.is_in_sight("live"):
+            self._end_watch(tab)
+            if not is_in_front:
+                self._screen.notify(f"the nodes of {tab.open.name} have ended", markup=False)
+            elif tone == "error" and self._layout.is_in_sight("live"):
                 # Why they ended is printed.
                 self._layout.reveal("output")
             self._on_change()
         printed = running.take()
-        self._output.add(printed, end)
-        self._tell_failed(printed)
+        if is_in_front:
+            self._output.add(printed, end)
+        else:
+            run.log.add([*map(printed_record, printed), *([] if end is None else [end])])
+        self._tell_failed(run, printed)
+        if is_in_front:
+            self._nodes.remark(run.failed)
 
-    def _tell_failed(self, printed: Iterable[str]) -> None:
+    def _tell_failed(self, run: TabRun, printed: Iterable[str]) -> None:
         """Say which nodes have failed, and mark them."""
         from plastron_tui.runtime.console import ended_node
 
         for node, how in filter(None, map(ended_node, printed)):
             self._say(f"{node} {how}", severity="error", timeout=10)
-            self._nodes.remark({**self._nodes.remarks, node: "has ended"})
+            run.failed = {**run.failed, node: "has ended"}
 
-    def _watch(self, running: Running) -> None:
+    def _watch(self, tab: Tab, running: Running) -> None:
         """Show what travels, where nobody has gone elsewhere since the nodes were started."""
-        self._is_watched = True
+        self._watched = tab
         self._live.start(running.monitors)
-        if self._layout.is_in_sight("output"):
+        if tab is self._program.tab and self._layout.is_in_sight("output"):
             self._layout.reveal("live")
+
+    def _end_watch(self, tab: Tab) -> None:
+        """Show no more of what travels by the monitors of a tab: its nodes have ended."""
+        if self._watched in (tab, None):
+            self._watched = None
+            self._live.end()

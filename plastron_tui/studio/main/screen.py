@@ -2,23 +2,22 @@
 
 from __future__ import annotations
 
-from pathlib import Path
+from collections.abc import Sequence
 from typing import ClassVar
 
 from textual import on, work
 from textual.app import ComposeResult
 from textual.binding import Binding, BindingType
-from textual.geometry import Region
 from textual.screen import Screen
 
-from ..actions import ACTIONS, BY_ID, KEPT, bindings
+from ..actions import BY_ID, KEPT, bindings
 from ..analysis_worker import Analysed, AnalysisFailed
 from ..config import Profile
 from ..editor import ProgramEditor
 from ..editor.statement_help import help_of
 from ..journal import Kept
 from ..open_program import Open
-from ..panels.dock import Dock
+from ..panels.entry import Entry
 from ..panels.entry_keys import Asked, Chosen, Lit
 from ..panels.entry_list import EntryList
 from ..panels.key_bar import KeyBar
@@ -27,14 +26,18 @@ from ..panels.output import OutputPanel
 from ..panels.panel import Resized
 from ..panels.registry import PANELS
 from .active_program import ActiveProgram
+from .code_actions import CodeActions
 from .disk_watch import DiskWatch
 from .dock_layout import DockLayout
 from .entry_actions import EntryActions
 from .file_actions import FileActions
+from .key_help import choose_action, show_help, toggle_keys
 from .panel_feed import PanelFeed
 from .program_bars import StatusBar, TitleBar
 from .recovery import Recovery
 from .run_actions import Printed, RunActions
+from .tab_actions import TabActions
+from .tab_line import TabLine
 from .trust_prompt import TrustPrompt
 from .wizard_host import WizardHost
 
@@ -46,7 +49,7 @@ _LEAST_ROWS = 8
 
 
 class MainScreen(Screen[None]):
-    """Shows one program: takes keys and messages, and hands them to the part that they are for.
+    """Shows the programs that are open: hands keys and messages to the part that they are for.
 
     Attributes:
         panels: the widget of each panel, by the panel's name.
@@ -55,10 +58,11 @@ class MainScreen(Screen[None]):
     BINDINGS: ClassVar[list[BindingType]] = [*bindings()]
     AUTO_FOCUS = "EditorView"
 
-    def __init__(self, open_: Open, profile: Profile) -> None:
+    def __init__(self, open_: Open, profile: Profile, others: Sequence[Open] = ()) -> None:
         super().__init__()
         self.profile = profile
-        self.program = ActiveProgram(open_)
+        self.program = ActiveProgram(open_, others)
+        self.tab_line = TabLine(id="tabs")
         self._title, self._status = TitleBar(id="title"), StatusBar(id="status")
         self._keys = KeyBar(KEPT)
         widgets = {panel: panel.widget(id=panel.name) for panel in PANELS}
@@ -82,7 +86,9 @@ class MainScreen(Screen[None]):
             self, self.program, self.files, self.dock_layout, output, nodes, self._trust, live,
             self.show_title,
         )  # fmt: skip
-        self._entries = EntryActions(self, self.program)
+        self._tabs = TabActions(self, self.program, self.files, self.runner.forget, self._show_anew)
+        self._entries = EntryActions(self, self.program, self.action_code)
+        self._code = CodeActions(self, self.program)
         self._wizard = WizardHost(self, self.program)
 
     @property
@@ -98,6 +104,7 @@ class MainScreen(Screen[None]):
     def compose(self) -> ComposeResult:
         """Make the parts."""
         yield self._title
+        yield self.tab_line
         yield self.dock_layout
         yield self._status
         yield self._keys
@@ -164,8 +171,10 @@ class MainScreen(Screen[None]):
     def _show_anew(self) -> None:
         """Show nothing of the program before: another one is there."""
         self.feed.clear()
+        self.runner.follow()
         self.show_title()
         self.feed.ask_anew()
+        self.call_later(self.look_at_disk)
 
     # What panels say.
 
@@ -203,10 +212,11 @@ class MainScreen(Screen[None]):
     # The lines above and below.
 
     def show_title(self) -> None:
-        """Show the program's name, whether it is saved, and what is the case with it."""
+        """Show the program's name, whether it is saved, and what is the case with it; the tabs."""
         is_running = self.runner.is_running
         self._title.show_program(self.open, self.key_of("run") if is_running else None)
         self._keys.retitle({"run": "Stop"} if is_running else {})
+        self.tab_line.show_programs(self.program, self.runner.runs_in)
 
     def show_status(self) -> None:
         """Show the sentence of the statement at the cursor, and where the cursor is."""
@@ -252,26 +262,43 @@ class MainScreen(Screen[None]):
         """Apply the remedy of the mistake on the cursor's line."""
         self._entries.fix()
 
+    @work(exclusive=True, group="code")
+    async def action_code(self, entry: Entry | None = None) -> None:
+        """Show the code of an entry, or of what the cursor is on."""
+        await (self._code.show_here() if entry is None else self._code.show(entry))
+
     def action_wizard(self) -> None:
         """Build statements from menus and forms."""
         self._wizard.open()
 
-    # Actions: files. Each asks what it has to, one at a time.
+    # Actions: tabs.
+
+    @on(TabLine.Picked)
+    def tab_picked(self, message: TabLine.Picked) -> None:
+        """Bring a tab in front, or close it."""
+        self._tabs.bring(message.number)
+        if message.closes:
+            self.action_close_tab()
+
+    def action_turn_tab(self, by: int) -> None:
+        """Bring the next program in front, or with -1 the one before."""
+        self._tabs.turn(by)
 
     @work(exclusive=True, group="file")
-    async def action_new(self) -> None:
+    async def action_close_tab(self) -> None:
+        """Close the program in front."""
+        await self._tabs.close()
+
+    # Actions: files. Each asks what it has to, one at a time.
+
+    def action_new(self) -> None:
         """Start an empty program."""
-        await self.files.new()
+        self.files.new()
 
     @work(exclusive=True, group="file")
     async def action_open(self) -> None:
         """Open a program."""
         await self.files.choose()
-
-    @work(exclusive=True, group="file")
-    async def open_path(self, path: Path) -> None:
-        """Open a file that was chosen elsewhere."""
-        await self.files.open_path(path)
 
     @work(exclusive=True, group="file")
     async def action_save(self) -> None:
@@ -290,20 +317,21 @@ class MainScreen(Screen[None]):
 
     @work(exclusive=True, group="recipe")
     async def action_start_from(self, path: str) -> None:
-        """Open the recipe of a path in the place of the program at hand."""
+        """Open the recipe of a path."""
         await self.files.start_from(path)
 
     @work(exclusive=True, group="kept", description="kept")
-    async def offer_kept(self, kept: Kept, after: str | None = None) -> None:
-        """Offer a text that was not saved before the studio ended; then do an action."""
-        await self.files.offer(kept)
+    async def offer_kept(self, kept: Sequence[Kept], after: str | None = None) -> None:
+        """Offer texts that were not saved before the studio ended; then do an action."""
+        for each in kept:
+            await self.files.offer(each)
         if after is not None:
             await self.run_action(after)
 
     @work(exclusive=True, group="file")
     async def action_quit(self) -> None:
         """Leave the studio."""
-        if await self.files.may_leave():
+        if await self._tabs.may_quit():
             self.recovery.stop()
             self.dock_layout.remember()
             self.app.exit()
@@ -336,12 +364,8 @@ class MainScreen(Screen[None]):
     @work(exclusive=True, group="menu")
     async def action_menu(self) -> None:
         """Offer all actions, and do the one that is chosen."""
-        from ..screens.menu import ActionMenu
-
-        remembered = self.profile.remembered
-        action = await self.app.push_screen_wait(ActionMenu(remembered.actions, self.key_of))
+        action = await choose_action(self, self.profile.remembered, self.key_of)
         if action is not None:
-            remembered.did(action.id)
             await self.app.run_action(action.chosen or action.call, self)
 
     def action_help(self, of_word: bool = True) -> None:
@@ -351,46 +375,19 @@ class MainScreen(Screen[None]):
         if is_first and hover.show_at_cursor(f"{self.key_of('help')} again: help for all"):
             return
         hover.close()
-        from ..screens.help import Help, action_lines
-
-        around = [] if self.focused is None else self.focused.ancestors_with_self
-        part = next((each.id for each in around if each.id in self.panels), None)
-        keys = {action.id: self.key_of(action.id) for action in ACTIONS}
-        self.app.push_screen(Help(part or "editor", self._keys_here(), action_lines(keys.items())))
-
-    def _keys_here(self) -> list[tuple[str, str]]:
-        """Return the keys of the panel with the focus."""
-        rows: dict[str, list[str]] = {}
-        for active in self.active_bindings.values():
-            binding = active.binding
-            if any(isinstance(each, Dock) for each in active.node.ancestors_with_self):
-                key = self.app.get_key_display(binding)
-                rows.setdefault(binding.tooltip or binding.description, []).append(key)
-        return [(" ".join(keys), what) for what, keys in rows.items()]
+        show_help(self, self.panels, self.key_of)
 
     def action_keys(self) -> None:
         """Show the keys of what has the focus, at the side."""
-        if self.query("HelpPanel"):
-            self.app.action_hide_help_panel()
-        else:
-            self.app.action_show_help_panel()
+        toggle_keys(self)
 
     @work(exclusive=True, group="tour")
     async def action_tour(self) -> None:
         """Take the tour, with a recipe when there is no text."""
-        from ..recipes import recipes
-        from ..screens.tour import Tour
+        from .take_tour import take_tour
 
-        if not self.open.text.strip():
-            for recipe in recipes()[:1]:
-                await self.files.take_recipe(recipe)
-        await self.app.push_screen_wait(Tour(self.dock_layout.bring, self._region_of))
+        await take_tour(self, self.program, self.files, self.dock_layout)
         self.profile.remembered.toured = True
-        self.editor.focus()
-
-    def _region_of(self, panel: str | None) -> Region:
-        """Return where a panel is, or the editor."""
-        return (self.editor if panel is None else self.dock_layout.dock_of(panel)).region
 
     @work(exclusive=True, group="file")
     async def action_config(self) -> None:

@@ -94,12 +94,17 @@ class TabStrip(Toned):
         for (panel, text, count), size in list(zip(tabs, sizes, strict=True))[first:]:
             is_active = panel.name == self.active
             style = base + (self.tone("active", "tab-strip") if is_active else _PLAIN)
+            if first and not x:
+                # There are tabs before this one.
+                text = f"‹{text[1:]}"
             kind = "alarm" if panel.is_alarm else "count"
             segments.append(Segment(text, style))
             segments.append(Segment(count, style + self.tone(kind, "tab-strip")))
             self._places.append((len(before) + x, len(before) + x + size, panel.name))
             x += size
         tabs_strip = Strip(segments).crop(0, len(before) + width)
+        if x > width:
+            tabs_strip = Strip([*tabs_strip.crop(0, len(before) + width - 1), Segment("›", base)])
         return Strip([*tabs_strip, Segment("─" * max(0, width - x) + behind, rule)])
 
     def _fitting(self, width: int) -> list[tuple[Panel, str, str]]:

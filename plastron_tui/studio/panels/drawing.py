@@ -170,6 +170,8 @@ class Plan:
         order: Sequence[Sequence[int]],
         detail: Detail,
         room: int,
+        *,
+        few_lines: bool = False,
     ) -> None:
         """Measure the boxes.
 
@@ -179,21 +181,23 @@ class Plan:
             order: the columns, each from top to bottom.
             detail: how large.
             room: how wide it may be; what is longer is broken into rows if it can be.
+            few_lines: whether only few lines may lead from row to row.
         """
-        from plastron_tui.output.graphs.sheet import Sheet
+        from plastron_tui.output.graphs.sheet import FEW_CARRIED, MOST_CARRIED, Sheet
 
         own = [item for column in order for item in column if item >= 0]
         self._boxes = {item: _Box(labels[item], detail) for item in own}
         measures = {item: box.measure for item, box in self._boxes.items()}
         self._sheet = Sheet(columns, order, measures, detail.track, detail.between)
         self._room = room
+        self._most_carried = FEW_CARRIED if few_lines else MOST_CARRIED
 
     @cached_property
     def least(self) -> tuple[int, int]:
         """A width that is more than the room if it cannot fit, and its least height if it does."""
         from plastron_tui.output.graphs.sheet import estimate
 
-        _, width, height = estimate(self._sheet, self._room)
+        _, width, height = estimate(self._sheet, self._room, self._most_carried)
         return width, height
 
     @cached_property
@@ -201,7 +205,7 @@ class Plan:
         """Where everything is."""
         from plastron_tui.output.graphs.grid import grid_of
 
-        return grid_of(self._sheet, self._room)
+        return grid_of(self._sheet, self._room, self._most_carried)
 
     def drawn(self) -> Lines:
         """Draw it."""

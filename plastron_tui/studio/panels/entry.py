@@ -14,6 +14,8 @@ from plastron_tui.model.kinds import EDITABLE, EndpointKind
 from plastron_tui.ros.interfaces import InterfaceKind
 
 if TYPE_CHECKING:
+    from pathlib import Path
+
     from plastron_tui.ros.interfaces import InterfaceName
 
 
@@ -96,6 +98,8 @@ class Entry(NamedTuple):
             a line each.
         robot: the variable of the robot that it is a part of.
         place: where it is written, where that is another file.
+        file: of a problem in another file that file.
+        line: the line there, from 1; 0 where none is known.
     """
 
     key: str
@@ -114,6 +118,8 @@ class Entry(NamedTuple):
     ending: str = ""
     robot: str | None = None
     place: str = ""
+    file: Path | None = None
+    line: int = 0
 
     @property
     def owner(self) -> str | None:

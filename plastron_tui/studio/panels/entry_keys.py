@@ -35,7 +35,7 @@ class Lit(EntryMessage):
 
 
 class Asked(EntryMessage):
-    """Something shall be done about an entry: `end`, `rename`, `generate` or `fix`."""
+    """Something shall be done about an entry: `end`, `rename`, `generate`, `fix` or `code`."""
 
     def __init__(self, what: str, entry: Entry) -> None:
         super().__init__(entry)
@@ -82,6 +82,7 @@ class Acting(Pointing):
         _asking("rename", "f2,r", "Rename", "Give it another name, everywhere"),
         _asking("generate", "g", "Generate", "Write the statement that writes it to its files"),
         _asking("fix", "f,alt+enter", "Mend", "Do what its help says"),
+        _asking("code", "c", "Code", "Show the file that it is in, or becomes, at its line"),
     ]  # fmt: skip
 
     def check_action(self, action: str, parameters: tuple[object, ...]) -> bool | None:
@@ -98,6 +99,8 @@ class Acting(Pointing):
                 return entry.subject in _NAMED
             case "generate":
                 return entry.subject in (*_NODE_PARTS, *_MADE)
+            case "code":
+                return entry.span is not None or entry.subject is not Subject.OTHER
             case _:
                 return bool(entry.edits)
 

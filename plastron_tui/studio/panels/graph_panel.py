@@ -16,8 +16,9 @@ from textual.strip import Strip
 from .drawing import DETAILS
 from .entry import Entry
 from .entry_keys import Acting
+from .fitting import Fitted, Size
 from .panel import Panel, Resized
-from .picture import Fitted, Picture, Size, picture_of
+from .picture import Picture, picture_of
 from .styles import COMPONENTS, Lines, Toned
 
 if TYPE_CHECKING:

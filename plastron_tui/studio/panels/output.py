@@ -68,7 +68,7 @@ class OutputPanel(Vertical):
         super().__init__(id=id)
         self.view = LogView(id="output-lines")
         self._bar: FilterBar | None = None
-        self._log = OutputLog()
+        self.printed = OutputLog()
         self._words: tuple[str, ...] = ()
 
     def compose(self) -> ComposeResult:
@@ -90,10 +90,16 @@ class OutputPanel(Vertical):
         self.view.focus(scroll_visible)
         return self
 
+    def show_log(self, log: OutputLog) -> None:
+        """Show what other nodes have printed, and add to that from now on."""
+        if log is not self.printed:
+            self.printed = log
+            self._show_all()
+
     def begin(self, title: str) -> None:
         """Show what is started, and nothing of what was printed before."""
-        self._log.clear()
-        self._log.add([Record("", title, "quiet")])
+        self.printed.clear()
+        self.printed.add([Record("", title, "quiet")])
         self._show_all()
 
     def add(self, printed: Iterable[str], end: Record | None = None) -> None:
@@ -101,20 +107,20 @@ class OutputPanel(Vertical):
         records = [*map(printed_record, printed)]
         if end is not None:
             records.append(end)
-        change = self._log.add(records)
+        change = self.printed.add(records)
         if self._words:
             self._show_all()
         else:
             self._show_changed(change)
 
     def _show_changed(self, change: Change) -> None:
-        new = self._log.records[change.start - change.dropped :]
-        self.view.splice(change.dropped, change.start, tuple(map(self._log.line, new)))
+        new = self.printed.records[change.start - change.dropped :]
+        self.view.splice(change.dropped, change.start, tuple(map(self.printed.line, new)))
 
     def _show_all(self) -> None:
-        records = self._log.records
+        records = self.printed.records
         found = [record for record in records if record.matches(self._words)]
-        self.view.show(tuple(map(self._log.line, found)), follow=True)
+        self.view.show(tuple(map(self.printed.line, found)), follow=True)
         if self._bar is not None:
             self._bar.say(len(found), len(records))
 

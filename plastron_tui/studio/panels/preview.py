@@ -75,7 +75,7 @@ def previews_of(analysis: Analysis, variable: str) -> tuple[Preview, ...]:
 
 def _written(analysis: Analysis, variable: str) -> Iterator[Preview]:
     """Yield what the plan has of a package, a launch file, a robot or a type."""
-    is_meant = _meant(analysis.workspace, variable)
+    is_meant = files_meant(analysis.workspace, variable)
     if is_meant is None:
         return
     plan, problems = _plan(analysis)
@@ -113,7 +113,7 @@ def _building(analysis: Analysis, generation: Generation) -> Iterator[Preview]:
     if home is None or not home.is_own:
         return
     plan, problems = _plan(analysis)
-    launches = [_meant(analysis.workspace, name) for name in analysis.workspace.launches]
+    launches = [files_meant(analysis.workspace, name) for name in analysis.workspace.launches]
     for file in plan.files:
         path = PurePosixPath(file.name)
         is_launch = any(is_meant is not None and is_meant(path) for is_meant in launches)
@@ -127,7 +127,7 @@ def _folder(home: Home) -> PurePosixPath:
     return PurePosixPath(home.package if is_there or not home.is_output else ".")
 
 
-def _meant(workspace: Workspace, variable: str) -> Callable[[PurePosixPath], bool] | None:
+def files_meant(workspace: Workspace, variable: str) -> Callable[[PurePosixPath], bool] | None:
     """Return what tells the files of something from others, by their paths in the plan."""
     package = workspace.packages.get(variable)
     if package is not None:

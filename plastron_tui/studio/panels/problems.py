@@ -44,9 +44,9 @@ def _problem(
     is_error = found.severity is Severity.ERROR
     index = None if found.span is None else lines(found.file)
     where = found.file.name if found.file is not None else ""
-    if index is not None and found.span is not None:
-        where += f":{index.position(found.span.start).line}" if where else ""
-        where = where or f"line {index.position(found.span.start).line}"
+    line = 0 if index is None or found.span is None else index.position(found.span.start).line
+    if line:
+        where = f"{where}:{line}" if where else f"line {line}"
     own = found.file is None
     key = _key(found)
     yield Entry(
@@ -61,6 +61,8 @@ def _problem(
         edits=found.fix.edits if found.fix is not None and own else (),
         warning=found.fix.title if found.fix is not None and own else "",
         is_branch=found.help is not None,
+        file=found.file,
+        line=line,
     )
     if found.help is not None:
         span = found.span if own else None
@@ -72,6 +74,8 @@ def _problem(
             span=span,
             subject=Subject.PROBLEM,
             name=None if own else where,
+            file=found.file,
+            line=line,
         )
 
 

@@ -32,8 +32,12 @@ _TONES = (
 )
 
 
-_OTHERS = dict.fromkeys((".urdf", ".xacro", ".xml", ".launch"), "xml")
-"""What Pygments calls the languages of files that hold no node, by their suffixes."""
+_OTHERS = {
+    **dict.fromkeys((".urdf", ".xacro", ".xml", ".launch"), "xml"),
+    **dict.fromkeys((".yaml", ".yml", ".rviz"), "yaml"),
+    **dict.fromkeys((".cmake", "CMakeLists.txt"), "cmake"),
+}
+"""What Pygments calls the languages of files that hold no node, by their suffixes or names."""
 
 
 def coloured(text: str, path: Path) -> Lines:
@@ -41,16 +45,16 @@ def coloured(text: str, path: Path) -> Lines:
     rows = text.split("\n")
     if rows and not rows[-1]:
         rows.pop()
-    name = _lexer_of(path) if len(rows) <= LONGEST else None
+    name = lexer_of(path) if len(rows) <= LONGEST else None
     if name is None:
         return tuple((Piece(row.expandtabs(4)),) for row in rows)
     return tuple(_lexed(text, name))[: len(rows)]
 
 
-def _lexer_of(path: Path) -> str | None:
+def lexer_of(path: Path) -> str | None:
     """Return what Pygments calls the language of a file, None for one that is not coloured."""
     language = language_of(path)
-    return _OTHERS.get(path.suffix) if language is None else language.name
+    return _OTHERS.get(path.suffix, _OTHERS.get(path.name)) if language is None else language.name
 
 
 def _lexed(text: str, language: str) -> Iterator[Line]:

@@ -2,14 +2,22 @@
 
 from __future__ import annotations
 
+from textual import events
 from textual.await_complete import AwaitComplete
 from textual.screen import ModalScreen, ScreenResultType
 
 from ..textual_private import forget_removed_widgets
 
+_LOW = 18
+"""With fewer rows dialogs have no gaps, and take the whole window if they need it."""
+
 
 class Dialog(ModalScreen[ScreenResultType]):
     """A screen that gives one answer, however often it is pressed for."""
+
+    def on_resize(self, event: events.Resize) -> None:
+        """Spend nothing on gaps where the window is low."""
+        self.set_class(event.size.height < _LOW, "-low")
 
     def dismiss(self, result: ScreenResultType | None = None) -> AwaitComplete:
         """Leave with an answer.

@@ -12,8 +12,10 @@ class Extra(NamedTuple):
         key: what it is called within the wizard.
         words: what is offered.
         lines: the statements.
+        node: the variable of the node that they are about, "" where they are about none.
     """
 
     key: str
     words: str
     lines: tuple[str, ...]
+    node: str = ""

@@ -19,7 +19,7 @@ from .goals import maker_of
 from .kinds import KINDS
 from .part_rows import FilledPart, filled_parts, part_problems, parts_text, used_paths
 from .program_trial import Finding, Placed, check
-from .values import Entry, Heading, Path, entries_of, input_text
+from .values import Entry, Heading, Path, entries_of, first_value, input_text
 
 LARGEST_TRIED = 64 * 1024
 """In a larger program choices are not tried out before they are offered: it takes too long."""
@@ -175,10 +175,11 @@ class Filler:
         section = found.response if is_answer else found.sections[0]
         filled.entries = entries_of(found, ask.scene.catalog(ask.version), section)
         entries = [each for each in filled.entries if isinstance(each, Entry)]
-        filled.given = {entry.path: "" for entry in entries}
+        is_stop = "<" in ask.parent_text(SlotKind.CONDITION)
+        filled.given = {entry.path: first_value(entry, is_stop=is_stop) for entry in entries}
         if len(filled.entries) == 1 and entries and not is_answer:
             entry = entries[0]
-            if entry.python is not None and not entry.type.is_array:
+            if entry.python is not None and not entry.type.is_array and entry.meaning is None:
                 filled.given[entry.path] = _EXAMPLES[entry.python]
         filled.given.update((path, text) for path, text in filled.form.values.items()
                             if path in filled.given)  # fmt: skip

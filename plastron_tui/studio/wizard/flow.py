@@ -156,14 +156,18 @@ class Course:
 
     def answer(self, heard: Heard) -> None:
         """Go on to what a node sends for each message of a topic."""
-        self.choose_group(Aim.MORE)
-        self.choose(answering())
+        self.begin_with(answering())
         form = self.main_form
         assert form is not None
         for kind, text in ((SlotKind.NODE, heard.node), (SlotKind.TRIGGER, heard.topic)):
             slot = form.slot_of(kind)
             if slot is not None:
                 form.enter(slot.name, text)
+
+    def begin_with(self, declaration: Declaration) -> None:
+        """Go to the form of a statement, by way of the menu of its own that has it."""
+        self.choose_group(aim_of(declaration))
+        self.choose(declaration)
 
     def heard(self, look: Look) -> Heard | None:
         """Return what a node listens to by what was entered; None where that is something else."""
@@ -263,6 +267,7 @@ class Course:
         filled: list[Filled] = []
         scene = self.scene
         if head is not None:
+            head.purpose = main
             filled.append(self._filler.fill(head, scene))
             if main is not None:
                 scene = self._filler.extended(scene, filled[0])

@@ -13,6 +13,7 @@ from .context import Scene, free_name, variables_of
 from .extra import Extra
 from .filling import Filled
 from .form import laid_out
+from .obstacles import is_near
 from .program_trial import Placed, check
 from .robot_followers import ABOUT_ROBOTS, robot_extras
 
@@ -27,6 +28,8 @@ def extras_of(filled: Filled) -> list[Extra]:
         return list(_of_package(filled.scene, filled.cells["variable"].text))
     if declaration is st.CreateLaunch:
         return list(_of_launch(filled.scene, filled.cells["variable"].text))
+    if declaration is st.Publish:
+        return list(_stopping(filled))
     return list(robot_extras(filled)) if declaration in ABOUT_ROBOTS else []
 
 
@@ -63,6 +66,24 @@ def _of_launch(scene: Scene, launch: str) -> Iterator[Extra]:
         yield Extra("write", "write it to its file", (line,))
 
 
+def _stopping(filled: Filled) -> Iterator[Extra]:
+    """Yield what stops a robot that drives only as long as the way is free."""
+    texts = {name: cell.text for name, cell in filled.cells.items()}
+    near = is_near(texts["type"], texts["condition"])
+    if near is None:
+        return
+    condition, metres = near
+    halt = free_name("halt", {*variables_of(filled.scene.workspace), texts["message"]})
+    lines = (
+        _line(st.CreateMessage, variable=halt, type=texts["type"],
+              input="linear.x=0.0, angular.z=0.0"),
+        _line(st.Publish, node=texts["node"], message=halt, topic=texts["topic"],
+              type=texts["type"], trigger=texts["trigger"], condition=condition),
+    )  # fmt: skip
+    words = f"stop as soon as something is nearer than {metres} m"
+    yield Extra("stop", words, lines, texts["node"])
+
+
 def _said(names: list[str]) -> str:
     """Return what is put somewhere, in so many words as there is room for."""
     return listed(names) if len(names) < _MANY else f"all {len(names)} that there are"
@@ -91,7 +112,7 @@ def chosen(
     """
     offered = []
     for extra in extras:
-        more = [Placed(None, line) for line in extra.lines]
+        more = [Placed(None, line, node=extra.node) for line in extra.lines]
         # What would be wrong is not offered: the one who asked for a package cannot mend it here.
         if len(check(session, [*placed, *more]).findings) > len(check(session, placed).findings):
             continue

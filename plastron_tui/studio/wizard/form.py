@@ -31,6 +31,7 @@ class Form:
         parent: the form that this one makes something for, and its slot.
         given: by slot, what stands in it because the wizard has made it before.
         makers: by slot, the form that makes what the slot names, once `NEW` was chosen.
+        purpose: of a node that it makes, the form of what that shall do, once that is known.
     """
 
     declaration: Declaration
@@ -39,6 +40,7 @@ class Form:
     parent: tuple[Form, str] | None = None
     given: dict[str, str] = field(default_factory=dict)
     makers: dict[str, Form] = field(default_factory=dict)
+    purpose: Form | None = None
 
     def slot_of(self, *kinds: SlotKind) -> Slot | None:
         """Return the first slot of one of some kinds."""

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from itertools import takewhile
-from typing import ClassVar, NamedTuple
+from typing import ClassVar
 
 from textual import on
 from textual.app import ComposeResult
@@ -17,26 +17,17 @@ from textual.widgets import Label, OptionList
 from textual.widgets.option_list import Option
 
 from plastron_tui.language import Slot, SlotKind
-from plastron_tui.language.declaration import Form as Written
+from plastron_tui.model.workspace import Workspace
 
 from .ask import Choice
 from .definition_rows import field_slots, row_path
 from .filling import Filled
 from .form import NEW, Form
+from .form_rows import Key, Spec, matters, new_words, specs
 from .goals import told
-from .libraries import ros_of
 from .program_trial import Finding
 from .rows import Entered, Reached, Row
-from .values import Entry, Heading, Path
-
-Key = tuple[str, "Path | None"]
-
-
-_LEFT_OUT = {
-    SlotKind.TRIGGER: "or for each of a topic",
-    SlotKind.CONDITION: "always",
-}
-"""What is shown in a slot that is left out, where there is more to say of it."""
+from .values import Path
 
 
 class Put(Message):
@@ -52,30 +43,6 @@ class Put(Message):
 
 class Looked(Message):
     """Another row got the focus, or its choices are wanted for another text."""
-
-
-class _Spec(NamedTuple):
-    """A row, or a heading between rows."""
-
-    key: Key | None
-    slot: Slot | None
-    entry: Entry | None
-    label: str
-    text: str
-    note: str
-    is_fixed: bool
-    placeholder: str = ""
-
-    @property
-    def shape(self) -> tuple[object, ...]:
-        """What must be the same for a row to be kept."""
-        note = self.note if self.key is None else ""
-        return self.key, self.is_fixed, self.label, self.entry, note
-
-
-def new_words(slot: Slot) -> str:
-    """Return what stands for one that does not exist yet."""
-    return f"a new {slot.kind.name.lower()}"
 
 
 class Rows(VerticalScroll, inherit_bindings=False):
@@ -119,13 +86,13 @@ class FormPage(Vertical):
         self, filled: Filled, problems: Sequence[Finding], helps: dict[Key, str]
     ) -> None:
         """Show what is in the form now, and what is wrong with it."""
-        specs = _specs(filled)
+        wanted = specs(filled)
         self._help = helps
         self.problems = tuple(each for each in problems if each.form is self.form)
-        shapes = [spec.shape for spec in specs]
+        shapes = [spec.shape for spec in wanted]
         if shapes != self._shapes:
-            await self._build(specs, shapes)
-        for spec in specs:
+            await self._build(wanted, shapes, filled.scene.workspace)
+        for spec in wanted:
             if spec.key is not None:
                 row = self._rows[spec.key]
                 # What is being written is not written over.
@@ -136,7 +103,7 @@ class FormPage(Vertical):
             row.set_class(key in wrong, "-wrong")
         self.show_help()
 
-    def _is_being_written(self, row: Row, spec: _Spec) -> bool:
+    def _is_being_written(self, row: Row, spec: Spec) -> bool:
         has_focus = not row.is_fixed and row.box.has_focus
         if row.was_entered:
             return has_focus
@@ -144,7 +111,9 @@ class FormPage(Vertical):
             return has_focus and row.path in self.form.values
         return has_focus and row.slot.name in self.form.entered
 
-    async def _build(self, specs: Sequence[_Spec], shapes: list[tuple[object, ...]]) -> None:
+    async def _build(
+        self, wanted: Sequence[Spec], shapes: list[tuple[object, ...]], workspace: Workspace
+    ) -> None:
         """Make the rows from the first one on that is another than before."""
         here, self._start = self.key_here or self._start, None
         pairs = zip(self._shapes, shapes, strict=False)
@@ -152,9 +121,9 @@ class FormPage(Vertical):
         self._shapes = shapes
         rows = self.query_one(Rows)
         made: list[Widget] = []
-        there = [spec.key for spec in specs[:kept] if spec.key is not None]
+        there = [spec.key for spec in wanted[:kept] if spec.key is not None]
         self._rows = {key: self._rows[key] for key in there}
-        for spec in specs[kept:]:
+        for spec in wanted[kept:]:
             if spec.key is None or spec.slot is None:
                 words = f"{spec.label}  {spec.note}" if spec.note else spec.label
                 made.append(Label(words, classes="wizard-heading", markup=False))
@@ -175,10 +144,11 @@ class FormPage(Vertical):
         await rows.mount_all(made)
         if here in there:
             return
-        free = [row for row in self._rows.values() if not row.is_fixed]
         found = None if here is None else self._rows.get(here) or self._last_of(here[0])
         if found is None or found.is_fixed:
-            found = free[0] if free else None
+            free = [row for row in self._rows.values() if not row.is_fixed]
+            # What has to be thought of comes before what is called somehow in any case.
+            found = next((row for row in free if matters(row, workspace)), next(iter(free), None))
         if found is not None:
             found.box.focus()
         else:
@@ -322,72 +292,3 @@ def _shown(choice: Choice) -> Content:
     elif choice.about:
         parts.append((f"\n  {choice.about}", quiet))
     return Content.assemble(*parts)
-
-
-def _specs(filled: Filled) -> list[_Spec]:
-    """Return the rows of a form."""
-    specs: list[_Spec] = []
-    optional = filled.form.optional
-    for slot in filled.form.declaration.slots:
-        cell = filled.cells[slot.name]
-        if slot.name in filled.parts:
-            specs += _part_specs(slot, filled)
-            continue
-        if slot.kind.form is Written.VALUES:
-            specs += _value_specs(slot, filled)
-            continue
-        if slot.kind.form is Written.FIELDS:
-            specs += _field_specs(slot, filled)
-            continue
-        text = new_words(slot) if cell.is_new else cell.text
-        label = slot.name.replace("_", " ")
-        is_flag = slot.kind.form is Written.FLAG
-        left_out = _LEFT_OUT.get(slot.kind, "may stay empty")
-        placeholder = left_out if slot.name in optional and not is_flag else ""
-        is_fixed = bool(cell.reason)
-        note = cell.reason
-        if slot.kind is SlotKind.LIBRARY:
-            note = ros_of(filled.scene, cell.text)
-        key = (slot.name, None)
-        specs.append(_Spec(key, slot, None, label, text, note, is_fixed, placeholder))
-    return specs
-
-
-def _value_specs(slot: Slot, filled: Filled) -> list[_Spec]:
-    specs = []
-    if not any(isinstance(each, Entry) for each in filled.entries):
-        return [_Spec(None, None, None, slot.name, "", "takes no values", False)]
-    for each in filled.entries:
-        indent = "  " * (len(each.path) - 1)
-        if isinstance(each, Heading):
-            specs.append(_Spec(None, None, None, indent + each.path[-1], "", each.note, False))
-            continue
-        text = filled.given.get(each.path, "")
-        key = (slot.name, each.path)
-        label = indent + each.path[-1]
-        note = str(each.type).rpartition("/")[2]
-        specs.append(_Spec(key, slot, each, label, text, note, False, each.default))
-    return specs
-
-
-def _part_specs(slot: Slot, filled: Filled) -> list[_Spec]:
-    """Return the rows of a place, or of a shape."""
-    return [
-        _Spec((slot.name, path), slot, None, f"{slot.name} {part.name}", text, part.note, False,
-              part.without)
-        for part, path, text in filled.parts[slot.name]
-    ]  # fmt: skip
-
-
-def _field_specs(slot: Slot, filled: Filled) -> list[_Spec]:
-    """Return the rows of the fields of a definition."""
-    several = len(field_slots(filled.form)) > 1
-    specs = []
-    if several:
-        specs.append(_Spec(None, None, None, slot.name, "", slot.help, False))
-    for number, text in enumerate(filled.rows[slot.name]):
-        key = (slot.name, row_path(slot, number))
-        label = f"{'  ' if several else ''}field {number + 1}"
-        more = "another field, or none" if number else "none"
-        specs.append(_Spec(key, slot, None, label, text, "", False, more))
-    return specs

@@ -17,7 +17,8 @@ from . import strings
 from .ask import Choice
 from .flow import Course, Heard, Look, Page, PageKind
 from .form import Form
-from .form_page import FormPage, Key
+from .form_page import FormPage
+from .form_rows import Key
 from .menu import Offer
 from .menu_page import Item, MenuPage, ReviewPage
 from .result_view import ResultView
@@ -27,6 +28,8 @@ NARROW = 76
 """With fewer columns the code and the graph have a page of their own."""
 MENUS = (PageKind.START, PageKind.PURPOSE, PageKind.RECIPES)
 """The pages on which an entry is chosen."""
+SPACIOUS = 110
+"""From so many columns on the page has the width of a text, and the code all the rest."""
 LOW = 22
 """With fewer rows the form does without the sentence above it."""
 
@@ -175,6 +178,7 @@ class Frame(Paged, Dialog[str]):
     def on_resize(self, event: events.Resize) -> None:
         """Make the best of another size."""
         self.set_class(event.size.width < NARROW, "-narrow")
+        self.set_class(event.size.width >= SPACIOUS, "-spacious")
         self.set_class(event.size.height < LOW, "-low")
         if event.size.width >= NARROW:
             self.remove_class("-turned")

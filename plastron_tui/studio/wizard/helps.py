@@ -35,7 +35,8 @@ def helps_of(filled: Filled, ask: Callable[[Slot], Ask]) -> dict[tuple[str, Path
             sources = sources_of(ask(slot))
             for each in filled.entries:
                 if isinstance(each, Entry):
-                    about = f": {each.comment}" if each.comment else ""
+                    known = each.meaning.said if each.meaning is not None else each.comment
+                    about = f": {known}" if known else ""
                     others = sources.example(each)
                     others = f", or {others}" if others else ""
                     said[slot.name, each.path] = f"{each.name} ({each.note}){others}{about}"

@@ -10,7 +10,7 @@ from plastron_tui.language.keywords import KEYWORDS
 from plastron_tui.model.graph import NOUNS
 from plastron_tui.model.kinds import Publisher
 from plastron_tui.ros.interfaces import InterfaceKind
-from plastron_tui.ros.names import check_node_name, check_service_name, check_topic_name
+from plastron_tui.ros.names import check_service_name, check_topic_name
 
 from .ask import Ask, Choice
 from .context import Meeting, free_name
@@ -40,6 +40,8 @@ from .launch_kinds import (
 )
 from .libraries import LibraryKind
 from .node_files import FileKind, NodeOfFileKind
+from .node_names import NodeNameKind
+from .obstacles import VELOCITY_TOPIC, is_to_drive
 from .package_kinds import (
     HeldKind,
     ItemKind,
@@ -76,26 +78,8 @@ from .robot_value_kinds import (
 from .sending_kinds import ConditionKind, FlagKind, QosKind, RateKind, TriggerKind
 from .taken_back import nothing_to_take, taken_back
 from .trials import closed_by, first_that_works, trials
-from .type_kinds import NAMES, TypeKind, name_for_type
+from .type_kinds import NAMES, TypeKind, name_for_type, usual_topics
 from .variable_kinds import NewVariableKind
-
-_NODE_NAMES = ("talker", "listener", "watcher", "helper")
-
-
-class NodeNameKind(Kind):
-    """The name of a new node."""
-
-    def suggest(self, ask: Ask) -> str:
-        """Return what fits the rest of the form and of the program."""
-        taken = ask.scene.node_names | ask.scene.taken
-        free = (name for name in _NODE_NAMES if name not in taken)
-        return next(free, free_name("node", taken))
-
-    def problem(self, ask: Ask, text: str) -> str | None:
-        """Tell why a text cannot stand there."""
-        if not text:
-            return "a node needs a name, such as `talker`"
-        return name_problem(check_node_name(text, ask.version))
 
 
 class NodeKind(Kind):
@@ -202,6 +186,8 @@ class MeetingKind(Kind):
         """Return what fits the rest of the form and of the program."""
         if ask.form.declaration.undoes is not None:
             return next((each.text for each in taken_back(ask) if not each.closed), "")
+        if ask.slot.kind is SlotKind.TOPIC and is_to_drive(ask):
+            return VELOCITY_TOPIC
         # Who sends something of its own seeks who lacks it; who takes it, what there is.
         sends = ask.form.slot_of(SlotKind.MESSAGE, SlotKind.INPUT) is not None
         held = ask.held
@@ -234,6 +220,9 @@ class MeetingKind(Kind):
             closed = reasons.get(meeting.name, "")
             type_ = "" if meeting.type is None else str(meeting.type)
             found.append(Choice(meeting.name, type_, _who(meeting), closed))
+        if ask.slot.kind is SlotKind.TOPIC:
+            there = {each.name.strip("/") for each in names}
+            found += [each for each in usual_topics(ask) if each.text not in there]
         return found
 
     def problem(self, ask: Ask, text: str) -> str | None:

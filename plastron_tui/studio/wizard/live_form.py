@@ -107,7 +107,8 @@ class LiveForm(Dialog["dict[Path, str] | None"]):
         label = self.query_one("#wizard-help", Label)
         entry = message.row.entry
         if not label.has_class("-wrong") and entry is not None:
-            label.update(visible(entry.comment or entry.note))
+            known = entry.comment if entry.meaning is None else entry.meaning.said
+            label.update(visible(known or entry.note))
 
     @on(Confirmed)
     def confirmed(self, message: Confirmed) -> None:

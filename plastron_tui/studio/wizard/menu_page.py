@@ -39,6 +39,9 @@ class Picked(Message):
 class Menu(OptionList):
     """A list of what one may want."""
 
+    takes_bursts = True
+    """A text that comes as keys is a pasted one, of which no key chooses an entry."""
+
     def __init__(self, items: Sequence[Item], here: int | None = None) -> None:
         """List the entries; the cursor is on one of them, where that can be chosen."""
         options = (

@@ -81,7 +81,8 @@ def new_names(before: Session, after: Session) -> frozenset[str]:
 
 def drawing_of(before: Session, after: Session, width: int, height: int) -> Lines:
     """Return the graph as a picture that fits; what is new is marked."""
-    from ..panels.picture import Size, picture_of
+    from ..panels.fitting import Size
+    from ..panels.picture import picture_of
 
     names = new_names(before, after)
     return tuple(

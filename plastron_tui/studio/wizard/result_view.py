@@ -11,6 +11,7 @@ from textual.widgets import Label
 
 from plastron_tui.session import Session
 
+from ..panels.folding import folded
 from ..panels.styles import Lines
 from ..panels.text_view import TextView
 from .flow import Look
@@ -89,8 +90,9 @@ class ResultView(Vertical):
 
     def _show_code(self, lines: Lines) -> None:
         code = self.query_one("#wizard-code", TextView)
-        rows = changed_rows(self._code, lines) if self._code else range(0)
-        code.show(lines)
+        before, after = self._folded(self._code), self._folded(lines)
+        rows = changed_rows(before, after) if self._code else range(0)
+        code.show(after)
         if rows:
             middle = rows.start + min(len(rows), code.size.height) // 2
             top = max(0, middle - code.size.height // 2)
@@ -98,3 +100,17 @@ class ResultView(Vertical):
         elif not self._code:
             self.call_after_refresh(code.scroll_home, animate=False)
         self._code = lines
+
+    @property
+    def code(self) -> Lines:
+        """The lines of the code as they are in the file."""
+        return self._code
+
+    def on_resize(self) -> None:
+        """Fold the code anew: it has more room, or less."""
+        self.query_one("#wizard-code", TextView).show(self._folded(self._code))
+
+    def _folded(self, lines: Lines) -> Lines:
+        """Return lines as there is room for them; where nothing is in sight there is none."""
+        width = self.query_one("#wizard-code", TextView).scrollable_content_region.width
+        return folded(lines, width) if width else lines

@@ -17,6 +17,9 @@ from plastron_tui.language.declaration import Form
 
 from .values import Entry, Path
 
+_SHORT = 12
+"""A text with fewer characters is a short one."""
+
 
 class Entered(Message):
     """Something was entered in a row."""
@@ -48,6 +51,11 @@ class TextBox(Input):
         """Say so."""
         if isinstance(self.parent, Row):
             self.post_message(Reached(self.parent))
+
+    def _on_paste(self, event: events.Paste) -> None:
+        """Leave several lines to who has room for them: a field would keep the first."""
+        if len(event.text.strip().splitlines()) != 1:
+            event.prevent_default()
 
 
 class Turn(Checkbox, inherit_bindings=False):
@@ -126,6 +134,13 @@ class Row(Horizontal):
         self._text = text
         self._note = note
         self._placeholder = placeholder
+        self._fit()
+
+    def _fit(self) -> None:
+        """Leave the room that a short number does not need to what it means."""
+        entry = self.entry
+        is_number = entry is not None and entry.python in (int, float) and not entry.type.is_array
+        self.set_class(is_number and len(self._text) < _SHORT, "-number")
 
     @property
     def is_switch(self) -> bool:
@@ -180,6 +195,7 @@ class Row(Horizontal):
         if text == self._text:
             return
         self._text = text
+        self._fit()
         if self.is_fixed:
             self.query_one(".wizard-fixed", Label).update(text)
             return
@@ -211,6 +227,7 @@ class Row(Horizontal):
         if event.value != self._text:
             self.was_entered = True
             self._text = self.query_text = event.value
+            self._fit()
             self.post_message(Entered(self, event.value))
 
     def on_input_submitted(self, event: Input.Submitted) -> None:

@@ -7,25 +7,29 @@ from collections.abc import Callable, Sequence
 from dataclasses import replace
 from typing import ClassVar
 
-from textual import on
+from textual import events, on
 from textual.binding import Binding, BindingType
 from textual.widgets import Button
 from textual.worker import Worker
 
 from plastron_tui.diagnostics import Edit
+from plastron_tui.language import DECLARATIONS, Declaration
+from plastron_tui.language import statements as st
+from plastron_tui.language.declaration import Statement
 from plastron_tui.session import Session
 
 from ..panels.text_view import TextView
 from ..screens.question import Question
-from . import strings
+from . import pasted, strings
 from .ask import Choice
 from .flow import Course, Heard, Look, PageKind
 from .form import Form
-from .form_page import Key, Looked, Put
+from .form_page import Looked, Put
+from .form_rows import Key
 from .frame import MENUS, Frame, View
 from .goals import generating
 from .menu import Offer, recipe_offers
-from .menu_page import Picked, Wanted
+from .menu_page import Menu, Picked, Wanted
 from .program_trial import Finding
 from .result_view import ResultView
 from .rows import Confirmed
@@ -36,6 +40,9 @@ _PAUSE = 0.02
 
 _Asked = tuple[Form, str, "Path | None", str]
 """The row that choices are wanted for: its form, its slot, its field, and what was written."""
+
+_STATEMENTS: dict[str, type[Statement]] = {"part": st.HasLink, "package": st.CreatePackage}
+"""The statements that some answers to what is to be done next lead to."""
 
 Enter = Callable[[Sequence[Edit]], Session]
 
@@ -225,10 +232,12 @@ class Wizard(Frame):
             self._start_anew(None)
         elif action == "answer":
             self._start_anew(self._heard)
+        elif action in _STATEMENTS:
+            self._start_anew(None, DECLARATIONS[_STATEMENTS[action]])
         else:
             self.dismiss(action)
 
-    def _start_anew(self, heard: Heard | None) -> None:
+    def _start_anew(self, heard: Heard | None, declaration: Declaration | None = None) -> None:
         around = replace(self.course.surroundings, files=None)
 
         def do() -> None:
@@ -236,9 +245,35 @@ class Wizard(Frame):
             self.is_done = False
             if heard is not None:
                 self.course.answer(heard)
+            if declaration is not None:
+                self.course.begin_with(declaration)
 
         self.query_one(ResultView).forget()
         self._turn(do)
+
+    # What is pasted.
+
+    def on_paste(self, event: events.Paste) -> None:
+        """Take a text that no field has taken: a word for an entry, else lines for the program."""
+        event.stop()
+        lines = pasted.lines_of(event.text)
+        menu = self.query(Menu)
+        found = pasted.entry_for(event.text, self._items) if menu else None
+        if found is not None:
+            menu.first().highlighted = found
+        elif any(line.strip() for line in lines) and self.app.screen is self:
+            self.run_worker(self._offer_lines(lines), group="paste")
+
+    async def _offer_lines(self, lines: Sequence[str]) -> None:
+        answers = [("insert", "Insert"), ("cancel", "Leave them out")]
+        dialog = Question(pasted.question(lines), answers, text=pasted.preview(lines))
+        if await self.app.push_screen_wait(dialog) != "insert":
+            return
+        async with self._lock:
+            edit = pasted.insertion(self.course.session.document.text, lines)
+            self.course.session = self._enter([edit])
+        self.notify(pasted.inserted(lines), markup=False)
+        self.changed()
 
     # Going on.
 

@@ -7,7 +7,9 @@ import re
 from plastron_tui.diagnostics import listed
 from plastron_tui.language import SlotKind
 from plastron_tui.model.kinds import HIGHEST_RATE, INTERFACES, LOWEST_RATE
-from plastron_tui.ros.interfaces import InterfaceKind, InterfaceName
+from plastron_tui.ros.catalog import Catalog
+from plastron_tui.ros.field_meanings import meaning_of, rank_of
+from plastron_tui.ros.interfaces import Interface, InterfaceKind, InterfaceName
 from plastron_tui.ros.primitives import primitive
 from plastron_tui.ros.qos_words import Said, is_sensor_type, offered_words, parse_words
 
@@ -15,6 +17,7 @@ from ..editor.value_completion import Part, all_received
 from .ask import Ask, Choice
 from .form import Cell
 from .kind import Kind
+from .obstacles import way_is_free
 from .trials import first_that_works
 
 _CONDITION = re.compile(
@@ -104,20 +107,28 @@ class ConditionKind(Kind):
         has_trigger = bool(ask.text(SlotKind.TRIGGER))
         return None if has_trigger else Cell("", "only with a trigger")
 
+    def suggest(self, ask: Ask) -> str:
+        """Return that the way is free, where a robot is driven for each reading of distances."""
+        return way_is_free(ask)
+
     def choices(self, ask: Ask, query: str) -> list[Choice]:
         """Return a condition for each field of what arrives, of those that are meant by a text."""
         type_ = ask.scene.heard(ask.node).get(ask.text(SlotKind.TRIGGER))
         catalog = ask.scene.catalog(ask.version)
         found = None if type_ is None else catalog.find(type_, InterfaceKind.MESSAGE)
-        parts = [] if found is None else list(all_received(found.fields, catalog))
+        parts = [] if found is None else _by_weight(found, catalog)
         typed = _TYPED.fullmatch(query)
         wanted = "" if typed is None else typed["path"].lower()
         meant = [each for each in parts if wanted in each.path.removeprefix("received.").lower()]
-        return [
-            Choice(text, str(each.field.type))
-            for each in meant or parts
-            if (text := _condition(each, typed if meant else None, catalog.ros_version))
-        ]
+        offered = []
+        for each in meant or parts:
+            text = _condition(each, typed if meant else None, catalog.ros_version)
+            note = _noted(found, each, catalog)
+            offered += [Choice(text, note)] if text else []
+            if text.startswith("any ") and text.endswith(" < 0.5") and not wanted:
+                far = f"all {each.path} > 0.5"
+                offered.append(Choice(far, note))
+        return offered
 
     def problem(self, ask: Ask, text: str) -> str | None:
         """Tell why a text is no condition."""
@@ -129,6 +140,19 @@ class ConditionKind(Kind):
             return f"write `{offered[0]}`"
         example = offered[0] if offered else "received.data > 5"
         return f"it compares a field of what arrives, such as `{example}`"
+
+
+def _by_weight(interface: Interface, catalog: Catalog) -> list[Part]:
+    """Return the parts of a message, those first that matter most."""
+    parts = all_received(interface.fields, catalog)
+    return sorted(parts, key=lambda part: rank_of(catalog, interface, part.path.split(".")[1:]))
+
+
+def _noted(interface: Interface | None, part: Part, catalog: Catalog) -> str:
+    """Return what a part of a message means, or else its type."""
+    path = part.path.split(".")[1:]
+    meaning = None if interface is None else meaning_of(catalog, interface, path)
+    return str(part.field.type) if meaning is None else meaning.said
 
 
 def _condition(part: Part, typed: re.Match[str] | None, ros_version: int) -> str:

@@ -9,6 +9,7 @@ from .context import Scene
 from .flow import Look, Page, PageKind
 from .goals import GROUPS, Aim
 from .menu_page import Item
+from .obstacles import measures_distance
 
 DONE = "It is in the program now. One undo (Ctrl-Z in the editor) takes it out again."
 
@@ -26,19 +27,34 @@ def done_items(session: Session, heard: str) -> dict[str, Item]:
         closed = "the program writes nothing to a file yet"
     idle = closed or ("" if workspace.may_run else "the program has no node to run yet")
     is_whole = not closed and Scene(session).lonely == 0
+    is_far = any(
+        name == heard and measures_distance(type_)
+        for node in workspace.nodes
+        for name, type_ in Scene(session).heard(node).items()
+    )
+    is_robot = bool(workspace.robots) and not workspace.nodes
+    held = {name for each in workspace.packages.values() for name in each.contents}
     items = {
         "more": Item("something more", "",
                      "Another node or robot, or something more for one that is there.",
-                     is_advised=not is_whole),
+                     is_advised=not (is_whole or is_robot or is_far)),
         "screen.generate": Item("write the files", "", "Shows each file before it is written.",
-                                closed, is_whole),
+                                closed, is_whole and not is_robot),
         "screen.run(True)": Item("run the nodes", "",
                            "Writes the files, starts the nodes and shows what they say.", idle),
     }  # fmt: skip
     if workspace.robots:
         about = "Its links and joints as a tree, and how it looks from three sides."
-        items["screen.show('robots')"] = Item("look at the robot", "", about)
-    if heard:
+        items["screen.show('robots')"] = Item("look at the robot", "", about, "", is_robot)
+        about = "A link, with its shape, its weight, and where it is."
+        items["part"] = Item("give the robot another part", "", about)
+    if is_robot and not held.issuperset(workspace.robots):
+        about = "With a launch file that starts it: then it can be run."
+        items["package"] = Item("make the robot a package", "package", about)
+    if is_far:
+        about = f"It drives as long as `{heard}` says that nothing is near, and stops where it is."
+        items["answer"] = Item("drive until something is near", "", about, "", is_advised=True)
+    elif heard:
         about = "A message that answers each of them, or those for which a condition holds."
         items["answer"] = Item(f"send something for each message of `{heard}`", "", about)
     return {**items, "": Item("back to the text", "", "Go on in the editor.")}

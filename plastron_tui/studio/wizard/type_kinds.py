@@ -58,6 +58,32 @@ _USUAL = {
 }
 
 
+_OFFERED = {
+    "cmd_vel": "how fast a robot is to go, and to turn",
+    "scan": "the distances that a laser measures",
+    "odom": "where a robot is by its wheels, and how fast",
+    "image_raw": "what a camera sees",
+    "imu": "how a robot turns and leans",
+    "joy": "the sticks and buttons of a joystick",
+    "battery_state": "how full the battery is",
+    "range": "the distance that a sonar measures",
+    "joint_states": "the angles of a robot's joints",
+    "goal_pose": "where a robot is to go",
+    "map": "what is free and what is not",
+}
+"""The topics that are offered where a program has them not yet, and what is sent there."""
+
+
+def usual_topics(ask: Ask) -> list[Choice]:
+    """Return the topics that most robots have, with their types."""
+    usual = ((name, _USUAL[InterfaceKind.MESSAGE][name], about) for name, about in _OFFERED.items())
+    return [
+        Choice(name, type_, about)
+        for name, type_, about in usual
+        if ask.scene.resolve(type_, InterfaceKind.MESSAGE, ask.version) is not None
+    ]
+
+
 def name_for_type(kind: InterfaceKind, type_: InterfaceName | None) -> str:
     """Return what a topic, a service or an action of a type is usually called."""
     if type_ is None:

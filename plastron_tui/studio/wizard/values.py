@@ -7,11 +7,12 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from plastron_tui.language.sentence import quoted
 from plastron_tui.model.times import BUILTIN_TIMES
 from plastron_tui.ros.catalog import Catalog
+from plastron_tui.ros.field_meanings import Meaning, meaning_of
 from plastron_tui.ros.interfaces import (
     Constant,
     Field,
@@ -40,6 +41,7 @@ _COMPUTED = re.compile(
     rf"(\s*[-+*/]\s*({NUMBER.pattern}))*",
     re.ASCII,
 )
+_SPEEDS = frozenset({"m/s", "rad/s"})
 _TRUE = frozenset({"true", "yes", "on", "1"})
 _FALSE = frozenset({"false", "no", "off", "0"})
 
@@ -57,6 +59,7 @@ class Entry:
         comment: what the definition says about it.
         constants: the constants of the message that it may be meant to hold.
         default: its value where none is entered, in words.
+        meaning: its unit and what it is, where that is known.
     """
 
     path: Path
@@ -66,6 +69,7 @@ class Entry:
     comment: str = ""
     constants: tuple[Constant, ...] = ()
     default: str = ""
+    meaning: Meaning | None = None
 
     @property
     def name(self) -> str:
@@ -99,11 +103,27 @@ def entries_of(
     is_message = interface.kind is InterfaceKind.MESSAGE
     found: list[Entry | Heading] = []
     for each in _entries(section, (), catalog, is_message):
+        if isinstance(each, Entry):
+            meaning = meaning_of(catalog, interface, each.path, section)
+            each = replace(each, meaning=meaning)
         found.append(each)
         if len(found) == MOST_FIELDS:
             found.append(Heading(("…",), "more fields: give them their values in the editor"))
             break
     return found
+
+
+def first_value(entry: Entry, *, is_stop: bool = False) -> str:
+    """Return a value of a field that shows something, "" where none is known.
+
+    Args:
+        entry: the field.
+        is_stop: whether it is sent where something is too near: nothing moves then.
+    """
+    meaning = entry.meaning
+    if meaning is None or not meaning.first:
+        return ""
+    return "0.0" if is_stop and meaning.unit in _SPEEDS else meaning.first
 
 
 def _entries(

@@ -92,8 +92,10 @@ def _check_names(writing: PythonWriting) -> None:
 def _standard(dialect: Dialect, plan: NodePlan) -> tuple[str, ...]:
     """Return the modules of Python that a node needs, those for calls and how they went too."""
     calling = dialect.calling if plan.works else ()
+    timing = dialect.timing if plan.timers else ()
     own = ("ctypes",) if AS_FLOAT32 in plan.functions else ()
-    return (*dialect.standard, *own, *(name for name in calling if name != "sys" or plan.ends))
+    needed = [*dialect.standard, *own, *(name for name in calling if name != "sys" or plan.ends)]
+    return tuple(dict.fromkeys((*needed, *timing)))
 
 
 def _symbols(dialect: Dialect, plan: NodePlan) -> tuple[Symbol, ...]:

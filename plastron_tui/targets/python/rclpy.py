@@ -121,6 +121,7 @@ DIALECT = _Rclpy(
     ros_version=2,
     standard=(),
     calling=("sys", "time"),
+    timing=(),
     modules=("rclpy",),
     symbols=(("rclpy.executors", "ExternalShutdownException"), ("rclpy.node", "Node")),
     server_symbols=(("rclpy.action", "ActionServer"), ("rclpy.action", "CancelResponse")),

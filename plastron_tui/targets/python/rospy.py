@@ -56,6 +56,7 @@ DIALECT = _Rospy(
     ros_version=1,
     standard=("signal",),
     calling=("sys", "threading"),
+    timing=("threading",),
     modules=("rospy",),
     symbols=(),
     server_symbols=(("actionlib", "SimpleActionServer"),),

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import pytest
+from editor_host import editing
 from idle_loop import until
 from textual.app import App, ComposeResult
 
@@ -35,3 +36,19 @@ async def test_a_bar_can_be_asked_for_before_it_is_made(action: str) -> None:
         assert bar.display
         await pilot.press("x")
         assert editor.text == b"n stop_service 'a'\n"
+
+
+@pytest.mark.parametrize(("key", "offered"), [("", ["talker"]), ("x", []), ("left", [])])
+async def test_names_that_are_not_known_yet_are_offered_as_soon_as_they_are(
+    key: str, offered: list[str]
+) -> None:
+    async with editing("create_node 'talker' as talker\n\ntalker publish m to 'a'\n") as driver:
+        editor = driver.editor
+        editor.completer.waits = True
+        editor.go_to(editor.text.index(b"\n\n") + 1)
+        await driver.type("tal")
+        assert not editor.popup.is_open
+        if key:
+            await driver.press(key)
+        editor.set_diagnostics([])
+        assert [each.text for each in editor.popup.candidates] == offered

@@ -33,7 +33,7 @@ from plastron_tui.session import Options, Session
 from plastron_tui.studio.wizard.filling import Filler
 from plastron_tui.studio.wizard.flow import PageKind
 from plastron_tui.studio.wizard.form import Form
-from plastron_tui.studio.wizard.form_page import _specs
+from plastron_tui.studio.wizard.form_rows import specs
 from plastron_tui.studio.wizard.goals import Aim, aim_of, declarations_of
 from plastron_tui.studio.wizard.kinds import KINDS
 
@@ -220,7 +220,7 @@ def test_a_statement_about_nodes_alone_is_something_that_a_node_does(watch: Decl
     assert "let a node watch another one" in [each.title for each in it.purpose_offers()]
     filled = Filler().fill(Form(watch), it.scene)
     assert filled.text == "watch listener with talker"
-    assert [spec.label for spec in _specs(filled)] == ["node", "other"]
+    assert [spec.label for spec in specs(filled)] == ["node", "other"]
 
 
 @pytest.fixture
@@ -266,5 +266,5 @@ def test_a_statement_that_is_added_has_its_form(whistle: Declaration) -> None:
     assert filled.text == (
         "listener whistle chatter_2_message to 'chatter_2' of message_type String at 10 hz"
     )
-    assert [spec.label for spec in _specs(filled)] == ["node", "message", "topic", "type", "rate"]
+    assert [spec.label for spec in specs(filled)] == ["node", "message", "topic", "type", "rate"]
     assert [each.form.declaration.keyword for each in filled.makers] == ["create_message"]

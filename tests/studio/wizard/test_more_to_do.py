@@ -17,10 +17,11 @@ from wizard_courses import (
     choose,
     course,
     form_after,
+    to_menu_or_review,
 )
 
 from plastron_tui.studio.wizard.filling import Filled
-from plastron_tui.studio.wizard.flow import Course
+from plastron_tui.studio.wizard.flow import Course, Heard
 from plastron_tui.studio.wizard.form import NEW, Form
 
 ROBOT = """\
@@ -82,7 +83,11 @@ ENTERED = [
     (ASK, {"rate": "1"}, "with input True at 1 hz"),
     (DO, {}, "robot provides_action 'count' of action_type Fibonacci"),
     (GOAL, {}, "robot sends_goal to 'count' of action_type Fibonacci with input 5"),
-    (ANSWER, {}, "robot provides_service 'switch' of service_type SetBool"),
+    (
+        ANSWER,
+        {},
+        "robot provides_service 'switch' of service_type SetBool answering True, \"done\"",
+    ),
 ]
 
 
@@ -261,6 +266,38 @@ def test_a_node_that_reacts_goes_on_to_send_for_each_message() -> None:
     assert written(after).endswith(" for_each 'joy'")
 
 
+def test_a_node_that_measures_distances_drives_until_something_is_near() -> None:
+    scanning = "create_node 'eye' as eye\nsubscribe eye to 'scan' of message_type LaserScan\n"
+    it = course(scanning + "generate_node eye\n")
+    it.answer(Heard("eye", "scan"))
+    look = to_menu_or_review(it)
+    assert look.outcome is not None and look.problems == ()
+    messages = look.outcome.session.workspace.messages
+    assert list(messages) == ["cmd_vel_message", "halt"]
+    sent = [line for line in look.outcome.lines if " publish " in line]
+    to = "to 'cmd_vel' of message_type Twist for_each 'scan' when"
+    assert sent == [
+        f"eye publish cmd_vel_message {to} all received.ranges > 0.5",
+        f"eye publish halt {to} any received.ranges < 0.5",
+    ]
+    assert "linear.x=0.2, angular.z=0.0" in look.outcome.lines[0]
+    assert "linear.x=0.0, angular.z=0.0" in look.outcome.lines[2]
+    assert [option.key for option in it.options(look)] == ["stop"]
+    it.want("stop", False)
+    alone = it.look().outcome
+    assert alone is not None and len(alone.lines) == 2
+
+
+def test_what_is_sent_when_something_is_near_stops() -> None:
+    it = course("create_node 'eye' as eye\nsubscribe eye to 'scan' of message_type LaserScan\n")
+    it.answer(Heard("eye", "scan"))
+    assert it.main_form is not None
+    it.main_form.enter("condition", "any received.ranges < 0.5")
+    look = to_menu_or_review(it)
+    assert look.outcome is not None and "halt" not in look.outcome.session.workspace.messages
+    assert "input linear.x=0.0, angular.z=0.0" in look.outcome.lines[0]
+
+
 def test_what_does_not_listen_leads_to_no_answer() -> None:
     it = course(ROBOT)
     form_after(it, MORE, SEND)
@@ -283,18 +320,24 @@ CHOICES = [
     (SEND, {}, "trigger", "", ["scan", "go"]),
     (SEND, {"trigger": "go"}, "condition", "", ["received.data = True"]),
     (SEND, {"trigger": "scan"}, "condition", "ranges", ["any received.ranges < 0.5"]),
-    (SEND, {"trigger": "scan"}, "condition", "", ["received.angle_min < 0.5"]),
+    (
+        SEND,
+        {"trigger": "scan"},
+        "condition",
+        "",
+        ["any received.ranges < 0.5", "all received.ranges > 0.5", "received.angle_min < 0.5"],
+    ),
     (
         SEND,
         {"trigger": "scan"},
         "condition",
         "received.range",
-        ["received.range_min < 0.5", "received.range_max < 0.5", "any received.ranges < 0.5"],
+        ["any received.ranges < 0.5", "received.range_min < 0.5", "received.range_max < 0.5"],
     ),
     (SEND, {"trigger": "scan"}, "condition", "ranges <= 0.3", ["any received.ranges < 0.3"]),
     (SEND, {"trigger": "scan"}, "condition", "all ranges>2", ["all received.ranges > 2"]),
     (SEND, {"trigger": "scan"}, "condition", "ranges[0] =", ["received.ranges[0] = 0.5"]),
-    (SEND, {"trigger": "scan"}, "condition", "near", ["received.angle_min < 0.5"]),
+    (SEND, {"trigger": "scan"}, "condition", "near", ["any received.ranges < 0.5"]),
     (SEND, {"type": "String"}, "qos", "", ["", "system_default", "latched", "reliable"]),
     (SEND, {"type": "Imu"}, "qos", "", ["", "sensor_data", "system_default"]),
     (SEND, {"type": "Imu"}, "qos", "reliable", ["reliable, sensor_data", "reliable, volatile"]),
@@ -322,7 +365,7 @@ def test_choices_that_work(
 
 CONDITIONS = [
     ("scan", "ranges < 0.3", "write `any received.ranges < 0.3`"),
-    ("scan", "near", "such as `received.angle_min < 0.5`"),
+    ("scan", "near", "such as `any received.ranges < 0.5`"),
     ("go", "data", "such as `received.data = True`"),
     ("go", "", None),
 ]

@@ -77,8 +77,10 @@ def test_a_new_node_stands_apart() -> None:
     look = to_menu_or_review(it)
     assert look.outcome is not None
     assert look.outcome.session.document.text.decode() == (
-        f"{EARS}generate_node ears\n\ncreate_node 'talker' as talker\n"
-        "talker provides_service 'switch' of service_type SetBool\ngenerate_node talker\n"
+        f"{EARS}generate_node ears\n\ncreate_node 'answerer' as answerer\n"
+        "answerer provides_service 'switch' of service_type SetBool "
+        'answering True, "done"\n'
+        "generate_node answerer\n"
     )
 
 
@@ -88,7 +90,7 @@ def test_the_node_is_not_generated_unless_that_is_wanted() -> None:
     it.generates = False
     look = to_menu_or_review(it)
     assert look.outcome is not None and look.can_generate
-    assert look.outcome.lines[-1].startswith("subscribe talker")
+    assert look.outcome.lines[-1].startswith("subscribe listener")
 
 
 def test_another_ros_has_types_and_names_of_its_own() -> None:
@@ -99,7 +101,7 @@ def test_another_ros_has_types_and_names_of_its_own() -> None:
     form.entered["type"] = "AddTwoInts"
     look = to_menu_or_review(it)
     assert look.outcome is not None and look.problems == ()
-    assert look.outcome.session.workspace.nodes["talker"].packages == {"example_interfaces"}
+    assert look.outcome.session.workspace.nodes["asker"].packages == {"example_interfaces"}
 
 
 def test_nodes_of_one_ros_are_kept_together() -> None:
@@ -130,5 +132,5 @@ def test_a_private_name_is_offered_to_others_in_full() -> None:
     form.entered = {"node": "eye"}
     filled = it.look().of(form)
     assert filled is not None
-    assert [each.text for each in it.choices(filled, "topic", None, "")] == ["/arm/ready"]
+    assert it.choices(filled, "topic", None, "")[0].text == "/arm/ready"
     assert filled.cells["topic"].text == "/arm/ready"

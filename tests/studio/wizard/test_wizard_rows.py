@@ -116,10 +116,12 @@ async def test_the_values_are_a_form_with_a_row_a_field(here: Path) -> None:
         await it.pick(MESSAGE)
         await it.write("type", "Twist")
         assert list(it.rows) == ["variable", "type", "x", "y", "z"]
-        assert it.statements == ("create_message message of message_type Twist and input none",)
+        assert it.statements == (
+            "create_message message of message_type Twist and input linear.x=0.2, angular.z=0.0",
+        )
         await it.write("x", "0.5")
-        assert it.statements[0].endswith("and input linear.x=0.5")
-        assert it.help == "linear.x (float64)"
+        assert it.statements[0].endswith("and input linear.x=0.5, angular.z=0.0")
+        assert it.help == "linear.x (float64): m/s, forward, below 0 backward"
         await it.write("type", "Bool")
         assert it.row("data").is_switch and it.rows["data"] == "True"
         await it.go_to("data")
@@ -133,7 +135,7 @@ async def test_the_values_are_a_form_with_a_row_a_field(here: Path) -> None:
         assert shown(it.row("data")) == "▐X▌ True"
         # What was entered for the other type is not forgotten.
         await it.write("type", "Twist")
-        assert it.statements[0].endswith("and input linear.x=0.5")
+        assert it.statements[0].endswith("and input linear.x=0.5, angular.z=0.0")
 
 
 @pytest.mark.long
@@ -145,7 +147,7 @@ async def test_constants_are_offered(here: Path) -> None:
         assert "1" in it.choices
         assert "POWER_SUPPLY_HEALTH_GOOD" in [choice.note for choice in it.form.choices]
         await it.press("down", "down")
-        assert it.statements[0].endswith("and input power_supply_health=1")
+        assert it.statements[0].endswith("power_supply_health=1, present=True")
 
 
 MISSING = {"rclcpp": ("rclcpp",)}

@@ -111,7 +111,7 @@ async def test_it_works_in_other_colours(here: Path, theme: str) -> None:
         await it.press("enter")
         assert it.title == "Make a message · message"
         focused = it.screen.focused
-        other = it.row("data").box
+        other = it.row("variable").box
         assert focused is not None and focused is not other
         assert focused.rich_style != other.rich_style
         await it.press("enter")

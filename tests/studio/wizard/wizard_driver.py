@@ -16,6 +16,7 @@ from plastron_tui.studio.wizard.flow import PageKind
 from plastron_tui.studio.wizard.form_page import FormPage
 from plastron_tui.studio.wizard.goals import GROUPS, Aim, aim_of
 from plastron_tui.studio.wizard.menu_page import Menu
+from plastron_tui.studio.wizard.result_view import ResultView
 from plastron_tui.studio.wizard.rows import Row
 from plastron_tui.studio.wizard.screen import Wizard
 from plastron_tui.studio.wizard.statement_view import StatementView
@@ -124,6 +125,9 @@ class WizardDriver:
         return self.screen.query_one(StatementView).lines
 
     def view(self, name: str) -> str:
+        if name == "code":
+            lines = self.screen.query_one(ResultView).code
+            return "\n".join("".join(piece.text for piece in line) for line in lines)
         return self.screen.query_one(f"#wizard-{name}", TextView).text
 
     async def pick(self, title: str) -> None:

@@ -1,0 +1,58 @@
+"""From an entry of a panel, or from the cursor, to the code."""
+
+from __future__ import annotations
+
+import asyncio
+
+from textual.screen import Screen
+
+from ..code_places import Found, Place, find_code
+from ..panels.entry import Entry, Subject
+from ..panels.entry_keys import Pointing
+from .active_program import ActiveProgram
+
+
+class CodeActions:
+    """Shows the files that something of the program is in."""
+
+    def __init__(self, screen: Screen[None], program: ActiveProgram) -> None:
+        self._screen = screen
+        self._program = program
+
+    async def show_here(self) -> None:
+        """Show the code of what the cursor is on: in the panel with the focus, or in the text."""
+        focused = self._screen.focused
+        entry = focused.current if isinstance(focused, Pointing) else None
+        is_known = entry is not None and (entry.subject is not Subject.OTHER or entry.span)
+        await self.show(entry if entry and is_known else self._program.editor.cursor_offset)
+
+    async def show(self, asked: Entry | int) -> None:
+        """Show the code of an entry, or of the statement at an offset."""
+        from ..screens.code_view import ChoosePlace, CodeView
+
+        found = await self._find(asked)
+        places = found.places
+        if not places:
+            self._say(found.reason)
+            return
+        at = 0
+        if len({place.path for place in places}) > 1:
+            at = await self._screen.app.push_screen_wait(ChoosePlace(places))
+        if at >= 0:
+            await self._screen.app.push_screen_wait(CodeView(places, at))
+
+    async def _find(self, asked: Entry | int) -> Found:
+        """Find places, apart from the screen; those that the project may not lead to go."""
+        session = self._program.open.session
+        found = await asyncio.to_thread(find_code, session.anew(), asked)
+        allowed = tuple(place for place in found.places if self._is_allowed(place))
+        if allowed or not found.places:
+            return Found(allowed, found.reason)
+        boundary, path = session.boundary, found.places[0].path
+        return Found((), f"{path.name} is {boundary.place_of(path)}: trust the project to see it")
+
+    def _is_allowed(self, place: Place) -> bool:
+        return self._program.open.session.boundary.allows(place.path)
+
+    def _say(self, text: str) -> None:
+        self._screen.notify(text, severity="warning", markup=False)

@@ -1,0 +1,58 @@
+"""Help for what has the focus, its keys at the side, and the menu of all actions."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Collection
+
+from textual.screen import Screen
+
+from ..actions import ACTIONS, Action
+from ..config import Remembered
+from ..panels.dock import Dock
+
+
+def show_help(screen: Screen[None], panels: Collection[str], key_of: Callable[[str], str]) -> None:
+    """Show help for what has the focus.
+
+    Args:
+        screen: the main screen.
+        panels: the ids of the panels.
+        key_of: returns the key of an action.
+    """
+    from ..screens.help import Help, action_lines
+
+    around = [] if screen.focused is None else screen.focused.ancestors_with_self
+    part = next((each.id for each in around if each.id in panels), None)
+    actions = action_lines((action.id, key_of(action.id)) for action in ACTIONS)
+    screen.app.push_screen(Help(part or "editor", _panel_keys(screen), actions))
+
+
+def _panel_keys(screen: Screen[None]) -> list[tuple[str, str]]:
+    """Return the keys of the panel with the focus, each with what it does."""
+    rows: dict[str, list[str]] = {}
+    for active in screen.active_bindings.values():
+        binding = active.binding
+        if any(isinstance(each, Dock) for each in active.node.ancestors_with_self):
+            key = screen.app.get_key_display(binding)
+            rows.setdefault(binding.tooltip or binding.description, []).append(key)
+    return [(" ".join(keys), what) for what, keys in rows.items()]
+
+
+def toggle_keys(screen: Screen[None]) -> None:
+    """Show the keys of what has the focus at the side, or take them away."""
+    if screen.query("HelpPanel"):
+        screen.app.action_hide_help_panel()
+    else:
+        screen.app.action_show_help_panel()
+
+
+async def choose_action(
+    screen: Screen[None], remembered: Remembered, key_of: Callable[[str], str]
+) -> Action | None:
+    """Offer all actions, those of late first; return the one that is chosen."""
+    from ..screens.menu import ActionMenu
+
+    action = await screen.app.push_screen_wait(ActionMenu(remembered.actions, key_of))
+    if action is not None:
+        remembered.did(action.id)
+    return action

@@ -1,0 +1,69 @@
+"""Lines that are longer than there is room for, folded: all of them is in sight."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from itertools import groupby
+
+from rich.cells import get_character_cell_size
+
+from .styles import Line, Lines, Piece
+
+_MARKS = frozenset("([{,.=/")
+"""What a line is split behind where it has no space to be split at."""
+_MORE = 4
+"""Columns by which the rest of a line stands further in than its start."""
+
+Cell = tuple[str, str]
+"""A character and its tone."""
+
+
+def folded(lines: Lines, width: int) -> Lines:
+    """Return lines, of those that are too long the rest below them, further in.
+
+    A line is split behind a space, or else a mark, where it has one in its second half.
+
+    Args:
+        lines: coloured lines.
+        width: how many columns there are.
+    """
+    return tuple(row for line in lines for row in _rows(line, max(width, 2)))
+
+
+def _rows(line: Line, width: int) -> Iterator[Line]:
+    if sum(len(piece.text) for piece in line) * 2 <= width:
+        yield line
+        return
+    cells = [(character, piece.tone) for piece in line for character in piece.text]
+    text = "".join(character for character, _ in cells)
+    indent = len(text) - len(text.lstrip(" ")) + _MORE
+    before = " " * (indent if indent <= width // 2 else 0)
+    end = _end(cells, width)
+    yield _joined(cells[:end]) if end < len(cells) else line
+    while end < len(cells):
+        start, room = end, width - len(before)
+        end += _end(cells[start:], room)
+        yield (Piece(before), *_joined(cells[start:end])) if before else _joined(cells[start:end])
+
+
+def _end(cells: list[Cell], width: int) -> int:
+    """Return how many characters fit into a row, one at least."""
+    used, after_space, after_mark = 0, 0, 0
+    for number, (character, _) in enumerate(cells):
+        used += get_character_cell_size(character)
+        if used > width and number:
+            good = (end for end in (after_space, after_mark) if end * 2 > number)
+            return next(good, number)
+        if character == " ":
+            after_space = number + 1
+        elif character in _MARKS:
+            after_mark = number + 1
+    return len(cells)
+
+
+def _joined(cells: list[Cell]) -> Line:
+    """Return a line of characters, those of one tone as one piece."""
+    return tuple(
+        Piece("".join(character for character, _ in group), tone)
+        for tone, group in groupby(cells, key=lambda cell: cell[1])
+    )

@@ -1,0 +1,61 @@
+"""Driving as long as nothing is near: what a sensor of distances is used for first."""
+
+from __future__ import annotations
+
+import re
+
+from plastron_tui.language import SlotKind
+from plastron_tui.ros.interfaces import InterfaceName
+
+from .ask import Ask
+
+VELOCITY_TOPIC = "cmd_vel"
+"""The topic by which most robots are driven."""
+
+_NEAR = 0.5
+"""Metres within which something is near."""
+
+_DISTANCES = {"sensor_msgs/LaserScan": "all received.ranges", "sensor_msgs/Range": "received.range"}
+"""The messages with distances, and what of them has to be large."""
+
+_FREE = re.compile(r"(?P<quantifier>all )?(?P<path>received\.\w+) > (?P<value>.+)", re.ASCII)
+
+
+def measures_distance(type_: InterfaceName | None) -> bool:
+    """Tell whether a message says how far away things are."""
+    return str(type_) in _DISTANCES
+
+
+def way_is_free(ask: Ask) -> str:
+    """Return the condition that nothing is near, "" where a form does not drive by distances."""
+    heard = ask.scene.heard(ask.node).get(ask.text(SlotKind.TRIGGER))
+    drives = _is_velocity(ask.text(SlotKind.MESSAGE_TYPE))
+    return f"{_DISTANCES[str(heard)]} > {_NEAR}" if drives and measures_distance(heard) else ""
+
+
+def is_to_drive(ask: Ask) -> bool:
+    """Tell whether something is sent for each reading of distances: most drive a robot then."""
+    slot = ask.form.slot_of(SlotKind.TRIGGER)
+    trigger = "" if slot is None else ask.form.entered.get(slot.name, "")
+    return measures_distance(ask.scene.heard(ask.node).get(trigger))
+
+
+def is_near(type_: str, condition: str) -> tuple[str, str] | None:
+    """Return when to stop what drives as long as the way is free, None for other conditions.
+
+    Args:
+        type_: the type of what is sent.
+        condition: when it is sent.
+
+    Returns:
+        The condition that something is near, and within how many metres.
+    """
+    free = _FREE.fullmatch(condition)
+    if free is None or not _is_velocity(type_):
+        return None
+    quantifier = "any " if free["quantifier"] else ""
+    return f"{quantifier}{free['path']} < {free['value']}", free["value"]
+
+
+def _is_velocity(type_: str) -> bool:
+    return type_.rpartition("/")[2] == "Twist"

@@ -1,0 +1,49 @@
+"""Lines that are longer than there is room for."""
+
+from __future__ import annotations
+
+from hypothesis import given, settings
+from hypothesis import strategies as some
+from rich.cells import cell_len
+
+from plastron_tui.studio.panels.folding import folded
+from plastron_tui.studio.panels.styles import Piece
+
+LINES = some.lists(
+    some.lists(
+        some.builds(Piece, some.text("ab (é猫", max_size=30), some.sampled_from(["", "dim"])),
+        max_size=4,
+    ).map(tuple),
+    max_size=4,
+).map(tuple)
+
+
+def text_of(line: tuple[Piece, ...]) -> str:
+    return "".join(piece.text for piece in line)
+
+
+@settings(max_examples=50)
+@given(LINES, some.integers(2, 40))
+def test_nothing_is_lost_and_nothing_is_too_long(
+    lines: tuple[tuple[Piece, ...], ...], width: int
+) -> None:
+    rows = folded(lines, width)
+    assert all(cell_len(text_of(row)) <= width for row in rows)
+    before, after = ("".join(map(text_of, each)).replace(" ", "") for each in (lines, rows))
+    assert before == after
+    assert len(rows) >= len(lines)
+    assert folded(rows, width) == rows
+
+
+def test_a_line_is_split_at_a_space_and_goes_on_further_in() -> None:
+    code = (Piece("  if "), Piece("ready", "name"), Piece(" and not done:"))
+    assert [text_of(row) for row in folded((code, (Piece("short"),)), 16)] == [
+        "  if ready and ",
+        "      not done:",
+        "short",
+    ]
+    assert folded((code,), 16)[0][1] == Piece("ready", "name")
+    assert [text_of(row) for row in folded(((Piece("self.create_service(SetBool)"),),), 24)] == [
+        "self.create_service(",
+        "    SetBool)",
+    ]

@@ -1,0 +1,161 @@
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+from studio_driver import PROGRAM, Driver, leave_behind, studio
+from textual.widgets import Input, Label
+
+from plastron_tui.studio.main.tab_line import names_of, window_of
+from plastron_tui.studio.open_program import opened
+
+OTHER = "create_node 'arm' as arm\n"
+
+
+@pytest.fixture
+def other(program: Path) -> Path:
+    file = program.with_name("other.plastron")
+    file.write_text(OTHER)
+    return file
+
+
+def tabs(driver: Driver) -> str:
+    return " ".join(driver.main.tab_line.text.split())
+
+
+async def test_each_program_has_a_tab_with_its_own_undo_cursor_and_panels(
+    program: Path, other: Path
+) -> None:
+    async with studio(program, (80, 24)) as driver:
+        main = driver.main
+        assert tabs(driver) == ""
+        await driver.type("// hi\n")
+        place = main.editor.cursor_offset
+        await driver.pilot.press("ctrl+o")
+        await driver.dialog("ChooseFile")
+        await driver.pilot.press(*"oth", "enter")
+        await driver.back()
+        assert tabs(driver) == "talk ● other"
+        assert driver.text == OTHER
+        assert [name.split()[1] for name in driver.shown("nodes")] == ["arm"]
+        # What waits keeps its text and what can be undone, and not what the text means.
+        assert main.program.tabs[0].open.analysis is None
+        await driver.press("ctrl+z")
+        assert driver.text == OTHER
+        await driver.press("alt+e")
+        assert driver.text == "// hi\n" + PROGRAM
+        assert main.editor.cursor_offset == place
+        assert driver.shown("nodes")[0].startswith("● talker")
+        await driver.press("ctrl+z", "ctrl+z", "ctrl+z")
+        assert driver.text == PROGRAM
+        # A file that is open comes in front, and is not read again.
+        main.files.open_file(other.parent / "." / "other.plastron")
+        await driver.settle()
+        assert [tab.open.name for tab in main.program.tabs] == ["talk.plastron", "other.plastron"]
+        assert driver.text == OTHER
+        await driver.pilot.click("#tabs", offset=(3, 0))
+        await driver.settle()
+        assert driver.text == PROGRAM
+        await driver.press("ctrl+pageup", "alt+q")
+        assert driver.text == PROGRAM
+        assert tabs(driver) == ""
+
+
+async def test_what_is_not_saved_in_any_tab_is_asked_about_once(program: Path, other: Path) -> None:
+    async with studio(program, (80, 24), others=[other]) as driver:
+        await driver.type("// one\n")
+        await driver.press("alt+e")
+        await driver.type("// two\n")
+        # A new program is no reason to lose anything, nor is closing one.
+        await driver.press("ctrl+n")
+        assert tabs(driver) == "talk ● other ● new program"
+        await driver.press("alt+q")
+        await driver.pilot.press("alt+q")
+        assert await said(driver) == "Save other.plastron?"
+        await driver.pilot.press("escape")
+        await driver.back()
+        await driver.until(lambda: all(tab.open.journal.file.exists() for tab in tabs_of(driver)))
+        await driver.pilot.press("ctrl+q")
+        assert await said(driver) == "Save 2 programs?"
+        await driver.pilot.press("s")
+        await driver.until(lambda: driver.app._exit)
+    assert program.read_text() == "// one\n" + PROGRAM
+    assert other.read_text() == "// two\n" + OTHER
+
+
+def tabs_of(driver: Driver) -> list[object]:
+    return list(driver.main.program.tabs)
+
+
+async def said(driver: Driver) -> str:
+    dialog = await driver.dialog("Question")
+    return str(dialog.query_one("#dialog-title", Label).content)
+
+
+async def test_a_file_of_another_tab_is_not_written_over(program: Path, other: Path) -> None:
+    leave_behind(other, "// kept\n" + OTHER)
+    async with studio(program, (80, 24), others=[other], welcome=True) as driver:
+        assert await said(driver) == "other.plastron was not saved"
+        await driver.pilot.press("r")
+        await driver.back()
+        assert driver.text == "// kept\n" + OTHER
+        assert tabs(driver) == "talk other ●"
+        await driver.pilot.press("alt+s")
+        dialog = await driver.dialog("ChooseFile")
+        dialog.query_one(Input).value = "talk"
+        await driver.pilot.press("enter")
+        await driver.until(lambda: "talk.plastron is open in another tab" in driver.notes())
+        # What others write is asked about when the program is in front.
+        program.write_text("// theirs\n")
+        await driver.pilot.press("alt+e")
+        assert await said(driver) == "talk.plastron was changed by another program"
+
+
+@pytest.mark.parametrize(
+    ("active", "room", "window"),
+    [(0, 100, (0, 4)), (0, 12, (0, 1)), (3, 21, (2, 4)), (1, 30, (1, 4)), (2, 1, (2, 3))],
+)
+def test_the_tab_in_front_is_in_sight(active: int, room: int, window: tuple[int, int]) -> None:
+    assert window_of([10, 10, 10, 10], active, room) == window
+
+
+def test_tabs_are_told_apart_by_their_folders(tmp_path: Path) -> None:
+    paths = [tmp_path / "a/x.plastron", tmp_path / "b/x.plastron", tmp_path / f"{'long' * 9}.txt"]
+    from plastron_tui.studio.files import OnDisk
+
+    programs = [opened(OnDisk(path, b"", None), tmp_path) for path in paths]
+    assert names_of(programs)[:2] == ["a/x", "b/x"]
+    assert names_of(programs)[2].endswith("longlong.txt")
+    assert len(names_of(programs)[2]) == 24
+
+
+async def test_nodes_go_on_while_another_program_is_in_front(
+    program: Path, other: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def command(path: Path, *_: object) -> list[str]:
+        return ["sh", "-c", f"echo from {path.stem}; exec sleep 600"]
+
+    monkeypatch.setattr("plastron_tui.studio.running._command", command)
+    async with studio(program, (80, 24), others=[other]) as driver:
+        output = driver.main.panels["output"]
+        await driver.pilot.press("f5")
+        await driver.until(lambda: "from talk" in output.text)
+        await driver.press("ctrl+pagedown")
+        assert output.text == ""
+        assert tabs(driver) == "talk ▶ other"
+        await driver.press("shift+f5")
+        assert "nothing runs here; nodes run of talk.plastron" in driver.notes()
+        await driver.pilot.press("f5")
+        await driver.until(lambda: "from other" in output.text)
+        assert tabs(driver) == "talk ▶ other ▶"
+        await driver.press("ctrl+pageup", "shift+f5", "ctrl+pagedown")
+        await driver.until(lambda: "the nodes of talk.plastron have ended" in driver.notes())
+        assert tabs(driver) == "talk other ▶"
+        assert "from talk" not in output.text
+        await driver.press("alt+q")
+        assert "the nodes of other.plastron were stopped" in driver.notes()
+        assert output.text.splitlines()[-1] == "stopped"
+        # Behind the last program there is a new one, of which nothing has run.
+        await driver.press("alt+q")
+        assert driver.main.open.path is None
+        assert output.text == ""
