@@ -24,7 +24,7 @@ from textual.geometry import Region
 from textual.pilot import Pilot
 from textual.strip import Strip
 
-from plastron_tui.runtime.environment import LOOPBACK, find_environments
+from plastron_tui.runtime.environment import Environment, find_environments
 from plastron_tui.runtime.environment import node_environ as environ_of
 from plastron_tui.runtime.monitor import MonitorCommand, monitor_command
 from plastron_tui.studio.app import StudioApp
@@ -43,13 +43,9 @@ _TICK = os.sysconf("SC_CLK_TCK")
 
 
 @contextmanager
-def _many_topics() -> Iterator[MonitorCommand]:
+def _many_topics(environment: Environment) -> Iterator[MonitorCommand]:
     """Run the node, and yield what starts its monitor."""
     os.environ["ROS_DOMAIN_ID"] = _DOMAIN
-    os.environ["ROS_IP"] = LOOPBACK
-    environment, _ = find_environments().choose(2)
-    if environment is None:
-        raise RuntimeError("ROS 2 is missing: ./dev setup dev")
     environ = environ_of(environment)
     script = Path(__file__).with_name("live_nodes.py")
     node = subprocess.Popen([environment.python, script], env=environ)
@@ -179,7 +175,11 @@ async def _measured(command: MonitorCommand, folder: Path) -> list[Row]:
 
 
 def rows() -> Iterator[Row]:
-    with TemporaryDirectory(prefix="plastron-live-") as name, _many_topics() as command:
+    environment, _ = find_environments().choose(2)
+    if environment is None:
+        print("     no ROS 2: what runs is not watched")
+        return
+    with TemporaryDirectory(prefix="plastron-live-") as name, _many_topics(environment) as command:
         os.environ["XDG_CONFIG_HOME"] = os.environ["XDG_STATE_HOME"] = name
         yield from asyncio.run(_measured(command, Path(name)))
 

@@ -73,7 +73,7 @@ class LiveForm(Dialog["dict[Path, str] | None"]):
                 yield Label(visible(words), id="dialog-text", markup=False)
             with VerticalScroll(id="live-rows", can_focus=False):
                 for each in self._form:
-                    label = "  " * (len(each.path) - 1) + each.path[-1]
+                    label = "  " * (len(each.path) - 1) + visible(each.path[-1])
                     if isinstance(each, Heading):
                         yield Label(f"{label}  {each.note}", classes="wizard-heading", markup=False)
                         continue

@@ -37,7 +37,7 @@ def form_for(row: LiveRow, session: Session, given: Mapping[Path, str]) -> LiveO
         case Kind.SERVICE | Kind.ANSWER:
             return _sending(row, session, given, InterfaceKind.SERVICE)
         case Kind.PARAMETER:
-            return _setting(row, given)
+            return _setting(row)
         case _:
             return "there is nothing to send to that"
 
@@ -64,7 +64,7 @@ def _sending(
     return LiveOrder(dialog, lambda entered: {**order, "values": check(entered)})
 
 
-def _setting(row: LiveRow, given: Mapping[Path, str]) -> LiveOrder | str:
+def _setting(row: LiveRow) -> LiveOrder | str:
     parameter = row.parameter
     if parameter is None or parameter.is_read_only:
         return "this parameter cannot be set while its node runs"
@@ -79,9 +79,11 @@ def _setting(row: LiveRow, given: Mapping[Path, str]) -> LiveOrder | str:
 
     value = parameter.value
     shown = ", ".join(map(str, value)) if isinstance(value, tuple) else str(value)
+    # What cannot be seen cannot be edited either.
+    given = {entry.path: shown} if shown.isprintable() else {}
     limits = "" if parameter.range is None else "from {:g} to {:g}".format(*parameter.range)
     about = ". ".join(filter(None, (parameter.about, limits)))
     dialog = LiveForm(f"set {parameter.name} of {row.owner}", "Set", [entry], check,
-                      {entry.path: shown}, about)  # fmt: skip
+                      given, about)  # fmt: skip
     order = {"do": "set", "node": row.owner, "name": parameter.name, "type": type_.value}
     return LiveOrder(dialog, lambda entered: {**order, "value": check(entered)})
