@@ -81,3 +81,14 @@ async def test_the_menu_finds_does_and_remembers(program: Path, size: tuple[int,
         await driver.back()
         folder = driver.app.profile.folder
     assert load_remembered(folder).actions == ["editor.toggle_wrap"]
+
+
+async def test_what_is_said_of_a_row_that_has_gone_is_no_error(program: Path) -> None:
+    async with studio(program) as driver:
+        await driver.pilot.press("f10")
+        menu = await driver.dialog("ActionMenu")
+        options = menu.query_one(OptionList)
+        last = options.get_option_at_index(len(menu.entries) - 1)
+        options.post_message(OptionList.OptionHighlighted(options, last, len(menu.entries)))
+        await driver.pilot.press(*"xyzzy")
+        assert driver.app.screen is menu

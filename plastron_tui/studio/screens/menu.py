@@ -110,7 +110,9 @@ class ActionMenu(Dialog[Action | None]):
 
     @on(OptionList.OptionHighlighted)
     def marked(self, event: OptionList.OptionHighlighted) -> None:
-        """Say what the marked action does."""
+        """Say what the marked action does; the mark may have been in a list that has gone."""
+        if event.option_index >= len(self.entries):
+            return
         action = self.entries[event.option_index].action
         self.query_one("#menu-help", Label).update(action.help if action else "")
 
