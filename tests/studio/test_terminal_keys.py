@@ -13,7 +13,8 @@ from plastron_tui.studio.terminal_keys import teach
 FUNCTIONS = {
     "f1": "OP", "f2": "OQ", "f3": "OR", "f4": "OS", "f5": "[15~", "f6": "[17~", "f7": "[18~",
     "f8": "[19~", "f9": "[20~", "f10": "[21~", "f12": "[24~", "shift+f5": "[15;2~",
-    "shift+f8": "[19;2~",    "alt+up": "[1;3A", "alt+down": "[1;3B",
+    "shift+f8": "[19;2~", "ctrl+pageup": "[5;5~", "ctrl+pagedown": "[6;5~",
+    "alt+up": "[1;3A", "alt+down": "[1;3B",
 }  # fmt: skip
 SIGNS = {"plus": "+", "minus": "-", "equals_sign": "=", "question_mark": "?", "enter": "\r"}
 CONTROL = {"space": "\0", "underscore": "\x1f"}

@@ -97,6 +97,8 @@ class ActionMenu(Dialog[Action | None]):
         else:
             options.add_option(Option(" nothing is called that", disabled=True))
             self.query_one("#menu-help", Label).update("")
+        # A list that is shorter than its place has no scrollbar, and a column more.
+        self.call_after_refresh(self._fit)
 
     def _option(self, entry: Entry) -> Option:
         if entry.action is None:
