@@ -5,17 +5,20 @@ from __future__ import annotations
 from typing import Any
 
 import pytest
+from hypothesis import example, given, settings
+from hypothesis import strategies as st
 from rich.cells import cell_len
 
 from plastron_tui.ros.catalog import Catalog
 from plastron_tui.ros.interfaces import InterfaceKind, InterfaceName
 from plastron_tui.ros.parameters import ParameterType
 from plastron_tui.runtime.live_graph import LiveGraph
+from plastron_tui.runtime.observers import ros1_parameters
 from plastron_tui.studio.panels.live_columns import columns_of, line_of
 from plastron_tui.studio.panels.live_rows import NOBODY, WAITING, Answer, Kind, live_rows
 from plastron_tui.studio.panels.sparkline import sparkline
 from plastron_tui.studio.wizard.parameter_kinds import parameter_entry
-from plastron_tui.studio.wizard.sent_values import Wrong, sent_setting, sent_values
+from plastron_tui.studio.wizard.sent_values import Wrong, sent_setting, sent_values, shown_setting
 from plastron_tui.studio.wizard.values import entries_of
 
 
@@ -158,9 +161,64 @@ def test_what_is_entered_is_checked_and_becomes_values(
     [("float", "1", 1.0), ("int", "-3", -3), ("bool", "off", False), ("string", "a, b", "a, b"),
      ("float_list", "[1, 2.5]", [1.0, 2.5]), ("string_list", '"a, b", c', ["a, b", "c"]),
      ("int", "1.5", None), ("float", "fast", None), ("int", str(2**63), None),
-     ("float", "parameter 'x'", None)],
+     ("float", "parameter 'x'", None), ("float", "1e999", None),
+     ("float_list", "1e999, inf", None),
+     ("string", r'"a\nb"', "a\nb"), ("string", r'"C:\dir"', r"C:\dir"),
+     ("string", r"C:\dir", r"C:\dir"),
+     ("string", r'"\u0000"', None)],
 )  # fmt: skip
 def test_a_parameter_gets_a_value_of_its_type(type_: str, text: str, value: Any) -> None:
     kind = ParameterType(type_)
     found = sent_setting(parameter_entry("p", kind), kind, text, 2)
     assert isinstance(found, Wrong) if value is None else found == value
+
+
+TEXTS = st.text(
+    st.sampled_from(list("a \t\n\x1b\"',\\[]=()é\u3042\U0001f600\u202e")), max_size=6
+) | st.text(st.characters(exclude_categories=["Cs"], exclude_characters="\0"), max_size=5)
+SCALARS: dict[ParameterType, st.SearchStrategy[Any]] = {
+    ParameterType.BOOL: st.booleans(),
+    ParameterType.INT: st.integers(-(2**63), 2**63 - 1),
+    ParameterType.FLOAT: st.floats(),
+    ParameterType.STRING: TEXTS,
+}
+
+
+def settings_of(kind: ParameterType) -> st.SearchStrategy[Any]:
+    scalars = SCALARS[kind.element]
+    if kind is ParameterType.FLOAT_LIST:
+        # ROS 1 keeps whole numbers among others.
+        scalars |= st.integers(-(2**53), 2**53)
+    return st.lists(scalars, max_size=4).map(tuple) if kind.is_list else scalars
+
+
+@settings(max_examples=300, deadline=None)
+@given(
+    st.sampled_from(ParameterType).flatmap(lambda kind: st.tuples(st.just(kind), settings_of(kind)))
+)
+@example((ParameterType.FLOAT, float("inf")))
+@example((ParameterType.FLOAT_LIST, (float("-inf"), float("nan"), -0.0, 1)))
+@example((ParameterType.STRING, "received.data"))
+@example((ParameterType.STRING_LIST, ("",)))
+@example((ParameterType.STRING_LIST, ("parameter 'a'", '"a', "b", "[", "c]")))
+def test_a_value_that_is_shown_is_taken_back_as_it_was(case: tuple[ParameterType, Any]) -> None:
+    kind, value = case
+    shown = shown_setting(value)
+    assert shown.isprintable()
+    found = sent_setting(parameter_entry("p", kind), kind, shown, 2)
+    assert repr(found) == repr([*map(as_kind(kind), value)] if kind.is_list else value)
+
+
+def as_kind(kind: ParameterType) -> type:
+    return {"bool": bool, "int": int, "float": float}.get(kind.element.value, str)
+
+
+@pytest.mark.parametrize(
+    ("value", "kind"),
+    [(True, "bool"), (1, "int"), (0.5, "float"), ("a", "string"), ([1, 2.5], "float_list"),
+     ([True, False], "bool_list"), ([True, 1], ""), ([], ""), ([[1]], ""), (None, ""), (b"a", "")],
+)  # fmt: skip
+def test_what_a_master_keeps_has_a_type_where_a_form_can_hold_it(value: Any, kind: str) -> None:
+    (row,) = ros1_parameters.rows_of({"a": {"b": value}})
+    assert (row["name"], row["type"]) == ("a/b", kind)
+    assert row["value"] == (value if kind else str(value))

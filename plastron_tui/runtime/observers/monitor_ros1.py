@@ -20,6 +20,7 @@ from message_filling import fill, has_stamp
 from monitor_pipes import Orders, answer, send
 from monitor_topics import WatchedTopic
 from plastron_text import line_of
+from ros1_parameters import rows_of
 from watch import is_shown
 
 _TURN = 0.25
@@ -29,7 +30,6 @@ _MATCHING = 1.5
 _NAME = "plastron_monitor"
 _HIDDEN_NODES = ("/rosout", "/plastron_monitor_", "/plastron_watch_")
 _HIDDEN_SERVICES = ("/get_loggers", "/set_logger_level")
-_TYPES: dict[type, str] = {bool: "bool", int: "int", float: "float", str: "string"}
 _TIMEOUT = 5.0
 
 
@@ -220,25 +220,10 @@ class _Monitor:
             found = tree
             for part in node.strip("/").split("/"):
                 found = found.get(part, {}) if isinstance(found, dict) else {}
-            rows = list(_rows(found, "")) if isinstance(found, dict) else []
+            rows = list(rows_of(found)) if isinstance(found, dict) else []
             if self._told.get(node) != rows:
                 self._told[node] = rows
                 send(tell="parameters", node=node, rows=rows)
-
-
-def _rows(tree: dict[str, Any], around: str) -> Iterable[dict[str, Any]]:
-    """Yield the parameters of a node as the master keeps them."""
-    for name, value in sorted(tree.items()):
-        path = f"{around}/{name}" if around else name
-        if isinstance(value, dict):
-            yield from _rows(value, path)
-            continue
-        first = value[0] if isinstance(value, list) and value else value
-        kind = _TYPES.get(type(first), "") + ("_list" if isinstance(value, list) else "")
-        yield {
-            "name": path, "value": value if _TYPES.get(type(first)) else str(value),
-            "type": kind, "range": None, "about": "", "is_read_only": False,
-        }  # fmt: skip
 
 
 def _is_hidden(node: str) -> bool:

@@ -12,7 +12,7 @@ from plastron_tui.session import Session
 from ..panels.live_rows import Kind, LiveRow
 from .live_form import LiveForm
 from .parameter_kinds import parameter_entry
-from .sent_values import Wrong, sent_setting, sent_values
+from .sent_values import Wrong, sent_setting, sent_values, shown_setting
 from .values import Path, entries_of
 
 
@@ -78,9 +78,7 @@ def _setting(row: LiveRow) -> LiveOrder | str:
         return sent_setting(entry, type_, entered.get(entry.path, ""), row.ros_version)
 
     value = parameter.value
-    shown = ", ".join(map(str, value)) if isinstance(value, tuple) else str(value)
-    # What cannot be seen cannot be edited either.
-    given = {entry.path: shown} if shown.isprintable() else {}
+    given = {} if value is None else {entry.path: shown_setting(value)}
     limits = "" if parameter.range is None else "from {:g} to {:g}".format(*parameter.range)
     about = ". ".join(filter(None, (parameter.about, limits)))
     dialog = LiveForm(f"set {parameter.name} of {row.owner}", "Set", [entry], check,
