@@ -12,11 +12,13 @@ from rich.cells import cell_len
 from plastron_tui.ros.catalog import Catalog
 from plastron_tui.ros.interfaces import InterfaceKind, InterfaceName
 from plastron_tui.ros.parameters import ParameterType
-from plastron_tui.runtime.live_graph import LiveGraph
+from plastron_tui.runtime.live_graph import LiveGraph, LiveParameter
 from plastron_tui.runtime.observers import ros1_parameters
+from plastron_tui.session import Session
 from plastron_tui.studio.panels.live_columns import columns_of, line_of
 from plastron_tui.studio.panels.live_rows import NOBODY, WAITING, Answer, Kind, live_rows
 from plastron_tui.studio.panels.sparkline import sparkline
+from plastron_tui.studio.wizard.live_orders import form_for
 from plastron_tui.studio.wizard.parameter_kinds import parameter_entry
 from plastron_tui.studio.wizard.sent_values import Wrong, sent_setting, sent_values, shown_setting
 from plastron_tui.studio.wizard.values import entries_of
@@ -222,3 +224,40 @@ def test_what_a_master_keeps_has_a_type_where_a_form_can_hold_it(value: Any, kin
     (row,) = ros1_parameters.rows_of({"a": {"b": value}})
     assert (row["name"], row["type"]) == ("a/b", kind)
     assert row["value"] == (value if kind else str(value))
+
+
+@pytest.mark.parametrize(
+    "name",
+    ["/日本語/トピック", "/a\x1b[2J\n\t\u202eb", "/e\u0301\u200d👩\u200d🚀", "/" + "w" * 300],
+)
+@pytest.mark.parametrize("width", [12, 80, 200])
+def test_whatever_is_long_or_strange_takes_a_row(name: str, width: int) -> None:
+    long = "x\n日本\x1b[31m" * 20_000
+    graph = LiveGraph(2)
+    graph.feed({"tell": "graph", "topics": [[name, name, 1, 1]], "services": [[name, name]],
+                "nodes": [name]})  # fmt: skip
+    fields = [["data", long, None], [name, str([*range(10_000)]), 0.5]]
+    graph.feed({"tell": "topics", "rows": {name: {"count": 1, "rate": 2.0, "text": long,
+                                                  "number": 0.5, "fields": fields}}})  # fmt: skip
+    about = {"range": None, "about": long, "is_read_only": False}
+    graph.feed({"tell": "parameters", "node": name, "rows": [
+        {"name": name, "value": long, "type": "string", **about},
+        {"name": "list", "value": [*range(10_000)], "type": "int_list", **about},
+    ]})  # fmt: skip
+    unfolded = {f"2 topic {name}", f"2 node {name}"}
+    rows = live_rows([graph], unfolded, {f"2 service {name}": Answer(long)})
+    kinds = [Kind.HEADING, Kind.TOPIC, Kind.NOTE, Kind.FIELD, Kind.FIELD, Kind.HEADING,
+             Kind.SERVICE, Kind.ANSWER, Kind.HEADING, Kind.NODE, Kind.PARAMETER,
+             Kind.PARAMETER]  # fmt: skip
+    assert [row.kind for row in rows] == kinds
+    columns = columns_of(rows, width)
+    for row in rows:
+        line = "".join(piece.text for piece in line_of(row, columns, width))
+        assert line.isprintable() and cell_len(line) <= max(width, 40)
+        # What no window shows is not carried along: it would be measured with every key.
+        assert len(row.value) < 5000
+    # Nor does a field take it.
+    assert isinstance(form_for(rows[-2], Session(b""), {}), str)
+    assert not isinstance(
+        form_for(rows[-1]._replace(parameter=LiveParameter("p", 1, "int")), Session(b""), {}), str
+    )

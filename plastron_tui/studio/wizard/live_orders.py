@@ -15,6 +15,9 @@ from .parameter_kinds import parameter_entry
 from .sent_values import Wrong, sent_setting, sent_values, shown_setting
 from .values import Path, entries_of
 
+_LONGEST = 20_000
+"""Characters of a value that a field takes without keeping keys waiting."""
+
 
 class LiveOrder(NamedTuple):
     """A form, and what makes an order of what was entered in it."""
@@ -78,7 +81,10 @@ def _setting(row: LiveRow) -> LiveOrder | str:
         return sent_setting(entry, type_, entered.get(entry.path, ""), row.ros_version)
 
     value = parameter.value
-    given = {} if value is None else {entry.path: shown_setting(value)}
+    shown = "" if value is None else shown_setting(value)
+    if len(shown) > _LONGEST:
+        return f"its value is too long to be changed here: {len(shown):,} characters"
+    given = {entry.path: shown}
     limits = "" if parameter.range is None else "from {:g} to {:g}".format(*parameter.range)
     about = ". ".join(filter(None, (parameter.about, limits)))
     dialog = LiveForm(f"set {parameter.name} of {row.owner}", "Set", [entry], check,
