@@ -136,13 +136,13 @@ class LiveActions:
                 self._lost(version, f"the monitor has ended: {monitor.ended}")
                 is_new = False
         if is_new:
-            self._tell(self._empty)
+            self._tell(self._empty, unseen=False)
         self.watch()
 
-    def _tell(self, empty: str) -> None:
+    def _tell(self, empty: str, *, unseen: bool = True) -> None:
         self._empty = empty
         graphs = [graph for graph in self._graphs.values() if graph.is_known or graph.problem]
-        self._panel.show_live(graphs, self._answers, empty)
+        self._panel.show_live(graphs, self._answers, empty, unseen=unseen)
 
     def _look_at_monitors(self) -> None:
         for version, monitor in list(self._monitors.items()):

@@ -115,7 +115,12 @@ class LivePanel(EntryList):
         return Watching(tuple(topics), tuple(full), tuple(nodes))
 
     def show_live(
-        self, graphs: Sequence[LiveGraph], answers: Mapping[str, Answer], empty: str
+        self,
+        graphs: Sequence[LiveGraph],
+        answers: Mapping[str, Answer],
+        empty: str,
+        *,
+        unseen: bool = False,
     ) -> None:
         """Show what is known of what runs.
 
@@ -123,9 +128,11 @@ class LivePanel(EntryList):
             graphs: what is known, of each generation of ROS.
             answers: the last answers of services, by the key of their rows.
             empty: what is said where nothing is known.
+            unseen: whether it is made ready though nobody sees it: a panel that comes back before
+                it was drawn without is not told that it was away.
         """
         self._graphs, self._answers, self._empty = graphs, answers, empty
-        if self.is_in_sight:
+        if unseen or self.is_in_sight:
             self._show_rows()
 
     def _show_rows(self) -> None:

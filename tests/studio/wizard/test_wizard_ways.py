@@ -99,7 +99,7 @@ async def test_the_file_may_be_left_out(here: Path) -> None:
         await it.go(MAKE, REACT)
         await it.press("enter")
         assert it.kind is PageKind.REVIEW
-        assert it.statements[-1] == "generate_node talker"
+        assert it.statements[-1] == "generate_node listener"
         await it.click("#wizard-generates")
         assert it.statements[-1].startswith("subscribe")
         await it.press("enter")
