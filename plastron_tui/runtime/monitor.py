@@ -13,13 +13,13 @@ import subprocess
 import threading
 import time
 from collections import deque
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from contextlib import suppress
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
-from .environment import Environment
+from .environment import Environment, with_folders
 
 _OBSERVERS = Path(__file__).with_name("observers")
 _MOST_REPORTS = 2000
@@ -45,11 +45,31 @@ class MonitorCommand:
     environ: Mapping[str, str]
 
 
-def monitor_command(environment: Environment, environ: Mapping[str, str]) -> MonitorCommand:
-    """Return what starts the monitor of nodes that run with an environment."""
-    version = environment.ros_version
-    script = _OBSERVERS / f"monitor_ros{version}.py"
-    return MonitorCommand(version, (str(environment.python), str(script)), environ)
+def monitor_commands(
+    used: Iterable[tuple[Environment, Sequence[tuple[str, Path]]]],
+    environ_of: Callable[[Environment], Mapping[str, str]],
+) -> tuple[MonitorCommand, ...]:
+    """Return what starts the monitors of nodes, one for each generation of ROS.
+
+    Nodes of one generation see each other whatever they are found by, and so a monitor of all of
+    them needs the types of all of them.
+
+    Args:
+        used: what each node runs with, and the folders that come first in its variables.
+        environ_of: returns the variables of a node that runs with an environment.
+    """
+    found: dict[int, tuple[Environment, list[tuple[str, Path]]]] = {}
+    for environment, folders in used:
+        first, known = found.get(environment.ros_version, (environment, []))
+        overlays = tuple(dict.fromkeys((*first.overlays, *environment.overlays)))
+        found[environment.ros_version] = replace(first, overlays=overlays), [*known, *folders]
+    commands = []
+    for version, (environment, folders) in found.items():
+        script = _OBSERVERS / f"monitor_ros{version}.py"
+        environ = with_folders(environ_of(environment), folders)
+        command = (str(environment.python), str(script))
+        commands.append(MonitorCommand(version, command, environ))
+    return tuple(commands)
 
 
 def announcement(commands: Iterable[MonitorCommand]) -> str:

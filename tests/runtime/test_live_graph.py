@@ -6,14 +6,23 @@ import os
 import sys
 import threading
 from collections.abc import Mapping
+from dataclasses import replace
+from pathlib import Path
 from typing import Any
 
 import pytest
 from machine import wait_until
 
 from plastron_tui.runtime import monitor as monitors
+from plastron_tui.runtime.environment import Environment, Origin
 from plastron_tui.runtime.live_graph import MOST_SAMPLES, LiveGraph
-from plastron_tui.runtime.monitor import Monitor, MonitorCommand, announced, announcement
+from plastron_tui.runtime.monitor import (
+    Monitor,
+    MonitorCommand,
+    announced,
+    announcement,
+    monitor_commands,
+)
 
 GRAPH = {
     "tell": "graph",
@@ -88,6 +97,23 @@ def test_what_starts_monitors_is_told_in_a_line() -> None:
     assert line.count("\n") == 1 and announced(line) == commands
     for wrong in ("", "[1]", "{}", "[{}]", "nonsense"):
         assert announced(wrong) == ()
+
+
+def test_nodes_of_one_generation_have_one_monitor_that_knows_the_types_of_all() -> None:
+    plain = Environment(Origin.SOURCED, 2, "kilted", Path("python3"))
+    built = replace(plain, overlays=(Path("/built"),))
+    own = ("AMENT_PREFIX_PATH", Path("/own"))
+    old = Environment(Origin.DEBIAN, 1, "noetic", Path("python3.8"))
+
+    def environ_of(environment: Environment) -> dict[str, str]:
+        return {"OVERLAYS": " ".join(map(str, environment.overlays)), "AMENT_PREFIX_PATH": "/opt"}
+
+    for used in ([(plain, ()), (built, [own])], [(built, [own]), (plain, ())]):
+        (first, second) = monitor_commands([*used, (old, ()), *used], environ_of)
+        assert (first.ros_version, second.ros_version) == (2, 1)
+        assert first.environ == {"OVERLAYS": "/built", "AMENT_PREFIX_PATH": "/own:/opt"}
+        assert second.environ == environ_of(old)
+        assert second.command[0] == "python3.8"
 
 
 def started(script: str) -> tuple[Monitor, threading.Event]:
