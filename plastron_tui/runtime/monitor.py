@@ -2,7 +2,7 @@
 
 It runs with the Python of the nodes' ROS (`observers/monitor_ros1.py`, `observers/monitor_ros2.py`)
 and speaks lines of JSON. What it says is only queued here, in threads of their own, until somebody
-takes it; nothing here waits for it.
+takes it, what is out of date left out; nothing here waits for it.
 """
 
 from __future__ import annotations
@@ -12,7 +12,6 @@ import os
 import subprocess
 import threading
 import time
-from collections import deque
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, replace
@@ -20,12 +19,13 @@ from pathlib import Path
 from typing import Any
 
 from .environment import Environment, with_folders
+from .monitor_reports import Report, Reports
 
 _OBSERVERS = Path(__file__).with_name("observers")
-_MOST_REPORTS = 2000
-"""So many reports are kept of those that nobody has taken yet; the oldest are dropped."""
 _LONGEST = 1 << 20
 _MOST_UNSENT = 1 << 20
+_LAST_WORDS = 2.0
+"""Seconds for which is waited for what an ended monitor has written of its errors."""
 SILENT = 8.0
 """Seconds without a word, of a monitor that says one every second, after which it hangs."""
 
@@ -116,11 +116,11 @@ class Monitor:
         self.ros_version = command.ros_version
         self.ended: str | None = None
         self._on_news = on_news
-        self._reports: deque[Mapping[str, Any]] = deque(maxlen=_MOST_REPORTS)
+        self._reports = Reports()
         self._is_told = threading.Event()
         self._heard = time.monotonic()
         self._unsent = b""
-        self._said: deque[str] = deque(maxlen=5)
+        self._last_said = ""
         self._process = subprocess.Popen(
             command.command,
             stdin=subprocess.PIPE,
@@ -133,21 +133,19 @@ class Monitor:
         self._orders = self._process.stdin
         # One that hangs reads nothing, and must not keep who writes to it waiting.
         os.set_blocking(self._orders.fileno(), False)
-        threading.Thread(target=self._read_errors, daemon=True).start()
-        threading.Thread(target=self._read, daemon=True).start()
+        errors = threading.Thread(target=self._read_errors, daemon=True)
+        errors.start()
+        threading.Thread(target=self._read, args=(errors,), daemon=True).start()
 
     @property
     def is_silent(self) -> bool:
         """Whether it has said nothing for so long that it hangs."""
         return self.ended is None and time.monotonic() - self._heard > SILENT
 
-    def take(self) -> list[Mapping[str, Any]]:
-        """Return what it said since this was called last."""
+    def take(self) -> list[Report]:
+        """Return what it said since this was called last, without what is out of date."""
         self._is_told.clear()
-        found = []
-        with suppress(IndexError):
-            while True:
-                found.append(self._reports.popleft())
+        found = self._reports.take()
         if self._unsent:
             self._write()
         return found
@@ -187,7 +185,7 @@ class Monitor:
             return False
         return True
 
-    def _read(self) -> None:
+    def _read(self, errors: threading.Thread) -> None:
         assert self._process.stdout is not None
         with self._process.stdout as stream:
             for line in iter(lambda: stream.readline(_LONGEST), b""):
@@ -195,11 +193,12 @@ class Monitor:
                 # What is no report, a client library has printed.
                 with suppress(ValueError, RecursionError):
                     report = json.loads(line)
-                    if isinstance(report, dict):
-                        self._reports.append(report)
+                    if isinstance(report, dict) and self._reports.add(report):
                         self._tell()
         status = self._process.wait()
-        self.ended = next(iter(reversed(self._said)), "") or f"it ended with status {status}"
+        # What it said last tells why; a process of its own may hold the pipe open for longer.
+        errors.join(_LAST_WORDS)
+        self.ended = self._last_said or f"it ended with status {status}"
         self._is_told.clear()
         self._tell()
 
@@ -209,7 +208,7 @@ class Monitor:
             for line in iter(lambda: stream.readline(_LONGEST), b""):
                 text = line.decode("utf-8", "replace").strip()
                 if text:
-                    self._said.append(text)
+                    self._last_said = text
 
     def _tell(self) -> None:
         if not self._is_told.is_set():
