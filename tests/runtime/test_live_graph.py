@@ -164,8 +164,11 @@ def test_a_monitor_is_heard_and_ends_with_its_orders() -> None:
 
 
 def test_why_a_monitor_ended_is_known() -> None:
-    # What it says last is behind much that is not read yet when it has ended.
-    script = "import sys; sys.stderr.write('noise\\n' * 10_000); sys.exit('no such ROS')"
+    # What it says last is read some time after it has ended.
+    script = (
+        "import os, time\nif os.fork(): os._exit(1)\n"
+        "os.close(1)\ntime.sleep(0.2)\nos.write(2, b'noise\\nno such ROS\\n')"
+    )
     monitor, _ = started(script)
     wait_until(lambda: monitor.ended is not None, "it ends", 60)
     assert monitor.ended == "no such ROS"
