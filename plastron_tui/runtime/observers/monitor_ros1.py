@@ -18,6 +18,7 @@ import rospy
 import rosservice
 from message_filling import fill, has_stamp
 from monitor_pipes import Orders, answer, send
+from monitor_services import ServiceTypes, within
 from monitor_subscriptions import NotInstalledError, Subscriptions
 from monitor_topics import WatchedTopic
 from plastron_text import line_of
@@ -32,6 +33,7 @@ _HIDDEN_NODES = ("/rosout", "/plastron_monitor_", "/plastron_watch_")
 _HIDDEN_SERVICES = ("/get_loggers", "/set_logger_level")
 _TYPES: dict[type, str] = {bool: "bool", int: "int", float: "float", str: "string"}
 _TIMEOUT = 5.0
+_ANSWER = 10.0
 
 
 class _Watching:
@@ -64,7 +66,7 @@ class _Monitor:
         self._master = rosgraph.Master(rospy.get_name())
         self._topics = Subscriptions(_Watching)
         self._nodes: list[str] = []
-        self._service_types: dict[str, str] = {}
+        self._service_types = ServiceTypes(_service_type)
         self._publishers: dict[str, Any] = {}
         self._graph: dict[str, Any] = {}
         self._told: dict[str, Any] = {}
@@ -140,22 +142,12 @@ class _Monitor:
                  for owner in own if not _is_hidden(owner)}  # fmt: skip
         return {
             "topics": topics,
-            "services": [(name, self._service_type(name)) for name in sorted(shown)],
+            "services": [(name, self._service_types.of(name)) for name in sorted(shown)],
             "nodes": sorted(nodes),
         }
 
     def _is_offered(self, name: str, owners: list[str]) -> bool:
         return not name.endswith(_HIDDEN_SERVICES) and not all(map(_is_hidden, owners))
-
-    def _service_type(self, name: str) -> str:
-        known = self._service_types.get(name)
-        if known is None:
-            try:
-                known = rosservice.get_service_type(name) or ""
-            except rosservice.ROSServiceIOException:
-                return ""
-            self._service_types[name] = known
-        return known
 
     def _publish(self, order: dict[str, Any]) -> None:
         name = order["name"]
@@ -185,7 +177,8 @@ class _Monitor:
         request = fill(made._request_class(), order["values"])
         rospy.wait_for_service(order["name"], timeout=_TIMEOUT)
         proxy = rospy.ServiceProxy(order["name"], made)
-        answer(order, line_of(proxy(request)) or "done")
+        text = within(_ANSWER, lambda: line_of(proxy(request)) or "done")
+        answer(order, text or "no answer came", is_failure=text is None)
 
     def _tell_parameters(self) -> None:
         try:
@@ -217,14 +210,20 @@ def _rows(tree: dict[str, Any], around: str) -> Iterable[dict[str, Any]]:
         }  # fmt: skip
 
 
+def _service_type(name: str) -> str:
+    return rosservice.get_service_type(name) or ""
+
+
 def _is_hidden(node: str) -> bool:
     return node.startswith(_HIDDEN_NODES)
 
 
 def main() -> None:
     """Watch until the studio has enough."""
+    # First of all: who started this may be gone before the master has answered.
+    orders = Orders()
     rospy.init_node(_NAME, anonymous=True, disable_signals=True, disable_rosout=True)
-    monitor, orders = _Monitor(), Orders()
+    monitor = _Monitor()
     try:
         while True:
             monitor.turn()

@@ -254,8 +254,10 @@ class _Monitor:
 
 def main() -> None:
     """Watch until the studio has enough."""
+    # First of all: who started this may be gone before the middleware is ready.
+    orders = Orders()
     rclpy.init(args=[], signal_handler_options=SignalHandlerOptions.NO)
-    monitor, orders = _Monitor(), Orders()
+    monitor = _Monitor()
     while True:
         monitor.turn()
         for order in orders.take(monitor.turn_time):
