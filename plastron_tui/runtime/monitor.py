@@ -28,6 +28,8 @@ _LAST_WORDS = 2.0
 """Seconds for which is waited for what an ended monitor has written of its errors."""
 SILENT = 8.0
 """Seconds without a word, of a monitor that says one every second, after which it hangs."""
+SLOWEST_START = 60.0
+"""Seconds that it may take until its first word: it has a middleware to start."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -119,6 +121,7 @@ class Monitor:
         self._reports = Reports()
         self._is_told = threading.Event()
         self._heard = time.monotonic()
+        self._has_reported = False
         self._unsent = b""
         self._last_said = ""
         self._process = subprocess.Popen(
@@ -139,8 +142,12 @@ class Monitor:
 
     @property
     def is_silent(self) -> bool:
-        """Whether it has said nothing for so long that it hangs."""
-        return self.ended is None and time.monotonic() - self._heard > SILENT
+        """Whether it has said nothing for so long that it hangs.
+
+        It may also be this process that was stopped, and has not read yet: twice in a row means it.
+        """
+        limit = SILENT if self._has_reported else SLOWEST_START
+        return self.ended is None and time.monotonic() - self._heard > limit
 
     def take(self) -> list[Report]:
         """Return what it said since this was called last, without what is out of date."""
@@ -193,8 +200,10 @@ class Monitor:
                 # What is no report, a client library has printed.
                 with suppress(ValueError, RecursionError):
                     report = json.loads(line)
-                    if isinstance(report, dict) and self._reports.add(report):
-                        self._tell()
+                    if isinstance(report, dict):
+                        self._has_reported = True
+                        if self._reports.add(report):
+                            self._tell()
         status = self._process.wait()
         # What it said last tells why; a process of its own may hold the pipe open for longer.
         errors.join(_LAST_WORDS)

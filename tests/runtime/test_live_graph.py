@@ -148,7 +148,7 @@ def started(script: str) -> tuple[Monitor, threading.Event]:
     return Monitor(command, told.set), told
 
 
-def test_a_monitor_is_heard_and_ends_with_its_orders() -> None:
+def test_a_monitor_is_heard_and_ends_with_its_orders(monkeypatch: pytest.MonkeyPatch) -> None:
     monitor, told = started(
         "import sys\nprint('noise\\n[1]\\n', flush=True)\n"
         "for line in sys.stdin: print(line.replace('do', 'tell'), end='', flush=True)"
@@ -158,6 +158,9 @@ def test_a_monitor_is_heard_and_ends_with_its_orders() -> None:
     found: list[Any] = []
     wait_until(lambda: found.extend(monitor.take()) or found, "the order comes back", 60)
     assert found == [{"tell": "answer", "topics": ["/a"]}]
+    assert not monitor.is_silent
+    monkeypatch.setattr(monitors, "SILENT", 0.0)
+    assert monitor.is_silent
     monitor.close()
     wait_until(lambda: monitor.ended is not None, "it ends", 60)
     assert not monitor.order(do="watch")
@@ -179,8 +182,10 @@ def test_one_that_hangs_keeps_nobody_waiting(monkeypatch: pytest.MonkeyPatch) ->
     try:
         # Far more than a pipe holds; in the end it is refused.
         wait_until(lambda: not monitor.order(do="x" * 100_000), "it is refused", 60)
-        assert not monitor.is_silent
+        # It may take its time until it says the first word.
         monkeypatch.setattr(monitors, "SILENT", 0.0)
+        assert not monitor.is_silent
+        monkeypatch.setattr(monitors, "SLOWEST_START", 0.0)
         assert monitor.is_silent
     finally:
         monitor.kill()
