@@ -18,6 +18,7 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
+from .child import Guard
 from .environment import Environment, with_folders
 from .monitor_reports import Report, Reports
 
@@ -124,14 +125,21 @@ class Monitor:
         self._has_reported = False
         self._unsent = b""
         self._last_said = ""
-        self._process = subprocess.Popen(
-            command.command,
-            stdin=subprocess.PIPE,
-            stdout=subprocess.PIPE,
-            stderr=subprocess.PIPE,
-            env=command.environ,
-            start_new_session=True,
-        )
+        # It ends with its orders; what hangs, or is stopped, does not.
+        self._guard = Guard()
+        try:
+            self._process = subprocess.Popen(
+                command.command,
+                stdin=subprocess.PIPE,
+                stdout=subprocess.PIPE,
+                stderr=subprocess.PIPE,
+                env=command.environ,
+                start_new_session=True,
+            )
+        except OSError:
+            self._guard.close()
+            raise
+        self._guard.note(self._process.pid)
         assert self._process.stdin is not None
         self._orders = self._process.stdin
         # One that hangs reads nothing, and must not keep who writes to it waiting.
@@ -205,6 +213,8 @@ class Monitor:
                         if self._reports.add(report):
                             self._tell()
         status = self._process.wait()
+        self._guard.forget()
+        self._guard.close()
         # What it said last tells why; a process of its own may hold the pipe open for longer.
         errors.join(_LAST_WORDS)
         self.ended = self._last_said or f"it ended with status {status}"

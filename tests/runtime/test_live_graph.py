@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import os
+import signal
+import subprocess
 import sys
 import threading
 from collections.abc import Mapping
@@ -12,6 +14,7 @@ from typing import Any
 
 import pytest
 from machine import wait_until
+from supervised import all_gone
 
 from plastron_tui.runtime import monitor as monitors
 from plastron_tui.runtime.environment import Environment, Origin
@@ -190,3 +193,22 @@ def test_one_that_hangs_keeps_nobody_waiting(monkeypatch: pytest.MonkeyPatch) ->
     finally:
         monitor.kill()
     wait_until(lambda: monitor.ended is not None, "it ends", 60)
+
+
+STUDIO = """
+import os, signal, sys
+from plastron_tui.runtime.monitor import Monitor, MonitorCommand
+script = "import os, signal; os.kill(os.getpid(), signal.SIGSTOP)"
+monitor = Monitor(MonitorCommand(2, (sys.executable, "-c", script), dict(os.environ)), print)
+print(monitor._process.pid, flush=True)
+os.waitid(os.P_PID, monitor._process.pid, os.WSTOPPED | os.WNOWAIT)
+monitor.close()
+os.kill(os.getpid(), signal.SIGKILL)
+"""
+
+
+def test_a_monitor_that_is_stopped_ends_with_who_started_it() -> None:
+    studio = subprocess.run([sys.executable, "-c", STUDIO], stdout=subprocess.PIPE, check=False)
+    assert studio.returncode == -signal.SIGKILL
+    pid = int(studio.stdout)
+    all_gone(pid)
