@@ -2,20 +2,24 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import Any, cast
 
 import pytest
+from hypothesis import given
+from hypothesis import strategies as st
 from rich.cells import cell_len
 
 from plastron_tui.ros.catalog import Catalog
 from plastron_tui.ros.interfaces import InterfaceKind, InterfaceName
 from plastron_tui.ros.parameters import ParameterType
-from plastron_tui.runtime.live_graph import LiveGraph
+from plastron_tui.runtime.live_graph import LiveGraph, LiveParameter
+from plastron_tui.session import Session
 from plastron_tui.studio.panels.live_columns import columns_of, line_of
-from plastron_tui.studio.panels.live_rows import NOBODY, WAITING, Answer, Kind, live_rows
+from plastron_tui.studio.panels.live_rows import NOBODY, WAITING, Answer, Kind, LiveRow, live_rows
 from plastron_tui.studio.panels.sparkline import sparkline
+from plastron_tui.studio.wizard.live_orders import form_for
 from plastron_tui.studio.wizard.parameter_kinds import parameter_entry
-from plastron_tui.studio.wizard.sent_values import Wrong, sent_setting, sent_values
+from plastron_tui.studio.wizard.sent_values import Wrong, sent_setting, sent_values, setting_text
 from plastron_tui.studio.wizard.values import entries_of
 
 
@@ -164,3 +168,28 @@ def test_a_parameter_gets_a_value_of_its_type(type_: str, text: str, value: Any)
     kind = ParameterType(type_)
     found = sent_setting(parameter_entry("p", kind), kind, text, 2)
     assert isinstance(found, Wrong) if value is None else found == value
+
+
+@pytest.mark.parametrize(
+    ("type_", "value"),
+    [("string_list", ("a, b", "c")), ("string_list", ("[a]", 'b"c')), ("string_list", ("",)),
+     ("string_list", (" x ", "\\n", "a\nb", "\u202e", "received.data", '"q"')),
+     ("string_list", ()), ("string_list", ("a b", "/map", "1")), ("bool_list", (True, False)),
+     ("float_list", (1e22, -0.5)), ("float", float("inf")), ("int", -3), ("bool", False),
+     ("string", "parameter 'x'"), ("string", "two\nlines"), ("string", "")],
+)  # fmt: skip
+def test_a_parameter_that_nobody_touched_stays_as_it_is(type_: str, value: Any) -> None:
+    parameter = LiveParameter("p", value, type_)
+    row = LiveRow("k", Kind.PARAMETER, "p", "/a", parameter=parameter)
+    form = form_for(row, cast(Session, None), {})
+    assert not isinstance(form, str)
+    wanted = list(value) if isinstance(value, tuple) else value
+    assert form.order(form.dialog.given)["value"] == wanted
+
+
+@given(st.lists(st.text()), st.text("ab,\"[]\\ \n'"))
+def test_what_is_shown_of_a_list_is_read_as_it_was(items: list[str], more: str) -> None:
+    kind = ParameterType("string_list")
+    text = setting_text([*items, more])
+    assert text.isprintable()
+    assert sent_setting(parameter_entry("p", kind), kind, text, 2) == [*items, more]

@@ -12,7 +12,7 @@ from plastron_tui.session import Session
 from ..panels.live_rows import Kind, LiveRow
 from .live_form import LiveForm
 from .parameter_kinds import parameter_entry
-from .sent_values import Wrong, sent_setting, sent_values
+from .sent_values import Wrong, sent_setting, sent_values, setting_text
 from .values import Path, entries_of
 
 
@@ -74,15 +74,22 @@ def _setting(row: LiveRow) -> LiveOrder | str:
         return "a parameter without a type cannot be set here"
     entry = parameter_entry(parameter.name, type_)
 
-    def check(entered: Mapping[Path, str]) -> Any:
-        return sent_setting(entry, type_, entered.get(entry.path, ""), row.ros_version)
-
     value = parameter.value
-    shown = ", ".join(map(str, value)) if isinstance(value, tuple) else str(value)
+    text = setting_text(value)
     # What cannot be seen cannot be edited either.
-    given = {entry.path: shown} if shown.isprintable() else {}
+    shown = text if text.isprintable() else ""
+
+    def check(entered: Mapping[Path, str]) -> Any:
+        now = entered.get(entry.path, "")
+        if now == shown:
+            # As it is: some values cannot be written in a line.
+            return list(value) if isinstance(value, tuple) else value
+        return sent_setting(entry, type_, now, row.ros_version)
+
+    given = {entry.path: shown}
+    hidden = "" if shown == text else "it has several lines, which stay unless you write another"
     limits = "" if parameter.range is None else "from {:g} to {:g}".format(*parameter.range)
-    about = ". ".join(filter(None, (parameter.about, limits)))
+    about = ". ".join(filter(None, (parameter.about, limits, hidden)))
     dialog = LiveForm(f"set {parameter.name} of {row.owner}", "Set", [entry], check,
                       given, about)  # fmt: skip
     order = {"do": "set", "node": row.owner, "name": parameter.name, "type": type_.value}

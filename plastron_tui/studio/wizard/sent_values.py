@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+import json
+import re
 from collections.abc import Mapping, Sequence
 from typing import Any, NamedTuple
 
 from plastron_tui.language import Document, lower
+from plastron_tui.language.sentence import quoted
 from plastron_tui.language.statements import CreateMessage
 from plastron_tui.model.value_check import Fitter
 from plastron_tui.model.values import MessageValue
@@ -23,6 +26,7 @@ class Wrong(NamedTuple):
     path: Path | None = None
 
 
+_PLAIN_ITEM = re.compile(r"\w[\w./-]*", re.ASCII)
 _COMPUTED = "a value that is sent now is written as it is, not computed"
 
 
@@ -78,6 +82,18 @@ def sent_setting(entry: Entry, type_: ParameterType, text: str, ros_version: int
     return value
 
 
+def setting_text(value: object) -> str:
+    """Return the value of a parameter as `sent_setting` reads it."""
+    if isinstance(value, (list, tuple)):
+        return ", ".join(map(_item_text, value))
+    return str(value)
+
+
+def _item_text(value: object) -> str:
+    text = str(value)
+    return quoted(text) if isinstance(value, str) and not _PLAIN_ITEM.fullmatch(text) else text
+
+
 def _first_problem(
     form: Sequence[Entry | Heading], given: Mapping[Path, str], ros_version: int
 ) -> Wrong | None:
@@ -105,7 +121,13 @@ def _plain(value: Any) -> Any:
 
 
 def _unquoted(text: str) -> str:
-    return text[1:-1] if len(text) > 1 and text[0] == text[-1] == '"' else text
+    if len(text) < 2 or not text[0] == text[-1] == '"':
+        return text
+    try:
+        # The escapes of the language are among those of JSON.
+        return str(json.loads(text, strict=False))
+    except ValueError:
+        return text[1:-1]
 
 
 def _scalar(type_: ParameterType, text: str) -> Any:
