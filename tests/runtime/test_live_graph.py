@@ -86,6 +86,7 @@ def test_parameters_are_those_of_the_last_report() -> None:
     "report",
     [{}, {"tell": "graph"}, {"tell": "graph", "topics": 3, "services": [], "nodes": []},
      {"tell": "topics", "rows": {"/chatter": {"count": "many"}}}, {"tell": "topics", "rows": [1]},
+     {"tell": "topics", "rows": {"/chatter": {"count": float("inf")}}},
      {"tell": "parameters", "node": "/a", "rows": [{}]}, {"tell": "beat"}, {"tell": ["x"]}],
 )  # fmt: skip
 def test_what_is_no_report_changes_nothing(report: Mapping[str, Any]) -> None:
@@ -167,6 +168,20 @@ def test_a_monitor_is_heard_and_ends_with_its_orders(monkeypatch: pytest.MonkeyP
     monitor.close()
     wait_until(lambda: monitor.ended is not None, "it ends", 60)
     assert not monitor.order(do="watch")
+
+
+def test_what_a_slow_monitor_did_not_read_is_written_later() -> None:
+    monitor, _ = started(
+        'import sys\nsys.stdin.read(1)\nprint(\'{"tell": "answer"}\', flush=True)\n'
+        'print(\'{"tell": "answer", "id": %d}\' % sum(1 for _ in sys.stdin), flush=True)'
+    )
+    # More than a pipe holds: it reads no more until it is told to go on.
+    for _ in range(20):
+        assert monitor.order(do="x" * 10_000)
+    wait_until(lambda: not monitor.take() and not monitor._unsent, "all is written", 60)
+    monitor._orders.close()
+    wait_until(lambda: {"tell": "answer", "id": 20} in monitor.take(), "all has come", 60)
+    monitor.close()
 
 
 def test_why_a_monitor_ended_is_known() -> None:

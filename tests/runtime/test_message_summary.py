@@ -167,6 +167,10 @@ def test_messages_are_filled_with_what_came_as_json() -> None:
     assert (message.x, message.wait.secs, message.wait.nsecs, message.data) == (1.5, 2, 3, [1, 2])
     with pytest.raises(AttributeError):
         fill(message, {"z": 1})
+    # rclpy wants bytes for its octets.
+    octets = rospy("octet", "octet[]", one=b"\0", more=[])
+    fill(octets, {"one": 7, "more": [8, 9]})
+    assert (octets.one, octets.more) == (b"\x07", [b"\x08", b"\x09"])
     stamped = Rclpy(header=Rclpy(stamp=Time(sec=0, nanosec=0)))
     assert has_stamp(stamped, {}) and not has_stamp(stamped, {"header": {"stamp": {"sec": 1}}})
     assert not has_stamp(message, {})

@@ -15,6 +15,7 @@ from plastron_tui.ros.parameters import ParameterType
 from plastron_tui.runtime.live_graph import LiveGraph, LiveParameter
 from plastron_tui.session import Session
 from plastron_tui.studio.panels.live_columns import columns_of, line_of
+from plastron_tui.studio.panels.live_panel import Watching, watching_of
 from plastron_tui.studio.panels.live_rows import NOBODY, WAITING, Answer, Kind, LiveRow, live_rows
 from plastron_tui.studio.panels.sparkline import sparkline
 from plastron_tui.studio.wizard.live_orders import form_for
@@ -193,3 +194,21 @@ def test_what_is_shown_of_a_list_is_read_as_it_was(items: list[str], more: str) 
     text = setting_text([*items, more])
     assert text.isprintable()
     assert sent_setting(parameter_entry("p", kind), kind, text, 2) == [*items, more]
+
+
+def test_each_generation_is_asked_for_its_own_alone() -> None:
+    graphs = []
+    for version in (1, 2):
+        graph = LiveGraph(version)
+        topics = [["/both", "std_msgs/String", 1, 0], [f"/of{version}", "std_msgs/String", 1, 0]]
+        graph.feed({"tell": "graph", "topics": topics, "services": [], "nodes": [f"/n{version}"]})
+        graphs.append(graph)
+    unfolded = {"1 topic /both", "2 topic /of2", "1 node /n1", "2 node /n2"}
+    rows = live_rows(graphs, unfolded, {})
+    everything = range(len(rows))
+    wanted = Watching(("/both", "/of1"), ("/both",), ("/n1",))
+    assert watching_of(rows, everything, 1, unfolded) == wanted
+    wanted = Watching(("/both", "/of2"), ("/of2",), ("/n2",))
+    assert watching_of(rows, everything, 2, unfolded) == wanted
+    # Of a node that is unfolded the parameters may be in sight, wherever it is; a topic is not.
+    assert watching_of(rows, range(0), 2, unfolded) == Watching(nodes=("/n2",))
