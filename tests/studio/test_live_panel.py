@@ -161,7 +161,15 @@ async def test_in_a_wide_window_the_output_stays(
         assert driver.main.focused is driver.main.editor.view
         assert driver.main.dock_layout.is_in_sight("live")
         assert driver.main.dock_layout.is_in_sight("output")
-        # A monitor that hangs is ended, and that is said.
+        # A studio that was stopped has not read what the monitor said meanwhile: it is asked twice.
         monkeypatch.setattr(monitor, "SILENT", 0.0)
+        look = driver.main.runner._live._look_at_monitors
+        look()
+        monkeypatch.setattr(monitor, "SILENT", 60.0)
+        look()
+        monkeypatch.setattr(monitor, "SILENT", 0.0)
+        look()
+        assert "did not answer any more" not in driver.notes()
+        # A monitor that hangs is ended, and that is said.
         await driver.until(lambda: "did not answer any more" in driver.notes())
         assert driver.main.runner.is_running

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import Any, cast
 
 import pytest
 from hypothesis import example, given, settings
@@ -16,7 +16,8 @@ from plastron_tui.runtime.live_graph import LiveGraph, LiveParameter
 from plastron_tui.runtime.observers import ros1_parameters
 from plastron_tui.session import Session
 from plastron_tui.studio.panels.live_columns import columns_of, line_of
-from plastron_tui.studio.panels.live_rows import NOBODY, WAITING, Answer, Kind, live_rows
+from plastron_tui.studio.panels.live_panel import Watching, watching_of
+from plastron_tui.studio.panels.live_rows import NOBODY, WAITING, Answer, Kind, LiveRow, live_rows
 from plastron_tui.studio.panels.sparkline import sparkline
 from plastron_tui.studio.wizard.live_orders import form_for
 from plastron_tui.studio.wizard.parameter_kinds import parameter_entry
@@ -261,3 +262,38 @@ def test_whatever_is_long_or_strange_takes_a_row(name: str, width: int) -> None:
     assert not isinstance(
         form_for(rows[-1]._replace(parameter=LiveParameter("p", 1, "int")), Session(b""), {}), str
     )
+
+
+@pytest.mark.parametrize(
+    ("type_", "value"),
+    [("string_list", ("a, b", "c")), ("string_list", ("[a]", 'b"c')), ("string_list", ("",)),
+     ("string_list", (" x ", "\\n", "a\nb", "\u202e", "received.data", '"q"')),
+     ("string_list", ()), ("string_list", ("a b", "/map", "1")), ("bool_list", (True, False)),
+     ("float_list", (1e22, -0.5)), ("float", float("inf")), ("int", -3), ("bool", False),
+     ("string", "parameter 'x'"), ("string", "two\nlines"), ("string", "")],
+)  # fmt: skip
+def test_a_parameter_that_nobody_touched_stays_as_it_is(type_: str, value: Any) -> None:
+    parameter = LiveParameter("p", value, type_)
+    row = LiveRow("k", Kind.PARAMETER, "p", "/a", parameter=parameter)
+    form = form_for(row, cast(Session, None), {})
+    assert not isinstance(form, str)
+    wanted = list(value) if isinstance(value, tuple) else value
+    assert form.order(form.dialog.given)["value"] == wanted
+
+
+def test_each_generation_is_asked_for_its_own_alone() -> None:
+    graphs = []
+    for version in (1, 2):
+        graph = LiveGraph(version)
+        topics = [["/both", "std_msgs/String", 1, 0], [f"/of{version}", "std_msgs/String", 1, 0]]
+        graph.feed({"tell": "graph", "topics": topics, "services": [], "nodes": [f"/n{version}"]})
+        graphs.append(graph)
+    unfolded = {"1 topic /both", "2 topic /of2", "1 node /n1", "2 node /n2"}
+    rows = live_rows(graphs, unfolded, {})
+    everything = range(len(rows))
+    wanted = Watching(("/both", "/of1"), ("/both",), ("/n1",))
+    assert watching_of(rows, everything, 1, unfolded) == wanted
+    wanted = Watching(("/both", "/of2"), ("/of2",), ("/n2",))
+    assert watching_of(rows, everything, 2, unfolded) == wanted
+    # Of a node that is unfolded the parameters may be in sight, wherever it is; a topic is not.
+    assert watching_of(rows, range(0), 2, unfolded) == Watching(nodes=("/n2",))

@@ -50,6 +50,7 @@ class LiveActions:
         self._monitors: dict[int, Monitor] = {}
         self._graphs: dict[int, LiveGraph] = {}
         self._watching: dict[int, Watching] = {}
+        self._silent: set[int] = set()
         self._numbers = itertools.count(1)
         self._asked: dict[int, LiveRow] = {}
         self._answers: dict[str, Answer] = {}
@@ -100,7 +101,7 @@ class LiveActions:
     def _close(self) -> None:
         for monitor in self._monitors.values():
             monitor.close()
-        self._monitors, self._watching = {}, {}
+        self._monitors, self._watching, self._silent = {}, {}, set()
         self._delay.stop()
         self._look.stop()
 
@@ -146,7 +147,12 @@ class LiveActions:
 
     def _look_at_monitors(self) -> None:
         for version, monitor in list(self._monitors.items()):
-            if monitor.is_silent:
+            if not monitor.is_silent:
+                self._silent.discard(version)
+            elif version not in self._silent:
+                # The studio itself may have been stopped, and what was said not be read yet.
+                self._silent.add(version)
+            else:
                 monitor.kill()
                 self._lost(version, "the monitor of the nodes did not answer any more")
         if self._monitors:
@@ -157,6 +163,7 @@ class LiveActions:
         monitor = self._monitors.pop(version)
         monitor.close()
         self._watching.pop(version, None)
+        self._silent.discard(version)
         self._fail(version, f"{why}; press R to watch again")
         text = f"the nodes run on, but are not watched: {visible(why)}"
         self._screen.notify(text, severity="warning", markup=False)

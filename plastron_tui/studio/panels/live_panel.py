@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence, Set
 from itertools import takewhile
 from typing import ClassVar, NamedTuple
 
@@ -36,12 +36,31 @@ class Watching(NamedTuple):
     Attributes:
         topics: the topics in sight.
         full: those of them whose fields are in sight.
-        nodes: the nodes whose parameters are in sight.
+        nodes: the nodes that are unfolded: their parameters may be in sight any moment.
     """
 
     topics: tuple[str, ...] = ()
     full: tuple[str, ...] = ()
     nodes: tuple[str, ...] = ()
+
+
+def watching_of(
+    rows: Sequence[LiveRow], in_sight: range, version: int, unfolded: Set[str]
+) -> Watching:
+    """Return what is looked at of one generation of ROS.
+
+    Args:
+        rows: the panel's rows, of all generations.
+        in_sight: the places of those that can be seen.
+        version: the generation.
+        unfolded: the keys of the rows that are unfolded.
+    """
+    own = [row for row in rows if row.ros_version == version]
+    seen = [row for row in rows[in_sight.start : in_sight.stop] if row.ros_version == version]
+    topics = dict.fromkeys(row.owner for row in seen if row.kind in (Kind.TOPIC, Kind.FIELD))
+    full = [name for name in topics if f"{version} topic {name}" in unfolded]
+    nodes = [row.owner for row in own if row.kind is Kind.NODE and row.is_open]
+    return Watching(tuple(topics), tuple(full), tuple(nodes))
 
 
 def _asking(what: str, keys: str, title: str, tooltip: str) -> Binding:
@@ -103,16 +122,8 @@ class LivePanel(EntryList):
         if not self.is_in_sight:
             return Watching()
         top = int(self.scroll_offset.y)
-        seen = [
-            row
-            for row in self._live[top : top + max(1, self.size.height)]
-            if row.ros_version == version
-        ]
-        topics = dict.fromkeys(row.owner for row in seen if row.kind in (Kind.TOPIC, Kind.FIELD))
-        prefix = f"{version} topic "
-        full = [name for name in topics if f"{prefix}{name}" in self._unfolded]
-        nodes = [row.owner for row in self._live if row.kind is Kind.NODE and row.is_open]
-        return Watching(tuple(topics), tuple(full), tuple(nodes))
+        in_sight = range(top, top + max(1, self.size.height))
+        return watching_of(self._live, in_sight, version, self._unfolded)
 
     def show_live(
         self,

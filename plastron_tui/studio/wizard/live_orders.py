@@ -77,14 +77,15 @@ def _setting(row: LiveRow) -> LiveOrder | str:
         return "a parameter without a type cannot be set here"
     entry = parameter_entry(parameter.name, type_)
 
-    def check(entered: Mapping[Path, str]) -> Any:
-        return sent_setting(entry, type_, entered.get(entry.path, ""), row.ros_version)
-
     value = parameter.value
     shown = "" if value is None else shown_setting(value)
     if len(shown) > _LONGEST:
         return f"its value is too long to be changed here: {len(shown):,} characters"
     given = {entry.path: shown}
+
+    def check(entered: Mapping[Path, str]) -> Any:
+        return sent_setting(entry, type_, entered.get(entry.path, ""), row.ros_version)
+
     limits = "" if parameter.range is None else "from {:g} to {:g}".format(*parameter.range)
     about = ". ".join(filter(None, (parameter.about, limits)))
     dialog = LiveForm(f"set {parameter.name} of {row.owner}", "Set", [entry], check,
