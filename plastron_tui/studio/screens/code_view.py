@@ -128,7 +128,7 @@ class CodeView(Dialog[None]):
         self._stamp = stamp_of(place.path)
         try:
             return CodeLines(read_regular(place.path, LARGEST), place.path)
-        except OSError as error:
+        except (OSError, ValueError) as error:
             self._problem = f"cannot be read: {reason(error)}"
             return CodeLines(b"", place.path)
 
