@@ -146,8 +146,6 @@ class _Finder:
                 line = 1 if text is None else _line_of_part(text, part)
                 yield Place(path, line, _words(part) or path.name)
 
-    # Nodes.
-
     def _of_node(self, variable: str, key: tuple[EndpointKind, str] | None) -> Iterator[Place]:
         """Yield where a node, or an endpoint of it, is: what it becomes, then what it was."""
         node = self._workspace.nodes.get(variable)

@@ -22,7 +22,7 @@ _LONG = 64
 """Characters that nobody types between two readings of a terminal, however slow the line to it."""
 _ENDS = re.compile(r"[\r\n]+")
 _MOST_LINES = 5
-"""Ends of lines that are no answers any more, typed ahead for menus and forms."""
+"""With so many ends of lines a text was pasted; fewer may be answers that were typed ahead."""
 _SOON = 0.1
 """Seconds within which what comes belongs to the burst before it, or to an end of a line."""
 _LONGEST_SEQUENCE = 32
@@ -40,7 +40,7 @@ class Kind(Enum):
 
 
 class Part(NamedTuple):
-    """What was read in one piece."""
+    """A piece of what was read, and how it is to be taken."""
 
     text: str
     kind: Kind = Kind.KEYS

@@ -83,7 +83,7 @@ def _takes_keys(parser: type[XTermParser]) -> bool:
 def hear_messages(hear: Callable[[Message], None]) -> None:
     """Let a function hear of each message before it is handled, in this task and those it starts.
 
-    Without it a key that follows at once may come before all is said of the one before it.
+    Without it a key may be handled before the messages that the key before it led to.
     """
     try:
         from textual._context import message_hook

@@ -189,8 +189,6 @@ class CodeView(Dialog[None]):
     def _warn(self, text: str) -> None:
         self.app.notify(text, severity="warning", markup=False)
 
-    # Finding.
-
     def action_find(self) -> None:
         """Ask what to find."""
         self.query_one("#code-find").display = True
