@@ -22,6 +22,7 @@ from contextlib import suppress
 from time import monotonic
 
 from textual import events
+from textual.await_complete import AwaitComplete
 from textual.dom import DOMNode
 from textual.message import Message
 from textual.widgets import Input
@@ -85,6 +86,7 @@ class InOrder(Failing, inherit_bindings=False):
     """An app in which a key that may open something is done with before the next one comes."""
 
     _waiting: deque[events.Event]
+    _kept: list[events.Event]
     _let_in: events.Event | None = None
     _keys_worker: Worker[None] | None = None
     _last_typed = 0.0
@@ -94,6 +96,7 @@ class InOrder(Failing, inherit_bindings=False):
     def __init__(self) -> None:
         super().__init__()
         self._waiting = deque()
+        self._kept = []
 
     def on_load(self) -> None:
         """Hear of messages from before there is anything else that handles some."""
@@ -108,9 +111,10 @@ class InOrder(Failing, inherit_bindings=False):
         """Keep a key, or a text that is pasted, as long as a key before it is on its way."""
         if isinstance(event, _TYPED) and not event.is_forwarded and event is not self._let_in:
             now, last = monotonic(), self._last_typed
-            self._last_typed = now
             if isinstance(self.screen, Unasked) and not self.screen.hears(last, now):
+                self._not_heard(event, now)
                 return
+            self._last_typed = now
             is_first = self._keys_worker is None or self._keys_worker.is_finished
             if not is_first or self._is_turning or self._waiting:
                 self._waiting.append(event)
@@ -124,6 +128,28 @@ class InOrder(Failing, inherit_bindings=False):
             if isinstance(event, events.Key) and self._may_open(event):
                 self._keep_order(self._key_path())
         await super().on_event(event)
+
+    def _not_heard(self, event: events.Event, now: float) -> None:
+        """Keep a text for what a screen covers that came by itself; a key is lost.
+
+        A letter may be for either: an answer that comes too soon is not to be put into a program.
+        Nobody types Esc on and on: it does not make the screen deaf for longer.
+        """
+        if not isinstance(event, events.Key):
+            self._kept.append(event)
+        elif event.key == "escape":
+            return
+        self._last_typed = now
+
+    def pop_screen(self) -> AwaitComplete:
+        """Go back to the screen below, and let in what was kept for it."""
+        popped = super().pop_screen()
+        if self._kept and not isinstance(self.screen, Unasked):
+            self._waiting.extend(self._kept)
+            self._kept.clear()
+            if self._keys_worker is None or self._keys_worker.is_finished:
+                self._keep_order(self._key_path())
+        return popped
 
     def _taken_as(self, burst: Burst) -> Sequence[events.Event]:
         """Return what a text that came as keys is for what has the focus: a paste, or keys."""

@@ -71,10 +71,28 @@ async def test_a_question_that_comes_by_itself_is_not_answered_by_what_is_typed(
         await driver.until(lambda: question.appeared is not None)
         await driver.pilot.press("n", "enter")
         assert driver.app.screen is question
+        # A text is no answer: it goes where it was meant to.
+        driver.app.post_message(events.Paste("// pasted\n"))
+        driver.app.post_message(Burst("// sent\r", []))
+        await driver.until(lambda: len(driver.app._kept) == 2)
         await driver.dialog("Question")
         await driver.pilot.press("n")
         await driver.back()
         assert answers == ["no"]
+        await driver.until(lambda: driver.text == "// pasted\n// sent\n" + PROGRAM)
+
+
+async def test_esc_pressed_on_and_on_leaves_a_question_that_came_by_itself(program: Path) -> None:
+    async with studio(program) as driver:
+        question = Question("Well?", [("yes", "Yes")], is_unasked=True)
+        driver.app.push_screen(question)
+        await driver.until(lambda: question.appeared is not None)
+        question.appeared = time.monotonic() + 3600
+        last = driver.app._last_typed
+        await driver.app.on_event(events.Key("escape", None))
+        assert driver.app._last_typed == last
+        await driver.app.on_event(events.Key("y", "y"))
+        assert driver.app._last_typed > last
 
 
 async def test_lines_that_come_as_keys_are_put_in_as_they_are(program: Path) -> None:
