@@ -152,8 +152,11 @@ class InOrder(Failing, inherit_bindings=False):
         return popped
 
     def _taken_as(self, burst: Burst) -> Sequence[events.Event]:
-        """Return what a text that came as keys is for what has the focus: a paste, or keys."""
-        if getattr(self.focused, "takes_bursts", False):
+        """Return what a text that came as keys is for what has the focus: a paste, or keys.
+
+        A question takes it for a paste whatever has the focus: no letter of it is an answer.
+        """
+        if any(getattr(each, "takes_bursts", False) for each in (self.focused, self.screen)):
             return [events.Paste(burst.text)]
         return burst.keys
 
@@ -177,7 +180,7 @@ class InOrder(Failing, inherit_bindings=False):
         screen = self.screen
         if screen.is_modal:
             return not (event.is_printable and isinstance(self.focused, Input))
-        takes_text = isinstance(self.focused, Input) or getattr(self.focused, "takes_bursts", False)
+        takes_text = isinstance(self.focused, Input) or getattr(self.focused, "takes_text", False)
         if event.is_printable and takes_text:
             return False
         bound = screen.active_bindings.get(event.key)

@@ -198,6 +198,20 @@ async def test_keys_behind_that_of_a_panel_are_for_what_it_opens(
         await driver.until(lambda: any(each.value == "rclpy" for each in view.query(Input)))
         await driver.pilot.press("escape", "escape", "escape")
         await driver.back()
+        # A text that comes as keys is no order to a panel, nor to the files that would be written.
+        text = driver.text
+        await driver.show("nodes")
+        for opened in ("MainScreen", "GenerateDialog"):
+            driver.app.post_message(
+                Burst("dgrc\r", [events.Key("d", "d"), events.Key("enter", "\r")])
+            )
+            await driver.pilot.pause()
+            assert type(driver.app.screen).__name__ == opened
+            assert driver.text == text and not (program.parent / "output").exists()
+            await driver.pilot.press("f6")
+            await driver.dialog("GenerateDialog")
+        await driver.pilot.press("escape")
+        await driver.back()
         await driver.show("output")
         await quickly(driver, "slash", *"words")
         assert driver.main.focused.value == "words"
