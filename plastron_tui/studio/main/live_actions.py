@@ -15,7 +15,7 @@ from plastron_tui.runtime.live_graph import LiveGraph
 from ..delay import Delay
 from ..panels.live_panel import LOOKING, NOTHING_RUNS, STARTING, LivePanel, Watching
 from ..panels.live_rows import Answer, Kind, LiveRow
-from .active_program import ActiveProgram
+from .active_program import Tab
 from .workers import start_exclusive
 
 if TYPE_CHECKING:
@@ -32,16 +32,15 @@ _LOOK = 2.0
 class LiveActions:
     """Starts and ends the monitors of the nodes that run."""
 
-    def __init__(self, screen: Screen[None], program: ActiveProgram, panel: LivePanel) -> None:
+    def __init__(self, screen: Screen[None], panel: LivePanel) -> None:
         """Start with nothing that runs.
 
         Args:
             screen: shows dialogs.
-            program: whose nodes they are; its types are those of the forms.
             panel: shows what is known.
         """
         self._screen = screen
-        self._program = program
+        self._tab: Tab | None = None
         self._panel = panel
         panel.on_watched, panel.on_asked = self.watch, self.do
         self._delay = Delay(screen, self._show)
@@ -63,9 +62,14 @@ class LiveActions:
         self._graphs, self._answers, self._commands = {}, {}, ()
         self._tell(STARTING)
 
-    def start(self, commands: Sequence[MonitorCommand]) -> None:
-        """Watch nodes."""
-        self._commands = commands
+    def start(self, tab: Tab, commands: Sequence[MonitorCommand]) -> None:
+        """Watch nodes.
+
+        Args:
+            tab: whose nodes they are, whichever is in front; its types are those of the forms.
+            commands: what starts their monitors.
+        """
+        self._tab, self._commands = tab, commands
         self._close()
         self._tell(LOOKING)
         self._start_missing()
@@ -186,12 +190,12 @@ class LiveActions:
 
     async def _ask(self, row: LiveRow) -> None:
         monitor = self._monitors.get(row.ros_version)
-        if monitor is None:
+        if monitor is None or self._tab is None:
             self._say("nothing runs that could take it")
             return
         from ..wizard.live_orders import form_for
 
-        form = form_for(row, self._program.open.session, self._given.get(row.key, {}))
+        form = form_for(row, self._tab.open.session, self._given.get(row.key, {}))
         if isinstance(form, str):
             self._say(form)
             return
