@@ -100,6 +100,13 @@ async def test_what_travels_is_shown_and_nodes_are_spoken_to(program: Path, orde
         await driver.until(lambda: "done: publish" in driver.notes())
         (order,) = asked(orders, "publish")
         assert (order["name"], order["values"]) == ("/chatter", {"linear": {"x": 0.5}})
+        # The same again is another message, and another note.
+        await driver.pilot.press("p")
+        await driver.dialog("LiveForm")
+        await driver.pilot.press("enter")
+        await driver.back()
+        await driver.until(lambda: "done: publish (2)" in driver.notes())
+        assert [each["values"] for each in asked(orders, "publish")] == [order["values"]] * 2
         # A parameter.
         await driver.press("end", "right")
         await wait_shown(driver, "speed")

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import itertools
+from collections import Counter
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
@@ -53,6 +54,7 @@ class LiveActions:
         self._numbers = itertools.count(1)
         self._asked: dict[int, LiveRow] = {}
         self._answers: dict[str, Answer] = {}
+        self._said: Counter[str] = Counter()
         self._given: dict[str, dict[Path, str]] = {}
         self._empty = NOTHING_RUNS
 
@@ -60,6 +62,8 @@ class LiveActions:
         """Show that nodes are about to run, and nothing of those before."""
         self.end()
         self._graphs, self._answers, self._commands = {}, {}, ()
+        self._asked.clear()
+        self._said.clear()
         self._tell(STARTING)
 
     def start(self, tab: Tab, commands: Sequence[MonitorCommand]) -> None:
@@ -202,10 +206,13 @@ class LiveActions:
         given = await self._screen.app.push_screen_wait(form.dialog)
         if given is None:
             return
-        self._given[row.key] = given
+        if row.kind is not Kind.PARAMETER:
+            # A parameter has a value, which is what its form begins with.
+            self._given[row.key] = given
         number = next(self._numbers)
         self._asked[number] = row
         if not monitor.order(id=number, **form.order(given)):
+            del self._asked[number]
             self._say("the monitor of the nodes takes nothing any more")
 
     def _take_answer(self, report: Any) -> bool:
@@ -219,6 +226,10 @@ class LiveActions:
             return True
         severity = "warning" if is_failure else "information"
         words = f"{row.name}: {visible(text)}" if row.kind is Kind.PARAMETER else visible(text)
+        # Notes that are the same are shown once, and who sends twice wants to know of both.
+        self._said[words] += 1
+        if self._said[words] > 1:
+            words += f" ({self._said[words]})"
         self._screen.notify(words, severity=severity, markup=False, timeout=3)  # type: ignore[arg-type]
         return False
 
