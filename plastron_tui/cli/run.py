@@ -136,7 +136,7 @@ def _prepare(
     made = session.generated()
     chosen = [generated for generated in made if _is_chosen(generated, names)]
     launches = _launch_names(session)
-    unknown = _unknown_names(made, (*names, *setup.nodes), launches)
+    unknown = _unknown_names(session, made, (*names, *setup.nodes), launches)
     if not unknown:
         setup = _checked(session, setup, chosen, report)
     written = [each for each in made if each in chosen or is_built_with(each, chosen)]
@@ -188,7 +188,7 @@ def _is_chosen(generated: Generated, names: Sequence[str]) -> bool:
 
 
 def _unknown_names(
-    made: Sequence[Generated], names: Sequence[str], launches: Sequence[str]
+    session: Session, made: Sequence[Generated], names: Sequence[str], launches: Sequence[str]
 ) -> list[Diagnostic]:
     known = {
         name
@@ -196,8 +196,13 @@ def _unknown_names(
         for name in (generated.generation.node.name, generated.generation.node.variable)
     }
     if not made:
+        from plastron_tui.generating.nothing import help_to_generate
+
         message = "the program generates no node, so there is nothing to run"
-        help_ = f"`{launches[0]}` starts its launch file: name it" if launches else None
+        if launches:
+            help_ = f"`{launches[0]}` starts its launch file: name it"
+        else:
+            help_ = help_to_generate(session.workspace)
         return [Diagnostic(codes.NOTHING_TO_GENERATE, message, help=help_)]
     return unknown_nodes(dict.fromkeys(names), known, "generates", launches)
 

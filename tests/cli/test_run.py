@@ -130,6 +130,7 @@ def test_a_program_that_generates_nothing(run: Run, here: Path) -> None:
     done = run("run", "p.plastron")
     assert done.returncode == 1
     assert b"error[nothing-to-generate]" in done.stderr
+    assert b"`generate_node a`" in done.stderr
 
 
 @pytest.mark.parametrize("seconds", ["0", "-1", "soon", "nan"])

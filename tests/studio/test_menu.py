@@ -54,23 +54,29 @@ async def test_the_menu_finds_does_and_remembers(program: Path, size: tuple[int,
         await driver.pilot.press("ctrl+p")
         menu = await driver.dialog("ActionMenu")
         options = menu.query_one(OptionList)
+        await driver.until(lambda: menu.entries)
         assert {entry.action.id for entry in menu.entries if entry.action} == set(BY_ID) - {"menu"}
-        row = str(options.get_option_at_index(1).prompt)
-        width = options.scrollable_content_region.width
-        assert len(row) == width and row.rstrip().endswith(driver.main.key_of("help"))
+
+        def row() -> str:
+            return str(options.get_option_at_index(1).prompt)
+
+        await driver.until(lambda: len(row()) == options.scrollable_content_region.width)
+        assert row().rstrip().endswith(driver.main.key_of("help"))
         await driver.pilot.press("down", "down", "up")
-        assert menu.entries[options.highlighted].action is BY_ID["run"]
+        await driver.until(lambda: menu.entries[options.highlighted].action is BY_ID["run"])
         await driver.pilot.press("escape")
         await driver.back()
         assert driver.app.profile.remembered.actions == []
         wraps = driver.main.editor.view.soft_wrap
         await driver.pilot.press("f10", *"exit")
-        assert menu.app.screen.entries[0].action is BY_ID["quit"]
+        menu = await driver.dialog("ActionMenu")
+        await driver.until(lambda: menu.entries and menu.entries[0].action is BY_ID["quit"])
         await driver.pilot.press(*("backspace",) * 4, *"soft", "enter")
         await driver.back()
         assert driver.main.editor.view.soft_wrap != wraps
         await driver.pilot.press("f10")
         menu = await driver.dialog("ActionMenu")
+        await driver.until(lambda: menu.entries)
         assert menu.entries[0].heading == RECENT
         await driver.pilot.press("enter")
         await driver.back()

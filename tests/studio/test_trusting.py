@@ -27,7 +27,7 @@ async def test_templates_are_used_after_the_user_trusts_them(foreign: Path) -> N
         driver.main.action_show("preview")
         await driver.settle()
         await driver.until(lambda: "not used until you trust it" in driver.notes())
-        assert "If you trust it: alt+u" in driver.notes()
+        assert "If you trust it: Alt-U" in driver.notes()
         assert "rospy.init_node" in driver.main.panels["preview"].text
         await driver.pilot.press("alt+u")
         dialog = await driver.dialog("Question")
@@ -75,7 +75,7 @@ async def test_what_only_waits_for_trust_is_no_mistake_of_the_program(
         await driver.settle()
         await driver.press(key)
         await driver.until(lambda: driver.main.panels["problems"].has_focus)
-        assert "only once you trust this project: alt+u" in driver.notes()
+        assert "only once you trust this project: Alt-U" in driver.notes()
         assert "mended" not in driver.notes()
         await driver.press("enter")
         assert "this is about plastron.yaml:1, not about a statement" in driver.notes()

@@ -26,6 +26,7 @@ from ..textual_private import forget_notes
 from .active_program import ActiveProgram, Tab
 from .dock_layout import DockLayout
 from .file_actions import FileActions
+from .generate_offer import offer_generating
 from .live_actions import LiveActions
 from .trust_prompt import TrustPrompt
 
@@ -125,7 +126,7 @@ class RunActions:
         """Show what would be written, then write it; tell whether files may be other ones now."""
         from ..screens.generate import GenerateDialog
 
-        if not await self._has_place() or await self._has_errors():
+        if not await self._may_write(to_run=False):
             return False
         session = self._program.open.session
         await self._screen.app.push_screen_wait(GenerateDialog(session))
@@ -146,7 +147,7 @@ class RunActions:
                 await asyncio.sleep(_LOOK)
             if tab is not self._program.tab:
                 return
-        if not await self._has_place() or await self._has_errors():
+        if not await self._may_write(to_run=True):
             return
         if self._program.open.is_changed and not await self._files.save():
             return
@@ -198,6 +199,12 @@ class RunActions:
         """Show what the nodes of the program in front have printed, and which have failed."""
         self._output.show_log(self._run.log)
         self._nodes.remark(self._run.failed)
+
+    async def _may_write(self, *, to_run: bool) -> bool:
+        """Make sure that there is a folder, no mistake, and something to write or to run."""
+        if not await self._has_place() or await self._has_errors():
+            return False
+        return await offer_generating(self._screen, self._program, to_run=to_run)
 
     async def _has_place(self) -> bool:
         """Make sure that there is a folder to generate into: that of the program."""

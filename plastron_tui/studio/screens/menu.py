@@ -71,7 +71,10 @@ class ActionMenu(Dialog[Action | None]):
         width = self.query_one(OptionList).scrollable_content_region.width
         if width != self._width:
             self._width = width
+            marked = self.query_one(OptionList).highlighted
             self._show()
+            if marked is not None:
+                self.query_one(OptionList).highlighted = marked
 
     @on(Input.Changed)
     def typed(self) -> None:

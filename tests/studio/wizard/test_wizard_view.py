@@ -119,7 +119,7 @@ async def test_it_works_in_other_colours(here: Path, theme: str) -> None:
         assert it.kind is PageKind.REVIEW
 
 
-@pytest.mark.parametrize(("rows", "has_sentence"), [(21, False), (22, True)])
+@pytest.mark.parametrize(("rows", "has_sentence"), [(12, False), (17, False), (18, True)])
 async def test_a_low_window_has_its_rows_for_the_form(
     here: Path, rows: int, has_sentence: bool
 ) -> None:
