@@ -174,3 +174,16 @@ def test_messages_are_filled_with_what_came_as_json() -> None:
     stamped = Rclpy(header=Rclpy(stamp=Time(sec=0, nanosec=0)))
     assert has_stamp(stamped, {}) and not has_stamp(stamped, {"header": {"stamp": {"sec": 1}}})
     assert not has_stamp(message, {})
+
+
+@pytest.mark.parametrize(
+    ("listening", "reached", "words"),
+    [(0, 0, "sent to /a; nobody listens there"), (1, 1, "sent to /a"), (2, 3, "sent to /a"),
+     (1, 0, "sent to /a, but who listens there does not take it"),
+     (3, 1, "sent to /a, but 2 of 3 who listen there do not take it"),
+     (2, -1, "sent to /a, but 2 of 2 who listen there do not take it")],
+)  # fmt: skip
+def test_who_did_not_get_a_message_is_said(listening: int, reached: int, words: str) -> None:
+    from monitor_pipes import sent_words
+
+    assert sent_words("/a", listening, reached) == words

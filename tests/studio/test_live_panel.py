@@ -107,6 +107,13 @@ async def test_what_travels_is_shown_and_nodes_are_spoken_to(program: Path, orde
         await driver.until(lambda: "done: publish" in driver.notes())
         (order,) = asked(orders, "publish")
         assert (order["name"], order["values"]) == ("/chatter", {"linear": {"x": 0.5}})
+        # The same again is another message, and another note.
+        await driver.pilot.press("p")
+        await driver.dialog("LiveForm")
+        await driver.pilot.press("enter")
+        await driver.back()
+        await driver.until(lambda: "done: publish (2)" in driver.notes())
+        assert [each["values"] for each in asked(orders, "publish")] == [order["values"]] * 2
         # A parameter.
         await driver.press("end", "right")
         await wait_shown(driver, "speed")
@@ -173,3 +180,38 @@ async def test_in_a_wide_window_the_output_stays(
         # A monitor that hangs is ended, and that is said.
         await driver.until(lambda: "did not answer any more" in driver.notes())
         assert driver.main.runner.is_running
+
+
+async def test_the_nodes_that_were_started_last_are_watched_whichever_tab_is_theirs(
+    program: Path, orders: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    other = program.with_name("other.plastron")
+    other.write_text("create_node 'arm' as arm\n")
+    async with studio(program, (160, 40)) as driver:
+        main = driver.main
+        runner = main.runner
+        await driver.press("f5")
+        await wait_shown(driver, "≈ /chatter")
+        main.files.open_file(other)
+        await driver.settle()
+        first, second = main.program.tabs
+        # Another program's nodes are built, and that fails: those that run are watched all along.
+        with monkeypatch.context() as building:
+            building.setattr(Nodes, "monitors", ())
+            await driver.press("f5")
+            await driver.until(lambda: runner.runs_in(second))
+            await wait_shown(driver, "≈ /chatter")
+            runner.stop()
+            await driver.until(lambda: not runner.runs_in(second))
+            await wait_shown(driver, "≈ /chatter")
+        # What is sent to them is of their program's types, not of those of the one in front.
+        assert main.program.tab is second and runner._live._tab is first
+        assert "gone" not in "".join(live(driver).lines)
+        # Nodes that are ready are watched, and those of before again when they have ended.
+        await driver.press("f5")
+        await driver.until(lambda: runner._live._tab is second)
+        await wait_shown(driver, "≈ /chatter")
+        runner.forget(second)
+        await driver.until(lambda: runner._live._tab is first)
+        await driver.until(lambda: "nothing runs" not in live(driver).entries.empty)
+        await wait_shown(driver, "≈ /chatter")

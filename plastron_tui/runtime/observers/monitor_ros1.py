@@ -17,7 +17,7 @@ import roslib.message
 import rospy
 import rosservice
 from message_filling import fill, has_stamp
-from monitor_pipes import Orders, answer, send
+from monitor_pipes import Orders, answer, send, sent_words
 from monitor_services import ServiceTypes, within
 from monitor_subscriptions import NotInstalledError, Subscriptions
 from monitor_topics import WatchedTopic
@@ -168,7 +168,7 @@ class _Monitor:
             message.header.stamp = rospy.Time.now()
         publisher.publish(message)
         others = sum(not _is_hidden(owner) for owner in subscribed.get(name, ()))
-        answer(order, f"sent to {name}" if others else f"sent to {name}; nobody listens there")
+        answer(order, sent_words(name, others, others))
 
     def _call(self, order: dict[str, Any]) -> None:
         made = roslib.message.get_service_class(order["type"])

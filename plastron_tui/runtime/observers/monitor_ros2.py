@@ -11,13 +11,14 @@ from __future__ import annotations
 import contextlib
 import importlib
 import time
+from collections import Counter
 from collections.abc import Callable
 from typing import Any
 
 import rclpy
 from message_filling import fill, has_stamp
 from monitor_parameters import Parameters
-from monitor_pipes import Orders, answer, send
+from monitor_pipes import Orders, answer, send, sent_words
 from monitor_subscriptions import NotInstalledError, Subscriptions
 from monitor_topics import WatchedTopic
 from plastron_text import line_of
@@ -95,7 +96,7 @@ class _Monitor:
         self._executor = SingleThreadedExecutor()
         self._executor.add_node(self._caller)
         self._topics = Subscriptions(lambda name, type_: _Watching(self._node, name, type_))
-        self._publishers: dict[str, Any] = {}
+        self._publishers: Counter[str] = Counter()
         self._pending: list[tuple[dict[str, Any], float, Callable[[bool], bool]]] = []
         self._parameters = Parameters(self._caller)
         self._graph: dict[str, Any] = {}
@@ -137,7 +138,8 @@ class _Monitor:
         if self._pending or self._parameters.is_asking:
             for _ in range(10):
                 self._executor.spin_once(timeout_sec=0)
-            self._pending = [each for each in self._pending if not self._is_done(*each)]
+            asked, self._pending = self._pending, []
+            self._pending += [each for each in asked if not self._is_done(*each)]
 
     def _look(self) -> None:
         """Find out what is there, and tell it where that is new."""
@@ -162,7 +164,7 @@ class _Monitor:
             if not is_shown(name):
                 continue
             self._topics.types[name] = type_name = types[0].replace("/msg/", "/")
-            own = name in self._publishers
+            own = self._publishers[name]
             heard = self._topics.hears(name)
             publishers = node.count_publishers(name) - own
             subscribers = node.count_subscribers(name) - heard
@@ -196,24 +198,31 @@ class _Monitor:
     def _publish(self, order: dict[str, Any]) -> None:
         name, values = order["name"], order["values"]
         message = fill(ros2_class(order["type"])(), values)
-        publisher = self._publishers.get(name)
-        if publisher is None:
-            qos = self._publisher_qos(name)
-            publisher = self._node.create_publisher(type(message), name, qos)
-            self._publishers[name] = publisher
+        qos = self._publisher_qos(name)
+        publisher = self._node.create_publisher(type(message), name, qos)
+        self._publishers[name] += 1
 
-        def step(is_late: bool) -> bool:
+        def send_it(is_late: bool) -> bool:
             listening = self._node.count_subscribers(name)
-            if publisher.get_subscription_count() < listening and not is_late:
+            reached = publisher.get_subscription_count()
+            if reached < listening and not is_late:
                 return False
             if has_stamp(message, values):
                 message.header.stamp = self._node.get_clock().now().to_msg()
+            self._later(order, leave, _MATCHING)
             publisher.publish(message)
-            others = listening - self._topics.hears(name)
-            answer(order, f"sent to {name}" if others else f"sent to {name}; nobody listens there")
+            own = self._topics.hears(name)
+            answer(order, sent_words(name, listening - own, reached - own))
             return True
 
-        self._later(order, step, _MATCHING)
+        def leave(is_late: bool) -> bool:
+            # It has arrived by then; nodes that start later must not be told to move again.
+            if is_late:
+                self._publishers[name] -= 1
+                self._node.destroy_publisher(publisher)
+            return is_late
+
+        self._later(order, send_it, _MATCHING)
 
     def _publisher_qos(self, name: str) -> Any:
         """Return a quality of service that every subscription of the topic accepts."""
