@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from studio_driver import Driver, studio
+from studio_driver import PROGRAM, Driver, studio
 from textual import events
 from textual.widgets import Label
 
@@ -186,7 +186,7 @@ async def test_the_nodes_that_were_started_last_are_watched_whichever_tab_is_the
     program: Path, orders: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     other = program.with_name("other.plastron")
-    other.write_text("create_node 'arm' as arm\n")
+    other.write_text(PROGRAM)
     async with studio(program, (160, 40)) as driver:
         main = driver.main
         runner = main.runner
