@@ -206,3 +206,7 @@ async def test_a_card_comes_where_the_mouse_rests(tmp_path: Path) -> None:
         await driver.until(lambda: box.is_open)
         await driver.press("right")
         assert not box.is_open
+        await driver.pilot.hover("#editor-view", Offset(gutter + 14, 5))
+        await driver.until(lambda: box.is_open)
+        await driver.pilot.hover("#nodes")
+        await driver.until(lambda: not box.is_open)

@@ -6,6 +6,8 @@ import pytest
 from studio_driver import PROGRAM, Driver, leave_behind, studio
 from textual.widgets import Input, Label
 
+from plastron_tui.session import Session
+from plastron_tui.studio.files import OnDisk
 from plastron_tui.studio.main.tab_line import names_of, window_of
 from plastron_tui.studio.open_program import opened
 
@@ -83,6 +85,44 @@ async def test_what_is_not_saved_in_any_tab_is_asked_about_once(program: Path, o
     assert other.read_text() == "// two\n" + OTHER
 
 
+async def test_texts_of_all_tabs_are_kept_until_they_are_not_wanted(
+    program: Path, other: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("plastron_tui.studio.main.recovery._KEEP", 3600.0)
+    link = program.with_name("link.plastron")
+    link.symlink_to(other)
+    forgetful = list[Session]()
+    files_changed = Session.files_changed
+
+    def forget(session: Session) -> None:
+        forgetful.append(session)
+        files_changed(session)
+
+    monkeypatch.setattr(Session, "files_changed", forget)
+    async with studio(program, (80, 24), others=[other]) as driver:
+        main = driver.main
+        await driver.type("// one\n")
+        left = main.open.session
+        await driver.press("alt+e")
+        # What it loads may be another text by the time that it is in front again.
+        assert left in forgetful
+        await driver.type("// two\n")
+        # A link to a file that is open is that file.
+        main.files.open_file(link)
+        await driver.settle()
+        journals = [tab.open.journal.file for tab in main.program.tabs]
+        assert len(journals) == 2
+        assert not any(file.exists() for file in journals)
+        main.recovery.keep_now()
+        assert all(file.exists() for file in journals)
+        await driver.pilot.press("ctrl+q")
+        assert await said(driver) == "Save 2 programs?"
+        await driver.pilot.press("d")
+        await driver.until(lambda: driver.app._exit)
+        assert not any(file.exists() for file in journals)
+    assert other.read_text() == OTHER
+
+
 def tabs_of(driver: Driver) -> list[object]:
     return list(driver.main.program.tabs)
 
@@ -121,8 +161,6 @@ def test_the_tab_in_front_is_in_sight(active: int, room: int, window: tuple[int,
 
 def test_tabs_are_told_apart_by_their_folders(tmp_path: Path) -> None:
     paths = [tmp_path / "a/x.plastron", tmp_path / "b/x.plastron", tmp_path / f"{'long' * 9}.txt"]
-    from plastron_tui.studio.files import OnDisk
-
     programs = [opened(OnDisk(path, b"", None), tmp_path) for path in paths]
     assert names_of(programs)[:2] == ["a/x", "b/x"]
     assert names_of(programs)[2].endswith("longlong.txt")

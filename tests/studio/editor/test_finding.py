@@ -42,6 +42,27 @@ class TestSearchThread:
                 posted.get(timeout=60)()
         assert said == ["that cannot be searched for: no room", "next"]
 
+    def test_a_search_gives_way_to_a_newer_one(self) -> None:
+        posted = queue.SimpleQueue[Callable[[], object]]()
+        thread = SearchThread(posted.put)
+        given_way = threading.Event()
+        told: list[str] = []
+
+        class Endless(Search):
+            def find(self, text: bytes, is_stale: Callable[[], bool] = lambda: False) -> Found:
+                while not is_stale():
+                    assert not given_way.wait(0.001), "nobody told that another one waits"
+                given_way.set()
+                return Found()
+
+        thread.run(Endless(), b"", lambda _: told.append("first"))
+        thread.run(_Scripted(Found), b"", lambda _: told.append("second"))
+        try:
+            while "second" not in told:
+                posted.get(timeout=20)()
+        finally:
+            given_way.set()
+
     def test_of_a_search_that_another_one_followed_nothing_is_told(self) -> None:
         posted = queue.SimpleQueue[Callable[[], object]]()
         thread = SearchThread(posted.put)
@@ -159,6 +180,24 @@ class TestFinding:
             await at.press("backspace", "z", "escape", "x")
             assert b"x" in at.editor.text
             goes_on.set()
+
+    async def test_what_was_edited_meanwhile_is_searched_again(
+        self, monkeypatch: pytest.MonkeyPatch
+    ) -> None:
+        goes_on = threading.Event()
+        find = Search.find
+
+        def slow(self: Search, text: bytes, *is_stale: Callable[[], bool]) -> Found:
+            assert not self.is_regex or goes_on.wait(60)
+            return find(self, text, *is_stale)
+
+        monkeypatch.setattr(Search, "find", slow)
+        async with editing("ab b\n") as at:
+            await at.press("ctrl+r", "b", "tab", "z", "alt+r", "alt+a")
+            assert at.editor.finder.is_searching
+            at.editor.state.apply([(0, 0, b"1234567")])
+            goes_on.set()
+            await at.until(lambda: at.editor.text == b"1234567az z\n")
 
     async def test_what_was_asked_of_one_text_is_not_done_to_another(
         self, monkeypatch: pytest.MonkeyPatch
