@@ -13,8 +13,10 @@ from plastron_tui.model.kinds import EndpointKind
 from plastron_tui.model.source import FileSet, SourceNode, SourceUnit, place_of
 from plastron_tui.model.workspace import Generation, Node
 from plastron_tui.regular_files import read_regular
+from plastron_tui.sources import find_language
 
 from .analysis import Analysis, analyse
+from .function_lines import function_lines
 from .panels.entry import HUBS, Entry, Subject
 from .panels.nodes import NODES
 from .panels.preview import files_meant
@@ -144,8 +146,6 @@ class _Finder:
                 line = 1 if text is None else _line_of_part(text, part)
                 yield Place(path, line, _words(part) or path.name)
 
-    # Nodes.
-
     def _of_node(self, variable: str, key: tuple[EndpointKind, str] | None) -> Iterator[Place]:
         """Yield where a node, or an endpoint of it, is: what it becomes, then what it was."""
         node = self._workspace.nodes.get(variable)
@@ -243,7 +243,7 @@ def _in_unit(
             if written in (endpoint.label, endpoint.name, endpoint.default, endpoint.expression):
                 yield place(endpoint.file or main, endpoint.line, f"{kind.word} {written}")
                 if endpoint.callback is not None:
-                    for name, line in _functions(unit.files, endpoint.callback):
+                    for name, line in _functions(unit.path, unit.files, endpoint.callback):
                         yield place(name, line, f"function {endpoint.callback}")
 
 
@@ -253,17 +253,13 @@ def _nodes_called(unit: SourceUnit, name: str) -> tuple[SourceNode, ...]:
     return named or unit.nodes
 
 
-def _functions(files: FileSet, function: str) -> Iterator[tuple[str, int]]:
-    """Yield where files define or declare a function: the file and the line."""
-    name = re.escape(function.rpartition(".")[2].rpartition("::")[2].encode())
-    python = rb"^[ \t]*(?:async[ \t]+)?def[ \t]+%b\b" % name
-    cpp = (
-        rb"^[ \t]*(?!return\b|else\b|new\b)[\w:<>,&* \t]*[\w>&*][ \t&*]+(?:\w+::)*%b[ \t]*\(" % name
-    )
-    pattern = re.compile(rb"%b|%b" % (python, cpp), re.MULTILINE)
+def _functions(path: Path, files: FileSet, function: str) -> Iterator[tuple[str, int]]:
+    """Yield where the files of a set define or declare a function: the file and the line."""
     for file, text in files.texts:
-        for match in pattern.finditer(text):
-            yield file, text.count(b"\n", 0, match.start()) + 1
+        # A script may have no suffix; C++ without one is nothing that a compiler takes.
+        is_python = place_of(path, file).suffix in ("", *find_language("python").suffixes)
+        for line in function_lines(text, function, is_python=is_python):
+            yield file, line
 
 
 def _line_of_part(text: bytes, part: tuple[str, str] | None) -> int:

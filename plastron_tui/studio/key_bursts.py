@@ -8,16 +8,21 @@ is read at once from a terminal is looked at before it is taken apart into keys.
 from __future__ import annotations
 
 import re
+from collections.abc import Iterator
 from enum import Enum
 from typing import NamedTuple
 
 _START, _STOP = "\x1b[200~", "\x1b[201~"
 _TEXT = re.compile(r"[^\x00-\x08\x0b\x0c\x0e-\x1f\x7f-\x9f]+")
+_STRING = re.compile(r"\x1b[\]PX^_]")
+_SEQUENCE = re.compile(r"\x1b(?:\[[0-?]*[ -/]*[@-~]|O.|[^\x1b\[O])?", re.DOTALL)
+_TORN = re.compile(r"\x1b(?:\[[0-?]*[ -/]*|O)?\Z")
+"""An answer of the terminal as a string, the sequence of a key or of the mouse, and one's start."""
 _LONG = 64
 """Characters that nobody types between two readings of a terminal, however slow the line to it."""
 _ENDS = re.compile(r"[\r\n]+")
 _MOST_LINES = 5
-"""Ends of lines that are no answers any more, typed ahead for menus and forms."""
+"""With so many ends of lines a text was pasted; fewer may be answers that were typed ahead."""
 _SOON = 0.1
 """Seconds within which what comes belongs to the burst before it, or to an end of a line."""
 _LONGEST_SEQUENCE = 32
@@ -35,7 +40,7 @@ class Kind(Enum):
 
 
 class Part(NamedTuple):
-    """What was read in one piece."""
+    """A piece of what was read, and how it is to be taken."""
 
     text: str
     kind: Kind = Kind.KEYS
@@ -58,19 +63,37 @@ class Bursts:
         """Return what was read at a time, in seconds, as keys and bursts in its order."""
         before, since = self._before, now - self._time
         self._before, self._time = (before + data)[-_LONGEST_SEQUENCE:], now
-        if self._is_bracketed or "\x1b" in data or ("\x1b" in before and since < _SOON):
+        recent = before if since < _SOON else ""
+        if self._is_textuals(before, recent, data):
             self._follow_brackets(before[1 - len(_START) :] + data)
             return [Part(data)]
-        if before.endswith("\r") and since < _SOON:
+        if recent.endswith("\r"):
             data = data.removeprefix("\n")
         data = data.replace("\r\n", "\r")
-        parts, at = [], 0
+        found, at = list[Part](), 0
+        for sequence in _SEQUENCE.finditer(data):
+            found += self._parts_of_text(data[at : sequence.start()], now)
+            found.append(Part(sequence.group()))
+            at = sequence.end()
+        return _joined([*found, *self._parts_of_text(data[at:], now)])
+
+    def _is_textuals(self, before: str, recent: str, data: str) -> bool:
+        """Tell whether what was read is in brackets or in a sequence that was torn apart."""
+        if self._is_bracketed or _TORN.search(recent) or _STRING.search(recent + data):
+            return True
+        both = before[1 - len(_START) :] + data
+        return _START in both or _STOP in both
+
+    def _parts_of_text(self, data: str, now: float) -> Iterator[Part]:
+        """Yield what is in a text without sequences."""
+        at = 0
         for found in _TEXT.finditer(data):
             if found.start() > at:
-                parts.append(Part(data[at : found.start()]))
-            parts.extend(self._told_apart(found.group(), now))
+                yield Part(data[at : found.start()])
+            yield from self._told_apart(found.group(), now)
             at = found.end()
-        return [*parts, Part(data[at:])] if at < len(data) else parts
+        if at < len(data):
+            yield Part(data[at:])
 
     def _follow_brackets(self, data: str) -> None:
         start, stop = data.rfind(_START), data.rfind(_STOP)
@@ -91,3 +114,14 @@ class Bursts:
             self._burst_time = now
             return [Part(text, self._burst)]
         return [Part(text)]
+
+
+def _joined(parts: list[Part]) -> list[Part]:
+    """Return parts with keys that follow each other as one."""
+    found: list[Part] = []
+    for part in parts:
+        if found and part.kind is found[-1].kind is Kind.KEYS:
+            found[-1] = Part(found[-1].text + part.text)
+        else:
+            found.append(part)
+    return found

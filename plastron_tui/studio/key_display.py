@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-import unicodedata
+from .key_table import MEANT, sign_of_name
 
 _NAMES = {
     "escape": "Esc",
@@ -12,23 +12,13 @@ _NAMES = {
     "down": "↓",
     "left": "←",
     "right": "→",
-    "plus": "+",
-    "minus": "-",
-    "slash": "/",
-    "full_stop": ".",
-    **{f"f{number + 12}": f"Shift-F{number}" for number in range(1, 13)},
-    "ctrl+underscore": "Ctrl-/",
-    "ctrl+at": "Ctrl-Space",
-    "ctrl+@": "Ctrl-Space",
 }
-"""Names that do not follow from Textual's. Terminals send Shift-F3 as F15, and Ctrl-/ as Ctrl-_."""
+"""Names that do not follow from Textual's."""
 
 
 def key_name(key: str) -> str:
     """Return what a key is called: `Ctrl-Q` for `ctrl+q`, `Alt-?` for `alt+question_mark`."""
-    if key in _NAMES:
-        return _NAMES[key]
-    *held, last = key.split("+")
+    *held, last = MEANT.get(key, key).split("+")
     return "-".join([*(each.capitalize() for each in held), _plain(last, is_upper=bool(held))])
 
 
@@ -38,9 +28,6 @@ def _plain(key: str, *, is_upper: bool) -> str:
         return _NAMES[key]
     if len(key) == 1:
         return key.upper() if is_upper else key
-    try:
-        character = unicodedata.lookup(key.replace("_", " "))
-    except KeyError:
-        character = ""
+    character = sign_of_name(key)
     # Some keys are called as characters that nobody sees: Tab, Space, Delete.
     return character if character.strip() and character.isprintable() else key.capitalize()

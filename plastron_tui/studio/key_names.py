@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import re
-import unicodedata
 from collections.abc import Collection, Iterable
 from enum import Enum
 from string import ascii_lowercase, digits
@@ -13,6 +12,7 @@ from textual.keys import KEY_NAME_REPLACEMENTS
 
 from plastron_tui.diagnostics import did_you_mean
 
+from .key_table import MEANT, SENT, SIGNS, name_of_sign
 from .terminal_keys import ALT_CHORDS
 
 _HELD = {
@@ -52,13 +52,6 @@ _OTHER_KEYS = {
     "alt+left_square_bracket": "Esc", "alt+O": "Esc",
 }  # fmt: skip
 """What reaches a program for a key, as if another one had been pressed."""
-_ALSO = {
-    "ctrl+slash": ("ctrl+underscore", "ctrl+slash"),
-    "ctrl+space": ("ctrl+space", "ctrl+@"),
-    "ctrl+at": ("ctrl+space", "ctrl+@"),
-    **{f"shift+f{number}": (f"shift+f{number}", f"f{number + 12}") for number in range(1, 13)},
-}
-"""What terminals send for a key under another name."""
 
 
 class Arrival(Enum):
@@ -94,7 +87,9 @@ def read_keys(texts: Iterable[str]) -> WrittenKeys:
                 hint = did_you_mean(word.strip().lower(), _NAMED)
                 problems.append(f"no key `{word.strip()}`" + (f"; {hint}" if hint else ""))
             else:
-                keys += _ALSO.get(key, (key,))
+                # What is pressed and what is sent for it: terminals do either.
+                key = "ctrl+space" if key == "ctrl+at" else key
+                keys += (key, SENT[key]) if key in SENT else (key,)
     return WrittenKeys(tuple(dict.fromkeys(keys)), tuple(problems))
 
 
@@ -127,7 +122,7 @@ def _name_of(word: str, held: set[str]) -> str | None:
     name = re.sub(r"[ -]+", "_", word.lower())
     name = _SAME.get(name, name)
     name = KEY_NAME_REPLACEMENTS.get(name, name)
-    if name in _NAMED or name in _sign_names():
+    if name in _NAMED or name in SIGNS:
         return name
     return None
 
@@ -140,21 +135,12 @@ def _name_of_character(character: str, held: set[str]) -> str | None:
         return character.lower() if held else character
     if character.isalnum():
         return character
-    return _sign_name(character) if "!" <= character <= "~" else None
-
-
-def _sign_name(character: str) -> str:
-    name = unicodedata.name(character, "").lower().replace("-", "_").replace(" ", "_")
-    return KEY_NAME_REPLACEMENTS.get(name, name) or character
-
-
-def _sign_names() -> frozenset[str]:
-    return frozenset(_sign_name(chr(code)) for code in range(33, 127) if not chr(code).isalnum())
+    return name_of_sign(character) if "!" <= character <= "~" else None
 
 
 def types_text(key: str) -> bool:
     """Tell whether a key writes a character where there is a text."""
-    return "+" not in key and (len(key) == 1 or key == "space" or key in _sign_names())
+    return "+" not in key and (len(key) == 1 or key == "space" or key in SIGNS)
 
 
 def arrival(key: str) -> Arrival:
@@ -188,9 +174,8 @@ def _comes_from_all(held: list[str], name: str) -> bool:
 
 def shown_keys(keys: Iterable[str]) -> str:
     """Return keys as a message has them: of those that are the same to a hand one is enough."""
-    doubles = {double for same in _ALSO.values() for double in same[1:]}
-    named = [key for key in keys if key not in doubles] or list(keys)
-    return ", ".join(f"`{key}`" for key in named)
+    pressed = dict.fromkeys(MEANT.get(key, key) for key in keys)
+    return ", ".join(f"`{key}`" for key in pressed)
 
 
 def arrives_as(key: str) -> str:

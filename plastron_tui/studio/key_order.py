@@ -22,6 +22,7 @@ from contextlib import suppress
 from time import monotonic
 
 from textual import events
+from textual.await_complete import AwaitComplete
 from textual.dom import DOMNode
 from textual.message import Message
 from textual.widgets import Input
@@ -33,8 +34,13 @@ from .textual_private import Failing, hear_messages
 
 _TYPED = (events.Key, events.Paste, Burst)
 
-_ASKING = frozenset(command.id for command in COMMANDS if command.asks)
+ASKING = frozenset(command.id for command in COMMANDS if command.asks)
 """What opens a line in the editor, which the keys that follow are for."""
+OPENING = frozenset({
+    "panel.rename", "panel.code", "live.open", "live.publish", "live.call", "live.set",
+    "output.filter",
+})  # fmt: skip
+"""What opens a dialog or a line from a panel, by the ids of its bindings, letters too."""
 _LONGEST = 5.0
 """Seconds for which the keys after one wait, at most: where messages never stop coming, or somebody
 keeps the others waiting, they are to be had for leaving."""
@@ -80,6 +86,7 @@ class InOrder(Failing, inherit_bindings=False):
     """An app in which a key that may open something is done with before the next one comes."""
 
     _waiting: deque[events.Event]
+    _kept: list[events.Event]
     _let_in: events.Event | None = None
     _keys_worker: Worker[None] | None = None
     _last_typed = 0.0
@@ -89,6 +96,7 @@ class InOrder(Failing, inherit_bindings=False):
     def __init__(self) -> None:
         super().__init__()
         self._waiting = deque()
+        self._kept = []
 
     def on_load(self) -> None:
         """Hear of messages from before there is anything else that handles some."""
@@ -103,9 +111,10 @@ class InOrder(Failing, inherit_bindings=False):
         """Keep a key, or a text that is pasted, as long as a key before it is on its way."""
         if isinstance(event, _TYPED) and not event.is_forwarded and event is not self._let_in:
             now, last = monotonic(), self._last_typed
-            self._last_typed = now
             if isinstance(self.screen, Unasked) and not self.screen.hears(last, now):
+                self._not_heard(event, now)
                 return
+            self._last_typed = now
             is_first = self._keys_worker is None or self._keys_worker.is_finished
             if not is_first or self._is_turning or self._waiting:
                 self._waiting.append(event)
@@ -120,9 +129,34 @@ class InOrder(Failing, inherit_bindings=False):
                 self._keep_order(self._key_path())
         await super().on_event(event)
 
+    def _not_heard(self, event: events.Event, now: float) -> None:
+        """Keep a text for what a screen covers that came by itself; a key is lost.
+
+        A letter may be for either: an answer that comes too soon is not to be put into a program.
+        Nobody types Esc on and on: it does not make the screen deaf for longer.
+        """
+        if not isinstance(event, events.Key):
+            self._kept.append(event)
+        elif event.key == "escape":
+            return
+        self._last_typed = now
+
+    def pop_screen(self) -> AwaitComplete:
+        """Go back to the screen below, and let in what was kept for it."""
+        popped = super().pop_screen()
+        if self._kept and not isinstance(self.screen, Unasked):
+            self._waiting.extend(self._kept)
+            self._kept.clear()
+            if self._keys_worker is None or self._keys_worker.is_finished:
+                self._keep_order(self._key_path())
+        return popped
+
     def _taken_as(self, burst: Burst) -> Sequence[events.Event]:
-        """Return what a text that came as keys is for what has the focus: a paste, or keys."""
-        if getattr(self.focused, "takes_bursts", False):
+        """Return what a text that came as keys is for what has the focus: a paste, or keys.
+
+        A question takes it for a paste whatever has the focus: no letter of it is an answer.
+        """
+        if any(getattr(each, "takes_bursts", False) for each in (self.focused, self.screen)):
             return [events.Paste(burst.text)]
         return burst.keys
 
@@ -146,14 +180,15 @@ class InOrder(Failing, inherit_bindings=False):
         screen = self.screen
         if screen.is_modal:
             return not (event.is_printable and isinstance(self.focused, Input))
-        if event.is_printable:
+        takes_text = isinstance(self.focused, Input) or getattr(self.focused, "takes_text", False)
+        if event.is_printable and takes_text:
             return False
         bound = screen.active_bindings.get(event.key)
         if bound is None:
             return False
-        return (
-            bound.node is screen or bound.binding.id in _ASKING or isinstance(self.focused, Input)
-        )
+        if event.is_printable or bound.binding.id in OPENING:
+            return bound.binding.id in OPENING
+        return bound.node is screen or bound.binding.id in ASKING or isinstance(self.focused, Input)
 
     def _key_path(self) -> list[DOMNode]:
         """Return what a key goes through that comes now, from the focus up to the app."""
@@ -170,10 +205,14 @@ class InOrder(Failing, inherit_bindings=False):
             await self._until_listening()
             event = self._waiting[0]
             # Who wants to leave need not wait for a page.
+            before = self.screen
             while isinstance(self.screen, Paged) and not self.screen.is_settled:
                 if isinstance(event, events.Key) and event.key == "escape":
                     break
                 await asyncio.sleep(_PAUSE)
+            if self.screen is not before:
+                # It has just come, and nothing in it has the focus yet.
+                await self._settled(self._key_path())
             event = self._waiting.popleft()
             if isinstance(event, Burst):
                 self._waiting.extendleft(reversed(self._taken_as(event)))

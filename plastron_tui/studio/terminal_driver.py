@@ -13,7 +13,7 @@ from textual.message import Message
 
 from .key_bursts import Bursts, Kind
 from .terminal_output import ShownScreen
-from .textual_private import linux_driver, parse_input_with
+from .textual_private import linux_driver, output_of, parse_input_with
 
 if TYPE_CHECKING:
     from textual._xterm_parser import XTermParser
@@ -50,15 +50,17 @@ def for_terminal(driver: type[Driver], shown: ShownScreen) -> type[Driver]:
 
         def write(self, data: str) -> None:
             """Write what is not shown yet."""
-            changes = shown.changes(data, _size(self._file))
+            changes = shown.changes(data, _size(output_of(self)))
             if changes:
                 super().write(changes)
 
     return StudioDriver
 
 
-def _size(file: IO[str]) -> tuple[int, int] | None:
+def _size(file: IO[str] | None) -> tuple[int, int] | None:
     """Return the columns and rows of a terminal; None if it is none."""
+    if file is None:
+        return None
     try:
         size = os.get_terminal_size(file.fileno())
     except (OSError, ValueError):

@@ -10,16 +10,10 @@ from __future__ import annotations
 from string import ascii_lowercase, digits
 from typing import NamedTuple
 
+from .key_table import name_of_sign
 from .textual_private import known_sequences
 
-_NAMES = {
-    "-": "minus",
-    "=": "equals_sign",
-    "+": "plus",
-    "?": "question_mark",
-    "\r": "enter",
-    "\x7f": "backspace",
-}
+_NAMES = {"\r": "enter", "\x7f": "backspace", **{sign: name_of_sign(sign) for sign in "-=+?"}}
 # Some terminals send these for Control and an arrow, and Textual knows that.
 _TAKEN = "bf"
 _CHORDS = {

@@ -6,7 +6,7 @@ A version of Textual that has it no longer takes away what is said here, and not
 from __future__ import annotations
 
 from collections.abc import Callable, MutableMapping
-from typing import TYPE_CHECKING, Any, cast
+from typing import IO, TYPE_CHECKING, Any, cast
 
 from textual.app import App
 from textual.driver import Driver
@@ -43,6 +43,15 @@ def linux_driver() -> type[Driver] | None:
     return LinuxDriver
 
 
+def output_of(driver: Driver) -> IO[str] | None:
+    """Return where a driver for terminals writes; None if unknown.
+
+    Without it all that a widget draws goes to the terminal, whatever is there already.
+    """
+    file = getattr(driver, "_file", None)
+    return cast("IO[str]", file) if callable(getattr(file, "fileno", None)) else None
+
+
 def parse_input_with(parser_of: Callable[[type[XTermParser]], type[XTermParser]]) -> None:
     """Let Textual's driver take what a terminal sends apart with another parser.
 
@@ -53,14 +62,28 @@ def parse_input_with(parser_of: Callable[[type[XTermParser]], type[XTermParser]]
         from textual.drivers import linux_driver
     except ImportError:
         return
-    if getattr(linux_driver, "XTermParser", None) is not None:
-        linux_driver.XTermParser = parser_of(XTermParser)  # type: ignore[attr-defined]
+    if getattr(linux_driver, "XTermParser", None) is None:
+        return
+    parser = parser_of(XTermParser)
+    if _takes_keys(parser):
+        linux_driver.XTermParser = parser  # type: ignore[attr-defined]
+
+
+def _takes_keys(parser: type[XTermParser]) -> bool:
+    """Tell whether a parser that is made and fed as it is now returns a key for a letter."""
+    try:
+        made = parser(False)
+        keys = [getattr(each, "key", None) for each in made.feed("a")]
+        list(made.feed(""))
+    except Exception:
+        return False
+    return keys == ["a"]
 
 
 def hear_messages(hear: Callable[[Message], None]) -> None:
     """Let a function hear of each message before it is handled, in this task and those it starts.
 
-    Without it a key that follows at once may come before all is said of the one before it.
+    Without it a key may be handled before the messages that the key before it led to.
     """
     try:
         from textual._context import message_hook

@@ -13,12 +13,12 @@ from textual.widgets import Label
 from plastron_tui.model.kinds import EndpointKind
 from plastron_tui.output.writer import write
 from plastron_tui.session import Options, Session
-from plastron_tui.studio.code_places import Found, find_code
+from plastron_tui.studio.code_places import Found, Place, find_code
 from plastron_tui.studio.editor.external_editor import command_at
 from plastron_tui.studio.panels.code_lines import CodeLines
 from plastron_tui.studio.panels.code_text import marked
 from plastron_tui.studio.panels.entry import Entry, Subject
-from plastron_tui.studio.screens.code_view import line_again
+from plastron_tui.studio.screens.code_view import CodeView, line_again
 
 ROBOT = """\
 create_robot 'cart' as cart
@@ -150,7 +150,7 @@ CODE = {
               "a:keyword b:name 'c':string <!-- d -->:quiet a:keyword"),
     "a.yaml": (b"# c\na: 1\n", 2, "# c:quiet"),
     "CMakeLists.txt": (b"# c\nfoo(bar)\n", 2, "# c:quiet"),
-    "a.bin": (b"\xff\x00\r\n\n", 2, ""),
+    "a.bin": (b"\xff\r\n\n", 2, ""),
     "b.py": (b"", 1, ""),
 }  # fmt: skip
 
@@ -165,6 +165,21 @@ def test_code_is_coloured_and_nothing_of_it_is_lost(name: str) -> None:
     shown = ["".join(piece.text for piece in line) for line in code]
     expected = text.decode("utf-8", "replace").replace("\r\n", "\n").split("\n")[:count]
     assert shown == [line.expandtabs(4) for line in expected]
+
+
+@pytest.mark.parametrize("name", ["a.py", "a.yaml", "a.bin"])
+def test_code_cannot_look_like_other_code(name: str) -> None:
+    line = "a = 'x\u202e\u2066' # \u200b\x1b[31m\tb"
+    (shown,) = CodeLines(line.encode(), Path(name))
+    assert "".join(piece.text for piece in shown).split() == [
+        "a", "=", r"'x\u202e\u2066'", "#", r"\u200b\x1b[31m", "b",
+    ]  # fmt: skip
+
+
+def test_a_name_that_no_file_has_is_said() -> None:
+    view = CodeView([Place(Path("a\0b"), 1, "node a")])
+    assert len(view._read()) == 1
+    assert view._problem.startswith("cannot be read: ")
 
 
 def test_of_a_large_file_only_what_is_in_sight_is_parsed(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -11,6 +11,7 @@ from plastron_tui.studio.key_bursts import Bursts, Kind, Part
 LINE = "node1 publish message1 to 'chatter' of message_type String\r"
 LINES = LINE * 2
 PAGE = LINE * 5
+MOUSE = "\x1b[<35;10;10M"
 
 
 def told(*reads: tuple[float, str]) -> list[Part]:
@@ -53,6 +54,17 @@ def paste(text: str) -> Part:
         # An answer is long, and then Enter.
         ([(0, "x" * 80 + "\r")], [burst("x" * 80), key("\r")]),
         ([(0, LINES + "\x13" + "b")], [burst(LINES), key("\x13"), burst("b")]),
+        # A mouse that moves, or a window that gets the focus, is no end of it.
+        (
+            [(0, LINES + MOUSE + LINE + "\x1b[I"), (0.02, MOUSE + "end")],
+            [burst(LINES), key(MOUSE), burst(LINE), key("\x1b[I"), key(MOUSE), burst("end")],
+        ),
+        ([(0, MOUSE), (0.01, PAGE)], [key(MOUSE), paste(PAGE)]),
+        ([(0, "a" + MOUSE + "b\x1bOP\x1bx\x1b")], [key("a" + MOUSE + "b\x1bOP\x1bx\x1b")]),
+        ([(0, MOUSE[:5]), (0.01, MOUSE[5:] + LINES)], [key(MOUSE[:5]), key(MOUSE[5:] + LINES)]),
+        # What a terminal answers is a string, however long.
+        ([(0, "\x1bP>|" + "x" * 80)], [key("\x1bP>|" + "x" * 80)]),
+        ([(0, "\x1b]11;"), (0.01, "y" * 80)], [key("\x1b]11;"), key("y" * 80)]),
         # With brackets it is Textual's, wherever it is torn apart.
         ([(0, "\x1b[200~"), (0.2, LINES)], [key("\x1b[200~"), key(LINES)]),
         ([(0, "\x1b[20"), (0.05, "0~a"), (3, LINES)], [key("\x1b[20"), key("0~a"), key(LINES)]),
@@ -65,7 +77,11 @@ def test_keys_and_bursts_are_told_apart(reads: list[tuple[float, str]], parts: l
 
 
 @settings(max_examples=40, deadline=None)
-@given(st.lists(st.sampled_from(["a", "\x13", "\n", "\r", "\x1b[A", LINE, LINES])))
+@given(
+    st.lists(
+        st.sampled_from(["a", "\x13", "\n", "\r", "\x1b[A", LINE, LINES, MOUSE + LINES, "\x1b"])
+    )
+)
 def test_no_character_is_lost(reads: list[str]) -> None:
     # Each is read a second after the one before it.
     parts = told(*enumerate(reads))

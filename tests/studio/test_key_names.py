@@ -36,7 +36,8 @@ def test_several_keys_are_read_and_what_is_none_has_a_hint() -> None:
     assert read_keys(["F5, alt+r", "ctrl+,"]).keys == ("f5", "alt+r", "ctrl+comma")
     assert read_keys(["ctrl+,,f5"]).keys == ("ctrl+comma", "f5")
     assert read_keys(["ctrl++,f5"]).keys == ("ctrl+plus", "f5")
-    assert read_keys(["ctrl+/"]).keys == ("ctrl+underscore", "ctrl+slash")
+    assert read_keys(["ctrl+/"]).keys == ("ctrl+slash", "ctrl+underscore")
+    assert read_keys(["ctrl+@"]).keys == ("ctrl+space", "ctrl+@")
     assert read_keys(["escap,f5"]) == (("f5",), ("no key `escap`; did you mean `escape`?",))
 
 

@@ -10,11 +10,13 @@ from typing import Any
 
 import pytest
 from studio_driver import PROGRAM, Driver, studio
+from textual import events
 from textual.widgets import Label
 
 from plastron_tui.runtime import monitor
 from plastron_tui.runtime.monitor import MonitorCommand
 from plastron_tui.studio import running
+from plastron_tui.studio.panels.key_bar import KeyBar
 from plastron_tui.studio.panels.live_panel import LivePanel, Watching
 
 STAND_IN = Path(__file__).with_name("monitor_stand_in.py")
@@ -87,10 +89,15 @@ async def test_what_travels_is_shown_and_nodes_are_spoken_to(program: Path, orde
         await driver.press("right")
         await wait_shown(driver, "linear.x")
         assert asked(orders, "watch")[-1]["full"] == ["/chatter"]
-        # A message: what does not fit is said, and not sent.
-        await driver.pilot.press("p")
+        # A message, from a field of the topic: what does not fit is said, and not sent. Keys that
+        # come before the form is there are for it.
+        await driver.press("down", "down")
+        footer = driver.main.query_one(KeyBar)
+        assert footer.text.startswith("Enter Open  p Publish") and "Quit" in footer.text
+        for key in ("p", *"fast"):
+            driver.app.post_message(events.Key(key, key))
         form = await driver.dialog("LiveForm")
-        await driver.type("fast")
+        await driver.until(lambda: "fast" in form.given.values())
         await driver.pilot.press("enter")
         await driver.pilot.pause()
         assert "takes a number" in str(form.query_one("#wizard-help", Label).content)
@@ -111,6 +118,7 @@ async def test_what_travels_is_shown_and_nodes_are_spoken_to(program: Path, orde
         await driver.press("end", "right")
         await wait_shown(driver, "speed")
         await driver.press("down")
+        assert "s Set" in footer.text and "Watch again" not in footer.text
         await driver.pilot.press("enter")
         await driver.dialog("LiveForm")
         await driver.pilot.press(*"0.75", "enter")
@@ -139,6 +147,7 @@ async def test_what_travels_is_shown_and_nodes_are_spoken_to(program: Path, orde
         await driver.press("end")
         await wait_shown(driver, "press R to watch again")
         assert driver.main.runner.is_running
+        assert "r Watch again" in footer.text and "Enter" not in footer.text
         await driver.press("r", "home")
         await driver.until(lambda: "ended" not in "".join(live(driver).lines))
         # Nodes that have ended are marked.

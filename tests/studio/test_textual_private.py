@@ -5,6 +5,7 @@ from __future__ import annotations
 import gc
 import sys
 import weakref
+from collections.abc import Iterator
 from contextvars import ContextVar
 
 import pytest
@@ -13,8 +14,10 @@ from textual._context import message_hook
 from textual._styles_cache import StylesCache
 from textual._xterm_parser import XTermParser
 from textual.app import App
+from textual.driver import Driver
 from textual.drivers import linux_driver as textual_driver
 from textual.drivers.linux_driver import LinuxDriver
+from textual.message import Message
 from textual.worker import WorkerFailed
 
 from plastron_tui.studio.app import StudioApp
@@ -28,11 +31,12 @@ from plastron_tui.studio.textual_private import (
     known_sequences,
     linux_driver,
     notes_in_sight,
+    output_of,
     parse_input_with,
 )
 
 
-def test_this_version_of_textual_has_it() -> None:
+async def test_this_version_of_textual_has_it() -> None:
     known = known_sequences()
     assert known is not None
     assert "\x1bOP" in known
@@ -41,6 +45,7 @@ def test_this_version_of_textual_has_it() -> None:
     assert callable(StylesCache.get_inner_outer.cache_clear)
     assert isinstance(message_hook, ContextVar)
     assert linux_driver() is LinuxDriver
+    assert output_of(LinuxDriver(App[None]())) is sys.__stderr__
     assert callable(App._unnotify)
     assert notes_in_sight(App[None]()) == []
     assert issubclass(vars(textual_driver)["XTermParser"], XTermParser)
@@ -68,6 +73,36 @@ def test_without_the_driver_all_is_written(module: object, monkeypatch: pytest.M
     parse_input_with(lambda parser: parser)
     assert linux_driver() is None
     assert for_terminal(LinuxDriver, ShownScreen()) is LinuxDriver
+
+
+async def test_without_a_driver_s_file_all_is_written() -> None:
+    class Nowhere(Driver):
+        write = start_application_mode = disable_input = stop_application_mode = print
+
+    driver = Nowhere(App[None]())
+    assert output_of(driver) is None
+    driver._file = object()  # type: ignore[attr-defined]
+    assert output_of(driver) is None
+
+
+class _OtherArguments(XTermParser):
+    def __init__(self) -> None:
+        super().__init__()
+
+
+class _OtherEvents(XTermParser):
+    def feed(self, data: str) -> Iterator[Message]:
+        yield from ()
+
+
+@pytest.mark.parametrize("other", [_OtherArguments, _OtherEvents, XTermParser])
+def test_a_parser_that_lets_no_key_through_is_left_out(
+    other: type[XTermParser], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(textual_driver, "XTermParser", LinuxDriver)
+    parse_input_with(lambda _: other)
+    is_taken = vars(textual_driver)["XTermParser"] is other
+    assert is_taken == (other is XTermParser)
 
 
 def test_without_the_list_of_notes_they_go_with_time() -> None:

@@ -9,7 +9,7 @@ from __future__ import annotations
 import contextlib
 import threading
 import time
-from collections.abc import Callable, Iterable
+from collections.abc import Callable
 from typing import Any
 
 import rosgraph
@@ -22,6 +22,7 @@ from monitor_services import ServiceTypes, within
 from monitor_subscriptions import NotInstalledError, Subscriptions
 from monitor_topics import WatchedTopic
 from plastron_text import line_of
+from ros1_parameters import rows_of
 from watch import is_shown
 
 _TURN = 0.25
@@ -31,7 +32,6 @@ _MATCHING = 1.5
 _NAME = "plastron_monitor"
 _HIDDEN_NODES = ("/rosout", "/plastron_monitor_", "/plastron_watch_")
 _HIDDEN_SERVICES = ("/get_loggers", "/set_logger_level")
-_TYPES: dict[type, str] = {bool: "bool", int: "int", float: "float", str: "string"}
 _TIMEOUT = 5.0
 _ANSWER = 10.0
 
@@ -189,25 +189,10 @@ class _Monitor:
             found = tree
             for part in node.strip("/").split("/"):
                 found = found.get(part, {}) if isinstance(found, dict) else {}
-            rows = list(_rows(found, "")) if isinstance(found, dict) else []
+            rows = list(rows_of(found)) if isinstance(found, dict) else []
             if self._told.get(node) != rows:
                 self._told[node] = rows
                 send(tell="parameters", node=node, rows=rows)
-
-
-def _rows(tree: dict[str, Any], around: str) -> Iterable[dict[str, Any]]:
-    """Yield the parameters of a node as the master keeps them."""
-    for name, value in sorted(tree.items()):
-        path = f"{around}/{name}" if around else name
-        if isinstance(value, dict):
-            yield from _rows(value, path)
-            continue
-        first = value[0] if isinstance(value, list) and value else value
-        kind = _TYPES.get(type(first), "") + ("_list" if isinstance(value, list) else "")
-        yield {
-            "name": path, "value": value if _TYPES.get(type(first)) else str(value),
-            "type": kind, "range": None, "about": "", "is_read_only": False,
-        }  # fmt: skip
 
 
 def _service_type(name: str) -> str:

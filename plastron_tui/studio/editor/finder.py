@@ -90,6 +90,15 @@ class Finder:
         self._view.painter.matches = None
         self._view.refresh()
 
+    def forget(self) -> None:
+        """Forget what was found, and what was to be done then: another text is shown."""
+        self._then = None
+        self._searched = b""
+        self.search.take(Found())
+        if self.is_searching:
+            self.is_searching = False
+            self.say("")
+
     def _when_found(self, then: Callable[[], None]) -> None:
         """Do something once it is known what the text as it is has of the search."""
         if self._searched is not self._state.buffer.text:

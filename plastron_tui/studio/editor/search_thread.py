@@ -38,6 +38,7 @@ class SearchThread:
         self._post = post
         self._lock = threading.Lock()
         self._next: _Job | None = None
+        self._newest: _Job | None = None
         self._is_running = False
 
     def run(self, search: Search, text: bytes, done: Callable[[Found], None]) -> None:
@@ -47,7 +48,7 @@ class SearchThread:
         """
         job = _Job(search, text, done)
         with self._lock:
-            self._next = job
+            self._next = self._newest = job
             is_running, self._is_running = self._is_running, True
         if not is_running:
             threading.Thread(target=self._work, name="search", daemon=True).start()
@@ -65,10 +66,21 @@ class SearchThread:
                 if job is None:
                     self._is_running = False
                     return
-            found = job.search.find(job.text, lambda: self._next is not None)
+            found = self._found(job)
             with self._lock:
                 job.found = found
                 is_late = job.is_late
             job.finished.set()
             if is_late:
-                self._post(lambda job=job, found=found: job.done(found))  # type: ignore[misc]
+                self._post(lambda job=job, found=found: self._tell(job, found))  # type: ignore[misc]
+
+    def _found(self, job: _Job) -> Found:
+        """Search, and say what went wrong: an error would end the thread, and all searches."""
+        try:
+            return job.search.find(job.text, lambda: self._next is not None)
+        except Exception as error:
+            return Found(problem=f"that cannot be searched for: {error}")
+
+    def _tell(self, job: _Job, found: Found) -> None:
+        if job is self._newest:
+            job.done(found)

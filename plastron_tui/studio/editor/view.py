@@ -37,6 +37,7 @@ class EditorView(ScrollView, can_focus=True, inherit_bindings=False):
 
     takes_bursts = True
     """A text that comes as keys, many at once, is put in as one: a terminal has pasted it."""
+    takes_text = True
 
     soft_wrap: reactive[bool] = reactive(False)
     line_numbers: reactive[bool] = reactive(True)
@@ -106,8 +107,9 @@ class EditorView(ScrollView, can_focus=True, inherit_bindings=False):
 
     @property
     def text_width(self) -> int:
-        """The cells that are there for text."""
-        return max(1, self.scrollable_content_region.width - self.gutter_width)
+        """The cells that are there for text; before there is a size, as many as most have."""
+        width = self.scrollable_content_region.width
+        return max(1, width - self.gutter_width) if width else self.geometry.width
 
     @property
     def _left(self) -> int:

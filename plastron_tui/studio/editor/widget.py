@@ -271,6 +271,7 @@ class ProgramEditor(Vertical):
 
     def set_session(self, session: Session, before: EditingState | None = None) -> None:
         """Edit the text of another session: with a history of its own, or as it was `before`."""
+        self.finder.forget()
         self.state.open(session, before)
         self.view.show_anew((0, 0) if before is None else before.scroll)
         self.completer.vocabulary = None

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from bisect import bisect_right
 from collections.abc import Iterator, Sequence
 from functools import cache
@@ -9,6 +10,7 @@ from importlib import import_module
 from pathlib import Path
 from typing import TYPE_CHECKING, overload
 
+from plastron_tui.diagnostics.terminal import visible
 from plastron_tui.targets import language_of
 
 from .source_lines import LONGEST, coloured, lexer_of
@@ -58,6 +60,8 @@ _WHOLE = {
 
 _DEFINES = frozenset({"function_definition", "class_definition", "function_declarator"})
 """What a name is coloured in, since it defines that."""
+
+_SIGNS = re.compile(r"[^\t\n]+")
 
 _ELEMENTS = frozenset({"STag", "ETag", "EmptyElemTag"})
 
@@ -121,6 +125,14 @@ def _toned(tree: Tree, start: int, end: int) -> Iterator[tuple[int, int, str]]:
             parents.pop()
 
 
+def _visible(text: str) -> str:
+    """Return a text with what nobody would see escaped, tabs and ends of lines left out.
+
+    Code can be written to look like other code, with signs that turn the direction of a line.
+    """
+    return _SIGNS.sub(lambda found: visible(found.group()), text)
+
+
 class CodeLines(Sequence[Line]):
     """The lines of a text as `Line`s: each is made when it is asked for, with those around it."""
 
@@ -147,7 +159,7 @@ class CodeLines(Sequence[Line]):
             self._tree = self._parsed(0, len(text)) if len(text) <= _LARGE else None
         elif lexer_of(path) and len(self.starts) <= LONGEST and len(text) <= _LARGE:
             shown = text.decode("utf-8", "replace").replace("\r\n", "\n")
-            self._made = dict(enumerate(coloured(shown, path)))
+            self._made = dict(enumerate(coloured(_visible(shown), path)))
 
     def _rows(self) -> range:
         return range(len(self.starts))
@@ -223,7 +235,7 @@ class CodeLines(Sequence[Line]):
         def add(start: int, end: int, tone: str) -> None:
             nonlocal column
             if start < end:
-                words = self.text[start:end].decode("utf-8", "replace")
+                words = _visible(self.text[start:end].decode("utf-8", "replace"))
                 shown = (" " * (column % 4) + words).expandtabs(4)[column % 4 :]
                 column += len(shown)
                 pieces.append(Piece(shown, tone))

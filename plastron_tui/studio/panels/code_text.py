@@ -29,10 +29,12 @@ class CodeText(TextView):
         self.code = code
         self.line = line
         self._wanted = b""
+        self._small = code.text.lower()
 
     def show_code(self, code: CodeLines, line: int) -> None:
         """Show another text, a line of it in sight."""
         self.code = code
+        self._small = code.text.lower()
         self._fit()
         self.go_to(line)
 
@@ -63,7 +65,7 @@ class CodeText(TextView):
         self.refresh()
 
     def mark(self, wanted: str) -> None:
-        """Mark what is looked for; capitals and small letters are the same, of A to Z."""
+        """Mark what is looked for; capitals and small letters are the same, of A to Z alone."""
         self._wanted = wanted.encode().lower()
         self.refresh()
 
@@ -72,8 +74,7 @@ class CodeText(TextView):
 
         From the last one it goes on at the first. `here` is whether the line at hand counts.
         """
-        lower = self.code.text.lower()
-        starts, wanted = self.code.starts, self._wanted
+        lower, starts, wanted = self._small, self.code.starts, self._wanted
         if not wanted or wanted not in lower:
             return False
         if by > 0:
@@ -90,7 +91,7 @@ class CodeText(TextView):
     @property
     def count(self) -> int:
         """How often the text has what is looked for."""
-        return self.code.text.lower().count(self._wanted) if self._wanted else 0
+        return self._small.count(self._wanted) if self._wanted else 0
 
     def render_line(self, y: int) -> Strip:
         """Draw a line."""

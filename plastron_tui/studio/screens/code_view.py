@@ -128,7 +128,7 @@ class CodeView(Dialog[None]):
         self._stamp = stamp_of(place.path)
         try:
             return CodeLines(read_regular(place.path, LARGEST), place.path)
-        except OSError as error:
+        except (OSError, ValueError) as error:
             self._problem = f"cannot be read: {reason(error)}"
             return CodeLines(b"", place.path)
 
@@ -188,8 +188,6 @@ class CodeView(Dialog[None]):
 
     def _warn(self, text: str) -> None:
         self.app.notify(text, severity="warning", markup=False)
-
-    # Finding.
 
     def action_find(self) -> None:
         """Ask what to find."""

@@ -12,8 +12,11 @@ from plastron_tui.session import Session
 from ..panels.live_rows import Kind, LiveRow
 from .live_form import LiveForm
 from .parameter_kinds import parameter_entry
-from .sent_values import Wrong, sent_setting, sent_values, setting_text
+from .sent_values import Wrong, sent_setting, sent_values, shown_setting
 from .values import Path, entries_of
+
+_LONGEST = 20_000
+"""Characters of a value that a field takes without keeping keys waiting."""
 
 
 class LiveOrder(NamedTuple):
@@ -75,21 +78,16 @@ def _setting(row: LiveRow) -> LiveOrder | str:
     entry = parameter_entry(parameter.name, type_)
 
     value = parameter.value
-    text = setting_text(value)
-    # What cannot be seen cannot be edited either.
-    shown = text if text.isprintable() else ""
+    shown = "" if value is None else shown_setting(value)
+    if len(shown) > _LONGEST:
+        return f"its value is too long to be changed here: {len(shown):,} characters"
+    given = {entry.path: shown}
 
     def check(entered: Mapping[Path, str]) -> Any:
-        now = entered.get(entry.path, "")
-        if now == shown:
-            # As it is: some values cannot be written in a line.
-            return list(value) if isinstance(value, tuple) else value
-        return sent_setting(entry, type_, now, row.ros_version)
+        return sent_setting(entry, type_, entered.get(entry.path, ""), row.ros_version)
 
-    given = {entry.path: shown}
-    hidden = "" if shown == text else "it has several lines, which stay unless you write another"
     limits = "" if parameter.range is None else "from {:g} to {:g}".format(*parameter.range)
-    about = ". ".join(filter(None, (parameter.about, limits, hidden)))
+    about = ". ".join(filter(None, (parameter.about, limits)))
     dialog = LiveForm(f"set {parameter.name} of {row.owner}", "Set", [entry], check,
                       given, about)  # fmt: skip
     order = {"do": "set", "node": row.owner, "name": parameter.name, "type": type_.value}

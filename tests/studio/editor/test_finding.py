@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import queue
 import threading
 from collections.abc import Callable
 
@@ -9,7 +10,54 @@ import pytest
 from editor_host import PROGRAM, editing
 from textual.widgets import Input, Label
 
+from plastron_tui.session import Session
 from plastron_tui.studio.editor.search import Found, Search
+from plastron_tui.studio.editor.search_thread import SearchThread
+
+
+class _Scripted(Search):
+    """A search that does what a test wants."""
+
+    def __init__(self, does: Callable[[], Found]) -> None:
+        super().__init__()
+        self._does = does
+
+    def find(self, text: bytes, is_stale: Callable[[], bool] = lambda: False) -> Found:
+        return self._does()
+
+
+class TestSearchThread:
+    def test_an_error_is_said_and_the_next_search_runs(self) -> None:
+        posted = queue.SimpleQueue[Callable[[], object]]()
+        thread = SearchThread(posted.put)
+        said: list[str] = []
+
+        def fail() -> Found:
+            raise RuntimeError("no room")
+
+        for does in (fail, lambda: Found(problem="next")):
+            before = len(said)
+            thread.run(_Scripted(does), b"", lambda found: said.append(found.problem))
+            while len(said) == before:
+                posted.get(timeout=60)()
+        assert said == ["that cannot be searched for: no room", "next"]
+
+    def test_of_a_search_that_another_one_followed_nothing_is_told(self) -> None:
+        posted = queue.SimpleQueue[Callable[[], object]]()
+        thread = SearchThread(posted.put)
+        goes_on = threading.Event()
+        told: list[str] = []
+
+        def wait() -> Found:
+            assert goes_on.wait(60)
+            return Found()
+
+        thread.run(_Scripted(wait), b"", lambda _: told.append("first"))
+        thread.run(_Scripted(wait), b"", lambda _: told.append("second"))
+        goes_on.set()
+        while "second" not in told:
+            posted.get(timeout=60)()
+        assert told == ["second"]
 
 
 class TestFinding:
@@ -111,6 +159,31 @@ class TestFinding:
             await at.press("backspace", "z", "escape", "x")
             assert b"x" in at.editor.text
             goes_on.set()
+
+    async def test_what_was_asked_of_one_text_is_not_done_to_another(
+        self, monkeypatch: pytest.MonkeyPatch
+    ) -> None:
+        goes_on, ended = threading.Event(), threading.Event()
+        find = Search.find
+
+        def slow(self: Search, text: bytes, *is_stale: Callable[[], bool]) -> Found:
+            if self.is_regex and text.startswith(b"ab"):
+                assert goes_on.wait(60)
+                ended.set()
+            return find(self, text, *is_stale)
+
+        monkeypatch.setattr(Search, "find", slow)
+        async with editing("ab b\n") as at:
+            await at.press("ctrl+r", "b", "tab", "z", "alt+r", "alt+a")
+            assert at.editor.finder.is_searching
+            at.editor.set_session(Session(b"xx b\n", environ={}))
+            goes_on.set()
+            assert ended.wait(60)
+            await at.pilot.pause()
+            assert (at.editor.text, at.editor.cursor_offset) == (b"xx b\n", 0)
+            assert not at.editor.finder.is_searching
+            await at.press("alt+a")
+            await at.until(lambda: at.editor.text == b"xx z\n")
 
     @pytest.mark.parametrize("wraps", [False, True])
     async def test_of_a_long_line_only_the_matches_in_sight_are_drawn(self, wraps: bool) -> None:

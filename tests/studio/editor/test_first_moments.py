@@ -6,6 +6,7 @@ import pytest
 from editor_host import editing
 from idle_loop import until
 from textual.app import App, ComposeResult
+from textual.strip import Strip
 
 from plastron_tui.session import Session
 from plastron_tui.studio.editor import ProgramEditor
@@ -24,6 +25,25 @@ class _App(App[None]):
 
     def on_mount(self) -> None:
         self.editor.call_later(self.editor.action_edit, self.action)
+
+
+async def test_the_first_frame_has_whole_lines() -> None:
+    app = _App("find")
+    view = app.editor.view
+    drawn: list[str] = []
+    draw = view.render_line
+
+    def render_line(y: int) -> Strip:
+        strip = draw(y)
+        drawn.append(strip.text)
+        return strip
+
+    view.soft_wrap = True
+    view.render_line = render_line  # type: ignore[method-assign]
+    async with app.run_test() as pilot:
+        await until(pilot, lambda: drawn)
+    assert "n stop_service 'a'" in drawn[0]
+    assert not any("↪" in line for line in drawn)
 
 
 @pytest.mark.parametrize("action", ["find", "replace", "go_to_line", "rename"])
