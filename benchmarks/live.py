@@ -26,7 +26,7 @@ from textual.strip import Strip
 
 from plastron_tui.runtime.environment import Environment, find_environments
 from plastron_tui.runtime.environment import node_environ as environ_of
-from plastron_tui.runtime.monitor import MonitorCommand, monitor_command
+from plastron_tui.runtime.monitor import MonitorCommand, monitor_commands
 from plastron_tui.studio.app import StudioApp
 from plastron_tui.studio.main.live_actions import LiveActions
 from plastron_tui.studio.panels.live_panel import LivePanel
@@ -50,7 +50,7 @@ def _many_topics(environment: Environment) -> Iterator[MonitorCommand]:
     script = Path(__file__).with_name("live_nodes.py")
     node = subprocess.Popen([environment.python, script], env=environ)
     try:
-        yield monitor_command(environment, environ)
+        yield monitor_commands([(environment, ())], lambda _: environ)[0]
     finally:
         node.terminate()
         node.wait(20)
@@ -64,7 +64,7 @@ async def _studio(command: MonitorCommand, folder: Path) -> AsyncIterator[_Watch
     app = StudioApp(path)
     async with app.run_test(size=_SIZE) as pilot:
         watched = _Watched(pilot, app)
-        watched.actions.start([command])
+        watched.actions.start(app.main.program.tab, [command])
         app.main.dock_layout.bring("live")
         app.main.editor.focus()
         await watched.until_known()

@@ -48,6 +48,7 @@ def walk(tree: Tree) -> None:
     cursor = tree.walk()
     cursor.goto_first_child()
     cursor.goto_parent()
+    assert cursor.goto_first_child_for_byte(3) is not None
     while cursor.goto_next_sibling():
         assert cursor.node is not None
         assert cursor.field_name is None
@@ -63,6 +64,7 @@ CALLS: dict[str, Callable[[Tree], object]] = {
     "parse": lambda tree: PARSER.parse(TEXT),
     "walk": walk,
     "goto_first_child": walk,
+    "goto_first_child_for_byte": walk,
     "goto_next_sibling": walk,
     "goto_parent": walk,
     "reset": walk,

@@ -116,6 +116,10 @@ class Guard:
         """
         self._write(f"+{os.getpid()}\n")
 
+    def note(self, group: int) -> None:
+        """Note a group that the calling process has started."""
+        self._write(f"+{group}\n")
+
     def forget(self, group: int | None = None) -> None:
         """Take a group off, or the last one that was noted."""
         self._write(f"-{'' if group is None else group}\n")

@@ -18,7 +18,7 @@ from .console import Console
 from .environment import Environment, node_environ, with_folders
 from .long_arguments import ArgumentFiles
 from .master import Master, ensure_master
-from .monitor import announcement, monitor_command
+from .monitor import announcement, monitor_commands
 from .supervisor import Supervisor
 from .table import Screen, Ticker, Watch
 
@@ -323,12 +323,11 @@ class _Run:
         """Say what starts a monitor of the nodes, for each ROS that they run with."""
         if self._options.announce is None:
             return
-        environs: dict[Environment, dict[str, str]] = {}
-        for node in self._nodes:
-            environ = environs.get(node.environment) or self._node_environ(node.environment, master)
-            # Types of the program's own are in there.
-            environs[node.environment] = with_folders(environ, node.folders)
-        commands = [monitor_command(*each) for each in environs.items()]
+        # Types of the program's own are in the folders.
+        commands = monitor_commands(
+            [(node.environment, node.folders) for node in self._nodes],
+            lambda environment: self._node_environ(environment, master),
+        )
         with contextlib.suppress(OSError), os.fdopen(self._options.announce, "w") as pipe:
             pipe.write(announcement(commands))
 

@@ -138,7 +138,7 @@ class LiveGraph:
                     self.problem = str(report["text"])
                 case _:
                     return False
-        except (KeyError, TypeError, ValueError, AttributeError):
+        except (KeyError, TypeError, ValueError, AttributeError, OverflowError):
             return False
         return True
 

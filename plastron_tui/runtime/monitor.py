@@ -2,7 +2,7 @@
 
 It runs with the Python of the nodes' ROS (`observers/monitor_ros1.py`, `observers/monitor_ros2.py`)
 and speaks lines of JSON. What it says is only queued here, in threads of their own, until somebody
-takes it; nothing here waits for it.
+takes it, what is out of date left out; nothing here waits for it.
 """
 
 from __future__ import annotations
@@ -12,22 +12,25 @@ import os
 import subprocess
 import threading
 import time
-from collections import deque
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from contextlib import suppress
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
-from .environment import Environment
+from .child import Guard
+from .environment import Environment, with_folders
+from .monitor_reports import Report, Reports
 
 _OBSERVERS = Path(__file__).with_name("observers")
-_MOST_REPORTS = 2000
-"""So many reports are kept of those that nobody has taken yet; the oldest are dropped."""
 _LONGEST = 1 << 20
 _MOST_UNSENT = 1 << 20
+_LAST_WORDS = 2.0
+"""Seconds for which is waited for what an ended monitor has written of its errors."""
 SILENT = 8.0
 """Seconds without a word, of a monitor that says one every second, after which it hangs."""
+SLOWEST_START = 60.0
+"""Seconds that it may take until its first word: it has a middleware to start."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -45,11 +48,31 @@ class MonitorCommand:
     environ: Mapping[str, str]
 
 
-def monitor_command(environment: Environment, environ: Mapping[str, str]) -> MonitorCommand:
-    """Return what starts the monitor of nodes that run with an environment."""
-    version = environment.ros_version
-    script = _OBSERVERS / f"monitor_ros{version}.py"
-    return MonitorCommand(version, (str(environment.python), str(script)), environ)
+def monitor_commands(
+    used: Iterable[tuple[Environment, Sequence[tuple[str, Path]]]],
+    environ_of: Callable[[Environment], Mapping[str, str]],
+) -> tuple[MonitorCommand, ...]:
+    """Return what starts the monitors of nodes, one for each generation of ROS.
+
+    Nodes of one generation see each other whatever they are found by, and so a monitor of all of
+    them needs the types of all of them.
+
+    Args:
+        used: what each node runs with, and the folders that come first in its variables.
+        environ_of: returns the variables of a node that runs with an environment.
+    """
+    found: dict[int, tuple[Environment, list[tuple[str, Path]]]] = {}
+    for environment, folders in used:
+        first, known = found.get(environment.ros_version, (environment, []))
+        overlays = tuple(dict.fromkeys((*first.overlays, *environment.overlays)))
+        found[environment.ros_version] = replace(first, overlays=overlays), [*known, *folders]
+    commands = []
+    for version, (environment, folders) in found.items():
+        script = _OBSERVERS / f"monitor_ros{version}.py"
+        environ = with_folders(environ_of(environment), folders)
+        command = (str(environment.python), str(script))
+        commands.append(MonitorCommand(version, command, environ))
+    return tuple(commands)
 
 
 def announcement(commands: Iterable[MonitorCommand]) -> str:
@@ -96,38 +119,48 @@ class Monitor:
         self.ros_version = command.ros_version
         self.ended: str | None = None
         self._on_news = on_news
-        self._reports: deque[Mapping[str, Any]] = deque(maxlen=_MOST_REPORTS)
+        self._reports = Reports()
         self._is_told = threading.Event()
         self._heard = time.monotonic()
+        self._has_reported = False
         self._unsent = b""
-        self._said: deque[str] = deque(maxlen=5)
-        self._process = subprocess.Popen(
-            command.command,
-            stdin=subprocess.PIPE,
-            stdout=subprocess.PIPE,
-            stderr=subprocess.PIPE,
-            env=command.environ,
-            start_new_session=True,
-        )
+        self._last_said = ""
+        # It ends with its orders; what hangs, or is stopped, does not.
+        self._guard = Guard()
+        try:
+            self._process = subprocess.Popen(
+                command.command,
+                stdin=subprocess.PIPE,
+                stdout=subprocess.PIPE,
+                stderr=subprocess.PIPE,
+                env=command.environ,
+                start_new_session=True,
+            )
+        except OSError:
+            self._guard.close()
+            raise
+        self._guard.note(self._process.pid)
         assert self._process.stdin is not None
         self._orders = self._process.stdin
         # One that hangs reads nothing, and must not keep who writes to it waiting.
         os.set_blocking(self._orders.fileno(), False)
-        threading.Thread(target=self._read_errors, daemon=True).start()
-        threading.Thread(target=self._read, daemon=True).start()
+        errors = threading.Thread(target=self._read_errors, daemon=True)
+        errors.start()
+        threading.Thread(target=self._read, args=(errors,), daemon=True).start()
 
     @property
     def is_silent(self) -> bool:
-        """Whether it has said nothing for so long that it hangs."""
-        return self.ended is None and time.monotonic() - self._heard > SILENT
+        """Whether it has said nothing for so long that it hangs.
 
-    def take(self) -> list[Mapping[str, Any]]:
-        """Return what it said since this was called last."""
+        It may also be this process that was stopped, and has not read yet: twice in a row means it.
+        """
+        limit = SILENT if self._has_reported else SLOWEST_START
+        return self.ended is None and time.monotonic() - self._heard > limit
+
+    def take(self) -> list[Report]:
+        """Return what it said since this was called last, without what is out of date."""
         self._is_told.clear()
-        found = []
-        with suppress(IndexError):
-            while True:
-                found.append(self._reports.popleft())
+        found = self._reports.take()
         if self._unsent:
             self._write()
         return found
@@ -167,7 +200,7 @@ class Monitor:
             return False
         return True
 
-    def _read(self) -> None:
+    def _read(self, errors: threading.Thread) -> None:
         assert self._process.stdout is not None
         with self._process.stdout as stream:
             for line in iter(lambda: stream.readline(_LONGEST), b""):
@@ -176,10 +209,15 @@ class Monitor:
                 with suppress(ValueError, RecursionError):
                     report = json.loads(line)
                     if isinstance(report, dict):
-                        self._reports.append(report)
-                        self._tell()
+                        self._has_reported = True
+                        if self._reports.add(report):
+                            self._tell()
         status = self._process.wait()
-        self.ended = next(iter(reversed(self._said)), "") or f"it ended with status {status}"
+        self._guard.forget()
+        self._guard.close()
+        # What it said last tells why; a process of its own may hold the pipe open for longer.
+        errors.join(_LAST_WORDS)
+        self.ended = self._last_said or f"it ended with status {status}"
         self._is_told.clear()
         self._tell()
 
@@ -189,7 +227,7 @@ class Monitor:
             for line in iter(lambda: stream.readline(_LONGEST), b""):
                 text = line.decode("utf-8", "replace").strip()
                 if text:
-                    self._said.append(text)
+                    self._last_said = text
 
     def _tell(self) -> None:
         if not self._is_told.is_set():

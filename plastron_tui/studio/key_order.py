@@ -34,8 +34,13 @@ from .textual_private import Failing, hear_messages
 
 _TYPED = (events.Key, events.Paste, Burst)
 
-_ASKING = frozenset(command.id for command in COMMANDS if command.asks)
+ASKING = frozenset(command.id for command in COMMANDS if command.asks)
 """What opens a line in the editor, which the keys that follow are for."""
+OPENING = frozenset({
+    "panel.rename", "panel.code", "live.open", "live.publish", "live.call", "live.set",
+    "output.filter",
+})  # fmt: skip
+"""What opens a dialog or a line from a panel, by the ids of its bindings, letters too."""
 _LONGEST = 5.0
 """Seconds for which the keys after one wait, at most: where messages never stop coming, or somebody
 keeps the others waiting, they are to be had for leaving."""
@@ -147,8 +152,11 @@ class InOrder(Failing, inherit_bindings=False):
         return popped
 
     def _taken_as(self, burst: Burst) -> Sequence[events.Event]:
-        """Return what a text that came as keys is for what has the focus: a paste, or keys."""
-        if getattr(self.focused, "takes_bursts", False):
+        """Return what a text that came as keys is for what has the focus: a paste, or keys.
+
+        A question takes it for a paste whatever has the focus: no letter of it is an answer.
+        """
+        if any(getattr(each, "takes_bursts", False) for each in (self.focused, self.screen)):
             return [events.Paste(burst.text)]
         return burst.keys
 
@@ -172,14 +180,15 @@ class InOrder(Failing, inherit_bindings=False):
         screen = self.screen
         if screen.is_modal:
             return not (event.is_printable and isinstance(self.focused, Input))
-        if event.is_printable:
+        takes_text = isinstance(self.focused, Input) or getattr(self.focused, "takes_text", False)
+        if event.is_printable and takes_text:
             return False
         bound = screen.active_bindings.get(event.key)
         if bound is None:
             return False
-        return (
-            bound.node is screen or bound.binding.id in _ASKING or isinstance(self.focused, Input)
-        )
+        if event.is_printable or bound.binding.id in OPENING:
+            return bound.binding.id in OPENING
+        return bound.node is screen or bound.binding.id in ASKING or isinstance(self.focused, Input)
 
     def _key_path(self) -> list[DOMNode]:
         """Return what a key goes through that comes now, from the focus up to the app."""
@@ -196,10 +205,14 @@ class InOrder(Failing, inherit_bindings=False):
             await self._until_listening()
             event = self._waiting[0]
             # Who wants to leave need not wait for a page.
+            before = self.screen
             while isinstance(self.screen, Paged) and not self.screen.is_settled:
                 if isinstance(event, events.Key) and event.key == "escape":
                     break
                 await asyncio.sleep(_PAUSE)
+            if self.screen is not before:
+                # It has just come, and nothing in it has the focus yet.
+                await self._settled(self._key_path())
             event = self._waiting.popleft()
             if isinstance(event, Burst):
                 self._waiting.extendleft(reversed(self._taken_as(event)))

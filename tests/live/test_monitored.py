@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import subprocess
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
@@ -25,6 +26,18 @@ subscribe robot to 'goal' of message_type Float64
 robot provides_service 'switch' of service_type SetBool
 robot has_parameter 'speed' of parameter_type float with default 0.5
 generate_node robot
+"""
+
+COUNTED = """
+import time, rclpy
+rclpy.init()
+node = rclpy.create_node("counts")
+end = time.monotonic() + 30
+while time.monotonic() < end and not node.count_publishers("/cmd_vel"):
+    time.sleep(0.1)
+while time.monotonic() < end and node.count_publishers("/goal"):
+    time.sleep(0.1)
+print(node.count_publishers("/cmd_vel"), node.count_publishers("/goal"))
 """
 
 
@@ -98,6 +111,11 @@ def test_what_runs_is_seen_and_spoken_to(graph: Graph, tmp_path: Path, watched: 
     said = watched.ask(3, do="set", node="/robot", name="speed", value=0.75, type="float")
     assert not said["is_failure"], said
     watched.until(lambda: known.parameters["/robot"][0].value == 0.75, "the new value")
+    # A node that starts later does not get what was sent before it came.
+    if graph.target == "rclpy":
+        command = [str(graph.python), "-c", COUNTED]
+        found = subprocess.run(command, env=dict(graph.env), capture_output=True, timeout=60)
+        assert found.stdout.split() == [b"1", b"0"], found
     # What cannot be is said.
     said = watched.ask(4, do="publish", name="/goal", type="no_such/Type", values={})
     assert said["is_failure"]

@@ -3,17 +3,30 @@
 from __future__ import annotations
 
 import os
+import signal
+import subprocess
 import sys
 import threading
 from collections.abc import Mapping
+from dataclasses import replace
+from pathlib import Path
 from typing import Any
 
 import pytest
 from machine import wait_until
+from supervised import all_gone
 
 from plastron_tui.runtime import monitor as monitors
+from plastron_tui.runtime.environment import Environment, Origin
 from plastron_tui.runtime.live_graph import MOST_SAMPLES, LiveGraph
-from plastron_tui.runtime.monitor import Monitor, MonitorCommand, announced, announcement
+from plastron_tui.runtime.monitor import (
+    Monitor,
+    MonitorCommand,
+    announced,
+    announcement,
+    monitor_commands,
+)
+from plastron_tui.runtime.monitor_reports import Reports
 
 GRAPH = {
     "tell": "graph",
@@ -73,6 +86,7 @@ def test_parameters_are_those_of_the_last_report() -> None:
     "report",
     [{}, {"tell": "graph"}, {"tell": "graph", "topics": 3, "services": [], "nodes": []},
      {"tell": "topics", "rows": {"/chatter": {"count": "many"}}}, {"tell": "topics", "rows": [1]},
+     {"tell": "topics", "rows": {"/chatter": {"count": float("inf")}}},
      {"tell": "parameters", "node": "/a", "rows": [{}]}, {"tell": "beat"}, {"tell": ["x"]}],
 )  # fmt: skip
 def test_what_is_no_report_changes_nothing(report: Mapping[str, Any]) -> None:
@@ -90,29 +104,93 @@ def test_what_starts_monitors_is_told_in_a_line() -> None:
         assert announced(wrong) == ()
 
 
+def test_nodes_of_one_generation_have_one_monitor_that_knows_the_types_of_all() -> None:
+    plain = Environment(Origin.SOURCED, 2, "kilted", Path("python3"))
+    built = replace(plain, overlays=(Path("/built"),))
+    own = ("AMENT_PREFIX_PATH", Path("/own"))
+    old = Environment(Origin.DEBIAN, 1, "noetic", Path("python3.8"))
+
+    def environ_of(environment: Environment) -> dict[str, str]:
+        return {"OVERLAYS": " ".join(map(str, environment.overlays)), "AMENT_PREFIX_PATH": "/opt"}
+
+    for used in ([(plain, ()), (built, [own])], [(built, [own]), (plain, ())]):
+        (first, second) = monitor_commands([*used, (old, ()), *used], environ_of)
+        assert (first.ros_version, second.ros_version) == (2, 1)
+        assert first.environ == {"OVERLAYS": "/built", "AMENT_PREFIX_PATH": "/own:/opt"}
+        assert second.environ == environ_of(old)
+        assert second.command[0] == "python3.8"
+
+
+def test_what_nobody_takes_is_replaced_and_never_lost() -> None:
+    reports = Reports()
+    assert reports.add({"tell": "graph", "topics": []}) and reports.add(GRAPH)
+    assert reports.add({"tell": "problem", "text": "no network"})
+    answers = [{"tell": "answer", "id": number} for number in range(3)]
+    parameters = [{"tell": "parameters", "node": node, "rows": []} for node in ("/a", "/b", "/a")]
+    for report in (*answers, *parameters):
+        assert reports.add(report)
+    for count in range(5000):
+        reports.add({"tell": "topics", "rows": {"/speed": row(count)}})
+        assert not reports.add({"tell": "beat"})
+    reports.add({"tell": "topics", "rows": {"/chatter": row(1)}})
+    rows = {"/speed": row(4999), "/chatter": row(1)}
+    problem = {"tell": "problem", "text": "no network"}
+    assert reports.take() == [GRAPH, problem, {"tell": "topics", "rows": rows},
+                              parameters[2], parameters[1], *answers]  # fmt: skip
+    assert reports.take() == []
+    # A graph says that there is no problem any more.
+    reports.add(problem)
+    reports.add(GRAPH)
+    assert reports.take() == [GRAPH]
+    for nonsense in ({}, {"tell": "topics", "rows": 1}, {"tell": ["x"]}, {"tell": "parameters"}):
+        assert not reports.add(nonsense)
+
+
 def started(script: str) -> tuple[Monitor, threading.Event]:
     told = threading.Event()
     command = MonitorCommand(2, (sys.executable, "-c", script), dict(os.environ))
     return Monitor(command, told.set), told
 
 
-def test_a_monitor_is_heard_and_ends_with_its_orders() -> None:
+def test_a_monitor_is_heard_and_ends_with_its_orders(monkeypatch: pytest.MonkeyPatch) -> None:
     monitor, told = started(
-        'import sys\nprint(\'noise\\n[1]\\n{"tell": "beat"}\', flush=True)\n'
-        "for line in sys.stdin: print(line, end='', flush=True)"
+        "import sys\nprint('noise\\n[1]\\n', flush=True)\n"
+        "for line in sys.stdin: print(line.replace('do', 'tell'), end='', flush=True)"
     )
+    assert monitor.order(do="answer", topics=["/a"])
     assert told.wait(60)
-    assert monitor.order(do="watch", topics=["/a"])
     found: list[Any] = []
-    wait_until(lambda: found.extend(monitor.take()) or len(found) > 1, "the order comes back", 60)
-    assert found == [{"tell": "beat"}, {"do": "watch", "topics": ["/a"]}]
+    wait_until(lambda: found.extend(monitor.take()) or found, "the order comes back", 60)
+    assert found == [{"tell": "answer", "topics": ["/a"]}]
+    assert not monitor.is_silent
+    monkeypatch.setattr(monitors, "SILENT", 0.0)
+    assert monitor.is_silent
     monitor.close()
     wait_until(lambda: monitor.ended is not None, "it ends", 60)
     assert not monitor.order(do="watch")
 
 
+def test_what_a_slow_monitor_did_not_read_is_written_later() -> None:
+    monitor, _ = started(
+        'import sys\nsys.stdin.read(1)\nprint(\'{"tell": "answer"}\', flush=True)\n'
+        'print(\'{"tell": "answer", "id": %d}\' % sum(1 for _ in sys.stdin), flush=True)'
+    )
+    # More than a pipe holds: it reads no more until it is told to go on.
+    for _ in range(20):
+        assert monitor.order(do="x" * 10_000)
+    wait_until(lambda: not monitor.take() and not monitor._unsent, "all is written", 60)
+    monitor._orders.close()
+    wait_until(lambda: {"tell": "answer", "id": 20} in monitor.take(), "all has come", 60)
+    monitor.close()
+
+
 def test_why_a_monitor_ended_is_known() -> None:
-    monitor, _ = started("import sys; sys.exit('no such ROS')")
+    # What it says last is read some time after it has ended.
+    script = (
+        "import os, time\nif os.fork(): os._exit(1)\n"
+        "os.close(1)\ntime.sleep(0.2)\nos.write(2, b'noise\\nno such ROS\\n')"
+    )
+    monitor, _ = started(script)
     wait_until(lambda: monitor.ended is not None, "it ends", 60)
     assert monitor.ended == "no such ROS"
 
@@ -122,9 +200,30 @@ def test_one_that_hangs_keeps_nobody_waiting(monkeypatch: pytest.MonkeyPatch) ->
     try:
         # Far more than a pipe holds; in the end it is refused.
         wait_until(lambda: not monitor.order(do="x" * 100_000), "it is refused", 60)
-        assert not monitor.is_silent
+        # It may take its time until it says the first word.
         monkeypatch.setattr(monitors, "SILENT", 0.0)
+        assert not monitor.is_silent
+        monkeypatch.setattr(monitors, "SLOWEST_START", 0.0)
         assert monitor.is_silent
     finally:
         monitor.kill()
     wait_until(lambda: monitor.ended is not None, "it ends", 60)
+
+
+STUDIO = """
+import os, signal, sys
+from plastron_tui.runtime.monitor import Monitor, MonitorCommand
+script = "import os, signal; os.kill(os.getpid(), signal.SIGSTOP)"
+monitor = Monitor(MonitorCommand(2, (sys.executable, "-c", script), dict(os.environ)), print)
+print(monitor._process.pid, flush=True)
+os.waitid(os.P_PID, monitor._process.pid, os.WSTOPPED | os.WNOWAIT)
+monitor.close()
+os.kill(os.getpid(), signal.SIGKILL)
+"""
+
+
+def test_a_monitor_that_is_stopped_ends_with_who_started_it() -> None:
+    studio = subprocess.run([sys.executable, "-c", STUDIO], stdout=subprocess.PIPE, check=False)
+    assert studio.returncode == -signal.SIGKILL
+    pid = int(studio.stdout)
+    all_gone(pid)

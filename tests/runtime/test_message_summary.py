@@ -149,8 +149,8 @@ class Duration:
 
 @pytest.mark.parametrize(
     "name",
-    ["message_filling", "message_summary", "monitor_pipes", "monitor_ros1", "monitor_topics",
-     "plastron_text", "watch"],
+    ["message_filling", "message_summary", "monitor_pipes", "monitor_ros1", "monitor_services",
+     "monitor_subscriptions", "monitor_topics", "plastron_text", "ros1_parameters", "watch"],
 )  # fmt: skip
 def test_the_python_of_ros_1_can_read_it(name: str) -> None:
     """Noetic has Python 3.8."""
@@ -167,6 +167,23 @@ def test_messages_are_filled_with_what_came_as_json() -> None:
     assert (message.x, message.wait.secs, message.wait.nsecs, message.data) == (1.5, 2, 3, [1, 2])
     with pytest.raises(AttributeError):
         fill(message, {"z": 1})
+    # rclpy wants bytes for its octets.
+    octets = rospy("octet", "octet[]", one=b"\0", more=[])
+    fill(octets, {"one": 7, "more": [8, 9]})
+    assert (octets.one, octets.more) == (b"\x07", [b"\x08", b"\x09"])
     stamped = Rclpy(header=Rclpy(stamp=Time(sec=0, nanosec=0)))
     assert has_stamp(stamped, {}) and not has_stamp(stamped, {"header": {"stamp": {"sec": 1}}})
     assert not has_stamp(message, {})
+
+
+@pytest.mark.parametrize(
+    ("listening", "reached", "words"),
+    [(0, 0, "sent to /a; nobody listens there"), (1, 1, "sent to /a"), (2, 3, "sent to /a"),
+     (1, 0, "sent to /a, but who listens there does not take it"),
+     (3, 1, "sent to /a, but 2 of 3 who listen there do not take it"),
+     (2, -1, "sent to /a, but 2 of 2 who listen there do not take it")],
+)  # fmt: skip
+def test_who_did_not_get_a_message_is_said(listening: int, reached: int, words: str) -> None:
+    from monitor_pipes import sent_words
+
+    assert sent_words("/a", listening, reached) == words

@@ -10,11 +10,13 @@ from typing import Any
 
 import pytest
 from studio_driver import Driver, studio
+from textual import events
 from textual.widgets import Label
 
 from plastron_tui.runtime import monitor
 from plastron_tui.runtime.monitor import MonitorCommand
 from plastron_tui.studio import running
+from plastron_tui.studio.panels.key_bar import KeyBar
 from plastron_tui.studio.panels.live_panel import LivePanel, Watching
 
 STAND_IN = Path(__file__).with_name("monitor_stand_in.py")
@@ -87,10 +89,15 @@ async def test_what_travels_is_shown_and_nodes_are_spoken_to(program: Path, orde
         await driver.press("right")
         await wait_shown(driver, "linear.x")
         assert asked(orders, "watch")[-1]["full"] == ["/chatter"]
-        # A message: what does not fit is said, and not sent.
-        await driver.pilot.press("p")
+        # A message, from a field of the topic: what does not fit is said, and not sent. Keys that
+        # come before the form is there are for it.
+        await driver.press("down", "down")
+        footer = driver.main.query_one(KeyBar)
+        assert footer.text.startswith("Enter Open  p Publish") and "Quit" in footer.text
+        for key in ("p", *"fast"):
+            driver.app.post_message(events.Key(key, key))
         form = await driver.dialog("LiveForm")
-        await driver.type("fast")
+        await driver.until(lambda: "fast" in form.given.values())
         await driver.pilot.press("enter")
         await driver.pilot.pause()
         assert "takes a number" in str(form.query_one("#wizard-help", Label).content)
@@ -100,10 +107,18 @@ async def test_what_travels_is_shown_and_nodes_are_spoken_to(program: Path, orde
         await driver.until(lambda: "done: publish" in driver.notes())
         (order,) = asked(orders, "publish")
         assert (order["name"], order["values"]) == ("/chatter", {"linear": {"x": 0.5}})
+        # The same again is another message, and another note.
+        await driver.pilot.press("p")
+        await driver.dialog("LiveForm")
+        await driver.pilot.press("enter")
+        await driver.back()
+        await driver.until(lambda: "done: publish (2)" in driver.notes())
+        assert [each["values"] for each in asked(orders, "publish")] == [order["values"]] * 2
         # A parameter.
         await driver.press("end", "right")
         await wait_shown(driver, "speed")
         await driver.press("down")
+        assert "s Set" in footer.text and "Watch again" not in footer.text
         await driver.pilot.press("enter")
         await driver.dialog("LiveForm")
         await driver.pilot.press(*"0.75", "enter")
@@ -132,6 +147,7 @@ async def test_what_travels_is_shown_and_nodes_are_spoken_to(program: Path, orde
         await driver.press("end")
         await wait_shown(driver, "press R to watch again")
         assert driver.main.runner.is_running
+        assert "r Watch again" in footer.text and "Enter" not in footer.text
         await driver.press("r", "home")
         await driver.until(lambda: "ended" not in "".join(live(driver).lines))
         # Nodes that have ended are marked.
@@ -152,7 +168,50 @@ async def test_in_a_wide_window_the_output_stays(
         assert driver.main.focused is driver.main.editor.view
         assert driver.main.dock_layout.is_in_sight("live")
         assert driver.main.dock_layout.is_in_sight("output")
-        # A monitor that hangs is ended, and that is said.
+        # A studio that was stopped has not read what the monitor said meanwhile: it is asked twice.
         monkeypatch.setattr(monitor, "SILENT", 0.0)
+        look = driver.main.runner._live._look_at_monitors
+        look()
+        monkeypatch.setattr(monitor, "SILENT", 60.0)
+        look()
+        monkeypatch.setattr(monitor, "SILENT", 0.0)
+        look()
+        assert "did not answer any more" not in driver.notes()
+        # A monitor that hangs is ended, and that is said.
         await driver.until(lambda: "did not answer any more" in driver.notes())
         assert driver.main.runner.is_running
+
+
+async def test_the_nodes_that_were_started_last_are_watched_whichever_tab_is_theirs(
+    program: Path, orders: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    other = program.with_name("other.plastron")
+    other.write_text("create_node 'arm' as arm\n")
+    async with studio(program, (160, 40)) as driver:
+        main = driver.main
+        runner = main.runner
+        await driver.press("f5")
+        await wait_shown(driver, "≈ /chatter")
+        main.files.open_file(other)
+        await driver.settle()
+        first, second = main.program.tabs
+        # Another program's nodes are built, and that fails: those that run are watched all along.
+        with monkeypatch.context() as building:
+            building.setattr(Nodes, "monitors", ())
+            await driver.press("f5")
+            await driver.until(lambda: runner.runs_in(second))
+            await wait_shown(driver, "≈ /chatter")
+            runner.stop()
+            await driver.until(lambda: not runner.runs_in(second))
+            await wait_shown(driver, "≈ /chatter")
+        # What is sent to them is of their program's types, not of those of the one in front.
+        assert main.program.tab is second and runner._live._tab is first
+        assert "gone" not in "".join(live(driver).lines)
+        # Nodes that are ready are watched, and those of before again when they have ended.
+        await driver.press("f5")
+        await driver.until(lambda: runner._live._tab is second)
+        await wait_shown(driver, "≈ /chatter")
+        runner.forget(second)
+        await driver.until(lambda: runner._live._tab is first)
+        await driver.until(lambda: "nothing runs" not in live(driver).entries.empty)
+        await wait_shown(driver, "≈ /chatter")

@@ -2,20 +2,26 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import Any, cast
 
 import pytest
+from hypothesis import example, given, settings
+from hypothesis import strategies as st
 from rich.cells import cell_len
 
 from plastron_tui.ros.catalog import Catalog
 from plastron_tui.ros.interfaces import InterfaceKind, InterfaceName
 from plastron_tui.ros.parameters import ParameterType
-from plastron_tui.runtime.live_graph import LiveGraph
+from plastron_tui.runtime.live_graph import LiveGraph, LiveParameter
+from plastron_tui.runtime.observers import ros1_parameters
+from plastron_tui.session import Session
 from plastron_tui.studio.panels.live_columns import columns_of, line_of
-from plastron_tui.studio.panels.live_rows import NOBODY, WAITING, Answer, Kind, live_rows
+from plastron_tui.studio.panels.live_panel import Watching, watching_of
+from plastron_tui.studio.panels.live_rows import NOBODY, WAITING, Answer, Kind, LiveRow, live_rows
 from plastron_tui.studio.panels.sparkline import sparkline
+from plastron_tui.studio.wizard.live_orders import form_for
 from plastron_tui.studio.wizard.parameter_kinds import parameter_entry
-from plastron_tui.studio.wizard.sent_values import Wrong, sent_setting, sent_values
+from plastron_tui.studio.wizard.sent_values import Wrong, sent_setting, sent_values, shown_setting
 from plastron_tui.studio.wizard.values import entries_of
 
 
@@ -158,9 +164,136 @@ def test_what_is_entered_is_checked_and_becomes_values(
     [("float", "1", 1.0), ("int", "-3", -3), ("bool", "off", False), ("string", "a, b", "a, b"),
      ("float_list", "[1, 2.5]", [1.0, 2.5]), ("string_list", '"a, b", c', ["a, b", "c"]),
      ("int", "1.5", None), ("float", "fast", None), ("int", str(2**63), None),
-     ("float", "parameter 'x'", None)],
+     ("float", "parameter 'x'", None), ("float", "1e999", None),
+     ("float_list", "1e999, inf", None),
+     ("string", r'"a\nb"', "a\nb"), ("string", r'"C:\dir"', r"C:\dir"),
+     ("string", r"C:\dir", r"C:\dir"),
+     ("string", r'"\u0000"', None)],
 )  # fmt: skip
 def test_a_parameter_gets_a_value_of_its_type(type_: str, text: str, value: Any) -> None:
     kind = ParameterType(type_)
     found = sent_setting(parameter_entry("p", kind), kind, text, 2)
     assert isinstance(found, Wrong) if value is None else found == value
+
+
+TEXTS = st.text(
+    st.sampled_from(list("a \t\n\x1b\"',\\[]=()é\u3042\U0001f600\u202e")), max_size=6
+) | st.text(st.characters(exclude_categories=["Cs"], exclude_characters="\0"), max_size=5)
+SCALARS: dict[ParameterType, st.SearchStrategy[Any]] = {
+    ParameterType.BOOL: st.booleans(),
+    ParameterType.INT: st.integers(-(2**63), 2**63 - 1),
+    ParameterType.FLOAT: st.floats(),
+    ParameterType.STRING: TEXTS,
+}
+
+
+def settings_of(kind: ParameterType) -> st.SearchStrategy[Any]:
+    scalars = SCALARS[kind.element]
+    if kind is ParameterType.FLOAT_LIST:
+        # ROS 1 keeps whole numbers among others.
+        scalars |= st.integers(-(2**53), 2**53)
+    return st.lists(scalars, max_size=4).map(tuple) if kind.is_list else scalars
+
+
+@settings(max_examples=300, deadline=None)
+@given(
+    st.sampled_from(ParameterType).flatmap(lambda kind: st.tuples(st.just(kind), settings_of(kind)))
+)
+@example((ParameterType.FLOAT, float("inf")))
+@example((ParameterType.FLOAT_LIST, (float("-inf"), float("nan"), -0.0, 1)))
+@example((ParameterType.STRING, "received.data"))
+@example((ParameterType.STRING_LIST, ("",)))
+@example((ParameterType.STRING_LIST, ("parameter 'a'", '"a', "b", "[", "c]")))
+def test_a_value_that_is_shown_is_taken_back_as_it_was(case: tuple[ParameterType, Any]) -> None:
+    kind, value = case
+    shown = shown_setting(value)
+    assert shown.isprintable()
+    found = sent_setting(parameter_entry("p", kind), kind, shown, 2)
+    assert repr(found) == repr([*map(as_kind(kind), value)] if kind.is_list else value)
+
+
+def as_kind(kind: ParameterType) -> type:
+    return {"bool": bool, "int": int, "float": float}.get(kind.element.value, str)
+
+
+@pytest.mark.parametrize(
+    ("value", "kind"),
+    [(True, "bool"), (1, "int"), (0.5, "float"), ("a", "string"), ([1, 2.5], "float_list"),
+     ([True, False], "bool_list"), ([True, 1], ""), ([], ""), ([[1]], ""), (None, ""), (b"a", "")],
+)  # fmt: skip
+def test_what_a_master_keeps_has_a_type_where_a_form_can_hold_it(value: Any, kind: str) -> None:
+    (row,) = ros1_parameters.rows_of({"a": {"b": value}})
+    assert (row["name"], row["type"]) == ("a/b", kind)
+    assert row["value"] == (value if kind else str(value))
+
+
+@pytest.mark.parametrize(
+    "name",
+    ["/日本語/トピック", "/a\x1b[2J\n\t\u202eb", "/e\u0301\u200d👩\u200d🚀", "/" + "w" * 300],
+)
+@pytest.mark.parametrize("width", [12, 80, 200])
+def test_whatever_is_long_or_strange_takes_a_row(name: str, width: int) -> None:
+    long = "x\n日本\x1b[31m" * 20_000
+    graph = LiveGraph(2)
+    graph.feed({"tell": "graph", "topics": [[name, name, 1, 1]], "services": [[name, name]],
+                "nodes": [name]})  # fmt: skip
+    fields = [["data", long, None], [name, str([*range(10_000)]), 0.5]]
+    graph.feed({"tell": "topics", "rows": {name: {"count": 1, "rate": 2.0, "text": long,
+                                                  "number": 0.5, "fields": fields}}})  # fmt: skip
+    about = {"range": None, "about": long, "is_read_only": False}
+    graph.feed({"tell": "parameters", "node": name, "rows": [
+        {"name": name, "value": long, "type": "string", **about},
+        {"name": "list", "value": [*range(10_000)], "type": "int_list", **about},
+    ]})  # fmt: skip
+    unfolded = {f"2 topic {name}", f"2 node {name}"}
+    rows = live_rows([graph], unfolded, {f"2 service {name}": Answer(long)})
+    kinds = [Kind.HEADING, Kind.TOPIC, Kind.NOTE, Kind.FIELD, Kind.FIELD, Kind.HEADING,
+             Kind.SERVICE, Kind.ANSWER, Kind.HEADING, Kind.NODE, Kind.PARAMETER,
+             Kind.PARAMETER]  # fmt: skip
+    assert [row.kind for row in rows] == kinds
+    columns = columns_of(rows, width)
+    for row in rows:
+        line = "".join(piece.text for piece in line_of(row, columns, width))
+        assert line.isprintable() and cell_len(line) <= max(width, 40)
+        # What no window shows is not carried along: it would be measured with every key.
+        assert len(row.value) < 5000
+    # Nor does a field take it.
+    assert isinstance(form_for(rows[-2], Session(b""), {}), str)
+    assert not isinstance(
+        form_for(rows[-1]._replace(parameter=LiveParameter("p", 1, "int")), Session(b""), {}), str
+    )
+
+
+@pytest.mark.parametrize(
+    ("type_", "value"),
+    [("string_list", ("a, b", "c")), ("string_list", ("[a]", 'b"c')), ("string_list", ("",)),
+     ("string_list", (" x ", "\\n", "a\nb", "\u202e", "received.data", '"q"')),
+     ("string_list", ()), ("string_list", ("a b", "/map", "1")), ("bool_list", (True, False)),
+     ("float_list", (1e22, -0.5)), ("float", float("inf")), ("int", -3), ("bool", False),
+     ("string", "parameter 'x'"), ("string", "two\nlines"), ("string", "")],
+)  # fmt: skip
+def test_a_parameter_that_nobody_touched_stays_as_it_is(type_: str, value: Any) -> None:
+    parameter = LiveParameter("p", value, type_)
+    row = LiveRow("k", Kind.PARAMETER, "p", "/a", parameter=parameter)
+    form = form_for(row, cast(Session, None), {})
+    assert not isinstance(form, str)
+    wanted = list(value) if isinstance(value, tuple) else value
+    assert form.order(form.dialog.given)["value"] == wanted
+
+
+def test_each_generation_is_asked_for_its_own_alone() -> None:
+    graphs = []
+    for version in (1, 2):
+        graph = LiveGraph(version)
+        topics = [["/both", "std_msgs/String", 1, 0], [f"/of{version}", "std_msgs/String", 1, 0]]
+        graph.feed({"tell": "graph", "topics": topics, "services": [], "nodes": [f"/n{version}"]})
+        graphs.append(graph)
+    unfolded = {"1 topic /both", "2 topic /of2", "1 node /n1", "2 node /n2"}
+    rows = live_rows(graphs, unfolded, {})
+    everything = range(len(rows))
+    wanted = Watching(("/both", "/of1"), ("/both",), ("/n1",))
+    assert watching_of(rows, everything, 1, unfolded) == wanted
+    wanted = Watching(("/both", "/of2"), ("/of2",), ("/n2",))
+    assert watching_of(rows, everything, 2, unfolded) == wanted
+    # Of a node that is unfolded the parameters may be in sight, wherever it is; a topic is not.
+    assert watching_of(rows, range(0), 2, unfolded) == Watching(nodes=("/n2",))

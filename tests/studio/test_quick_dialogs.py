@@ -2,16 +2,20 @@
 
 from __future__ import annotations
 
+import time
 from collections.abc import Sequence
 from pathlib import Path
-from time import monotonic
+from typing import Any
 
 import pytest
 from machine import mostly_long
 from studio_driver import PROGRAM, Driver, studio
 from textual import events
-from textual.widgets import Button
+from textual.widgets import Button, Input
 
+from plastron_tui.studio.actions import key_owners
+from plastron_tui.studio.key_order import ASKING, OPENING
+from plastron_tui.studio.main import code_actions
 from plastron_tui.studio.screens.question import Question
 from plastron_tui.studio.terminal_driver import Burst
 from plastron_tui.studio.wizard.statement_view import StatementView
@@ -83,7 +87,7 @@ async def test_esc_pressed_on_and_on_leaves_a_question_that_came_by_itself(progr
         question = Question("Well?", [("yes", "Yes")], is_unasked=True)
         driver.app.push_screen(question)
         await driver.until(lambda: question.appeared is not None)
-        question.appeared = monotonic() + 3600
+        question.appeared = time.monotonic() + 3600
         last = driver.app._last_typed
         await driver.app.on_event(events.Key("escape", None))
         assert driver.app._last_typed == last
@@ -164,3 +168,50 @@ async def test_a_name_typed_at_once_goes_into_the_box(program: Path) -> None:
         await driver.back()
         await driver.settle()
         assert "speaker publish greeting" in driver.text
+
+
+def test_what_opens_something_is_there() -> None:
+    assert set(ASKING) | set(OPENING) <= {owner.id for owner in key_owners()}
+
+
+async def test_keys_behind_that_of_a_panel_are_for_what_it_opens(
+    program: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    async with studio(program, (80, 24)) as driver:
+        await driver.show("nodes")
+        await quickly(driver, "r", "end", *"s2", "enter")
+        await driver.until(lambda: "create_node 'talkers2'" in driver.text)
+        await driver.settle()
+        assert driver.text == PROGRAM.replace("talker", "talkers2")
+        # A file is looked for in a thread.
+        find = code_actions.find_code
+
+        def find_late(*given: Any) -> Any:
+            time.sleep(0.1)
+            return find(*given)
+
+        monkeypatch.setattr(code_actions, "find_code", find_late)
+        await driver.show("nodes")
+        for key in ("c", "slash", *"rclpy"):
+            driver.app.post_message(events.Key(key, "/" if key == "slash" else key))
+        view = await driver.dialog("CodeView")
+        await driver.until(lambda: any(each.value == "rclpy" for each in view.query(Input)))
+        await driver.pilot.press("escape", "escape", "escape")
+        await driver.back()
+        # A text that comes as keys is no order to a panel, nor to the files that would be written.
+        text = driver.text
+        await driver.show("nodes")
+        for opened in ("MainScreen", "GenerateDialog"):
+            driver.app.post_message(
+                Burst("dgrc\r", [events.Key("d", "d"), events.Key("enter", "\r")])
+            )
+            await driver.pilot.pause()
+            assert type(driver.app.screen).__name__ == opened
+            assert driver.text == text and not (program.parent / "output").exists()
+            await driver.pilot.press("f6")
+            await driver.dialog("GenerateDialog")
+        await driver.pilot.press("escape")
+        await driver.back()
+        await driver.show("output")
+        await quickly(driver, "slash", *"words")
+        assert driver.main.focused.value == "words"

@@ -174,6 +174,7 @@ async def test_nodes_go_on_while_another_program_is_in_front(
         return ["sh", "-c", f"echo from {path.stem}; exec sleep 600"]
 
     monkeypatch.setattr("plastron_tui.studio.running._command", command)
+    other.write_text(OTHER + "generate_node arm\n")
     async with studio(program, (80, 24), others=[other]) as driver:
         output = driver.main.panels["output"]
         await driver.pilot.press("f5")

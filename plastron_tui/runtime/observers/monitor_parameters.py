@@ -20,7 +20,7 @@ _TYPES = {
     6: "bool_list", 7: "int_list", 8: "float_list", 9: "string_list",
 }  # fmt: skip
 Steps = Generator[Callable[[], bool], None, None]
-Later = Callable[[Callable[[bool], bool]], None]
+Later = Callable[[dict[str, Any], Callable[[bool], bool]], None]
 
 
 class Parameters:
@@ -57,17 +57,21 @@ class Parameters:
         for name in self._watched & self.nodes:
             if name not in self._running and now - self._asked.get(name, 0.0) > _PERIOD:
                 self._asked[name] = now
-                steps = self._ask(name)
-                self._running[name] = steps, next(steps)
+                # It can go on at once, to its first question.
+                self._running[name] = self._ask(name), lambda: True
         for name, (steps, waiting) in list(self._running.items()):
             if now - self._asked[name] > _LIMIT:
                 steps.close()
                 del self._running[name]
-            elif waiting():
-                try:
+                continue
+            try:
+                if waiting():
                     self._running[name] = steps, next(steps)
-                except StopIteration:
-                    del self._running[name]
+            except StopIteration:
+                del self._running[name]
+            except Exception:  # whatever a foreign node answers; it is asked again later
+                steps.close()
+                del self._running[name]
 
     def _ask(self, name: str) -> Steps:
         """Ask a node; what is yielded tells whether it can go on."""
@@ -116,7 +120,8 @@ class Parameters:
                 (result,) = sent[0].result().results
                 said = "set" if result.successful else result.reason or "the node refuses it"
                 answer(order, said, is_failure=not result.successful)
-                self._asked.pop(node, None)
+                # What was asked before that is out of date, and is asked again.
+                self._asked[node] = 0.0
             elif is_late:
                 answer(order, "the node does not answer", is_failure=True)
             else:
@@ -124,7 +129,7 @@ class Parameters:
             self._caller.destroy_client(client)
             return True
 
-        later(step)
+        later(order, step)
 
 
 def _row(name: str, given: Any, descriptor: Any) -> dict[str, Any]:

@@ -63,3 +63,15 @@ class Orders:
 def answer(order: dict[str, Any], text: str, *, is_failure: bool = False) -> None:
     """Tell what came of an order."""
     send(tell="answer", id=order.get("id"), text=text, is_failure=is_failure)
+
+
+def sent_words(name: str, listening: int, reached: int) -> str:
+    """Say that a message was sent, and to how many of those who listen it cannot come."""
+    if listening <= 0:
+        return f"sent to {name}; nobody listens there"
+    if reached >= listening:
+        return f"sent to {name}"
+    if listening == 1:
+        return f"sent to {name}, but who listens there does not take it"
+    missing = listening - max(0, reached)
+    return f"sent to {name}, but {missing} of {listening} who listen there do not take it"

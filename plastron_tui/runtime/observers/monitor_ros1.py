@@ -9,7 +9,7 @@ from __future__ import annotations
 import contextlib
 import threading
 import time
-from collections.abc import Callable, Iterable
+from collections.abc import Callable
 from typing import Any
 
 import rosgraph
@@ -17,9 +17,12 @@ import roslib.message
 import rospy
 import rosservice
 from message_filling import fill, has_stamp
-from monitor_pipes import Orders, answer, send
+from monitor_pipes import Orders, answer, send, sent_words
+from monitor_services import ServiceTypes, within
+from monitor_subscriptions import NotInstalledError, Subscriptions
 from monitor_topics import WatchedTopic
 from plastron_text import line_of
+from ros1_parameters import rows_of
 from watch import is_shown
 
 _TURN = 0.25
@@ -29,8 +32,8 @@ _MATCHING = 1.5
 _NAME = "plastron_monitor"
 _HIDDEN_NODES = ("/rosout", "/plastron_monitor_", "/plastron_watch_")
 _HIDDEN_SERVICES = ("/get_loggers", "/set_logger_level")
-_TYPES: dict[type, str] = {bool: "bool", int: "int", float: "float", str: "string"}
 _TIMEOUT = 5.0
+_ANSWER = 10.0
 
 
 class _Watching:
@@ -39,11 +42,17 @@ class _Watching:
     def __init__(self, name: str, type_name: str) -> None:
         made = roslib.message.get_message_class(type_name)
         if made is None:
-            raise ImportError(type_name)
+            raise NotInstalledError(type_name)
         self.topic = WatchedTopic(type_name, lambda raw: made().deserialize(raw))
         self._subscriber = rospy.Subscriber(
             name, rospy.AnyMsg, lambda message: self.topic.see(message._buff)
         )
+
+    def take(self) -> None:
+        """Do nothing: rospy brings the messages."""
+
+    def look(self) -> None:
+        """Do nothing: rospy follows the publishers."""
 
     def close(self) -> None:
         """Hear no more of it."""
@@ -55,11 +64,9 @@ class _Monitor:
 
     def __init__(self) -> None:
         self._master = rosgraph.Master(rospy.get_name())
-        self._watched: dict[str, _Watching | None] = {}
-        self._full: set[str] = set()
+        self._topics = Subscriptions(_Watching)
         self._nodes: list[str] = []
-        self._types: dict[str, str] = {}
-        self._service_types: dict[str, str] = {}
+        self._service_types = ServiceTypes(_service_type)
         self._publishers: dict[str, Any] = {}
         self._graph: dict[str, Any] = {}
         self._told: dict[str, Any] = {}
@@ -69,10 +76,9 @@ class _Monitor:
         """Do what the studio wants; what may take its time has a thread of its own."""
         try:
             if order["do"] == "watch":
-                self._full = set(order["full"])
                 self._nodes = order["nodes"]
                 self._told = {k: v for k, v in self._told.items() if k in self._nodes}
-                self._watch(order["topics"])
+                self._topics.watch(order["topics"], order["full"])
             elif order["do"] == "publish":
                 self._aside(self._publish, order)
             elif order["do"] == "call":
@@ -101,37 +107,33 @@ class _Monitor:
             try:
                 self._look()
             except Exception as error:  # the master is gone, or says what it should not
-                send(tell="problem", text=str(error))
+                send(tell="problem", text=str(error) or type(error).__name__)
+                # Told again as soon as there is one, it says that there is no problem any more.
+                self._graph = {}
             send(tell="beat")
-        reports = {
-            name: watching.topic.report() for name, watching in self._watched.items() if watching
-        }
-        rows = {name: report for name, report in reports.items() if report is not None}
-        if rows:
-            send(tell="topics", rows=rows)
+        self._topics.report()
         if self._nodes and now - self._asked >= _PARAMETERS:
             self._asked = now
             self._tell_parameters()
 
     def _look(self) -> None:
         graph = self._found()
-        for name, watching in self._watched.items():
-            if watching is None and name in self._types:
-                self._subscribe(name)
+        self._topics.look()
         if graph != self._graph:
             self._graph = graph
             send(tell="graph", **graph)
 
     def _found(self) -> dict[str, Any]:
         publishers, subscribers, services = self._master.getSystemState()
-        self._types = {name: kind for name, kind in self._master.getTopicTypes() if kind != "*"}
+        found = self._master.getTopicTypes()
+        types = self._topics.types = {name: kind for name, kind in found if kind != "*"}
         counts: dict[str, list[int]] = {}
-        for side, found in enumerate((publishers, subscribers)):
-            for name, owners in found:
+        for side, known in enumerate((publishers, subscribers)):
+            for name, owners in known:
                 count = sum(not _is_hidden(owner) for owner in owners)
                 counts.setdefault(name, [0, 0])[side] += count
         topics = [
-            (name, self._types.get(name, ""), *count)
+            (name, types.get(name, ""), *count)
             for name, count in sorted(counts.items())
             if is_shown(name) and any(count)
         ]
@@ -140,52 +142,18 @@ class _Monitor:
                  for owner in own if not _is_hidden(owner)}  # fmt: skip
         return {
             "topics": topics,
-            "services": [(name, self._service_type(name)) for name in sorted(shown)],
+            "services": [(name, self._service_types.of(name)) for name in sorted(shown)],
             "nodes": sorted(nodes),
         }
 
     def _is_offered(self, name: str, owners: list[str]) -> bool:
         return not name.endswith(_HIDDEN_SERVICES) and not all(map(_is_hidden, owners))
 
-    def _service_type(self, name: str) -> str:
-        known = self._service_types.get(name)
-        if known is None:
-            try:
-                known = rosservice.get_service_type(name) or ""
-            except rosservice.ROSServiceIOException:
-                return ""
-            self._service_types[name] = known
-        return known
-
-    def _watch(self, names: Iterable[str]) -> None:
-        wanted = set(names)
-        for name in set(self._watched) - wanted:
-            watching = self._watched.pop(name)
-            if watching is not None:
-                watching.close()
-        for name in sorted(wanted - set(self._watched)):
-            self._watched[name] = None
-            if name in self._types:
-                self._subscribe(name)
-        for name, watching in self._watched.items():
-            if watching is not None:
-                watching.topic.is_full = name in self._full
-
-    def _subscribe(self, name: str) -> None:
-        try:
-            watching = _Watching(name, self._types[name])
-        except (ImportError, ValueError):
-            text = f"{self._types[name]} is not installed here"
-            send(tell="topics", rows={name: {"count": 0, "rate": 0, "text": text, "number": None}})
-            return
-        watching.topic.is_full = name in self._full
-        self._watched[name] = watching
-
     def _publish(self, order: dict[str, Any]) -> None:
         name = order["name"]
         made = roslib.message.get_message_class(order["type"])
         if made is None:
-            raise ImportError(f"{order['type']} is not installed here")
+            raise NotInstalledError(order["type"])
         message = fill(made(), order["values"])
         if name not in self._publishers:
             self._publishers[name] = rospy.Publisher(name, made, queue_size=10)
@@ -200,16 +168,17 @@ class _Monitor:
             message.header.stamp = rospy.Time.now()
         publisher.publish(message)
         others = sum(not _is_hidden(owner) for owner in subscribed.get(name, ()))
-        answer(order, f"sent to {name}" if others else f"sent to {name}; nobody listens there")
+        answer(order, sent_words(name, others, others))
 
     def _call(self, order: dict[str, Any]) -> None:
         made = roslib.message.get_service_class(order["type"])
         if made is None:
-            raise ImportError(f"{order['type']} is not installed here")
+            raise NotInstalledError(order["type"])
         request = fill(made._request_class(), order["values"])
         rospy.wait_for_service(order["name"], timeout=_TIMEOUT)
         proxy = rospy.ServiceProxy(order["name"], made)
-        answer(order, line_of(proxy(request)) or "done")
+        text = within(_ANSWER, lambda: line_of(proxy(request)) or "done")
+        answer(order, text or "no answer came", is_failure=text is None)
 
     def _tell_parameters(self) -> None:
         try:
@@ -220,25 +189,14 @@ class _Monitor:
             found = tree
             for part in node.strip("/").split("/"):
                 found = found.get(part, {}) if isinstance(found, dict) else {}
-            rows = list(_rows(found, "")) if isinstance(found, dict) else []
+            rows = list(rows_of(found)) if isinstance(found, dict) else []
             if self._told.get(node) != rows:
                 self._told[node] = rows
                 send(tell="parameters", node=node, rows=rows)
 
 
-def _rows(tree: dict[str, Any], around: str) -> Iterable[dict[str, Any]]:
-    """Yield the parameters of a node as the master keeps them."""
-    for name, value in sorted(tree.items()):
-        path = f"{around}/{name}" if around else name
-        if isinstance(value, dict):
-            yield from _rows(value, path)
-            continue
-        first = value[0] if isinstance(value, list) and value else value
-        kind = _TYPES.get(type(first), "") + ("_list" if isinstance(value, list) else "")
-        yield {
-            "name": path, "value": value if _TYPES.get(type(first)) else str(value),
-            "type": kind, "range": None, "about": "", "is_read_only": False,
-        }  # fmt: skip
+def _service_type(name: str) -> str:
+    return rosservice.get_service_type(name) or ""
 
 
 def _is_hidden(node: str) -> bool:
@@ -247,8 +205,10 @@ def _is_hidden(node: str) -> bool:
 
 def main() -> None:
     """Watch until the studio has enough."""
+    # First of all: who started this may be gone before the master has answered.
+    orders = Orders()
     rospy.init_node(_NAME, anonymous=True, disable_signals=True, disable_rosout=True)
-    monitor, orders = _Monitor(), Orders()
+    monitor = _Monitor()
     try:
         while True:
             monitor.turn()

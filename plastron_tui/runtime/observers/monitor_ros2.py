@@ -11,13 +11,15 @@ from __future__ import annotations
 import contextlib
 import importlib
 import time
-from collections.abc import Callable, Iterable
+from collections import Counter
+from collections.abc import Callable
 from typing import Any
 
 import rclpy
 from message_filling import fill, has_stamp
 from monitor_parameters import Parameters
-from monitor_pipes import Orders, answer, send
+from monitor_pipes import Orders, answer, send, sent_words
+from monitor_subscriptions import NotInstalledError, Subscriptions
 from monitor_topics import WatchedTopic
 from plastron_text import line_of
 from rclpy.executors import SingleThreadedExecutor
@@ -42,7 +44,7 @@ class _Watching:
     def __init__(self, node: Any, name: str, type_name: str) -> None:
         self.name = name
         self._node = node
-        self._class = ros2_class(type_name)
+        self._class = _class_of(type_name)
         self.topic = WatchedTopic(type_name, lambda raw: deserialize_message(raw, self._class))
         self._subscription = self._subscribed(ros2_qos(node, name))
 
@@ -76,6 +78,13 @@ class _Watching:
         self._node.destroy_subscription(self._subscription)
 
 
+def _class_of(type_name: str) -> Any:
+    try:
+        return ros2_class(type_name)
+    except (ModuleNotFoundError, AttributeError) as error:
+        raise NotInstalledError(type_name) from error
+
+
 class _Monitor:
     """The nodes of the monitor, and what the studio has asked for."""
 
@@ -86,10 +95,9 @@ class _Monitor:
         )
         self._executor = SingleThreadedExecutor()
         self._executor.add_node(self._caller)
-        self._watched: dict[str, _Watching | None] = {}
-        self._types: dict[str, str] = {}
-        self._publishers: dict[str, Any] = {}
-        self._pending: list[tuple[float, Callable[[bool], bool]]] = []
+        self._topics = Subscriptions(lambda name, type_: _Watching(self._node, name, type_))
+        self._publishers: Counter[str] = Counter()
+        self._pending: list[tuple[dict[str, Any], float, Callable[[bool], bool]]] = []
         self._parameters = Parameters(self._caller)
         self._graph: dict[str, Any] = {}
         self._looked = self._reported = 0.0
@@ -97,7 +105,7 @@ class _Monitor:
     @property
     def turn_time(self) -> float:
         """Seconds until the next turn."""
-        is_busy = any(self._watched.values()) or self._pending or self._parameters.is_asking
+        is_busy = self._topics or self._pending or self._parameters.is_asking
         return _TURN if is_busy else _IDLE_TURN
 
     def do(self, order: dict[str, Any]) -> None:
@@ -105,7 +113,7 @@ class _Monitor:
         try:
             match order["do"]:
                 case "watch":
-                    self._watch(order["topics"], set(order["full"]))
+                    self._topics.watch(order["topics"], order["full"])
                     self._parameters.watch(order["nodes"])
                 case "publish":
                     self._publish(order)
@@ -122,32 +130,27 @@ class _Monitor:
         if now - self._looked >= _LOOK:
             self._looked = now
             self._look()
-        for watching in self._watched.values():
-            if watching is not None:
-                watching.take()
+        self._topics.take()
         if now - self._reported >= _REPORT:
             self._reported = now
-            self._report()
+            self._topics.report()
         self._parameters.turn(now)
         if self._pending or self._parameters.is_asking:
             for _ in range(10):
                 self._executor.spin_once(timeout_sec=0)
-            self._pending = [
-                (end, step) for end, step in self._pending if not step(time.monotonic() > end)
-            ]
+            asked, self._pending = self._pending, []
+            self._pending += [each for each in asked if not self._is_done(*each)]
 
     def _look(self) -> None:
         """Find out what is there, and tell it where that is new."""
         try:
             graph = self._found()
         except Exception as error:  # rclpy's own kinds of error differ between distributions
-            send(tell="problem", text=str(error))
+            send(tell="problem", text=str(error) or type(error).__name__)
+            # Told again as soon as there is one, it says that there is no problem any more.
+            self._graph = {}
             return
-        for name, watching in self._watched.items():
-            if watching is None and name in self._types:
-                self._subscribe(name)
-            elif watching is not None:
-                watching.look()
+        self._topics.look()
         self._parameters.nodes = frozenset(graph["nodes"])
         if graph != self._graph:
             self._graph = graph
@@ -160,9 +163,9 @@ class _Monitor:
         for name, types in node.get_topic_names_and_types():
             if not is_shown(name):
                 continue
-            self._types[name] = type_name = types[0].replace("/msg/", "/")
-            own = name in self._publishers
-            heard = self._watched.get(name) is not None
+            self._topics.types[name] = type_name = types[0].replace("/msg/", "/")
+            own = self._publishers[name]
+            heard = self._topics.hears(name)
             publishers = node.count_publishers(name) - own
             subscribers = node.count_subscribers(name) - heard
             if publishers + subscribers > 0:
@@ -179,60 +182,47 @@ class _Monitor:
         )
         return {"topics": topics, "services": services, "nodes": nodes}
 
-    def _watch(self, names: Iterable[str], full: set[str]) -> None:
-        wanted = set(names)
-        for name in set(self._watched) - wanted:
-            watching = self._watched.pop(name)
-            if watching is not None:
-                watching.close()
-        for name in sorted(wanted - set(self._watched)):
-            self._watched[name] = None
-            if name in self._types:
-                self._subscribe(name)
-        for name, watching in self._watched.items():
-            if watching is not None:
-                watching.topic.is_full = name in full
-
-    def _subscribe(self, name: str) -> None:
-        try:
-            self._watched[name] = _Watching(self._node, name, self._types[name])
-        except (ImportError, AttributeError, ValueError):
-            text = f"{self._types[name]} is not installed here"
-            send(tell="topics", rows={name: {"count": 0, "rate": 0, "text": text, "number": None}})
-
-    def _report(self) -> None:
-        reports = {
-            name: watching.topic.report() for name, watching in self._watched.items() if watching
-        }
-        rows = {name: report for name, report in reports.items() if report is not None}
-        if rows:
-            send(tell="topics", rows=rows)
-
-    def _later(self, step: Callable[[bool], bool], limit: float = _ANSWER) -> None:
+    def _later(
+        self, order: dict[str, Any], step: Callable[[bool], bool], limit: float = _ANSWER
+    ) -> None:
         """Ask `step` in each turn whether it is done; it is told when the time is up."""
-        self._pending.append((time.monotonic() + limit, step))
+        self._pending.append((order, time.monotonic() + limit, step))
+
+    def _is_done(self, order: dict[str, Any], end: float, step: Callable[[bool], bool]) -> bool:
+        try:
+            return step(time.monotonic() > end)
+        except Exception as error:  # whatever a foreign node answers
+            answer(order, str(error) or type(error).__name__, is_failure=True)
+            return True
 
     def _publish(self, order: dict[str, Any]) -> None:
         name, values = order["name"], order["values"]
         message = fill(ros2_class(order["type"])(), values)
-        publisher = self._publishers.get(name)
-        if publisher is None:
-            qos = self._publisher_qos(name)
-            publisher = self._node.create_publisher(type(message), name, qos)
-            self._publishers[name] = publisher
+        qos = self._publisher_qos(name)
+        publisher = self._node.create_publisher(type(message), name, qos)
+        self._publishers[name] += 1
 
-        def step(is_late: bool) -> bool:
+        def send_it(is_late: bool) -> bool:
             listening = self._node.count_subscribers(name)
-            if publisher.get_subscription_count() < listening and not is_late:
+            reached = publisher.get_subscription_count()
+            if reached < listening and not is_late:
                 return False
             if has_stamp(message, values):
                 message.header.stamp = self._node.get_clock().now().to_msg()
+            self._later(order, leave, _MATCHING)
             publisher.publish(message)
-            others = listening - (self._watched.get(name) is not None)
-            answer(order, f"sent to {name}" if others else f"sent to {name}; nobody listens there")
+            own = self._topics.hears(name)
+            answer(order, sent_words(name, listening - own, reached - own))
             return True
 
-        self._later(step, _MATCHING)
+        def leave(is_late: bool) -> bool:
+            # It has arrived by then; nodes that start later must not be told to move again.
+            if is_late:
+                self._publishers[name] -= 1
+                self._node.destroy_publisher(publisher)
+            return is_late
+
+        self._later(order, send_it, _MATCHING)
 
     def _publisher_qos(self, name: str) -> Any:
         """Return a quality of service that every subscription of the topic accepts."""
@@ -268,13 +258,15 @@ class _Monitor:
             self._caller.destroy_client(client)
             return True
 
-        self._later(step)
+        self._later(order, step)
 
 
 def main() -> None:
     """Watch until the studio has enough."""
+    # First of all: who started this may be gone before the middleware is ready.
+    orders = Orders()
     rclpy.init(args=[], signal_handler_options=SignalHandlerOptions.NO)
-    monitor, orders = _Monitor(), Orders()
+    monitor = _Monitor()
     while True:
         monitor.turn()
         for order in orders.take(monitor.turn_time):

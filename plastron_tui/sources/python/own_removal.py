@@ -13,12 +13,20 @@ from .analysis import Analysis, Site
 from .creation import Removal
 from .endings import destroying
 from .functions import callback_scope, definition, function_uses, timers_of
-from .generated import is_asking_function, is_calling_function, repeated_task, sent_once
+from .generated import body_of, is_asking_function, is_calling_function, repeated_task, sent_once
 from .references import Reference, identifiers, statement_of
 from .scopes import Scope
 from .splices import delete_item
 from .syntax import parts_of
-from .written_functions import ENDING, EXECUTING, HELPERS, SENDING, WARN_UNHEARD, is_one_of
+from .written_functions import (
+    ENDING,
+    EXECUTING,
+    HELPERS,
+    QUIET_THREADS,
+    SENDING,
+    WARN_UNHEARD,
+    is_one_of,
+)
 
 _GOAL = re.compile(r"\.(\w+) = goal_handle\b")
 # The first value of the attribute that holds a repeated call, and its two places in the function.
@@ -195,3 +203,18 @@ def unused_helpers(analysis: Analysis, removal: Removal) -> list[Node]:
         if uses and all(any(start <= use < end for start, end in gone) for use in uses):
             found.append(definition(helper))
     return found
+
+
+def quieted_threads(analysis: Analysis, removal: Removal) -> list[Node]:
+    """Return what Plastron wrote to keep timers quiet at Ctrl-C, where no timer is left."""
+    gone = [(each.start_byte, each.end_byte) for each in removal.statements]
+    timers = [site for site in analysis.sites if site.endpoint.kind is EndpointKind.TIMER]
+    has_gone = [
+        site in removal.sites or any(start <= site.call.start_byte < end for start, end in gone)
+        for site in timers
+    ]
+    if not timers or not all(has_gone):
+        return []
+    functions = [scope for scope in analysis.scopes.all if scope.kind == "function"]
+    statements = [statement for scope in functions for statement in body_of(scope)]
+    return [each for each in statements if analysis.syntax.slice(each) == QUIET_THREADS]

@@ -9,7 +9,7 @@ from .emptied_blocks import bare_conditions, emptied_blocks
 from .function_place import rulers_above
 from .imports import unused_imports
 from .leftovers import placeholders, remove_idle, sending_logs, stub_callbacks
-from .own_removal import executing, unused_helpers
+from .own_removal import executing, quieted_threads, unused_helpers
 from .references import Variable
 from .removal import remove_uses, waits
 from .splices import around, delete_statements
@@ -46,6 +46,7 @@ def plan_removal(analysis: Analysis, sites: list[Site]) -> Removal:
     for variable in variables:
         removal.statements += placeholders(analysis, variable, removal)
     remove_what_served(analysis, removal)
+    removal.statements += quieted_threads(analysis, removal)
     _keep_conditions(analysis, removal)
     gone = delete_statements(analysis.syntax.text, removal.statements) + removal.splices
     callbacks = stub_callbacks(analysis, removal.sites, gone)

@@ -20,6 +20,8 @@ from .syntax import parts_of
 
 STEP = "# The work of one step goes here."
 UNSENT = "# rospy sends in the background, and closes what is unsent."
+QUIET_THREADS = "threading.excepthook = lambda failure: None"
+"""Lets a timer of rospy that is at its turn at Ctrl-C find its topics closed, and say nothing."""
 COMMENTS = frozenset({STEP, UNSENT})
 """The comments in what Plastron writes; others are somebody's own."""
 

@@ -37,6 +37,7 @@ class EditorView(ScrollView, can_focus=True, inherit_bindings=False):
 
     takes_bursts = True
     """A text that comes as keys, many at once, is put in as one: a terminal has pasted it."""
+    takes_text = True
 
     soft_wrap: reactive[bool] = reactive(False)
     line_numbers: reactive[bool] = reactive(True)

@@ -16,8 +16,14 @@ class CodeActions:
     """Shows the files that something of the program is in."""
 
     def __init__(self, screen: Screen[None], program: ActiveProgram) -> None:
+        self._searches = 0
         self._screen = screen
         self._program = program
+
+    @property
+    def is_finding(self) -> bool:
+        """Whether a file is looked for: keys are for what shows it."""
+        return self._searches > 0
 
     async def show_here(self) -> None:
         """Show the code of what the cursor is on: in the panel with the focus, or in the text."""
@@ -30,7 +36,11 @@ class CodeActions:
         """Show the code of an entry, or of the statement at an offset."""
         from ..screens.code_view import ChoosePlace, CodeView
 
-        found = await self._find(asked)
+        self._searches += 1
+        try:
+            found = await self._find(asked)
+        finally:
+            self._searches -= 1
         places = found.places
         if not places:
             self._say(found.reason)

@@ -33,6 +33,13 @@ class EntryActions:
         self._program = program
         self._show_code = show_code
 
+    def go(self, entry: Entry) -> None:
+        """Go to the statement of an entry, or say where that is."""
+        if entry.span is None:
+            self._screen.notify(entry.elsewhere, markup=False)
+        else:
+            self._go_to(entry.span.start)
+
     def do(self, asked: Asked) -> None:
         """Do what was asked about an entry."""
         entry, editor = asked.entry, self._program.editor

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import itertools
+from collections import Counter
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
@@ -15,7 +16,7 @@ from plastron_tui.runtime.live_graph import LiveGraph
 from ..delay import Delay
 from ..panels.live_panel import LOOKING, NOTHING_RUNS, STARTING, LivePanel, Watching
 from ..panels.live_rows import Answer, Kind, LiveRow
-from .active_program import ActiveProgram
+from .active_program import Tab
 from .workers import start_exclusive
 
 if TYPE_CHECKING:
@@ -32,16 +33,15 @@ _LOOK = 2.0
 class LiveActions:
     """Starts and ends the monitors of the nodes that run."""
 
-    def __init__(self, screen: Screen[None], program: ActiveProgram, panel: LivePanel) -> None:
+    def __init__(self, screen: Screen[None], panel: LivePanel) -> None:
         """Start with nothing that runs.
 
         Args:
             screen: shows dialogs.
-            program: whose nodes they are; its types are those of the forms.
             panel: shows what is known.
         """
         self._screen = screen
-        self._program = program
+        self._tab: Tab | None = None
         self._panel = panel
         panel.on_watched, panel.on_asked = self.watch, self.do
         self._delay = Delay(screen, self._show)
@@ -50,9 +50,11 @@ class LiveActions:
         self._monitors: dict[int, Monitor] = {}
         self._graphs: dict[int, LiveGraph] = {}
         self._watching: dict[int, Watching] = {}
+        self._silent: set[int] = set()
         self._numbers = itertools.count(1)
         self._asked: dict[int, LiveRow] = {}
         self._answers: dict[str, Answer] = {}
+        self._said: Counter[str] = Counter()
         self._given: dict[str, dict[Path, str]] = {}
         self._empty = NOTHING_RUNS
 
@@ -60,11 +62,18 @@ class LiveActions:
         """Show that nodes are about to run, and nothing of those before."""
         self.end()
         self._graphs, self._answers, self._commands = {}, {}, ()
+        self._asked.clear()
+        self._said.clear()
         self._tell(STARTING)
 
-    def start(self, commands: Sequence[MonitorCommand]) -> None:
-        """Watch nodes."""
-        self._commands = commands
+    def start(self, tab: Tab, commands: Sequence[MonitorCommand]) -> None:
+        """Watch nodes.
+
+        Args:
+            tab: whose nodes they are, whichever is in front; its types are those of the forms.
+            commands: what starts their monitors.
+        """
+        self._tab, self._commands = tab, commands
         self._close()
         self._tell(LOOKING)
         self._start_missing()
@@ -100,7 +109,7 @@ class LiveActions:
     def _close(self) -> None:
         for monitor in self._monitors.values():
             monitor.close()
-        self._monitors, self._watching = {}, {}
+        self._monitors, self._watching, self._silent = {}, {}, set()
         self._delay.stop()
         self._look.stop()
 
@@ -146,7 +155,12 @@ class LiveActions:
 
     def _look_at_monitors(self) -> None:
         for version, monitor in list(self._monitors.items()):
-            if monitor.is_silent:
+            if not monitor.is_silent:
+                self._silent.discard(version)
+            elif version not in self._silent:
+                # The studio itself may have been stopped, and what was said not be read yet.
+                self._silent.add(version)
+            else:
                 monitor.kill()
                 self._lost(version, "the monitor of the nodes did not answer any more")
         if self._monitors:
@@ -157,6 +171,7 @@ class LiveActions:
         monitor = self._monitors.pop(version)
         monitor.close()
         self._watching.pop(version, None)
+        self._silent.discard(version)
         self._fail(version, f"{why}; press R to watch again")
         text = f"the nodes run on, but are not watched: {visible(why)}"
         self._screen.notify(text, severity="warning", markup=False)
@@ -179,22 +194,25 @@ class LiveActions:
 
     async def _ask(self, row: LiveRow) -> None:
         monitor = self._monitors.get(row.ros_version)
-        if monitor is None:
+        if monitor is None or self._tab is None:
             self._say("nothing runs that could take it")
             return
         from ..wizard.live_orders import form_for
 
-        form = form_for(row, self._program.open.session, self._given.get(row.key, {}))
+        form = form_for(row, self._tab.open.session, self._given.get(row.key, {}))
         if isinstance(form, str):
             self._say(form)
             return
         given = await self._screen.app.push_screen_wait(form.dialog)
         if given is None:
             return
-        self._given[row.key] = given
+        if row.kind is not Kind.PARAMETER:
+            # A parameter has a value, which is what its form begins with.
+            self._given[row.key] = given
         number = next(self._numbers)
         self._asked[number] = row
         if not monitor.order(id=number, **form.order(given)):
+            del self._asked[number]
             self._say("the monitor of the nodes takes nothing any more")
 
     def _take_answer(self, report: Any) -> bool:
@@ -208,6 +226,10 @@ class LiveActions:
             return True
         severity = "warning" if is_failure else "information"
         words = f"{row.name}: {visible(text)}" if row.kind is Kind.PARAMETER else visible(text)
+        # Notes that are the same are shown once, and who sends twice wants to know of both.
+        self._said[words] += 1
+        if self._said[words] > 1:
+            words += f" ({self._said[words]})"
         self._screen.notify(words, severity=severity, markup=False, timeout=3)  # type: ignore[arg-type]
         return False
 

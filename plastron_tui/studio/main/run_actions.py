@@ -101,9 +101,9 @@ class RunActions:
         self._nodes = nodes
         self._said: set[str] = set()
         self._trust = trust
-        self._live = LiveActions(screen, program, live)
+        self._live = LiveActions(screen, live)
         self._watched: Tab | None = None
-        """Whose monitors the live panel has: all nodes are in one graph, whatever tab is theirs."""
+        """Whose monitors the live panel has."""
         self._on_change = on_change
         self._runs = {program.tab: TabRun(output.printed)}
 
@@ -247,8 +247,8 @@ class RunActions:
         self._unsay()
         run.failed = {}
         self._nodes.remark(run.failed)
-        self._watched = None
-        self._live.starting()
+        if self._watched is None:
+            self._live.starting()
         self._output.begin(f"plastron run {path.name}")
         self._on_change()
         self._layout.reveal("output")
@@ -266,9 +266,7 @@ class RunActions:
         for tab, run in list(self._runs.items()):
             if run.running is not None:
                 self._show_run(tab, run, run.running)
-        for tab, run in self._runs.items():
-            if self._watched is None and run.running is not None and run.running.monitors:
-                self._watch(tab, run.running)
+        self._watch_newest()
 
     def _show_run(self, tab: Tab, run: TabRun, running: Running) -> None:
         """Take what nodes of a tab have printed, and show it where the tab is in front."""
@@ -303,15 +301,35 @@ class RunActions:
             self._say(f"{node} {how}", severity="error", timeout=10)
             run.failed = {**run.failed, node: "has ended"}
 
-    def _watch(self, tab: Tab, running: Running) -> None:
-        """Show what travels, where nobody has gone elsewhere since the nodes were started."""
+    def _watch_newest(self) -> None:
+        """Show what travels between the nodes that were started last, of those that are ready."""
+        ready = [
+            (run.started_at, tab, run.running)
+            for tab, run in self._runs.items()
+            if run.running is not None and run.running.monitors
+        ]
+        if not ready:
+            return
+        _, tab, running = max(ready, key=lambda each: each[0])
+        if tab is self._watched:
+            return
+        if self._watched is not None:
+            # What is known is of the nodes of another tab.
+            self._live.starting()
         self._watched = tab
-        self._live.start(running.monitors)
+        self._live.start(tab, running.monitors)
+        # Somebody may have gone elsewhere since the nodes were started.
         if tab is self._program.tab and self._layout.is_in_sight("output"):
             self._layout.reveal("live")
 
     def _end_watch(self, tab: Tab) -> None:
-        """Show no more of what travels by the monitors of a tab: its nodes have ended."""
-        if self._watched in (tab, None):
+        """Show no more of what travels by the monitors of a tab: its nodes have ended.
+
+        The nodes of another tab that run, or start just now, are watched instead.
+        """
+        if self._watched is tab or (
+            self._watched is None and not any(map(self.runs_in, self._runs))
+        ):
             self._watched = None
             self._live.end()
+            self.show_soon()

@@ -16,6 +16,7 @@ from ..config import Profile
 from ..editor import ProgramEditor
 from ..editor.statement_help import help_of
 from ..journal import Kept
+from ..key_order import Paged
 from ..open_program import Open
 from ..panels.entry import Entry
 from ..panels.entry_keys import Asked, Chosen, Lit
@@ -48,7 +49,7 @@ _LEAST_ROWS = 8
 """With fewer rows the line with the keys gives way to the text."""
 
 
-class MainScreen(Screen[None]):
+class MainScreen(Screen[None], Paged):
     """Shows the programs that are open: hands keys and messages to the part that they are for.
 
     Attributes:
@@ -100,6 +101,11 @@ class MainScreen(Screen[None]):
     def editor(self) -> ProgramEditor:
         """The editor."""
         return self.program.editor
+
+    @property
+    def is_turning(self) -> bool:
+        """Whether a file is looked for that keys are meant for."""
+        return self._code.is_finding
 
     def compose(self) -> ComposeResult:
         """Make the parts."""
@@ -181,12 +187,7 @@ class MainScreen(Screen[None]):
     @on(Chosen)
     def entry_chosen(self, message: Chosen) -> None:
         """Go to the statement of an entry."""
-        span = message.entry.span
-        if span is None:
-            self.notify(message.entry.elsewhere, markup=False)
-            return
-        self.editor.go_to(span.start)
-        self.editor.focus()
+        self._entries.go(message.entry)
 
     @on(Lit)
     def entry_lit(self, message: Lit) -> None:

@@ -45,6 +45,9 @@ class Asked(EntryMessage):
 class Pointing(Widget):
     """Has a cursor on an entry: as it moves the program goes along, and Enter goes there."""
 
+    takes_bursts = True
+    """Of a text that comes as keys no letter does anything."""
+
     @property
     def current(self) -> Entry | None:
         """The entry that the cursor is on."""

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence, Set
 from itertools import takewhile
 from typing import ClassVar, NamedTuple
 
@@ -36,7 +36,7 @@ class Watching(NamedTuple):
     Attributes:
         topics: the topics in sight.
         full: those of them whose fields are in sight.
-        nodes: the nodes whose parameters are in sight.
+        nodes: the nodes that are unfolded: their parameters may be in sight any moment.
     """
 
     topics: tuple[str, ...] = ()
@@ -44,8 +44,27 @@ class Watching(NamedTuple):
     nodes: tuple[str, ...] = ()
 
 
-def _asking(what: str, keys: str, title: str, tooltip: str, *, show: bool = True) -> Binding:
-    return Binding(keys, f"ask('{what}')", title, id=f"live.{what}", tooltip=tooltip, show=show)
+def watching_of(
+    rows: Sequence[LiveRow], in_sight: range, version: int, unfolded: Set[str]
+) -> Watching:
+    """Return what is looked at of one generation of ROS.
+
+    Args:
+        rows: the panel's rows, of all generations.
+        in_sight: the places of those that can be seen.
+        version: the generation.
+        unfolded: the keys of the rows that are unfolded.
+    """
+    own = [row for row in rows if row.ros_version == version]
+    seen = [row for row in rows[in_sight.start : in_sight.stop] if row.ros_version == version]
+    topics = dict.fromkeys(row.owner for row in seen if row.kind in (Kind.TOPIC, Kind.FIELD))
+    full = [name for name in topics if f"{version} topic {name}" in unfolded]
+    nodes = [row.owner for row in own if row.kind is Kind.NODE and row.is_open]
+    return Watching(tuple(topics), tuple(full), tuple(nodes))
+
+
+def _asking(what: str, keys: str, title: str, tooltip: str) -> Binding:
+    return Binding(keys, f"ask('{what}')", title, id=f"live.{what}", tooltip=tooltip)
 
 
 class LivePanel(EntryList):
@@ -64,7 +83,7 @@ class LivePanel(EntryList):
         _asking("publish", "p", "Publish", "Send a message to the topic"),
         _asking("call", "c", "Call", "Call the service"),
         _asking("set", "s", "Set", "Give the parameter another value"),
-        _asking("restart", "r", "Watch again", "Start the monitor of the nodes again", show=False),
+        _asking("restart", "r", "Watch again", "Start the monitor of the nodes again"),
     ]
 
     def __init__(self, *, id: str | None = None) -> None:  # noqa: A002 - Textual's word
@@ -103,16 +122,8 @@ class LivePanel(EntryList):
         if not self.is_in_sight:
             return Watching()
         top = int(self.scroll_offset.y)
-        seen = [
-            row
-            for row in self._live[top : top + max(1, self.size.height)]
-            if row.ros_version == version
-        ]
-        topics = dict.fromkeys(row.owner for row in seen if row.kind in (Kind.TOPIC, Kind.FIELD))
-        prefix = f"{version} topic "
-        full = [name for name in topics if f"{prefix}{name}" in self._unfolded]
-        nodes = [row.owner for row in self._live if row.kind is Kind.NODE and row.is_open]
-        return Watching(tuple(topics), tuple(full), tuple(nodes))
+        in_sight = range(top, top + max(1, self.size.height))
+        return watching_of(self._live, in_sight, version, self._unfolded)
 
     def show_live(
         self,
@@ -194,6 +205,10 @@ class LivePanel(EntryList):
         """Show what came meanwhile."""
         self._look()
 
+    def on_focus(self) -> None:
+        """Show it also where it was out of sight only for a moment, of which nothing is told."""
+        self._look()
+
     def on_hide(self) -> None:
         """Tell that nobody looks any more."""
         self._look()
@@ -223,14 +238,33 @@ class LivePanel(EntryList):
 
     def check_action(self, action: str, parameters: tuple[object, ...]) -> bool | None:
         """Offer what can be done about the row under the cursor."""
-        if action != "ask" or parameters[0] == "restart":
+        if action == "choose":
+            row = self.row
+            is_sent_to = row is not None and row.kind in (Kind.SERVICE, Kind.ANSWER, Kind.PARAMETER)
+            return is_sent_to or self._branch() is not None
+        if action != "ask":
             return True
-        row = self.row
-        return row is not None and row.kind is _KINDS[str(parameters[0])]
+        if parameters[0] == "restart":
+            return any(graph.problem for graph in self._graphs)
+        return self._target(str(parameters[0])) is not None
+
+    def _target(self, what: str) -> LiveRow | None:
+        """Return the row that something can be done about: the cursor's, or that it is below."""
+        row, kind = self.row, _KINDS[what]
+        if row is None or row.kind is kind:
+            return row
+        if row.kind is Kind.ANSWER:
+            above = self._live[self.index - 1]
+        else:
+            at = self._branch()
+            if at is None:
+                return None
+            above = self._live[at]
+        return above if above.kind is kind else None
 
     def action_ask(self, what: str) -> None:
         """Ask for something to be done."""
-        self.on_asked(what, self.row)
+        self.on_asked(what, None if what == "restart" else self._target(what))
 
     def action_choose(self) -> None:
         """Unfold the row, or fold it; call a service; set a parameter."""

@@ -14,6 +14,10 @@ WAITING = "waiting for the first message…"
 NOBODY = "nobody publishes here yet"
 
 
+_WIDEST = 500
+"""So many characters of a value are looked at: more than windows show in a line."""
+
+
 class Kind(Enum):
     """What a row is about."""
 
@@ -134,7 +138,7 @@ def _fields(key: str, topic: LiveTopic, version: int) -> Iterator[LiveRow]:
             visible(path),
             topic.name,
             version,
-            value=visible(text),
+            value=_line(text),
             samples=tuple(topic.field_samples.get(path, ())),
             depth=1,
         )
@@ -157,7 +161,7 @@ def _topic_value(topic: LiveTopic) -> tuple[str, str]:
     if topic.is_gone:
         return "gone", "warning"
     if topic.text:
-        return visible(topic.text), "" if topic.rate > 0 or topic.count < 2 else "quiet"
+        return _line(topic.text), "" if topic.rate > 0 or topic.count < 2 else "quiet"
     return (WAITING if topic.publishers else NOBODY), "quiet"
 
 
@@ -183,7 +187,7 @@ def _services(graph: LiveGraph, answers: Mapping[str, Answer]) -> Iterator[LiveR
                 service.name,
                 graph.ros_version,
                 service.type,
-                value=visible(answer.text),
+                value=_line(answer.text),
                 tone="error" if answer.is_failure else "",
                 depth=1,
             )
@@ -226,7 +230,7 @@ def _nodes(graph: LiveGraph, unfolded: AbstractSet[str]) -> Iterator[LiveRow]:
 
 def _parameter_value(parameter: LiveParameter) -> str:
     value = parameter.value
-    shown = f"[{', '.join(map(str, value))}]" if isinstance(value, tuple) else str(value)
+    shown = _list(value) if isinstance(value, tuple) else str(value)[: _WIDEST + 1]
     limits = parameter.range
     parts = [shown if value is not None else "not set"]
     if limits is not None:
@@ -235,4 +239,15 @@ def _parameter_value(parameter: LiveParameter) -> str:
         parts.append("cannot be set")
     if parameter.about:
         parts.append(parameter.about)
-    return visible("  ".join(parts))
+    return _line("  ".join(parts))
+
+
+def _list(values: tuple[object, ...]) -> str:
+    """Return a list as text, as much of it as a line may show."""
+    more = ", …" if len(values) > _WIDEST else ""
+    return f"[{', '.join(str(each)[:_WIDEST] for each in values[:_WIDEST])}{more}]"
+
+
+def _line(text: str) -> str:
+    """Return a text in one line that a terminal shows as it is; a long one is cut first."""
+    return visible(text if len(text) <= _WIDEST else text[:_WIDEST] + "…")

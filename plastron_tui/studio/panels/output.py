@@ -124,6 +124,10 @@ class OutputPanel(Vertical):
         if self._bar is not None:
             self._bar.say(len(found), len(records))
 
+    def check_action(self, action: str, parameters: tuple[object, ...]) -> bool | None:
+        """Offer to filter where the words are not being typed already."""
+        return action != "filter" or self._bar is None or not self._bar.field.has_focus
+
     async def action_filter(self) -> None:
         """Ask for the words that lines have to have."""
         if self._bar is None:

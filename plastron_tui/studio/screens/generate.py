@@ -34,6 +34,9 @@ _MOST_SAID = 4
 class GenerateDialog(Dialog[bool]):
     """Lists the files; the result is whether they were written."""
 
+    takes_bursts = True
+    """A text that comes as keys writes nothing."""
+
     BINDINGS: ClassVar[list[BindingType]] = [
         Binding("escape", "close", "Close"),
         Binding("f6", "write", "Write"),

@@ -26,6 +26,9 @@ REST = 0.5
 class Question(Dialog[str], Unasked):
     """Asks; the result is the id of the answer, "" for none."""
 
+    takes_bursts = True
+    """A text that comes as keys answers nothing."""
+
     BINDINGS: ClassVar[list[BindingType]] = [
         Binding("escape", "answer('')", "Cancel"),
         Binding("left", "app.focus_previous", show=False),

@@ -12,8 +12,11 @@ from plastron_tui.session import Session
 from ..panels.live_rows import Kind, LiveRow
 from .live_form import LiveForm
 from .parameter_kinds import parameter_entry
-from .sent_values import Wrong, sent_setting, sent_values
+from .sent_values import Wrong, sent_setting, sent_values, shown_setting
 from .values import Path, entries_of
+
+_LONGEST = 20_000
+"""Characters of a value that a field takes without keeping keys waiting."""
 
 
 class LiveOrder(NamedTuple):
@@ -74,13 +77,15 @@ def _setting(row: LiveRow) -> LiveOrder | str:
         return "a parameter without a type cannot be set here"
     entry = parameter_entry(parameter.name, type_)
 
+    value = parameter.value
+    shown = "" if value is None else shown_setting(value)
+    if len(shown) > _LONGEST:
+        return f"its value is too long to be changed here: {len(shown):,} characters"
+    given = {entry.path: shown}
+
     def check(entered: Mapping[Path, str]) -> Any:
         return sent_setting(entry, type_, entered.get(entry.path, ""), row.ros_version)
 
-    value = parameter.value
-    shown = ", ".join(map(str, value)) if isinstance(value, tuple) else str(value)
-    # What cannot be seen cannot be edited either.
-    given = {entry.path: shown} if shown.isprintable() else {}
     limits = "" if parameter.range is None else "from {:g} to {:g}".format(*parameter.range)
     about = ". ".join(filter(None, (parameter.about, limits)))
     dialog = LiveForm(f"set {parameter.name} of {row.owner}", "Set", [entry], check,

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from time import monotonic
 from typing import ClassVar
 
 from textual import events
@@ -16,6 +17,9 @@ from plastron_tui.language import Slot
 from plastron_tui.language.declaration import Form
 
 from .values import Entry, Path
+
+REST_OF_PASTE = 0.1
+"""Seconds within which the next piece of a paste comes: a terminal is read 4 KB at a time."""
 
 _SHORT = 12
 """A text with fewer characters is a short one."""
@@ -46,6 +50,7 @@ class TextBox(Input):
     """A line of text whose Up and Down belong to the form."""
 
     BINDINGS: ClassVar[list[BindingType]] = []
+    _left_at = 0.0
 
     def on_focus(self) -> None:
         """Say so."""
@@ -53,8 +58,13 @@ class TextBox(Input):
             self.post_message(Reached(self.parent))
 
     def _on_paste(self, event: events.Paste) -> None:
-        """Leave several lines to who has room for them: a field would keep the first."""
-        if len(event.text.strip().splitlines()) != 1:
+        """Leave several lines to who has room for them: a field would keep the first.
+
+        The last piece of a long text may be a single line.
+        """
+        is_going_on = monotonic() - self._left_at < REST_OF_PASTE
+        if is_going_on or len(event.text.strip().splitlines()) != 1:
+            self._left_at = monotonic()
             event.prevent_default()
 
 

@@ -10,7 +10,7 @@ from typing import ClassVar
 from textual import events, on
 from textual.binding import Binding, BindingType
 from textual.widgets import Button
-from textual.worker import Worker
+from textual.worker import Worker, WorkType
 
 from plastron_tui.diagnostics import Edit
 from plastron_tui.language import DECLARATIONS, Declaration
@@ -32,7 +32,7 @@ from .menu import Offer, recipe_offers
 from .menu_page import Menu, Picked, Wanted
 from .program_trial import Finding
 from .result_view import ResultView
-from .rows import Confirmed
+from .rows import REST_OF_PASTE, Confirmed
 from .values import Path
 
 _PAUSE = 0.02
@@ -74,6 +74,7 @@ class Wizard(Frame):
         self._nexts = 0
         self._is_turning = True
         self._looks = 0
+        self._pasted = ""
         self._waiting: list[Callable[[], None]] = []
         self._worker: Worker[None] | None = None
 
@@ -252,11 +253,19 @@ class Wizard(Frame):
     # What is pasted.
 
     def on_paste(self, event: events.Paste) -> None:
-        """Take a text that no field has taken: a word for an entry, else lines for the program."""
+        """Take a text that no field has taken; a long one comes in several pieces."""
         event.stop()
-        lines = pasted.lines_of(event.text)
+        self._pasted += event.text
+        work: WorkType[None] = self._take_pasted
+        self.run_worker(work, group="pasted", exclusive=True)
+
+    async def _take_pasted(self) -> None:
+        """Take a word for an entry of the menu, and else lines for the program."""
+        await asyncio.sleep(REST_OF_PASTE)
+        text, self._pasted = self._pasted, ""
+        lines = pasted.lines_of(text)
         menu = self.query(Menu)
-        found = pasted.entry_for(event.text, self._items) if menu else None
+        found = pasted.entry_for(text, self._items) if menu else None
         if found is not None:
             menu.first().highlighted = found
         elif any(line.strip() for line in lines) and self.app.screen is self:

@@ -2,16 +2,19 @@
 
 from __future__ import annotations
 
+import json
+import re
 from collections.abc import Mapping, Sequence
 from typing import Any, NamedTuple
 
 from plastron_tui.language import Document, lower
+from plastron_tui.language.sentence import quoted
 from plastron_tui.language.statements import CreateMessage
 from plastron_tui.model.value_check import Fitter
 from plastron_tui.model.values import MessageValue
 from plastron_tui.ros.catalog import Catalog
 from plastron_tui.ros.interfaces import Interface
-from plastron_tui.ros.parameters import ParameterType, as_setting
+from plastron_tui.ros.parameters import ParameterType, Setting, as_setting
 
 from .values import Entry, Heading, Path, input_text, is_computed, pieces, problem_of
 
@@ -23,6 +26,9 @@ class Wrong(NamedTuple):
     path: Path | None = None
 
 
+_NOT_FINITE = re.compile(r"(?<![\w.])(inf|nan)(?![\w.])", re.ASCII | re.IGNORECASE)
+_OF_LISTS = frozenset(',"\\[]')
+"""What means something else in a list than itself."""
 _COMPUTED = "a value that is sent now is written as it is, not computed"
 
 
@@ -60,22 +66,60 @@ def sent_values(
     return {name: _plain(each) for name, each in value.fields.items()}
 
 
+def shown_setting(value: Setting) -> str:
+    """Return the value of a parameter as it stands in its field; `sent_setting` takes it back.
+
+    A text stands there as it is, where it can be seen and means nothing else; else in double
+    quotes, escaped as in a program.
+    """
+    if isinstance(value, tuple):
+        return ", ".join(
+            quoted(each) if isinstance(each, str) and not _is_plain_item(each) else str(each)
+            for each in value
+        )
+    if isinstance(value, str) and not _is_plain(value):
+        return quoted(value)
+    return str(value)
+
+
 def sent_setting(entry: Entry, type_: ParameterType, text: str, ros_version: int) -> Any | Wrong:
-    """Return the value that a parameter is to get, or what is wrong with it."""
+    """Return the value that a parameter is to get, or what is wrong with it.
+
+    Other than in a program a number may be `inf` or `nan`: a node may have such a value already.
+    """
     if is_computed(text):
         return Wrong(_COMPUTED, entry.path)
-    problem = problem_of(entry, text, ros_version)
+    checked = _NOT_FINITE.sub("0.0", text) if type_.element is ParameterType.FLOAT else text
+    if type_ is ParameterType.STRING:
+        checked = _unquoted(text)
+    problem = problem_of(entry, checked, ros_version)
     if problem is not None:
         return Wrong(problem, entry.path)
-    element = type_.element
-    if not type_.is_list:
-        value: Any = _scalar(element, text)
-    else:
-        inner = text.strip().removeprefix("[").removesuffix("]")
-        value = [_scalar(element, _unquoted(each)) for each in pieces(inner)]
-    if as_setting(type_, value) is None:
+    if as_setting(type_, _value_of(type_, checked)) is None:
         return Wrong("it is too large for the parameter", entry.path)
-    return value
+    return _value_of(type_, text)
+
+
+def _value_of(type_: ParameterType, text: str) -> Any:
+    if not type_.is_list:
+        return _scalar(type_, text)
+    inner = text.strip().removeprefix("[").removesuffix("]")
+    return [_scalar(type_.element, each) for each in pieces(inner)]
+
+
+def _is_plain(text: str) -> bool:
+    """Tell whether a text is taken for itself, and can be seen, in a field of its own."""
+    is_seen = text.isprintable() and text == text.strip()
+    return is_seen and not (_is_quoted(text) or is_computed(text))
+
+
+def _is_plain_item(text: str) -> bool:
+    """Tell the same of a text in a list."""
+    return bool(text) and _is_plain(text) and not _OF_LISTS & set(text)
+
+
+def _is_quoted(text: str) -> bool:
+    return len(text) > 1 and text[0] == text[-1] == '"'
 
 
 def _first_problem(
@@ -105,7 +149,14 @@ def _plain(value: Any) -> Any:
 
 
 def _unquoted(text: str) -> str:
-    return text[1:-1] if len(text) > 1 and text[0] == text[-1] == '"' else text
+    """Return the text that stands in double quotes; one without them is itself."""
+    if not _is_quoted(text):
+        return text
+    try:
+        # The escapes of programs are those of JSON.
+        return str(json.loads(text, strict=False))
+    except ValueError:
+        return text[1:-1]
 
 
 def _scalar(type_: ParameterType, text: str) -> Any:
@@ -118,4 +169,4 @@ def _scalar(type_: ParameterType, text: str) -> Any:
         case ParameterType.FLOAT:
             return float(plain)
         case _:
-            return text
+            return _unquoted(text)

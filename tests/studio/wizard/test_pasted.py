@@ -8,6 +8,7 @@ import pytest
 from textual import events
 from wizard_driver import wizard
 
+from plastron_tui.studio.terminal_driver import Burst
 from plastron_tui.studio.wizard.menu_page import Item
 from plastron_tui.studio.wizard.pasted import entry_for, insertion, lines_of, preview
 
@@ -58,8 +59,15 @@ async def test_a_paste_onto_a_menu_and_onto_a_form(two: Path) -> None:
         await it.driver.until(lambda: it.is_open)
         assert it.driver.text == before
         await it.pick("make a node")
-        it.driver.app.post_message(events.Paste(LINES))
-        await it.driver.dialog("Question")
+        # A long one comes in pieces, and what comes as keys answers no question.
+        for piece in (LINES[:30], LINES[30:]):
+            it.driver.app.post_message(events.Paste(piece))
+        question = await it.driver.dialog("Question")
+        letters = "look into it\r"
+        keys = [events.Key("enter" if each == "\r" else each, each) for each in letters]
+        it.driver.app.post_message(Burst(letters * 6, keys * 6))
+        await it.pilot.pause()
+        assert it.driver.app.screen is question
         await it.pilot.press("enter")
         await it.driver.until(lambda: it.is_open)
         await it.settle()
