@@ -16,6 +16,7 @@ from plastron_tui.diagnostics import Edit
 from plastron_tui.language import DECLARATIONS, Declaration
 from plastron_tui.language import statements as st
 from plastron_tui.language.declaration import Statement
+from plastron_tui.model.workspace import Workspace
 from plastron_tui.session import Session
 
 from ..panels.text_view import TextView
@@ -210,21 +211,13 @@ class Wizard(Frame):
             self._finish_with(self._actions[message.number])
             return
         offer = self._offers[message.number]
-        if self._writes_at_once(offer):
+        if _writes_at_once(offer, self.course.session.workspace):
             self.dismiss("screen.generate")
             return
         if offer.recipe is not None:
             self.dismiss(f"screen.start_from({str(offer.recipe)!r})")
         else:
             self._turn(lambda: self.course.take(offer))
-
-    def _writes_at_once(self, offer: Offer) -> bool:
-        """Tell whether all that could be generated is: then the files can be written."""
-        if offer.declaration is None or offer.declaration is not generating():
-            return False
-        workspace = self.course.session.workspace
-        generated = {made.node.variable for made in workspace.generations}
-        return all(node.is_idle or name in generated for name, node in workspace.nodes.items())
 
     def _finish_with(self, action: str) -> None:
         if action == "more":
@@ -365,10 +358,7 @@ class Wizard(Frame):
     def action_back(self) -> None:
         """Go back a page; what was entered is kept."""
         if not self.is_done:
-            self._turn(self._backwards)
-
-    def _backwards(self) -> None:
-        self.course.back()
+            self._turn(lambda: self.course.back())
 
     @on(Button.Pressed, "#wizard-turn")
     def action_turn(self) -> None:
@@ -386,3 +376,11 @@ class Wizard(Frame):
     def action_leave(self) -> None:
         """Leave without a trace of what was not finished."""
         self.dismiss("")
+
+
+def _writes_at_once(offer: Offer, workspace: Workspace) -> bool:
+    """Tell whether all that could be generated is: then the files can be written."""
+    if offer.declaration is None or offer.declaration is not generating():
+        return False
+    generated = {made.node.variable for made in workspace.generations}
+    return all(node.is_idle or name in generated for name, node in workspace.nodes.items())
