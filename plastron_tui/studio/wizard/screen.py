@@ -76,7 +76,7 @@ class Wizard(Frame):
         self._is_turning = True
         self._looks = 0
         self._pasted = ""
-        self._waiting: list[Callable[[], None]] = []
+        self._waiting: list[Callable[[], object]] = []
         self._worker: Worker[None] | None = None
 
     def on_mount(self) -> None:
@@ -87,7 +87,7 @@ class Wizard(Frame):
 
     # Finding out.
 
-    def changed(self, then: Callable[[], None] | None = None) -> None:
+    def changed(self, then: Callable[[], object] | None = None) -> None:
         """Find out what follows; `then` is done before, when nobody else looks at the course."""
         if then is not None:
             self._waiting.append(then)
@@ -95,7 +95,7 @@ class Wizard(Frame):
         if self._worker is None or self._worker.is_finished:
             self._worker = self.run_worker(self._find_out(), group="look")
 
-    def _turn(self, do: Callable[[], None] | None = None) -> None:
+    def _turn(self, do: Callable[[], object] | None = None) -> None:
         """Go to another page; keys that come meanwhile are for that one."""
         self._is_turning = True
         self.changed(do)
@@ -150,7 +150,7 @@ class Wizard(Frame):
             return None
         return page.form, row.slot.name, row.path, row.query_text
 
-    def _view(self, waiting: Sequence[Callable[[], None]], asked: _Asked | None) -> View:
+    def _view(self, waiting: Sequence[Callable[[], object]], asked: _Asked | None) -> View:
         """Find out, in a thread."""
         course = self.course
         for do in waiting:
