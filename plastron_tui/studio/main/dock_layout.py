@@ -7,6 +7,7 @@ from collections.abc import Callable, Mapping
 from textual import events, on
 from textual.app import ComposeResult
 from textual.containers import Horizontal, Vertical
+from textual.geometry import Size
 from textual.widget import Widget
 
 from ..config import Remembered
@@ -61,6 +62,7 @@ class DockLayout(Horizontal):
             for side in ("outline", "result", "bottom")
         )
         self._outline_edge, self._result_edge = Edge(id="outline-edge"), Edge(id="result-edge")
+        self._center = Vertical(id="center")
         self.sizes = {dock.side: 0 for dock in self.docks}
         self.front = self.outline
         self._counts: Mapping[str, int] = {}
@@ -68,15 +70,16 @@ class DockLayout(Horizontal):
         """The dock that is about to get the focus."""
         self._hides_panels = False
         self._is_zoomed = False
+        self._fitted = Size()
 
     def compose(self) -> ComposeResult:
         """Make the docks, and of their panels those that are in sight at first."""
         self._restore()
-        for dock in self._places():
-            dock.fill()
+        # What is mounted with its classes is styled once.
+        self._arrange()
         yield self.outline
         yield self._outline_edge
-        with Vertical(id="center"):
+        with self._center:
             yield self._editor
             yield self.bottom
         yield self._result_edge
@@ -137,8 +140,18 @@ class DockLayout(Horizontal):
             return self._entering
         return next((each for each in focused.ancestors_with_self if isinstance(each, Dock)), None)
 
+    def fit(self) -> None:
+        """Lay the docks out for another size of the window."""
+        if self.app.size != self._fitted:
+            self._fitted = self.app.size
+            self.lay_out()
+
     def lay_out(self) -> None:
         """Lay the docks out."""
+        self._arrange()
+        self._on_change()
+
+    def _arrange(self) -> None:
         places = self._places()
         zoomed = self.focused_dock if self._is_zoomed else None
         if zoomed is not None:
@@ -155,9 +168,8 @@ class DockLayout(Horizontal):
         self._result_edge.ends = ("╭", "╰") if is_framed else ("│", "│")
         self._editor.set_class(is_framed, "-framed")
         self._editor.display = zoomed is None
-        self.query_one("#center").display = zoomed in (None, self.bottom)
+        self._center.display = zoomed in (None, self.bottom)
         self._show_tabs()
-        self._on_change()
 
     def _place(self, dock: Dock, place: str) -> None:
         width, height = self.app.size

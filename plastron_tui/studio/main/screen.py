@@ -140,7 +140,7 @@ class MainScreen(Screen[None], Paged):
     def on_resize(self) -> None:
         """Lay the panels out for another size."""
         self._keys.display = self.app.size.height >= _LEAST_ROWS
-        self.dock_layout.lay_out()
+        self.dock_layout.fit()
 
     def look_at_disk(self) -> None:
         """Find out what others have written."""
