@@ -85,8 +85,8 @@ class TabStrip(Toned):
         tabs = self._fitting(width)
         sizes = [cell_len(text) + cell_len(count) for _, text, count in tabs]
         at = next((at for at, (panel, _, _) in enumerate(tabs) if panel.name == self.active), 0)
-        first = 0
-        while first < at and sum(sizes[first : at + 1]) > width:
+        first, mark = 0, int(at + 1 < len(tabs))
+        while first < at and sum(sizes[first : at + 1]) + mark > width:
             first += 1
         rule = base + self.tone("rule", "tab-strip")
         segments, x = [Segment(before, rule)], 0
