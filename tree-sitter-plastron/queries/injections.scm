@@ -1,4 +1,4 @@
-; In comments, what a grammar for comments knows: a TODO, an address.
+; In comments, what a grammar for comments knows: notes, addresses.
 
 ([(line_comment) (block_comment)] @injection.content
   (#set! injection.language "comment"))

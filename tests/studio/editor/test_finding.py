@@ -15,6 +15,19 @@ from plastron_tui.studio.editor.search import Found, Search
 from plastron_tui.studio.editor.search_thread import SearchThread
 
 
+def held_searches(monkeypatch: pytest.MonkeyPatch) -> threading.Event:
+    """Let searches for an expression wait until the event is set."""
+    goes_on = threading.Event()
+    find = Search.find
+
+    def held(self: Search, text: bytes, *is_stale: Callable[[], bool]) -> Found:
+        assert not self.is_regex or goes_on.wait(60)
+        return find(self, text, *is_stale)
+
+    monkeypatch.setattr(Search, "find", held)
+    return goes_on
+
+
 class _Scripted(Search):
     """A search that does what a test wants."""
 
@@ -154,14 +167,7 @@ class TestFinding:
     async def test_keys_do_not_wait_for_a_slow_expression(
         self, monkeypatch: pytest.MonkeyPatch
     ) -> None:
-        goes_on = threading.Event()
-        find = Search.find
-
-        def slow(self: Search, text: bytes, *is_stale: Callable[[], bool]) -> Found:
-            assert not self.is_regex or goes_on.wait(60)
-            return find(self, text, *is_stale)
-
-        monkeypatch.setattr(Search, "find", slow)
+        goes_on = held_searches(monkeypatch)
         async with editing("ab b\n") as at:
             await at.press("ctrl+r", "tab", "z", "tab", "alt+r")
             goes_on.set()
@@ -184,14 +190,7 @@ class TestFinding:
     async def test_what_was_edited_meanwhile_is_searched_again(
         self, monkeypatch: pytest.MonkeyPatch
     ) -> None:
-        goes_on = threading.Event()
-        find = Search.find
-
-        def slow(self: Search, text: bytes, *is_stale: Callable[[], bool]) -> Found:
-            assert not self.is_regex or goes_on.wait(60)
-            return find(self, text, *is_stale)
-
-        monkeypatch.setattr(Search, "find", slow)
+        goes_on = held_searches(monkeypatch)
         async with editing("ab b\n") as at:
             await at.press("ctrl+r", "b", "tab", "z", "alt+r", "alt+a")
             assert at.editor.finder.is_searching
