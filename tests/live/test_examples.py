@@ -55,10 +55,20 @@ def traffic(graph: Graph, program: Path, output: Path) -> dict[str, Any]:
     files = generate(str(program.with_suffix("")), output, graph.target)
     nodes = {file: graph.run(path) for file, path in files.items()}
     topics = {each["name"]: each["type"] for each in picture["topics"] if each["publishers"]}
+    # What was sent once is kept for whoever asks for it: another node may have heard it before.
+    kept = {
+        each["name"]
+        for each in picture["topics"]
+        if each["publishers"]
+        and all(
+            one.get("qos", {}).get("durability") == "transient_local" for one in each["publishers"]
+        )
+    }
     seen: dict[str, Any] = {}
     asked: list[tuple[Process, str, int]] = []
-    if topics:
-        for topic, received in graph.listen(topics, 3).items():
+    for qos, names in (([], topics.keys() - kept), (["transient_local"], kept)):
+        heard = graph.listen({name: topics[name] for name in names}, 3, qos) if names else {}
+        for topic, received in heard.items():
             messages = {json.dumps(untimed(each.message), sort_keys=True) for each in received}
             seen[topic] = (topics[topic], sorted(messages))
     for service in picture["services"]:
