@@ -171,7 +171,7 @@ class StudioApp(InOrder, inherit_bindings=False):
 
     def get_driver_class(self) -> type[Driver]:
         """Return what writes to the terminal, and reads what comes from there."""
-        return for_terminal(super().get_driver_class(), self._shown)
+        return for_terminal(super().get_driver_class(), self._shown, self._no_more_keys)
 
     def get_key_display(self, binding: Binding) -> str:
         """Return what a key is called, everywhere in the studio."""
@@ -213,6 +213,10 @@ class StudioApp(InOrder, inherit_bindings=False):
         if report not in self._failures:
             self._failures.add(report)
             self.push_screen(Failure(report, self.main.open.journal.file))
+
+    def _no_more_keys(self, error: Exception) -> None:
+        """End, from the thread that reads from the terminal: nothing can be typed any more."""
+        self.call_later(self.fail, error)
 
     def survives(self, error: Exception) -> bool:
         """Survive what goes wrong in a worker; end with a report what ends a widget's loop."""
