@@ -87,7 +87,7 @@ class StudioApp(InOrder, inherit_bindings=False):
         folder = state_folder()
         config, self._messages = load_config(config_file(), key_owners(), self.available_themes)
         self.profile = Profile(config, load_remembered(folder), folder)
-        self.set_reactive(App.theme, self._first_theme())
+        self._begin_with(self._first_theme())
         self._paths = [] if path is None else _different([path, *others])
         self._options = options or Options()
         self._first = None if first is None else f"screen.{first}"
@@ -160,6 +160,14 @@ class StudioApp(InOrder, inherit_bindings=False):
         if wanted in self.available_themes:
             return wanted
         return _SMALL if has_few_colours(os.environ) else DEFAULT_THEME
+
+    def _begin_with(self, theme: str) -> None:
+        """Have a theme before anything is styled; a change of it would style all once more."""
+        self.set_reactive(App.theme, theme)
+        self.stylesheet.set_variables(self.get_css_variables())
+        is_dark = self.current_theme.dark
+        self.set_class(is_dark, "-dark-mode", update=False)
+        self.set_class(not is_dark, "-light-mode", update=False)
 
     def _themed(self, name: str, first: str) -> None:
         if name != first or self.profile.remembered.theme is not None:

@@ -81,7 +81,7 @@ def take_any_bytes() -> None:
     except ImportError:
         return
     if getattr(linux_driver, "getincrementaldecoder", None) is not None:
-        linux_driver.getincrementaldecoder = _forgiving  # type: ignore[attr-defined]
+        linux_driver.getincrementaldecoder = _forgiving  # type: ignore[assignment]
 
 
 def _forgiving(encoding: str) -> Callable[[], codecs.IncrementalDecoder]:
