@@ -81,7 +81,7 @@ def take_any_bytes() -> None:
     except ImportError:
         return
     if getattr(linux_driver, "getincrementaldecoder", None) is not None:
-        linux_driver.getincrementaldecoder = _forgiving  # type: ignore[assignment]
+        linux_driver.getincrementaldecoder = _forgiving  # type: ignore[assignment, attr-defined]
 
 
 def _forgiving(encoding: str) -> Callable[[], codecs.IncrementalDecoder]:
