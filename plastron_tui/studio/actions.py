@@ -143,7 +143,7 @@ def key_owners() -> tuple[KeyOwner, ...]:
         for command in COMMANDS
     ]
     for panel in PANELS:
-        for base in (*panel.widget.__mro__, *Dock.__mro__):
+        for base in (*panel.widget_class.__mro__, *Dock.__mro__):
             owners += [
                 KeyOwner(each.id or "", each.description, frozenset({panel.name}), _split(each.key))
                 for each in base.__dict__.get("BINDINGS", ())

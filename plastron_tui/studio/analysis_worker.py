@@ -20,6 +20,8 @@ from textual.message import Message
 
 from plastron_tui import collector
 
+from .editor.preload import preload
+
 if TYPE_CHECKING:
     from plastron_tui.session import Session
 
@@ -136,6 +138,7 @@ class AnalysisWorker:
 
     def _answer(self, session: Session | None, wanted: tuple[Request, ...]) -> None:
         # Imported here, and so in the thread, when there is something to see.
+        preload()
         from .analysis import analyse
         from .panels.registry import BY_NAME, counts, make
 

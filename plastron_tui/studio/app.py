@@ -85,7 +85,7 @@ class StudioApp(InOrder, inherit_bindings=False):
         self._shown = ShownScreen()
         super().__init__()
         folder = state_folder()
-        config, self._messages = load_config(config_file(), key_owners(), self.available_themes)
+        config, self._messages = load_config(config_file(), key_owners, self.available_themes)
         self.profile = Profile(config, load_remembered(folder), folder)
         self.set_reactive(App.theme, self._first_theme())
         self._paths = [] if path is None else _different([path, *others])

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import ClassVar
+from functools import cached_property
+from typing import TYPE_CHECKING, ClassVar
 
 from textual import on, work
 from textual.app import ComposeResult
@@ -14,19 +15,15 @@ from ..actions import BY_ID, KEPT, bindings
 from ..analysis_worker import Analysed, AnalysisFailed
 from ..config import Profile
 from ..editor import ProgramEditor
-from ..editor.statement_help import help_of
 from ..journal import Kept
 from ..key_order import Paged
 from ..open_program import Open
 from ..panels.entry import Entry
 from ..panels.entry_keys import Asked, Chosen, Lit
-from ..panels.entry_list import EntryList
 from ..panels.key_bar import KeyBar
-from ..panels.live_panel import LivePanel
-from ..panels.output import OutputPanel
-from ..panels.panel import Resized
+from ..panels.panel import PanelWidgets, Resized
 from ..panels.registry import PANELS
-from .active_program import ActiveProgram
+from .active_program import ActiveProgram, Tab
 from .code_actions import CodeActions
 from .disk_watch import DiskWatch
 from .dock_layout import DockLayout
@@ -36,11 +33,13 @@ from .key_help import choose_action, show_help, toggle_keys
 from .panel_feed import PanelFeed
 from .program_bars import StatusBar, TitleBar
 from .recovery import Recovery
-from .run_actions import Printed, RunActions
 from .tab_actions import TabActions
 from .tab_line import TabLine
 from .trust_prompt import TrustPrompt
 from .wizard_host import WizardHost
+
+if TYPE_CHECKING:
+    from .run_actions import RunActions
 
 _LOOK_AT_DISK = 2
 """Seconds after which the files are looked at again."""
@@ -53,7 +52,7 @@ class MainScreen(Screen[None], Paged):
     """Shows the programs that are open: hands keys and messages to the part that they are for.
 
     Attributes:
-        panels: the widget of each panel, by the panel's name.
+        panels: the widget of each panel, by the panel's name, made when it is first shown.
     """
 
     BINDINGS: ClassVar[list[BindingType]] = [*bindings()]
@@ -66,12 +65,11 @@ class MainScreen(Screen[None], Paged):
         self.tab_line = TabLine(id="tabs")
         self._title, self._status = TitleBar(id="title"), StatusBar(id="status")
         self._keys = KeyBar(KEPT)
-        widgets = {panel: panel.widget(id=panel.name) for panel in PANELS}
-        self.panels = {panel.name: widget for panel, widget in widgets.items()}
+        self.panels = PanelWidgets(PANELS)
         self.dock_layout = DockLayout(
-            widgets, self.editor, profile.remembered, lambda: self.feed.refresh()
+            PANELS, self.panels, self.editor, profile.remembered, lambda: self.feed.refresh()
         )
-        self.feed = PanelFeed(self, self.program, self.dock_layout, widgets)
+        self.feed = PanelFeed(self, self.program, self.dock_layout, self.panels)
         self.recovery = Recovery(self, self.program, profile.journals)
         self.files = FileActions(
             self, self.program, profile, self.recovery, self._show_anew, self.show_title
@@ -80,17 +78,31 @@ class MainScreen(Screen[None], Paged):
             self, self.program, self.files, self.recovery, self.feed.ask_anew, self.show_title
         )
         self._trust = TrustPrompt(self, self.program, self.key_of)
-        output, nodes, live = self.panels["output"], self.panels["nodes"], self.panels["live"]
-        assert isinstance(output, OutputPanel) and isinstance(nodes, EntryList)
-        assert isinstance(live, LivePanel)
-        self.runner = RunActions(
-            self, self.program, self.files, self.dock_layout, output, nodes, self._trust, live,
-            self.show_title,
-        )  # fmt: skip
-        self._tabs = TabActions(self, self.program, self.files, self.runner.forget, self._show_anew)
+        self._tabs = TabActions(self, self.program, self.files, self._forget, self._show_anew)
         self._entries = EntryActions(self, self.program, self.action_code)
         self._code = CodeActions(self, self.program)
         self._wizard = WizardHost(self, self.program)
+
+    @cached_property
+    def runner(self) -> RunActions:
+        """What generates and runs nodes; made, with the panels that show them, when asked for."""
+        from ..panels.entry_list import EntryList
+        from ..panels.live_panel import LivePanel
+        from ..panels.output import OutputPanel
+        from .run_actions import RunActions
+
+        output, nodes, live = self.panels["output"], self.panels["nodes"], self.panels["live"]
+        assert isinstance(output, OutputPanel) and isinstance(nodes, EntryList)
+        assert isinstance(live, LivePanel)
+        return RunActions(
+            self, self.program, self.files, self.dock_layout, output, nodes, self._trust, live,
+            self.show_title,
+        )  # fmt: skip
+
+    @property
+    def _runs(self) -> RunActions | None:
+        """What runs nodes, None where nobody has asked for it yet."""
+        return self.runner if "runner" in self.__dict__ else None
 
     @property
     def open(self) -> Open:
@@ -129,13 +141,12 @@ class MainScreen(Screen[None], Paged):
     def _settle(self) -> None:
         """Begin to work, now that there is something to see."""
         self.feed.start()
-        self.editor.statement_help = help_of(self.editor.expected)
-        self.show_status()
 
     def on_unmount(self) -> None:
         """Stop the worker and what runs."""
         self.feed.worker.stop()
-        self.runner.close()
+        if self._runs is not None:
+            self._runs.close()
 
     def on_resize(self) -> None:
         """Lay the panels out for another size."""
@@ -166,7 +177,9 @@ class MainScreen(Screen[None], Paged):
         """Show what the text means, if it is still that text."""
         if self.feed.take(message.analysis):
             self.show_title()
-            self.runner.known(message.analysis.diagnostics)
+            self.show_status()
+            if self._runs is not None:
+                self._runs.known(message.analysis.diagnostics)
             self._trust.tell_what_waits(message.analysis)
 
     @on(AnalysisFailed)
@@ -177,10 +190,16 @@ class MainScreen(Screen[None], Paged):
     def _show_anew(self) -> None:
         """Show nothing of the program before: another one is there."""
         self.feed.clear()
-        self.runner.follow()
+        if self._runs is not None:
+            self._runs.follow()
         self.show_title()
         self.feed.ask_anew()
         self.call_later(self.look_at_disk)
+
+    def _forget(self, tab: Tab) -> None:
+        """Have what runs of a tab ended, because it is gone."""
+        if self._runs is not None:
+            self._runs.forget(tab)
 
     # What panels say.
 
@@ -205,19 +224,21 @@ class MainScreen(Screen[None], Paged):
         """Have what is drawn for a size drawn so that it fits."""
         self.feed.ask_more()
 
-    @on(Printed)
-    def printed(self) -> None:
-        """Show what nodes print."""
+    def on_printed(self) -> None:
+        """Show what nodes print: `Printed` comes from `run_actions.py`."""
         self.runner.show_soon()
 
     # The lines above and below.
 
     def show_title(self) -> None:
         """Show the program's name, whether it is saved, and what is the case with it; the tabs."""
-        is_running = self.runner.is_running
+        runs = self._runs
+        is_running = runs is not None and runs.is_running
         self._title.show_program(self.open, self.key_of("run") if is_running else None)
         self._keys.retitle({"run": "Stop"} if is_running else {})
-        self.tab_line.show_programs(self.program, self.runner.runs_in)
+        self.tab_line.show_programs(
+            self.program, lambda tab: runs is not None and runs.runs_in(tab)
+        )
 
     def show_status(self) -> None:
         """Show the sentence of the statement at the cursor, and where the cursor is."""
