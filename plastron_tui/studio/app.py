@@ -15,9 +15,11 @@ from time import monotonic
 from types import FrameType
 from typing import ClassVar
 
+from rich.segment import Segment
 from textual import events, on
 from textual.app import App
 from textual.binding import Binding, BindingType
+from textual.color import Color
 from textual.driver import Driver
 from textual.filter import LineFilter
 from textual.notifications import SeverityLevel
@@ -56,6 +58,17 @@ _AT_ONCE = 5
 _SMALL = "ansi-dark"
 """The theme of terminals that have only their own sixteen colours."""
 _SMALL_TERMINALS = frozenset({"linux", "xterm", "screen", "rxvt", "ansi", "vt100", "vt220"})
+
+
+class _LegibleText(LineFilter):
+    """Lets nothing in a line be obeyed, and all of it be read; a line is made anew once for both."""
+
+    def apply(self, segments: list[Segment], background: Color) -> list[Segment]:
+        """Return the segments, those as they are that need no change."""
+        return LEGIBLE.apply(ONLY_TEXT.apply(segments, background), background)
+
+
+_LEGIBLE_TEXT = _LegibleText()
 
 
 class StudioApp(InOrder, inherit_bindings=False):
@@ -179,7 +192,7 @@ class StudioApp(InOrder, inherit_bindings=False):
 
     def get_line_filters(self) -> Sequence[LineFilter]:
         """Return what each line passes through: nothing in it is obeyed, and it can be read."""
-        return [*super().get_line_filters(), ONLY_TEXT, LEGIBLE]
+        return [*super().get_line_filters(), _LEGIBLE_TEXT]
 
     def notify(
         self,

@@ -9,15 +9,20 @@ from __future__ import annotations
 from importlib import import_module
 from threading import Event
 
-_MODULES = ("completion", "statement_help", "vocabulary")
+_MODULES = (
+    *("plastron_tui.studio.editor.completion", "plastron_tui.studio.editor.statement_help"),
+    "plastron_tui.studio.editor.vocabulary",
+    *("plastron_tui.project.configuration", "plastron_tui.project.loader"),
+    "plastron_tui.sources.python.language",
+)
 
 _is_done = Event()
 
 
 def preload() -> None:
-    """Import it; in whatever thread."""
+    """Import it, and what it takes to ask what a program means; in whatever thread."""
     for name in _MODULES:
-        import_module(f".{name}", __package__)
+        import_module(name)
     _is_done.set()
 
 

@@ -167,7 +167,7 @@ class DockLayout(Horizontal):
         self._outline_edge.ends = ("╮", "╯") if is_framed else ("│", "│")
         self._result_edge.display = places.get(self.result) == "right"
         self._result_edge.ends = ("╭", "╰") if is_framed else ("│", "│")
-        self._editor.set_class(is_framed, "-framed")
+        self._editor.set_class(is_framed, "-framed", update=self._editor.is_attached)
         self._editor.display = zoomed is None
         self._center.display = zoomed in (None, self.bottom)
         self._show_tabs()
@@ -175,7 +175,8 @@ class DockLayout(Horizontal):
     def _place(self, dock: Dock, place: str) -> None:
         width, height = self.app.size
         dock.styles.dock = "none"
-        dock.set_class(place in ("below", "all"), "-below")
+        # What is not mounted yet is styled when it is.
+        dock.set_class(place in ("below", "all"), "-below", update=dock.is_attached)
         dock.frame(left=self.is_framed and place != "right",
                    right=self.is_framed and place != "left")  # fmt: skip
         if place == "all":

@@ -10,6 +10,7 @@ from plastron_tui.diagnostics import Diagnostic
 
 from ..analysis_worker import AnalysisWorker
 from ..delay import Delay
+from ..editor.preload import is_preloaded
 from ..panels.entry import Entries
 from ..panels.panel import Panel, PanelWidgets, ProgramView, Request
 from ..panels.registry import PANELS, PROBLEMS, ROBOTS
@@ -50,7 +51,7 @@ class PanelFeed:
         self._program = program
         self._layout = layout
         self._widgets = widgets
-        self._pause = Delay(screen, self.ask_anew)
+        self._pause = Delay(screen, self._ask)
         self._asked: tuple[Request, ...] | None = None
         self.held_back = HeldBack(screen, program.editor, self._show_known)
         self._unheld: tuple[Entries, frozenset[Diagnostic], Entries] | None = None
@@ -58,8 +59,15 @@ class PanelFeed:
         program.editor.completer.waits = True
 
     def start(self) -> None:
-        """Ask for the first time, now that there is something to see."""
+        """Begin to work, now that there is something to see."""
         self._pause.start(_FIRST_PAUSE)
+
+    def _ask(self) -> None:
+        """Ask, or have imported first what it takes to ask."""
+        if is_preloaded():
+            self.ask_anew()
+        else:
+            self.worker.preload()
 
     @property
     def is_pausing(self) -> bool:

@@ -12,9 +12,10 @@ from textual.binding import Binding, BindingType
 from textual.screen import Screen
 
 from ..actions import BY_ID, KEPT, bindings
-from ..analysis_worker import Analysed, AnalysisFailed
+from ..analysis_worker import Analysed, AnalysisFailed, Preloaded
 from ..config import Profile
 from ..editor import ProgramEditor
+from ..editor.preload import is_preloaded
 from ..journal import Kept
 from ..key_order import Paged
 from ..open_program import Open
@@ -172,12 +173,18 @@ class MainScreen(Screen[None], Paged):
         self.show_status()
         self.feed.moved()
 
+    @on(Preloaded)
+    def preloaded(self) -> None:
+        """Show what could not be known before; find out what the text means."""
+        self.show_title()
+        self.show_status()
+        self.feed.ask_anew()
+
     @on(Analysed)
     def analysed(self, message: Analysed) -> None:
         """Show what the text means, if it is still that text."""
         if self.feed.take(message.analysis):
             self.show_title()
-            self.show_status()
             if self._runs is not None:
                 self._runs.known(message.analysis.diagnostics)
             self._trust.tell_what_waits(message.analysis)
@@ -234,7 +241,8 @@ class MainScreen(Screen[None], Paged):
         """Show the program's name, whether it is saved, and what is the case with it; the tabs."""
         runs = self._runs
         is_running = runs is not None and runs.is_running
-        self._title.show_program(self.open, self.key_of("run") if is_running else None)
+        ros = self.open.session.ros if is_preloaded() else None
+        self._title.show_program(self.open, ros, self.key_of("run") if is_running else None)
         self._keys.retitle({"run": "Stop"} if is_running else {})
         self.tab_line.show_programs(
             self.program, lambda tab: runs is not None and runs.runs_in(tab)

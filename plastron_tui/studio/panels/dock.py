@@ -240,8 +240,10 @@ class Dock(Vertical):
 
         Where only one side is asked for, an `Edge` is the other one.
         """
-        self._body.set_class(left, "-left")
-        self._body.set_class(right, "-right")
+        # What is not mounted yet is styled when it is.
+        update = self._body.is_attached
+        self._body.set_class(left, "-left", update=update)
+        self._body.set_class(right, "-right", update=update)
         self.strip.corners = ("╭─" if left else "─" if right else "", "╮" if right else "")
 
     def holds(self, name: str) -> bool:
