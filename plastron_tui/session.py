@@ -13,21 +13,16 @@ from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from plastron_tui.boundary import Boundary
 from plastron_tui.diagnostics import Diagnostic, LineIndex, has_errors
-from plastron_tui.language import Document, Program
-from plastron_tui.language.incremental_lowering import Lowered, lower_edited
-from plastron_tui.output.own_files import has_leftovers
-from plastron_tui.project.configuration import Configuration, Options
-from plastron_tui.project.planner import Planner
-from plastron_tui.project.program_file import lines_of
-from plastron_tui.project.ros_choice import RosChoice
-from plastron_tui.project.settings import Project
-from plastron_tui.project.start_checks import start_problems
+from plastron_tui.language.document import Document
+from plastron_tui.project.options import Options
 
 if TYPE_CHECKING:
     # What a program means is found out when its text is there to see: the studio starts sooner.
+    from plastron_tui.boundary import Boundary
     from plastron_tui.generating.generation import Generated
+    from plastron_tui.language import Program
+    from plastron_tui.language.incremental_lowering import Lowered
     from plastron_tui.model.context import Setting
     from plastron_tui.model.interpreter import Interpretation
     from plastron_tui.model.own_types import OwnInterfaces
@@ -35,8 +30,12 @@ if TYPE_CHECKING:
     from plastron_tui.model.value_check import Fitter
     from plastron_tui.model.workspace import Generation, Node, Workspace
     from plastron_tui.output.plan import FilePlan
+    from plastron_tui.project.configuration import Configuration
     from plastron_tui.project.loader import FilesRead, NodeLoader
+    from plastron_tui.project.planner import Planner
     from plastron_tui.project.robot_files import RobotFiles
+    from plastron_tui.project.ros_choice import RosChoice
+    from plastron_tui.project.settings import Project
     from plastron_tui.ros import parameters
     from plastron_tui.ros.catalog import Catalog
     from plastron_tui.ros.parameter_values import NodeParameters
@@ -79,6 +78,8 @@ class Session:
 
     @cached_property
     def _configuration(self) -> Configuration:
+        from plastron_tui.project.configuration import Configuration
+
         folder = (self._begun or Path.cwd()) if self.path is None else self.path.absolute().parent
         return Configuration(folder, self.options, self._environ)
 
@@ -155,6 +156,8 @@ class Session:
     def learn_from(self, earlier: Session) -> None:
         """Let what an earlier snapshot of the same program has found out help with this one."""
         if earlier._program is not None:
+            from plastron_tui.language.incremental_lowering import Lowered
+
             self._earlier = Lowered(earlier.document.text, earlier._program)
         if earlier._interpretation is not None and earlier._configuration is self._configuration:
             self._fitters = earlier._interpretation.fitters
@@ -175,6 +178,8 @@ class Session:
     def program(self) -> Program:
         """The program's statements."""
         if self._program is None:
+            from plastron_tui.language.incremental_lowering import lower_edited
+
             self._program = lower_edited(self.document, self._earlier)
             self._earlier = None
         return self._program
@@ -207,6 +212,7 @@ class Session:
         return self._new_setting(self._new_loader())
 
     def _new_loader(self) -> NodeLoader:
+        from plastron_tui.output.own_files import has_leftovers
         from plastron_tui.project.loader import NodeLoader
 
         program = self._name, self.document.text
@@ -243,6 +249,8 @@ class Session:
     @property
     def diagnostics(self) -> tuple[Diagnostic, ...]:
         """All that is wrong with the program, its project file, and the types that it uses."""
+        from plastron_tui.project.start_checks import start_problems
+
         # The types are read when the program is interpreted.
         meaning = self.interpret().diagnostics
         starts = () if has_errors(meaning) else start_problems(
@@ -253,7 +261,11 @@ class Session:
 
     def lines(self, file: Path | None) -> LineIndex | None:
         """Return the lines of a file that a diagnostic is about; None is the program."""
-        return self.document.lines if file in (None, self.path) else lines_of(file)
+        if file in (None, self.path):
+            return self.document.lines
+        from plastron_tui.project.program_file import lines_of
+
+        return lines_of(file)
 
     def generated(self) -> tuple[Generated, ...]:
         """Make the files that the program asks for."""
@@ -381,6 +393,7 @@ class Session:
     def _planner(self, generations: Sequence[Generation]) -> Planner:
         from plastron_tui.output.manifest import digest
         from plastron_tui.output.patch_stack import Author
+        from plastron_tui.project.planner import Planner
 
         author = Author(self._name, digest(self.document.text), self.folder)
         manifest = self._files.manifest

@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Mapping
 from itertools import product
 
+from plastron_tui.language import DECLARATIONS, SlotKind, Statement
 from plastron_tui.language import statements as st
 from plastron_tui.language.broken_lines import Broken
-from plastron_tui.language.declaration import DECLARATIONS, SlotKind, Statement
 from plastron_tui.ros.names import spelled
 
 from .kinds.facts import NAMES

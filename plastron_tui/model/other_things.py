@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from typing import TYPE_CHECKING
 
 from plastron_tui.diagnostics import Fix, Span, write
-from plastron_tui.language.declaration import DECLARATIONS, Statement
+from plastron_tui.language import DECLARATIONS, Statement
 
 if TYPE_CHECKING:
     from .workspace import Workspace

@@ -6,7 +6,7 @@ import re
 from collections.abc import Callable, Iterator, Mapping
 from types import MappingProxyType
 
-from plastron_tui.language.declaration import DECLARATIONS, SlotKind
+from plastron_tui.language import DECLARATIONS, SlotKind
 from plastron_tui.language.keywords import KEYWORDS
 from plastron_tui.language.sentence import quoted, sentence
 from plastron_tui.language.statements import CreateMessage, HasParameter, Repeats

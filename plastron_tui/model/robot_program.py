@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterable, Iterator, Mapping
 from typing import Any
 
 from plastron_tui.diagnostics import Diagnostic, Severity, codes
-from plastron_tui.language.declaration import DECLARATIONS
+from plastron_tui.language import DECLARATIONS
 from plastron_tui.language.sentence import sentence
 from plastron_tui.language.statements import (
     CreateRobot,

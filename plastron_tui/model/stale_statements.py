@@ -7,7 +7,7 @@ from functools import cache
 from typing import Any, NamedTuple
 
 from plastron_tui.diagnostics import Diagnostic, Edit, Fix, Label, Span, codes
-from plastron_tui.language.declaration import DECLARATIONS, SlotKind, Statement
+from plastron_tui.language import DECLARATIONS, SlotKind, Statement
 from plastron_tui.language.lowering import Program
 
 from .workspace import Generation, Workspace

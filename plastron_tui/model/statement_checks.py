@@ -12,8 +12,8 @@ from functools import partial
 from typing import Any
 
 from plastron_tui.diagnostics import Diagnostic, Span
+from plastron_tui.language import DECLARATIONS, Statement
 from plastron_tui.language import statements as st
-from plastron_tui.language.declaration import DECLARATIONS, Statement
 from plastron_tui.ros.interfaces import Interface
 from plastron_tui.ros.names import check_parameter_name, spelled
 

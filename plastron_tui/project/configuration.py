@@ -9,10 +9,11 @@ from collections.abc import Collection, Mapping
 from dataclasses import replace
 from functools import cached_property, partial
 from pathlib import Path
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING
 
 from plastron_tui.boundary import DEFAULT_OUTPUT, Boundary, find_boundary
 from plastron_tui.diagnostics import Diagnostic
+from plastron_tui.project.options import Options
 from plastron_tui.project.ros_choice import (
     RosChoice,
     Said,
@@ -33,26 +34,6 @@ from plastron_tui.targets import LIBRARIES
 if TYPE_CHECKING:
     from plastron_tui.generating.apply_changes import Library
     from plastron_tui.ros.catalog import Catalog
-
-
-class Options(NamedTuple):
-    """What the command line sets; what it leaves open the project file or the environment says.
-
-    Attributes:
-        target: the client library of a node that names none.
-        output: the output folder.
-        in_place: whether a loaded node is written over the file that it came from.
-        force: whether a created node is written anew where its file was changed by hand.
-        distribution: the distribution whose types count, for nodes of its generation of ROS.
-        is_writing: whether files are to be written: what is not trusted is then an error.
-    """
-
-    target: str | None = None
-    output: Path | None = None
-    in_place: bool = False
-    force: bool = False
-    distribution: str | None = None
-    is_writing: bool = False
 
 
 class Configuration:

@@ -147,7 +147,7 @@ def key_owners() -> tuple[KeyOwner, ...]:
     ]
     owners += _bound_by(FindBar, FIND)
     for panel in PANELS:
-        for base in (*panel.widget.__mro__, *Dock.__mro__):
+        for base in (*panel.widget_class.__mro__, *Dock.__mro__):
             if base.__module__.startswith(__package__ or ""):
                 owners += _bound_by(base, panel.name)
     return tuple(dict.fromkeys(owners))

@@ -20,6 +20,8 @@ from textual.message import Message
 
 from plastron_tui import collector
 
+from .editor.preload import preload
+
 if TYPE_CHECKING:
     from plastron_tui.session import Session
 
@@ -40,6 +42,10 @@ _REST = 3.0
 
 class Stale(Exception):  # noqa: N818 - no error: the text has changed meanwhile
     """A newer text is there; what was begun is of no use."""
+
+
+class Preloaded(Message):
+    """What it takes to ask what a text means is imported."""
 
 
 class Analysed(Message):
@@ -71,6 +77,7 @@ class AnalysisWorker:
         self._condition = threading.Condition()
         self._session: Session | None = None
         self._wanted: tuple[Request, ...] | None = None
+        self._must_preload = False
         self._is_stopped = False
         self._is_answering = False
         self._last: Analysis | None = None
@@ -93,6 +100,12 @@ class AnalysisWorker:
         """Wait for the thread to end, so long at most."""
         self._thread.join(seconds)
 
+    def preload(self) -> None:
+        """Import in the thread what it takes to ask and to answer; `Preloaded` tells of it."""
+        with self._condition:
+            self._must_preload = True
+            self._condition.notify()
+
     def ask(self, wanted: tuple[Request, ...], session: Session | None = None) -> None:
         """Ask what a snapshot means, for the panels in sight; None for more about the last one."""
         with self._condition:
@@ -105,7 +118,8 @@ class AnalysisWorker:
     def is_idle(self) -> bool:
         """Whether all that was asked is answered."""
         with self._condition:
-            return self._wanted is None and not self._is_answering
+            is_asked = self._must_preload or self._wanted is not None
+            return not is_asked and not self._is_answering
 
     def _run(self) -> None:
         while True:
@@ -114,28 +128,31 @@ class AnalysisWorker:
                 self._condition.wait_for(self._has_work, _REST)
                 if self._is_stopped:
                     return
+                must_preload, self._must_preload = self._must_preload, False
                 session, wanted = self._session, self._wanted
                 self._session = self._wanted = None
-                self._is_answering = wanted is not None
-            if wanted is None:
-                collector.collect_if_due()
-                continue
+                self._is_answering = must_preload or wanted is not None
             try:
-                self._answer(session, wanted)
+                if must_preload:
+                    preload()
+                    self._post(Preloaded())
+                if wanted is not None:
+                    self._answer(session, wanted)
+                elif not must_preload:
+                    collector.collect_if_due()
             except Stale:
                 pass
             except Exception as error:
                 self._post(AnalysisFailed(error))
 
     def _has_work(self) -> bool:
-        return self._is_stopped or self._wanted is not None
+        return self._is_stopped or self._must_preload or self._wanted is not None
 
     def _check(self) -> None:
         if self._is_stopped or self._session is not None:
             raise Stale
 
     def _answer(self, session: Session | None, wanted: tuple[Request, ...]) -> None:
-        # Imported here, and so in the thread, when there is something to see.
         from .analysis import analyse
         from .panels.registry import BY_NAME, counts, make
 

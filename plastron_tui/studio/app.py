@@ -15,9 +15,11 @@ from time import monotonic
 from types import FrameType
 from typing import ClassVar
 
+from rich.segment import Segment
 from textual import events, on
 from textual.app import App
 from textual.binding import Binding, BindingType
+from textual.color import Color
 from textual.driver import Driver
 from textual.filter import LineFilter
 from textual.notifications import SeverityLevel
@@ -58,6 +60,17 @@ _SMALL = "ansi-dark"
 _SMALL_TERMINALS = frozenset({"linux", "xterm", "screen", "rxvt", "ansi", "vt100", "vt220"})
 
 
+class _LegibleText(LineFilter):
+    """Lets nothing in a line be obeyed, and all be read; a line is made anew once for both."""
+
+    def apply(self, segments: list[Segment], background: Color) -> list[Segment]:
+        """Return the segments, those as they are that need no change."""
+        return LEGIBLE.apply(ONLY_TEXT.apply(segments, background), background)
+
+
+_LEGIBLE_TEXT = _LegibleText()
+
+
 class StudioApp(InOrder, inherit_bindings=False):
     """Opens a program, and keeps what lasts longer than it."""
 
@@ -85,7 +98,7 @@ class StudioApp(InOrder, inherit_bindings=False):
         self._shown = ShownScreen()
         super().__init__()
         folder = state_folder()
-        config, self._messages = load_config(config_file(), key_owners(), self.available_themes)
+        config, self._messages = load_config(config_file(), key_owners, self.available_themes)
         self.profile = Profile(config, load_remembered(folder), folder)
         self._begin_with(self._first_theme())
         self._paths = [] if path is None else _different([path, *others])
@@ -187,7 +200,7 @@ class StudioApp(InOrder, inherit_bindings=False):
 
     def get_line_filters(self) -> Sequence[LineFilter]:
         """Return what each line passes through: nothing in it is obeyed, and it can be read."""
-        return [*super().get_line_filters(), ONLY_TEXT, LEGIBLE]
+        return [*super().get_line_filters(), _LEGIBLE_TEXT]
 
     def notify(
         self,

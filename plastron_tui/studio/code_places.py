@@ -17,8 +17,9 @@ from plastron_tui.sources import find_language
 
 from .analysis import Analysis, analyse
 from .function_lines import function_lines
-from .panels.entry import HUBS, Entry, Subject
-from .panels.nodes import NODES
+from .panels.entry import Entry, Subject
+from .panels.entry_signs import HUBS
+from .panels.nodes import make as node_entries
 from .panels.preview import files_meant
 
 if TYPE_CHECKING:
@@ -82,9 +83,7 @@ class _Finder:
 
     def entry_at(self, offset: int) -> Entry | None:
         """Return what the statement at an offset is about."""
-        assert NODES.make is not None
-        entries = NODES.make(self._analysis, None)
-        found: Entry | None = entries.at(offset)  # type: ignore[attr-defined]
+        found = node_entries(self._analysis, None).at(offset)
         if found is not None:
             return found
         name = self._analysis.written_at(offset)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 import os
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import asdict, dataclass, field, replace
 from pathlib import Path
@@ -54,13 +54,13 @@ _KEYS = ("theme", "keys", *_SWITCHES)
 
 
 def load_config(
-    file: Path, owners: Sequence[KeyOwner], themes: Iterable[str]
+    file: Path, owners: Callable[[], Sequence[KeyOwner]], themes: Iterable[str]
 ) -> tuple[Config, tuple[str, ...]]:
     """Read the configuration; what is wrong with it is a message, and the default counts.
 
     Args:
         file: where it is.
-        owners: what has keys, or can be given some.
+        owners: returns what has keys, or can be given some; asked only where there is a file.
         themes: the names of the themes.
     """
     try:
@@ -69,7 +69,7 @@ def load_config(
         return Config(), ()
     except OSError as error:
         return Config(), (f"{file.name} cannot be read: {reason(error)}",)
-    config, said = read_config(text, owners, themes)
+    config, said = read_config(text, owners(), themes)
     return config, tuple(
         f"{file.name}{f', line {each.line}' if each.line else ''}: {each.words}" for each in said
     )

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from plastron_tui.diagnostics import Edit, Span
-from plastron_tui.language.declaration import DECLARATIONS, SlotKind, Statement
+from plastron_tui.language import DECLARATIONS, SlotKind, Statement
 from plastron_tui.language.incremental_lowering import Lowered, lower_edited
 
 if TYPE_CHECKING:

@@ -41,7 +41,8 @@ from .analysis import Analysis
 from .editor.names import wrong_name as wrong_variable
 from .editor.robot_parts import Part, find_part, kept_name, wrong_part_name, wrong_robot_name
 from .insertion_point import placed
-from .panels.entry import HUBS, Entry, Subject
+from .panels.entry import Entry, Subject
+from .panels.entry_signs import HUBS
 
 _SLOTS = {
     InterfaceKind.MESSAGE: (SlotKind.TOPIC, SlotKind.TRIGGER),

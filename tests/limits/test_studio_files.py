@@ -25,7 +25,7 @@ here = Path.cwd()
 opened = open_file(here / "x.plastron")
 assert opened.disk is None and opened.problem is not None
 assert save_file(here / "x.plastron", b"text", None).problem is not None
-load_config(here / "studio.yaml", (), ())
+load_config(here / "studio.yaml", tuple, ())
 assert load_remembered(here).recent == []
 assert kept_texts(here) == []
 assert recipes(here) == ()

@@ -8,8 +8,7 @@ from pathlib import Path
 import pytest
 from workspaces import LIBRARIES, FakeReader, catalog, endpoint, marked, source
 
-from plastron_tui.language import Document, lower
-from plastron_tui.language.declaration import DECLARATIONS
+from plastron_tui.language import DECLARATIONS, Document, lower
 from plastron_tui.model.context import FoundDefinition, LoadedDefinition, Setting
 from plastron_tui.model.interpreter import interpret
 from plastron_tui.model.launches import LaunchSource, LoadedLaunch

@@ -15,8 +15,8 @@ from plastron_tui.studio.analysis import Analysis, analyse
 from plastron_tui.studio.editor.completion import candidates
 from plastron_tui.studio.editor.names import variable_at
 from plastron_tui.studio.editor.vocabulary import Vocabulary
-from plastron_tui.studio.panels.packages import PACKAGES
 from plastron_tui.studio.panels.preview import previews_of
+from plastron_tui.studio.panels.registry import PACKAGES
 from plastron_tui.studio.renaming import renamed, wrong_name
 
 TEXT = """\
@@ -43,7 +43,6 @@ def analysis_of(text: str, path: Path | None = None) -> Analysis:
 def test_the_panel_has_each_thing_with_what_it_holds() -> None:
     analysis = analysis_of(TEXT)
     assert analysis.diagnostics == ()
-    assert PACKAGES.make is not None and PACKAGES.count is not None
     shown = [
         f"{'  ' * each.depth}{each.sign} {each.text} {each.detail}".rstrip()
         for each in PACKAGES.make(analysis, None).all  # type: ignore[attr-defined]
@@ -183,7 +182,6 @@ def test_the_panel_has_the_package_that_no_statement_makes(tmp_path: Path) -> No
         for name, library in (("ears", "rclcpp"), ("voice", "rclpy"), ("old", "rospy"))
     )
     analysis = analysis_of(text, tmp_path / "robot.plastron")
-    assert PACKAGES.make is not None and PACKAGES.count is not None
     entries = PACKAGES.make(analysis, None).all  # type: ignore[attr-defined]
     assert [(each.depth, each.text, each.detail) for each in entries] == [
         (0, "robot", "of the program's own"),

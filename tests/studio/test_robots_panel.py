@@ -15,9 +15,9 @@ from plastron_tui.studio.editor.completion import candidates
 from plastron_tui.studio.editor.robot_parts import Part, find_part, part_at, wrong_part_name
 from plastron_tui.studio.editor.vocabulary import Vocabulary
 from plastron_tui.studio.panels.entry import Entry
-from plastron_tui.studio.panels.packages import PACKAGES
 from plastron_tui.studio.panels.preview import previews_of
-from plastron_tui.studio.panels.robot_panel import ROBOTS, Looks, Shown
+from plastron_tui.studio.panels.registry import PACKAGES, ROBOTS
+from plastron_tui.studio.panels.robot_panel import Looks, Shown
 from plastron_tui.studio.renaming import fixed_name, renamed, wrong_name
 
 TEXT = """\

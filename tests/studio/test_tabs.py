@@ -168,11 +168,14 @@ def test_tabs_are_told_apart_by_their_folders(tmp_path: Path) -> None:
 
 
 async def test_nodes_go_on_while_another_program_is_in_front(
-    program: Path, other: Path, monkeypatch: pytest.MonkeyPatch
+    program: Path, other: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     def command(path: Path, *_: object) -> list[str]:
-        return ["sh", "-c", f"echo from {path.stem}; exec sleep 600"]
+        return ["sh", "-c", f"trap '{end}' INT TERM; echo from {path.stem}; {rest}"]
 
+    may_end = tmp_path / "may_end"
+    rest = "while :; do sleep 0.05; done"
+    end = f"until [ -e {may_end} ]; do sleep 0.05; done; exit 130"
     monkeypatch.setattr("plastron_tui.studio.running._command", command)
     other.write_text(
         f"{OTHER}subscribe arm to 'chatter' of message_type String\ngenerate_node arm\n"
@@ -190,6 +193,7 @@ async def test_nodes_go_on_while_another_program_is_in_front(
         await driver.until(lambda: "from other" in output.text)
         assert tabs(driver) == "talk ▶ other ▶"
         await driver.press("ctrl+pageup", "shift+f5", "ctrl+pagedown")
+        may_end.touch()
         await driver.until(lambda: "the nodes of talk.plastron have ended" in driver.notes())
         assert tabs(driver) == "talk other ▶"
         assert "from talk" not in output.text

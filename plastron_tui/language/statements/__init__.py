@@ -1,5 +1,7 @@
 """The statements of the language, each declared once."""
 
+from ..declaration import DECLARATIONS
+
 # In the order in which menus and the language page have them.
 # isort: off
 from .nodes import CreateNode, Load
@@ -20,6 +22,7 @@ from .robots import LimitsJoint, GenerateRobot
 # isort: on
 
 __all__ = [
+    "DECLARATIONS",
     "ClientRequests",
     "Contains",
     "CreateActionType",

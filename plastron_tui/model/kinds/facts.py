@@ -7,7 +7,7 @@ from functools import cache
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from plastron_tui.diagnostics import Code
-from plastron_tui.language.declaration import DECLARATIONS, Declaration, SlotKind, Statement
+from plastron_tui.language import DECLARATIONS, Declaration, SlotKind, Statement
 from plastron_tui.ros.interfaces import InterfaceKind
 from plastron_tui.ros.names import NameProblem, check_topic_name
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import NamedTuple
 
 from rich.cells import cell_len, set_cell_size
@@ -46,6 +46,10 @@ class Card:
     title: str
     kind: str
     rows: tuple[CardRow, ...]
+
+    def with_hint(self, hint: str) -> Card:
+        """Return the card with a hint below it."""
+        return replace(self, rows=(*self.rows, CardRow("", "", hint)))
 
 
 class Run(NamedTuple):

@@ -6,14 +6,17 @@ As the list of completion it is no widget: to show one is to lay out the whole s
 from __future__ import annotations
 
 from collections.abc import Sequence
+from typing import TYPE_CHECKING
 
 from rich.segment import Segment
 from rich.style import Style
 from textual.geometry import Offset, Region, Size
 from textual.strip import Strip
 
-from .card import Card, CardLine, lines_of
 from .palette import Palette
+
+if TYPE_CHECKING:
+    from .card import Card, CardLine
 
 WIDEST = 72
 _LEAST_ROWS = 2
@@ -68,6 +71,8 @@ class CardBox:
 
     def open(self, card: Card, word: Offset, cursor_line: int, view: Size) -> bool:
         """Show a card; tell whether there is room for it."""
+        from .card import lines_of
+
         lines = lines_of(card, min(WIDEST, view.width) - 2)
         width = max(sum(len(run.text) for run in line) for line in lines) + 2
         width = max(width, *(Strip(_segments(line, None)).cell_length + 2 for line in lines))

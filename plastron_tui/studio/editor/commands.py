@@ -5,12 +5,13 @@ from __future__ import annotations
 from collections.abc import Awaitable, Callable
 from dataclasses import dataclass
 from functools import partial
+from importlib import import_module
 from operator import attrgetter
 from typing import TYPE_CHECKING, TypeAlias
 
 from textual.binding import Binding
 
-from . import line_commands, motions, program_commands, text_commands
+from . import line_commands, motions, text_commands
 from .text_commands import Edge, Motion, PlanOf, TextCommand
 
 if TYPE_CHECKING:
@@ -72,6 +73,16 @@ def _text(command: TextCommand, *, scroll: bool = True) -> Run:
     return run
 
 
+def _program(name: str) -> Run:
+    """Return what runs a function of `program_commands.py`, imported when somebody asks for it."""
+
+    def run(editor: ProgramEditor) -> Awaitable[None] | None:
+        function: Run = getattr(import_module(".program_commands", __package__), name)
+        return function(editor)
+
+    return run
+
+
 def _lines(plan_of: PlanOf) -> Run:
     return _text(text_commands.on_lines(plan_of))
 
@@ -84,7 +95,7 @@ def _delete(motion: Motion) -> Run:
         command(editor.state)
         editor.done(keeps_popup=True)
         if editor.popup.is_open:
-            editor.completer.offer(editor.expected)
+            editor.offer()
 
     return run
 
@@ -160,7 +171,7 @@ def _new_line(editor: ProgramEditor) -> None:
 
 def _complete(editor: ProgramEditor) -> None:
     """Offer what may stand at the cursor, however little is typed."""
-    editor.completer.offer(editor.expected, is_asked=True)
+    editor.offer(is_asked=True)
 
 
 def _accept(editor: ProgramEditor) -> None:
@@ -226,7 +237,7 @@ COMMANDS: tuple[Command, ...] = (
             "Go to the next place.", in_bars=True),
     Command("find_previous", "Find previous", "shift+f3,alt+p", lambda e: e.find_bar.step(-1),
             "Go to the place before.", "f15", in_bars=True),
-    Command("go_to_line", "Go to line", "ctrl+g", program_commands.ask_line,
+    Command("go_to_line", "Go to line", "ctrl+g", _program("ask_line"),
             "Go to a line by its number.", asks=True),
     Command("complete", "Complete", "ctrl+space,f4", _complete, "List what can stand here.",
             "ctrl+@"),
@@ -241,13 +252,13 @@ COMMANDS: tuple[Command, ...] = (
             "Exchange lines with the one below."),
     Command("delete_line", "Delete lines", "ctrl+k", _lines(line_commands.delete),
             "Delete the lines of the selection."),
-    Command("definition", "Go to definition", "f12", program_commands.go_to_definition,
+    Command("definition", "Go to definition", "f12", _program("go_to_definition"),
             "Go to where the variable, or the part of a robot, is made.", "alt+g"),
-    Command("rename", "Rename everywhere", "f2", program_commands.ask_name,
+    Command("rename", "Rename everywhere", "f2", _program("ask_name"),
             "Give the variable, or the part of a robot, another name.", asks=True),
-    Command("format", "Format", "ctrl+l", program_commands.format_program,
+    Command("format", "Format", "ctrl+l", _program("format_program"),
             "Lay the program out."),
-    Command("external_editor", "Open in $EDITOR", "ctrl+e", program_commands.edit_elsewhere,
+    Command("external_editor", "Open in $EDITOR", "ctrl+e", _program("edit_elsewhere"),
             "Edit the text with your own editor."),
     Command("toggle_wrap", "Wrap long lines", "alt+z", _toggle_wrap,
             "Show long lines whole, over several rows, or let them run on."),

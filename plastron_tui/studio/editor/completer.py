@@ -2,19 +2,19 @@
 
 from __future__ import annotations
 
-from typing import NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 from plastron_tui.diagnostics import Span
-from plastron_tui.language import Document, Slot
-from plastron_tui.language.expectations import Expectation, expected_at
-from plastron_tui.language.lowering import Program
-from plastron_tui.model.workspace import Workspace
 
-from .completion import candidates, candidates_by_purpose, detail_of
 from .history import Selection
+from .preload import is_preloaded
 from .state import Splice, TextState
 from .view import EditorView
-from .vocabulary import Vocabulary
+
+if TYPE_CHECKING:
+    from plastron_tui.language.expectations import Expectation
+
+    from .vocabulary import Vocabulary
 
 _SMALL = 64 * 1024
 """A text of so many bytes is understood at once; a longer one waits for its diagnostics."""
@@ -62,15 +62,29 @@ class Completer:
         if self.vocabulary is None:
             self._without_names = (state.buffer.text, state.cursor, self._view.popup.is_open)
 
+    @property
+    def is_ready(self) -> bool:
+        """Whether what is offered needs no module that is not there yet."""
+        return not self.waits or is_preloaded()
+
+    def offer_later(self) -> None:
+        """Offer, once the names are known, what may stand at the cursor then."""
+        state = self._state
+        self._without_names = (state.buffer.text, state.cursor, self._view.popup.is_open)
+
     def learn(self, vocabulary: Vocabulary) -> None:
         """Take the names of the program; what was offered without them is offered anew."""
         self.vocabulary = vocabulary
         before, self._without_names = self._without_names, None
         state = self._state
         if before == (state.buffer.text, state.cursor, self._view.popup.is_open):
+            from plastron_tui.language.expectations import expected_at
+
             self.offer(expected_at(state.buffer.session.document, state.cursor))
 
     def _offer(self, expected: Expectation, names: Vocabulary, *, is_asked: bool) -> None:
+        from .completion import candidates, candidates_by_purpose, detail_of
+
         session = self._state.buffer.session
         found = candidates(expected, names, session)
         if not found and is_asked:
@@ -89,8 +103,13 @@ class Completer:
     def names(self) -> Vocabulary:
         """The names of the program, as it was last understood; a short one is understood now."""
         if self.vocabulary is None:
+            from .vocabulary import Vocabulary
+
             session = self._state.buffer.session
             if self.waits or self._state.buffer.size > _SMALL:
+                from plastron_tui.language.lowering import Program
+                from plastron_tui.model.workspace import Workspace
+
                 return Vocabulary(Program(()), Workspace())
             self.vocabulary = Vocabulary(session.program, session.workspace)
         return self.vocabulary
@@ -166,6 +185,9 @@ class Completer:
 
 def goes_on(line: bytes) -> bool:
     """Tell whether the sentence that a line begins with needs another word."""
+    from plastron_tui.language import Document, Slot
+    from plastron_tui.language.expectations import expected_at
+
     expected = expected_at(Document(line + b" "), len(line) + 1)
     if expected.declaration is None:
         return bool(expected.keywords)

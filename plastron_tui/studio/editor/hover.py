@@ -3,16 +3,18 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import replace
+from typing import TYPE_CHECKING
 
 from textual import events
 from textual.geometry import Offset
 from textual.widget import Widget
 
 from ..delay import Delay
-from .card import Card, CardRow
 from .state import TextState
 from .view import EditorView
+
+if TYPE_CHECKING:
+    from .card import Card
 
 _REST = 0.5
 """Seconds that the mouse rests over a word before its card is shown."""
@@ -47,8 +49,7 @@ class Hover:
         card = self.card_of(self._state.cursor)
         if card is None:
             return False
-        rows = (*card.rows, CardRow("", "", hint)) if hint else card.rows
-        self._is_asked = self._show(replace(card, rows=rows))
+        self._is_asked = self._show(card.with_hint(hint) if hint else card)
         return self._is_asked
 
     def close(self) -> None:

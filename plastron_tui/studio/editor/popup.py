@@ -6,6 +6,7 @@ It is no widget: to show one is to lay out the whole screen, which takes longer 
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from typing import TYPE_CHECKING
 
 from rich.cells import cell_len, set_cell_size
 from rich.segment import Segment
@@ -13,8 +14,10 @@ from rich.style import Style
 from textual.geometry import Offset, Region, Size
 from textual.strip import Strip
 
-from .candidate import Candidate
 from .palette import Palette
+
+if TYPE_CHECKING:
+    from .candidate import Candidate
 
 _MOST_ROWS = 8
 _WIDEST = 72

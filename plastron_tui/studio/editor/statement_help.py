@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
-from plastron_tui.language import Slot
-from plastron_tui.language.declaration import Element
-from plastron_tui.language.expectations import Expectation
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from plastron_tui.language.declaration import Element
+    from plastron_tui.language.expectations import Expectation
 
 START = "a statement starts with create_node, load, subscribe, …, or with a node"
 GAP = "   "
@@ -22,6 +24,8 @@ def help_of(expected: Expectation) -> str:
 
     def marked(element: Element, text: str) -> str:
         return f"‹{text}›" if element is expected.element else text
+
+    from plastron_tui.language import Slot
 
     sentence = declaration.usage_around(expected.element, marked)
     slot = expected.element if isinstance(expected.element, Slot) else None

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from typing import TYPE_CHECKING
 
 from textual import events
 from textual.geometry import Offset, Region, Size
@@ -11,7 +12,6 @@ from textual.scroll_view import ScrollView
 from textual.strip import Strip
 
 from . import motions
-from .candidate import Candidate
 from .card_box import CardBox
 from .geometry import Geometry, scrolled_to
 from .history import Selection
@@ -21,6 +21,9 @@ from .painter import Frame, Painter
 from .palette import Palette, palette_of
 from .popup import Popup
 from .state import Edited, TextState
+
+if TYPE_CHECKING:
+    from .candidate import Candidate
 
 _OVERSCAN = 8
 _WIDTH_STEP = 32

@@ -12,33 +12,30 @@ from textual.app import ComposeResult
 from textual.binding import BindingType
 from textual.containers import Vertical
 from textual.message import Message
-from textual.reactive import reactive
 from textual.widget import Widget
 
 from plastron_tui.diagnostics import Diagnostic, Edit, Span
-from plastron_tui.language.expectations import Expectation, expected_at
 
 from ..delay import Delay
 from . import line_commands, text_commands
 from .commands import BY_NAME, COMMANDS
 from .completer import Completer
-from .finder import Finder
 from .highlights import LONGEST
 from .history import Selection
 from .hover import Hover
 from .marks import Mark, Marks, worst
 from .popup import Popup
 from .state import EditingState, TextState
-from .statement_help import help_of
 from .view import EditorView
-from .vocabulary import Vocabulary
 
 if TYPE_CHECKING:
     from plastron_tui.language import Program
+    from plastron_tui.language.expectations import Expectation
     from plastron_tui.model.workspace import Workspace
     from plastron_tui.session import Session
 
     from .bars import FindBar, PromptBar
+    from .finder import Finder
 
 _SETTLE = 0.1
 """Seconds after the last key at which all is measured, and coloured, anew."""
@@ -55,9 +52,7 @@ class ProgramEditor(Vertical):
         state: the text, its selection and its history.
         view: what shows it.
         completer: what offers words.
-        finder: what finds and replaces.
         hover: what shows cards about words.
-        expected: what the language has room for at the cursor.
     """
 
     DEFAULT_CSS = """
@@ -65,9 +60,6 @@ class ProgramEditor(Vertical):
     """
 
     BINDINGS: ClassVar[list[BindingType]] = [command.binding for command in COMMANDS]
-
-    statement_help: reactive[str] = reactive("")
-    """A line about the statement under the cursor, the current slot between `‹` and `›`."""
 
     class Changed(Message):
         """The text was edited."""
@@ -99,9 +91,8 @@ class ProgramEditor(Vertical):
         self.state = TextState(session)
         self.view = EditorView(self.state, self)
         self.completer = Completer(self.state, self.view)
-        self.finder = Finder(self.state, self.view, self.done)
         self.hover = Hover(self, self.state, self.view)
-        self.expected: Expectation = expected_at(session.document, 0)
+        self._expected: tuple[bytes, int, Expectation] | None = None
         self._told_text = self.text
         self._told_cursor = 0
         self._settle = Delay(self, self._settled)
@@ -155,7 +146,14 @@ class ProgramEditor(Vertical):
         if text != " " or not self.completer.takes_blank():
             text_commands.type_text(self.state, text)
         self.done(keeps_popup=True)
-        self.completer.offer(self.expected)
+        self.offer()
+
+    def offer(self, *, is_asked: bool = False) -> None:
+        """Offer what may stand at the cursor."""
+        if self.completer.is_ready:
+            self.completer.offer(self.expected, is_asked=is_asked)
+        else:
+            self.completer.offer_later()
 
     def insert_text(self, text: str) -> None:
         """Put a text over what is selected, as a step of its own to undo."""
@@ -172,7 +170,7 @@ class ProgramEditor(Vertical):
         goes_on = self.completer.accept()
         self.done()
         if goes_on:
-            self.completer.offer(self.expected)
+            self.offer()
 
     def done(self, *, scroll: bool = True, center: bool = False, keeps_popup: bool = False) -> None:
         """Show and tell what was done to the text, or with its selection."""
@@ -186,6 +184,13 @@ class ProgramEditor(Vertical):
         self._tell()
 
     # The bars.
+
+    @cached_property
+    def finder(self) -> Finder:
+        """What finds and replaces."""
+        from .finder import Finder
+
+        return Finder(self.state, self.view, self.done)
 
     @cached_property
     def find_bar(self) -> FindBar:
@@ -271,7 +276,8 @@ class ProgramEditor(Vertical):
 
     def set_session(self, session: Session, before: EditingState | None = None) -> None:
         """Edit the text of another session: with a history of its own, or as it was `before`."""
-        self.finder.forget()
+        if "finder" in self.__dict__:
+            self.finder.forget()
         self.state.open(session, before)
         self.view.show_anew((0, 0) if before is None else before.scroll)
         self.completer.vocabulary = None
@@ -295,8 +301,36 @@ class ProgramEditor(Vertical):
         own = [found for found in diagnostics if found.file is None or found.file == path]
         self.view.show_marks(Marks(own))
         self.view.repaint()
+        from .vocabulary import Vocabulary
+
         program, workspace = meaning or (self.session.program, self.session.workspace)
         self.completer.learn(Vocabulary(program, workspace))
+
+    @property
+    def expected(self) -> Expectation:
+        """What the language has room for at the cursor."""
+        from plastron_tui.language.expectations import Expectation, expected_at
+
+        text, cursor, known = self.text, self.state.cursor, self._expected
+        if known is None or known[0] is not text or known[1] != cursor:
+            buffer, row = self.state.buffer, self.state.row
+            is_long = buffer.end(row) - buffer.start(row) > LONGEST
+            expected = (
+                Expectation(Span(cursor, cursor))
+                if is_long
+                else expected_at(self.session.document, cursor)
+            )
+            known = self._expected = text, cursor, expected
+        return known[2]
+
+    @property
+    def statement_help(self) -> str:
+        """A line about the statement under the cursor, the current slot between `‹` and `›`."""
+        if not self.completer.is_ready:
+            return ""
+        from .statement_help import help_of
+
+        return help_of(self.expected)
 
     def go_to(self, offset: int) -> None:
         """Put the cursor at an offset, with the lines around it in sight."""
@@ -350,15 +384,7 @@ class ProgramEditor(Vertical):
             self._settle_later()
         if self.state.cursor != self._told_cursor:
             self._told_cursor = self.state.cursor
-            self.expected = self._expected()
-            self.statement_help = help_of(self.expected)
             self.post_message(self.CursorMoved(self.state.cursor))
-
-    def _expected(self) -> Expectation:
-        buffer, row, cursor = self.state.buffer, self.state.row, self.state.cursor
-        if buffer.end(row) - buffer.start(row) > LONGEST:
-            return Expectation(Span(cursor, cursor))
-        return expected_at(self.session.document, cursor)
 
     def _settle_later(self) -> None:
         self._settle.start(_SETTLE)

@@ -3,13 +3,16 @@
 from __future__ import annotations
 
 import asyncio
+from typing import TYPE_CHECKING
 
 from textual.screen import Screen
 
-from ..code_places import Found, Place, find_code
 from ..panels.entry import Entry, Subject
 from ..panels.entry_keys import Pointing
 from .active_program import ActiveProgram
+
+if TYPE_CHECKING:
+    from ..code_places import Found, Place
 
 
 class CodeActions:
@@ -53,6 +56,8 @@ class CodeActions:
 
     async def _find(self, asked: Entry | int) -> Found:
         """Find places, apart from the screen; those that the project may not lead to go."""
+        from ..code_places import Found, find_code
+
         session = self._program.open.session
         found = await asyncio.to_thread(find_code, session.anew(), asked)
         allowed = tuple(place for place in found.places if self._is_allowed(place))

@@ -8,12 +8,10 @@ from pathlib import Path
 from textual.screen import Screen
 
 from plastron_tui.diagnostics import codes
-from plastron_tui.model.source import place_of
 from plastron_tui.regular_files import stamp_of
 
 from ..files import OnDisk, read_again
 from ..open_program import Open
-from ..panels.source_lines import difference
 from .active_program import ActiveProgram
 from .file_actions import FileActions
 from .recovery import Recovery
@@ -74,6 +72,8 @@ class DiskWatch:
         analysis, session = self._program.analysis, self._program.open.session
         if analysis is None:
             return
+        from plastron_tui.model.source import place_of
+
         sources = (node.source for node in analysis.workspace.nodes.values())
         paths = [
             place_of(source.path, name)
@@ -90,6 +90,7 @@ class DiskWatch:
             self._on_files()
 
     async def _ask(self, open_: Open, now: OnDisk) -> None:
+        from ..panels.source_lines import difference
         from ..screens.question import Question
 
         assert now.text is not None

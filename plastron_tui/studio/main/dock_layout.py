@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 
 from textual import events, on
 from textual.app import ComposeResult
@@ -12,7 +12,7 @@ from textual.widget import Widget
 
 from ..config import Remembered
 from ..panels.dock import Dock, Edge, TabStrip
-from ..panels.panel import Panel
+from ..panels.panel import Panel, PanelWidgets
 
 WIDE = 150
 """From so many columns on, there is a dock on either side of the editor and one below."""
@@ -40,7 +40,8 @@ class DockLayout(Horizontal):
 
     def __init__(
         self,
-        widgets: Mapping[Panel, Widget],
+        panels: Iterable[Panel],
+        widgets: PanelWidgets,
         editor: Widget,
         remembered: Remembered,
         on_change: Callable[[], object],
@@ -48,18 +49,19 @@ class DockLayout(Horizontal):
         """Make the docks.
 
         Args:
-            widgets: the widget of each panel.
+            panels: all panels.
+            widgets: their widgets.
             editor: what is in the middle.
             remembered: how it was laid out last time.
             on_change: called when other panels may be in sight.
         """
         super().__init__(id="body")
+        self.widgets = widgets
         self._editor = editor
         self._remembered = remembered
         self._on_change = on_change
         self.outline, self.result, self.bottom = self.docks = tuple(
-            Dock(side, {panel: each for panel, each in widgets.items() if panel.dock == side})
-            for side in ("outline", "result", "bottom")
+            Dock(side, panels, widgets) for side in ("outline", "result", "bottom")
         )
         self._outline_edge, self._result_edge = Edge(id="outline-edge"), Edge(id="result-edge")
         self._center = Vertical(id="center")
@@ -166,7 +168,7 @@ class DockLayout(Horizontal):
         self._outline_edge.ends = ("╮", "╯") if is_framed else ("│", "│")
         self._result_edge.display = places.get(self.result) == "right"
         self._result_edge.ends = ("╭", "╰") if is_framed else ("│", "│")
-        self._editor.set_class(is_framed, "-framed")
+        self._editor.set_class(is_framed, "-framed", update=self._editor.is_attached)
         self._editor.display = zoomed is None
         self._center.display = zoomed in (None, self.bottom)
         self._show_tabs()
@@ -174,7 +176,8 @@ class DockLayout(Horizontal):
     def _place(self, dock: Dock, place: str) -> None:
         width, height = self.app.size
         dock.styles.dock = "none"
-        dock.set_class(place in ("below", "all"), "-below")
+        # What is not mounted yet is styled when it is.
+        dock.set_class(place in ("below", "all"), "-below", update=dock.is_attached)
         dock.frame(left=self.is_framed and place != "right",
                    right=self.is_framed and place != "left")  # fmt: skip
         if place == "all":

@@ -9,7 +9,6 @@ from textual.screen import Screen
 
 from plastron_tui.diagnostics import Span
 
-from ..insertion_point import is_generated_last, placed
 from ..panels.entry import Entry
 from ..panels.entry_keys import Asked
 from .active_program import ActiveProgram
@@ -71,6 +70,8 @@ class EntryActions:
         analysis = self._current()
         if analysis is None:
             return
+        from ..insertion_point import placed
+
         edit = placed(analysis.ground, owner, statement.split("\n"), after=after).edit
         self._program.editor.apply([edit])
         self._go_to(edit.span.start + edit.text.startswith("\n"))
@@ -84,6 +85,8 @@ class EntryActions:
         analysis = self._current()
         if analysis is None:
             return
+        from ..insertion_point import is_generated_last
+
         there = is_generated_last(analysis.program, analysis.workspace, variable)
         if there is None:
             self._write(statement, None)

@@ -15,7 +15,6 @@ from ..config import Profile
 from ..files import OnDisk, Opened, Saved, open_file, read_again, save_file, with_suffix
 from ..journal import Kept
 from ..open_program import Open, opened
-from ..panels.source_lines import difference
 from .active_program import ActiveProgram, Tab
 from .recovery import Recovery
 from .workers import start_exclusive
@@ -255,6 +254,7 @@ class FileActions:
         return f"{nodes[0].name}.plastron" if nodes else "program.plastron"
 
     async def _may_overwrite(self, path: Path, found: bytes, text: bytes) -> bool:
+        from ..panels.source_lines import difference
         from ..screens.question import Question
 
         answer = await self.screen.app.push_screen_wait(

@@ -2,20 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from typing import TYPE_CHECKING
 
 from textual.screen import Screen
-from textual.widget import Widget
 
 from plastron_tui.diagnostics import Diagnostic
 
 from ..analysis_worker import AnalysisWorker
 from ..delay import Delay
+from ..editor.preload import is_preloaded
 from ..panels.entry import Entries
-from ..panels.panel import Panel, ProgramView, Request
-from ..panels.problems import PROBLEMS, without
-from ..panels.robot_panel import ROBOTS
+from ..panels.panel import Panel, PanelWidgets, ProgramView, Request
+from ..panels.registry import PANELS, PROBLEMS, ROBOTS
 from .active_program import ActiveProgram
 from .dock_layout import DockLayout
 from .held_back import HeldBack
@@ -38,7 +36,7 @@ class PanelFeed:
         screen: Screen[None],
         program: ActiveProgram,
         layout: DockLayout,
-        widgets: Mapping[Panel, Widget],
+        widgets: PanelWidgets,
     ) -> None:
         """Prepare the worker.
 
@@ -46,16 +44,14 @@ class PanelFeed:
             screen: gets the worker's messages.
             program: what it is asked about.
             layout: knows which panels are in sight.
-            widgets: the widget of each panel.
+            widgets: the widgets of the panels.
         """
         self.worker = AnalysisWorker(screen.post_message)
         self._screen = screen
         self._program = program
         self._layout = layout
-        self._views = {
-            panel: view for panel, view in widgets.items() if isinstance(view, ProgramView)
-        }
-        self._pause = Delay(screen, self.ask_anew)
+        self._widgets = widgets
+        self._pause = Delay(screen, self._ask)
         self._asked: tuple[Request, ...] | None = None
         self.held_back = HeldBack(screen, program.editor, self._show_known)
         self._unheld: tuple[Entries, frozenset[Diagnostic], Entries] | None = None
@@ -63,8 +59,15 @@ class PanelFeed:
         program.editor.completer.waits = True
 
     def start(self) -> None:
-        """Ask for the first time, now that there is something to see."""
+        """Begin to work, now that there is something to see."""
         self._pause.start(_FIRST_PAUSE)
+
+    def _ask(self) -> None:
+        """Ask, or have imported first what it takes to ask."""
+        if is_preloaded():
+            self.ask_anew()
+        else:
+            self.worker.preload()
 
     @property
     def is_pausing(self) -> bool:
@@ -88,13 +91,22 @@ class PanelFeed:
             self._asked = wanted
             self.worker.ask(wanted)
 
+    def _view_of(self, panel: Panel) -> ProgramView:
+        view = self._widgets[panel.name]
+        assert isinstance(view, ProgramView)
+        return view
+
+    def _fed(self) -> list[Panel]:
+        """Return the panels that are in sight, and those that raise an alarm, if they are fed."""
+        is_in_sight = self._layout.is_in_sight
+        return [each for each in PANELS if each.maker and (each.is_alarm or is_in_sight(each.name))]
+
     def wanted(self) -> tuple[Request, ...]:
         """Return what the panels in sight have to be given, and those that raise an alarm."""
         analysis, offset = self._program.open.analysis, self._program.editor.cursor_offset
         requests = (
-            Request(panel.name, view.request(analysis, offset))
-            for panel, view in self._views.items()
-            if panel.is_alarm or self._layout.is_in_sight(panel.name)
+            Request(panel.name, self._view_of(panel).request(analysis, offset))
+            for panel in self._fed()
         )
         return tuple(request for request in requests if request.what is not None)
 
@@ -146,16 +158,15 @@ class PanelFeed:
         if analysis is None:
             return
         offset = self._program.editor.cursor_offset
-        for panel, view in self._views.items():
-            is_in_sight = self._layout.is_in_sight(panel.name)
-            if is_in_sight or panel.is_alarm:
-                request = Request(panel.name, view.request(analysis, offset))
-                if request.what is None or request in analysis.made:
-                    made = analysis.made.get(request)
-                    if panel is PROBLEMS and isinstance(made, Entries):
-                        made = self._without_held(analysis, made)
-                    view.show(made)
-            if is_in_sight:
+        for panel in self._fed():
+            view = self._view_of(panel)
+            request = Request(panel.name, view.request(analysis, offset))
+            if request.what is None or request in analysis.made:
+                made = analysis.made.get(request)
+                if panel is PROBLEMS and isinstance(made, Entries):
+                    made = self._without_held(analysis, made)
+                view.show(made)
+            if self._layout.is_in_sight(panel.name):
                 view.follow(offset)
 
     def _without_held(self, analysis: Analysis, entries: Entries) -> Entries:
@@ -165,14 +176,17 @@ class PanelFeed:
             return entries
         known = self._unheld
         if known is None or known[0] is not entries or known[1] != held:
+            from ..panels.problems import without
+
             known = self._unheld = (entries, held, without(entries, held))
         return known[2]
 
     def clear(self) -> None:
         """Show nothing, because another program is there."""
         self.held_back.clear()
-        for view in self._views.values():
-            view.show(None)
+        for view in self._widgets.made.values():
+            if isinstance(view, ProgramView):
+                view.show(None)
         self._layout.show_counts({})
 
 

@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
-from typing import NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 from rich.cells import cell_len
 
 from ..open_program import Open
 from ..panels.bars import Bar, help_pieces
+
+if TYPE_CHECKING:
+    from plastron_tui.project.ros_choice import RosChoice
 
 Pieces = tuple[tuple[str, str], ...]
 
@@ -67,12 +70,15 @@ class TitleBar(Bar):
 
     _title: Title | None = None
 
-    def show_program(self, open_: Open, stop_key: str | None) -> None:
-        """Show a program, whether it is saved, and where nodes run the key that stops them."""
-        ros = open_.session.ros
+    def show_program(self, open_: Open, ros: RosChoice | None, stop_key: str | None) -> None:
+        """Show a program, whether it is saved, its ROS if that is known by now.
+
+        Where nodes run, the key that stops them as well.
+        """
+        words, library = ("", "") if ros is None else (ros.words, ros.library)
         folder = "" if open_.path is None else open_.path.absolute().parent.name
         self._title = Title(
-            open_.name, open_.is_changed, folder, ros.words, ros.library, stop_key
+            open_.name, open_.is_changed, folder, words, library, stop_key
         )  # fmt: skip
         self.on_resize()
 

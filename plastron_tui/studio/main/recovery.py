@@ -14,7 +14,6 @@ from ..delay import Delay
 from ..files import open_file
 from ..folder_labels import shown_name, shown_place
 from ..journal import Kept, kept_texts
-from ..panels.source_lines import difference
 from .active_program import ActiveProgram, Tab
 
 _KEEP = 0.5
@@ -103,6 +102,7 @@ class Recovery:
         """
         from datetime import datetime
 
+        from ..panels.source_lines import difference
         from ..screens.question import Question
 
         found = None if kept.path is None else open_file(kept.path).disk

@@ -3,25 +3,26 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import ClassVar
+from typing import TYPE_CHECKING, ClassVar
 
 from textual import on, work
 from textual.app import ComposeResult
-from textual.binding import Binding, BindingType
+from textual.binding import BindingType
 from textual.screen import Screen
 
 from ..actions import BY_ID, KEPT, bindings
-from ..analysis_worker import Analysed, AnalysisFailed
+from ..analysis_worker import Analysed, AnalysisFailed, Preloaded
 from ..config import Profile
 from ..editor import ProgramEditor
-from ..editor.statement_help import help_of
+from ..editor.preload import is_preloaded
 from ..journal import Kept
+from ..key_display import key_name
 from ..key_order import Paged
 from ..open_program import Open
 from ..panels.entry import Entry
 from ..panels.entry_keys import Asked, Chosen, Lit
 from ..panels.key_bar import KeyBar
-from ..panels.panel import Resized
+from ..panels.panel import PanelWidgets, Resized
 from ..panels.registry import PANELS
 from .active_program import ActiveProgram
 from .code_actions import CodeActions
@@ -30,16 +31,17 @@ from .dock_layout import DockLayout
 from .entry_actions import EntryActions
 from .file_actions import FileActions
 from .key_help import choose_action, show_help, toggle_keys
+from .lazy_runs import LazyRuns
 from .panel_feed import PanelFeed
 from .program_bars import StatusBar, TitleBar
-from .readiness import Readiness
 from .recovery import Recovery
-from .run_actions import Printed, RunActions
 from .tab_actions import TabActions
 from .tab_line import TabLine
-from .tab_run import RunPanels
 from .trust_prompt import TrustPrompt
 from .wizard_host import WizardHost
+
+if TYPE_CHECKING:
+    from .run_actions import RunActions
 
 _LOOK_AT_DISK = 2
 """Seconds after which the files are looked at again."""
@@ -52,7 +54,7 @@ class MainScreen(Screen[None], Paged):
     """Shows the programs that are open: hands keys and messages to the part that they are for.
 
     Attributes:
-        panels: the widget of each panel, by the panel's name.
+        panels: the widget of each panel, by the panel's name, made when it is first shown.
     """
 
     BINDINGS: ClassVar[list[BindingType]] = [*bindings()]
@@ -65,12 +67,11 @@ class MainScreen(Screen[None], Paged):
         self.tab_line = TabLine(id="tabs")
         self._title, self._status = TitleBar(id="title"), StatusBar(id="status")
         self._keys = KeyBar(KEPT)
-        widgets = {panel: panel.widget(id=panel.name) for panel in PANELS}
-        self.panels = {panel.name: widget for panel, widget in widgets.items()}
+        self.panels = PanelWidgets(PANELS)
         self.dock_layout = DockLayout(
-            widgets, self.editor, profile.remembered, lambda: self.feed.refresh()
+            PANELS, self.panels, self.editor, profile.remembered, lambda: self.feed.refresh()
         )
-        self.feed = PanelFeed(self, self.program, self.dock_layout, widgets)
+        self.feed = PanelFeed(self, self.program, self.dock_layout, self.panels)
         self.recovery = Recovery(self, self.program, profile.journals)
         self.files = FileActions(
             self, self.program, profile, self.recovery, self._show_anew, self.show_title
@@ -79,13 +80,18 @@ class MainScreen(Screen[None], Paged):
             self, self.program, self.files, self.recovery, self.feed.ask_anew, self.show_title
         )
         self._trust = TrustPrompt(self, self.program, self.key_of)
-        ready = Readiness(self, self.program, self.files, self.dock_layout, self._trust)
-        shown = RunPanels.of(self.panels, self.dock_layout)
-        self.runner = RunActions(self, self.program, ready, shown, self.show_title)
-        self._tabs = TabActions(self, self.program, self.files, self.runner.forget, self._show_anew)
+        self._runs = LazyRuns(
+            self, self.program, self.files, self.dock_layout, self._trust, self.show_title
+        )
+        self._tabs = TabActions(self, self.program, self.files, self._runs.forget, self._show_anew)
         self._entries = EntryActions(self, self.program, self.action_code)
         self._code = CodeActions(self, self.program)
         self._wizard = WizardHost(self, self.program)
+
+    @property
+    def runner(self) -> RunActions:
+        """What generates and runs nodes."""
+        return self._runs.actions
 
     @property
     def open(self) -> Open:
@@ -104,11 +110,7 @@ class MainScreen(Screen[None], Paged):
 
     def compose(self) -> ComposeResult:
         """Make the parts."""
-        yield self._title
-        yield self.tab_line
-        yield self.dock_layout
-        yield self._status
-        yield self._keys
+        yield from (self._title, self.tab_line, self.dock_layout, self._status, self._keys)
 
     def on_mount(self) -> None:
         """Start the worker, and look at the files from time to time."""
@@ -124,13 +126,11 @@ class MainScreen(Screen[None], Paged):
     def _settle(self) -> None:
         """Begin to work, now that there is something to see."""
         self.feed.start()
-        self.editor.statement_help = help_of(self.editor.expected)
-        self.show_status()
 
     def on_unmount(self) -> None:
         """Stop the worker and what runs."""
         self.feed.worker.stop()
-        self.runner.close()
+        self._runs.close()
 
     def on_resize(self) -> None:
         """Lay the panels out for another size."""
@@ -156,12 +156,19 @@ class MainScreen(Screen[None], Paged):
         self.show_status()
         self.feed.moved()
 
+    @on(Preloaded)
+    def preloaded(self) -> None:
+        """Show what could not be known before; find out what the text means."""
+        self.show_title()
+        self.show_status()
+        self.feed.ask_anew()
+
     @on(Analysed)
     def analysed(self, message: Analysed) -> None:
         """Show what the text means, if it is still that text."""
         if self.feed.take(message.analysis):
             self.show_title()
-            self.runner.readiness.known(message.analysis.diagnostics)
+            self._runs.known(message.analysis.diagnostics)
             self._trust.tell_what_waits(message.analysis)
 
     @on(AnalysisFailed)
@@ -172,7 +179,7 @@ class MainScreen(Screen[None], Paged):
     def _show_anew(self) -> None:
         """Show nothing of the program before: another one is there."""
         self.feed.clear()
-        self.runner.follow()
+        self._runs.follow()
         self.show_title()
         self.feed.ask_anew()
         self.call_later(self.look_at_disk)
@@ -200,30 +207,29 @@ class MainScreen(Screen[None], Paged):
         """Have what is drawn for a size drawn so that it fits."""
         self.feed.ask_more()
 
-    @on(Printed)
-    def printed(self) -> None:
-        """Show what nodes print."""
+    def on_printed(self) -> None:
+        """Show what nodes print: `Printed` comes from `run_actions.py`."""
         self.runner.show_soon()
 
     # The lines above and below.
 
     def show_title(self) -> None:
         """Show the program's name, whether it is saved, and what is the case with it; the tabs."""
-        is_running = self.runner.is_running
-        self._title.show_program(self.open, self.key_of("run") if is_running else None)
+        is_running = self._runs.runs_in(self.program.tab)
+        ros = self.open.session.ros if is_preloaded() else None
+        self._title.show_program(self.open, ros, self.key_of("run") if is_running else None)
         self._keys.retitle({"run": "Stop"} if is_running else {})
-        self.tab_line.show_programs(self.program, self.runner.runs_in)
+        self.tab_line.show_programs(self.program, self._runs.runs_in)
 
     def show_status(self) -> None:
         """Show the sentence of the statement at the cursor, and where the cursor is."""
-        editor = self.editor
-        self._status.show_statement(editor.statement_help, self.open.text, editor.cursor_offset)
+        at = self.editor.cursor_offset
+        self._status.show_statement(self.editor.statement_help, self.open.text, at)
 
     def key_of(self, action: str) -> str:
         """Return the key of an action, as a person writes it; "" where it has none."""
         keys = self.profile.config.keys.get(action, BY_ID[action].keys)
-        key = keys.split(",")[0]
-        return self.app.get_key_display(Binding(key, "")) if key else ""
+        return key_name(keys.split(",")[0]) if keys else ""
 
     # Actions: panels.
 

@@ -10,7 +10,6 @@ from textual.screen import Screen
 
 from plastron_tui.diagnostics import Diagnostic
 from plastron_tui.diagnostics.terminal import visible
-from plastron_tui.project.settings import TRUST_CODES
 
 from .active_program import ActiveProgram
 
@@ -47,7 +46,7 @@ class TrustPrompt:
 
     def explain(self, errors: Sequence[Diagnostic]) -> str | None:
         """Say that trust is all that is missing; None where something else is wrong."""
-        if any(found.code not in TRUST_CODES for found in errors):
+        if not all(map(_waits_for_trust, errors)):
             return None
         return f"only once you trust this project: {self._key_of('trust')}"
 
@@ -94,4 +93,10 @@ class TrustPrompt:
 
 def _waiting(analysis: Analysis) -> list[Diagnostic]:
     """Return what the user has to trust the project for."""
-    return [found for found in analysis.diagnostics if found.code in TRUST_CODES]
+    return list(filter(_waits_for_trust, analysis.diagnostics))
+
+
+def _waits_for_trust(found: Diagnostic) -> bool:
+    from plastron_tui.project.settings import TRUST_CODES
+
+    return found.code in TRUST_CODES

@@ -17,7 +17,7 @@ from textual.reactive import reactive
 from textual.strip import Strip
 from textual.widget import Widget
 
-from .panel import Panel
+from .panel import Panel, PanelWidgets
 from .styles import Toned
 
 _PLAIN = Style.null()
@@ -203,17 +203,18 @@ class Dock(Vertical):
     class Left(Message):
         """The editor shall have the focus again."""
 
-    def __init__(self, side: str, widgets: Mapping[Panel, Widget]) -> None:
+    def __init__(self, side: str, panels: Iterable[Panel], widgets: PanelWidgets) -> None:
         """Make a dock.
 
         Args:
             side: the dock that it is, as panels name it; its id too.
-            widgets: the widget of each panel that is in it.
+            panels: all panels, of which it has those that are in it.
+            widgets: the widgets of panels.
         """
         super().__init__(id=side)
         self.side = side
-        self._widgets = {panel.name: widget for panel, widget in widgets.items()}
-        self.panels = tuple(widgets)
+        self.panels = tuple(panel for panel in panels if panel.dock == side)
+        self._widgets = widgets
         self.strip = TabStrip()
         self._body = Container(classes="dock-body")
         self.active = self.panels[0].name
@@ -239,19 +240,22 @@ class Dock(Vertical):
 
         Where only one side is asked for, an `Edge` is the other one.
         """
-        self._body.set_class(left, "-left")
-        self._body.set_class(right, "-right")
+        # What is not mounted yet is styled when it is.
+        update = self._body.is_attached
+        self._body.set_class(left, "-left", update=update)
+        self._body.set_class(right, "-right", update=update)
         self.strip.corners = ("╭─" if left else "─" if right else "", "╮" if right else "")
 
     def holds(self, name: str) -> bool:
         """Tell whether a panel is in it."""
-        return name in self._widgets
+        return any(panel.name == name for panel in self.panels)
 
     def show(self, name: str) -> None:
         """Bring a panel in sight."""
         self.active = name
-        for other, widget in self._widgets.items():
-            widget.display = other == name
+        for panel in self.panels:
+            if panel.name in self._widgets.made:
+                self._widgets[panel.name].display = panel.name == name
         if self.is_mounted and self.is_filled and not self.panel.is_attached:
             self._body.mount(self.panel)
 

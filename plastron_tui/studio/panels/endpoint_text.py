@@ -7,7 +7,7 @@ from plastron_tui.ros.parameters import Setting
 from plastron_tui.ros.qos import Qos
 from plastron_tui.ros.qos_words import text_of
 
-from .entry import type_text
+from .entry_signs import type_text
 
 _BETWEEN = " · "
 

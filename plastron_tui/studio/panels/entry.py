@@ -5,18 +5,14 @@ from __future__ import annotations
 from bisect import bisect_right
 from collections.abc import Iterable
 from enum import Enum
-from functools import lru_cache
 from typing import TYPE_CHECKING, NamedTuple
 
 from plastron_tui.diagnostics import Edit, Span
-from plastron_tui.language.sentence import sentence
-from plastron_tui.model.kinds import EDITABLE, EndpointKind
-from plastron_tui.ros.interfaces import InterfaceKind
 
 if TYPE_CHECKING:
     from pathlib import Path
 
-    from plastron_tui.ros.interfaces import InterfaceName
+    from plastron_tui.model.kinds import EndpointKind
 
 
 class Subject(Enum):
@@ -40,31 +36,6 @@ class Subject(Enum):
     def word(self) -> str:
         """What one is called."""
         return self.value
-
-
-SIGNS: dict[Subject | EndpointKind, tuple[str, str]] = {
-    Subject.NODE: ("●", "primary"),
-    Subject.TOPIC: ("≈", "success"),
-    Subject.SERVICE_NAME: ("◆", "warning"),
-    Subject.ACTION_NAME: ("★", "warning"),
-    Subject.MESSAGE: ("✉", "accent"),
-    Subject.PACKAGE: ("▣", "primary"),
-    Subject.LAUNCH: ("▶", "success"),
-    Subject.TYPE: ("◫", "accent"),
-    Subject.ROBOT: ("◈", "primary"),
-    Subject.LINK: ("■", "quiet"),
-    Subject.JOINT: ("─", "success"),
-    **{kind: (kind.facts.sign, kind.facts.tone) for kind in EDITABLE},
-}
-"""The character before the name, and its tone."""
-
-
-HUBS = {
-    InterfaceKind.MESSAGE: Subject.TOPIC,
-    InterfaceKind.SERVICE: Subject.SERVICE_NAME,
-    InterfaceKind.ACTION: Subject.ACTION_NAME,
-}
-"""What an entry is about that stands for what nodes meet at."""
 
 
 _WRITTEN: dict[Subject | EndpointKind, str] = {
@@ -129,8 +100,10 @@ class Entry(NamedTuple):
     @property
     def statement(self) -> str | None:
         """The statement that ends what the entry shows, None where there is none."""
-        if not isinstance(self.subject, EndpointKind):
+        if isinstance(self.subject, Subject):
             return self.ending or None
+        from plastron_tui.language.sentence import sentence
+
         editing = self.subject.editing
         texts = {"node": self.node or "", editing.name_slot: self.name or ""}
         return sentence(editing.ending, texts)
@@ -179,9 +152,3 @@ class Entries:
         entry = self.all[self._numbers[place]]
         assert entry.span is not None
         return entry if offset <= entry.span.end else None
-
-
-@lru_cache(4096)
-def type_text(type_: InterfaceName | None) -> str:
-    """Return a type as an entry says it."""
-    return "type unknown" if type_ is None else str(type_)

@@ -8,14 +8,11 @@ from textual.binding import Binding, BindingType
 from textual.message import Message
 from textual.widget import Widget
 
-from plastron_tui.model.kinds import EDITABLE, EndpointKind
+from .entry import Entry, Subject
 
-from .entry import HUBS, Entry, Subject
-
-_NODE_PARTS = (Subject.NODE, *EDITABLE)
+_HUBS = (Subject.TOPIC, Subject.SERVICE_NAME, Subject.ACTION_NAME)
 _ROBOT_PARTS = (Subject.ROBOT, Subject.LINK, Subject.JOINT)
 _MADE = (Subject.PACKAGE, Subject.LAUNCH, Subject.TYPE, *_ROBOT_PARTS)
-_NAMED = {*_NODE_PARTS, *HUBS.values(), Subject.MESSAGE, *_MADE} - {EndpointKind.TIMER}
 
 
 class EntryMessage(Message):
@@ -99,9 +96,9 @@ class Acting(Pointing):
             case "end":
                 return entry.statement is not None
             case "rename":
-                return entry.subject in _NAMED
+                return _has_name(entry)
             case "generate":
-                return entry.subject in (*_NODE_PARTS, *_MADE)
+                return _is_of_node(entry) or entry.subject in _MADE
             case "code":
                 return entry.span is not None or entry.subject is not Subject.OTHER
             case _:
@@ -111,3 +108,17 @@ class Acting(Pointing):
         """Ask for something to be done."""
         if self.current is not None:
             self.post_message(Asked(what, self.current))
+
+
+def _is_of_node(entry: Entry) -> bool:
+    """Tell whether an entry is about a node, or an endpoint of one."""
+    return entry.subject is Subject.NODE or not isinstance(entry.subject, Subject)
+
+
+def _has_name(entry: Entry) -> bool:
+    """Tell whether what an entry is about has a name that can be another one."""
+    if _is_of_node(entry):
+        from plastron_tui.model.kinds import EndpointKind
+
+        return entry.subject is not EndpointKind.TIMER
+    return entry.subject in (*_HUBS, Subject.MESSAGE, *_MADE)

@@ -17,7 +17,7 @@ from .drawing import DETAILS
 from .entry import Entry
 from .entry_keys import Acting
 from .fitting import Fitted, Size
-from .panel import Panel, Resized
+from .panel import Resized
 from .picture import Picture, picture_of
 from .styles import COMPONENTS, Lines, Toned
 
@@ -254,7 +254,7 @@ def _distance(here: Place, there: Place, right: int, down: int) -> float | None:
     return abs(along) + abs(across) if along * down > 0 else None
 
 
-def _picture(analysis: Analysis, size: Size) -> Picture:
+def make(analysis: Analysis, size: Size) -> Picture:
     """Lay the graph out, once, and draw it so that it fits, once for each size."""
     picture = analysis.once("picture", lambda: _laid_out(analysis))
     picture.fitted(size)
@@ -266,20 +266,3 @@ def _laid_out(analysis: Analysis) -> Picture:
     if workspace.robots and not workspace.nodes:
         return Picture(note="no nodes to draw; the panel of robots draws those")
     return picture_of(analysis.graph)
-
-
-GRAPH = Panel(
-    name="graph",
-    title="Graph",
-    dock="result",
-    keys="alt+6",
-    summary="Nodes, topics, services and actions as boxes and arrows.",
-    about=(
-        "Nodes are boxes with corners, topics, services and actions have round ones. The arrows go "
-        "from who speaks to who listens; a line that is broken at another one passes below it. "
-        "Arrow keys go from box to box, Ctrl-T enlarges."
-    ),
-    widget=GraphPanel,
-    make=_picture,
-    is_slow=True,
-)

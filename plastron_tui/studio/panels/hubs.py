@@ -6,7 +6,8 @@ from collections.abc import Iterable, Iterator
 from typing import TYPE_CHECKING
 
 from .endpoint_text import noted
-from .entry import HUBS, SIGNS, Entry, type_text
+from .entry import Entry
+from .entry_signs import HUBS, SIGNS, type_text
 
 if TYPE_CHECKING:
     from plastron_tui.model.graph import Hub

@@ -19,7 +19,6 @@ from .entry import Entries, Entry
 from .entry_list import EntryList
 from .live_columns import Columns, columns_of, line_of
 from .live_rows import Answer, Kind, LiveRow, live_rows
-from .panel import Panel
 
 NOTHING_RUNS = "nothing runs\nF5 starts the nodes; here is then what they send"
 STARTING = "the nodes start…\nwhat they send is shown here"
@@ -324,19 +323,3 @@ class LivePanel(EntryList):
 
 def _entry(row: LiveRow) -> Entry:
     return Entry(row.key, row.name, is_branch=row.is_branch, depth=row.depth)
-
-
-LIVE = Panel(
-    name="live",
-    title="Live",
-    dock="result",
-    keys="alt+v",
-    summary="What travels between the nodes that run.",
-    about=(
-        "Each topic ≈ of the nodes that run, with how often a message comes and what is in the "
-        "last one; Enter unfolds its fields, P sends a message to it. Enter on a service ◆ calls "
-        "it. Enter on a node ● shows its parameters, and on a parameter sets it. What is not in "
-        "sight is not listened to."
-    ),
-    widget=LivePanel,
-)

@@ -5,9 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from .entry import SIGNS, Entries, Entry, Subject, type_text
-from .panel import Panel
-from .program_panel import ProgramPanel
+from .entry import Entries, Entry, Subject
+from .entry_signs import SIGNS, type_text
 
 if TYPE_CHECKING:
     from plastron_tui.model.values import MessageValue
@@ -15,7 +14,8 @@ if TYPE_CHECKING:
     from ..analysis import Analysis
 
 
-def _entries(analysis: Analysis, _: object) -> Entries:
+def make(analysis: Analysis, _: object) -> Entries:
+    """Make what the panel shows."""
     return Entries(
         _messages(analysis),
         "no messages yet\ncreate_message hello of message_type String …",
@@ -64,14 +64,6 @@ def _shown(value: object) -> str:
     return f'"{value}"' if isinstance(value, str) else str(value)
 
 
-MESSAGES = Panel(
-    name="messages",
-    title="Messages",
-    dock="outline",
-    keys="alt+4",
-    summary="The messages, each with its values.",
-    about="Each message with the values of its fields.",
-    widget=ProgramPanel,
-    make=_entries,
-    count=lambda analysis: len(analysis.workspace.messages),
-)
+def count(analysis: Analysis) -> int:
+    """Return how much there is."""
+    return len(analysis.workspace.messages)

@@ -6,9 +6,8 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from .endpoint_text import endpoint_text
-from .entry import SIGNS, Entries, Entry, Subject
-from .panel import Panel
-from .program_panel import ProgramPanel
+from .entry import Entries, Entry, Subject
+from .entry_signs import SIGNS
 
 if TYPE_CHECKING:
     from plastron_tui.model.workspace import Node, Workspace
@@ -16,7 +15,8 @@ if TYPE_CHECKING:
     from ..analysis import Analysis
 
 
-def _entries(analysis: Analysis, _: object) -> Entries:
+def make(analysis: Analysis, _: object) -> Entries:
+    """Make what the panel shows."""
     workspace = analysis.workspace
     libraries = _libraries(workspace, analysis.session.library)
     return Entries(_nodes(workspace, libraries), "no nodes yet\ncreate_node 'talker' as talker")
@@ -78,18 +78,6 @@ def _endpoints(variable: str, node: Node) -> Iterator[Entry]:
             )
 
 
-NODES = Panel(
-    name="nodes",
-    title="Nodes",
-    dock="outline",
-    keys="alt+1",
-    summary="The nodes, each with what it speaks and hears, its timers and its parameters.",
-    about=(
-        "Each node with its publishers ↑, subscriptions ↓, services ◆ and clients ◇, actions that "
-        "it does ★ and wants done ☆, timers ↻ and parameters =. Enter goes to the statement; "
-        "Delete writes the one that ends it."
-    ),
-    widget=ProgramPanel,
-    make=_entries,
-    count=lambda analysis: len(analysis.workspace.nodes),
-)
+def count(analysis: Analysis) -> int:
+    """Return how much there is."""
+    return len(analysis.workspace.nodes)

@@ -13,7 +13,6 @@ from textual.widgets import Input, Label
 
 from .log_view import LogView
 from .output_log import Change, OutputLog, Record, printed_record
-from .panel import Panel
 from .styles import Lines
 
 if TYPE_CHECKING:
@@ -150,19 +149,3 @@ class OutputPanel(Vertical):
         """Go back to the lines that were found."""
         message.stop()
         self.focus()
-
-
-OUTPUT = Panel(
-    name="output",
-    title="Output",
-    dock="bottom",
-    keys="alt+8",
-    summary="What the nodes print while they run.",
-    about=(
-        "What the nodes print that F5 started, each in its colour. A line that comes again is "
-        "counted: ×37. / shows only the lines with certain words; Esc in that field shows all. "
-        "Scroll up to read: the lines stay where they are until you go to the end."
-    ),
-    widget=OutputPanel,
-    is_kept=False,
-)

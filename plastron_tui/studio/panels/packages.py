@@ -5,14 +5,13 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from typing import TYPE_CHECKING
 
-from plastron_tui.language.declaration import DECLARATIONS
+from plastron_tui.language import DECLARATIONS
 from plastron_tui.language.sentence import sentence
 from plastron_tui.language.statements import NoLongerContains, NoLongerStarts
 from plastron_tui.ros.interfaces import InterfaceKind
 
-from .entry import SIGNS, Entries, Entry, Subject
-from .panel import Panel
-from .program_panel import ProgramPanel
+from .entry import Entries, Entry, Subject
+from .entry_signs import SIGNS
 
 if TYPE_CHECKING:
     from plastron_tui.model.launches import Launch
@@ -30,7 +29,8 @@ _KINDS = {
 }
 
 
-def _entries(analysis: Analysis, _: object) -> Entries:
+def make(analysis: Analysis, _: object) -> Entries:
+    """Make what the panel shows."""
     return Entries(_all(analysis), _EMPTY)
 
 
@@ -180,24 +180,8 @@ def _type(name: str, own: OwnType) -> Entry:
     )
 
 
-def _count(analysis: Analysis) -> int:
+def count(analysis: Analysis) -> int:
+    """Return how much there is."""
     workspace = analysis.workspace
     own = len(_own(analysis))
     return own + len(workspace.packages) + len(workspace.launches) + len(workspace.types)
-
-
-PACKAGES = Panel(
-    name="packages",
-    title="Packages",
-    dock="result",
-    keys="alt+9",
-    summary="The packages, the launch files, and the types of the program's own.",
-    about=(
-        "Each package ▣ with what it contains, each launch file ▶ with what it starts, and the "
-        "types ◫ of the program's own. Enter goes to the statement; Delete writes the one that "
-        "takes something out again; G the one that writes it to its files."
-    ),
-    widget=ProgramPanel,
-    make=_entries,
-    count=_count,
-)

@@ -9,7 +9,8 @@ from typing import TYPE_CHECKING
 from plastron_tui.diagnostics import Span
 
 from .drawing import Label
-from .entry import HUBS, SIGNS, Entry, Subject
+from .entry import Entry, Subject
+from .entry_signs import HUBS, SIGNS
 from .fitting import Drawing, Fitted, Size, drawing_of, noted
 
 if TYPE_CHECKING:

@@ -12,7 +12,6 @@ from textual.widgets import Static
 
 from .entry_keys import Chosen, Lit
 from .file_tree import FileTree, TreeFile, is_tree
-from .panel import Panel
 from .styles import Line, Piece
 from .text_view import TextView
 
@@ -200,24 +199,8 @@ def _problem(message: str, remedy: str | None) -> Line:
     return (Piece(text, "error"),)
 
 
-def _previews(analysis: Analysis, node: str) -> tuple[Preview, ...]:
+def make(analysis: Analysis, node: str) -> tuple[Preview, ...]:
+    """Make what the panel shows."""
     from .preview import previews_of
 
     return previews_of(analysis, node)
-
-
-PREVIEW = Panel(
-    name="preview",
-    title="Preview",
-    dock="result",
-    keys="alt+5",
-    summary="The files that the node, or the package, at the cursor becomes.",
-    about=(
-        "The files that the node, package, launch file, robot or type at the cursor becomes. "
-        "For a file that is there already: what changes in it; D shows the whole file. "
-        "Many files are a tree: Enter goes to the text of one, T back to the tree."
-    ),
-    widget=PreviewPanel,
-    make=_previews,
-    is_slow=True,
-)

@@ -9,8 +9,6 @@ from typing import TYPE_CHECKING
 from plastron_tui.diagnostics import Diagnostic, LineIndex, Severity
 
 from .entry import Entries, Entry, Subject
-from .panel import Panel
-from .program_panel import ProgramPanel
 
 if TYPE_CHECKING:
     from ..analysis import Analysis
@@ -20,7 +18,8 @@ _EMPTY = "no problems"
 _HELP = "help "
 
 
-def _entries(analysis: Analysis, _: object) -> Entries:
+def make(analysis: Analysis, _: object) -> Entries:
+    """Make what the panel shows."""
     in_order = sorted(
         analysis.diagnostics, key=lambda found: (found.file is not None, found.span or (0, 0))
     )
@@ -79,15 +78,6 @@ def _problem(
         )
 
 
-PROBLEMS = Panel(
-    name="problems",
-    title="Problems",
-    dock="bottom",
-    keys="alt+7",
-    summary="What is wrong, and how to fix it.",
-    about="Everything that is wrong. Enter goes there; F fixes it where there is a ⚑.",
-    widget=ProgramPanel,
-    make=_entries,
-    count=lambda analysis: len(analysis.diagnostics),
-    is_alarm=True,
-)
+def count(analysis: Analysis) -> int:
+    """Return how much there is."""
+    return len(analysis.diagnostics)

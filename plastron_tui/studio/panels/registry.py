@@ -1,24 +1,171 @@
-"""All panels, in the order of their tabs."""
+"""All panels, in the order of their tabs.
+
+What one shows, and what makes that, is named by its module: to import all of them takes longer than
+to show the first text, and one is in sight then.
+"""
 
 from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from .graph_panel import GRAPH
-from .live_panel import LIVE
-from .messages import MESSAGES
-from .nodes import NODES
-from .output import OUTPUT
-from .packages import PACKAGES
-from .preview_panel import PREVIEW
-from .problems import PROBLEMS
-from .robot_panel import ROBOTS
-from .services import SERVICES
-from .topics import TOPICS
+from .panel import Panel
 
 if TYPE_CHECKING:
     from ..analysis import Analysis
     from .panel import Request
+
+NODES = Panel(
+    name="nodes",
+    title="Nodes",
+    dock="outline",
+    keys="alt+1",
+    summary="The nodes, each with what it speaks and hears, its timers and its parameters.",
+    about=(
+        "Each node with its publishers ↑, subscriptions ↓, services ◆ and clients ◇, actions that "
+        "it does ★ and wants done ☆, timers ↻ and parameters =. Enter goes to the statement; "
+        "Delete writes the one that ends it."
+    ),
+    widget="program_panel:ProgramPanel",
+    maker="nodes",
+    is_counted=True,
+)
+TOPICS = Panel(
+    name="topics",
+    title="Topics",
+    dock="outline",
+    keys="alt+2",
+    summary="The topics, each with who publishes and who listens.",
+    about="Each topic with who publishes ↑ and who listens ↓. A ⚠ says which side is missing.",
+    widget="program_panel:ProgramPanel",
+    maker="topics",
+    is_counted=True,
+)
+SERVICES = Panel(
+    name="services",
+    title="Services",
+    dock="outline",
+    keys="alt+3",
+    summary="The services and actions, each with who provides it and who calls.",
+    about=(
+        "Each service with who provides it ◆ and who calls it ◇, and each action with who does the "
+        "task ★ and who wants it done ☆. A ⚠ says which side is missing."
+    ),
+    widget="program_panel:ProgramPanel",
+    maker="services",
+    is_counted=True,
+)
+MESSAGES = Panel(
+    name="messages",
+    title="Messages",
+    dock="outline",
+    keys="alt+4",
+    summary="The messages, each with its values.",
+    about="Each message with the values of its fields.",
+    widget="program_panel:ProgramPanel",
+    maker="messages",
+    is_counted=True,
+)
+PREVIEW = Panel(
+    name="preview",
+    title="Preview",
+    dock="result",
+    keys="alt+5",
+    summary="The files that the node, or the package, at the cursor becomes.",
+    about=(
+        "The files that the node, package, launch file, robot or type at the cursor becomes. "
+        "For a file that is there already: what changes in it; D shows the whole file. "
+        "Many files are a tree: Enter goes to the text of one, T back to the tree."
+    ),
+    widget="preview_panel:PreviewPanel",
+    maker="preview_panel",
+    is_slow=True,
+)
+GRAPH = Panel(
+    name="graph",
+    title="Graph",
+    dock="result",
+    keys="alt+6",
+    summary="Nodes, topics, services and actions as boxes and arrows.",
+    about=(
+        "Nodes are boxes with corners, topics, services and actions have round ones. The arrows go "
+        "from who speaks to who listens; a line that is broken at another one passes below it. "
+        "Arrow keys go from box to box, Ctrl-T enlarges."
+    ),
+    widget="graph_panel:GraphPanel",
+    maker="graph_panel",
+    is_slow=True,
+)
+PACKAGES = Panel(
+    name="packages",
+    title="Packages",
+    dock="result",
+    keys="alt+9",
+    summary="The packages, the launch files, and the types of the program's own.",
+    about=(
+        "Each package ▣ with what it contains, each launch file ▶ with what it starts, and the "
+        "types ◫ of the program's own. Enter goes to the statement; Delete writes the one that "
+        "takes something out again; G the one that writes it to its files."
+    ),
+    widget="program_panel:ProgramPanel",
+    maker="packages",
+    is_counted=True,
+)
+ROBOTS = Panel(
+    name="robots",
+    title="Robot",
+    dock="result",
+    keys="alt+l",
+    summary="The robots: their links and joints as a tree, and how one looks.",
+    about=(
+        "Each robot ◈ with its links ■, in their colours, each below the joint that holds it: "
+        "fixed ─, revolute ◠, continuous ○, prismatic ⇄, planar ▱, floating ∗. Enter goes to the "
+        "statement; Delete writes the one that takes a part away; G the one that writes it all."
+    ),
+    widget="robot_panel:RobotPanel",
+    maker="robot_panel",
+    is_counted=True,
+    is_slow=True,
+)
+LIVE = Panel(
+    name="live",
+    title="Live",
+    dock="result",
+    keys="alt+v",
+    summary="What travels between the nodes that run.",
+    about=(
+        "Each topic ≈ of the nodes that run, with how often a message comes and what is in the "
+        "last one; Enter unfolds its fields, P sends a message to it. Enter on a service ◆ calls "
+        "it. Enter on a node ● shows its parameters, and on a parameter sets it. What is not in "
+        "sight is not listened to."
+    ),
+    widget="live_panel:LivePanel",
+)
+PROBLEMS = Panel(
+    name="problems",
+    title="Problems",
+    dock="bottom",
+    keys="alt+7",
+    summary="What is wrong, and how to fix it.",
+    about="Everything that is wrong. Enter goes there; F fixes it where there is a ⚑.",
+    widget="program_panel:ProgramPanel",
+    maker="problems",
+    is_counted=True,
+    is_alarm=True,
+)
+OUTPUT = Panel(
+    name="output",
+    title="Output",
+    dock="bottom",
+    keys="alt+8",
+    summary="What the nodes print while they run.",
+    about=(
+        "What the nodes print that F5 started, each in its colour. A line that comes again is "
+        "counted: ×37. / shows only the lines with certain words; Esc in that field shows all. "
+        "Scroll up to read: the lines stay where they are until you go to the end."
+    ),
+    widget="output:OutputPanel",
+    is_kept=False,
+)
 
 PANELS = (
     NODES, TOPICS, SERVICES, MESSAGES, PREVIEW, GRAPH, PACKAGES, ROBOTS, LIVE, PROBLEMS, OUTPUT,
@@ -29,11 +176,9 @@ BY_NAME = {panel.name: panel for panel in PANELS}
 
 def counts(analysis: Analysis) -> dict[str, int]:
     """Count what is in each panel."""
-    return {panel.name: panel.count(analysis) for panel in PANELS if panel.count is not None}
+    return {panel.name: panel.count(analysis) for panel in PANELS if panel.is_counted}
 
 
 def make(analysis: Analysis, request: Request) -> None:
     """Make what a panel asked for, once."""
-    function = BY_NAME[request.panel].make
-    assert function is not None
-    analysis.once(request, lambda: function(analysis, request.what))
+    analysis.once(request, lambda: BY_NAME[request.panel].make(analysis, request.what))

@@ -8,7 +8,7 @@ from math import degrees
 from typing import TYPE_CHECKING
 
 from plastron_tui.diagnostics import Diagnostic, Span
-from plastron_tui.language.declaration import DECLARATIONS
+from plastron_tui.language import DECLARATIONS
 from plastron_tui.language.sentence import sentence
 from plastron_tui.language.statements import (
     HasJoint,
@@ -36,7 +36,8 @@ from plastron_tui.ros.robots.description import (
 from plastron_tui.ros.robots.materials import defined_materials, meant
 from plastron_tui.ros.robots.tree import Branch, branches, held_by, holders
 
-from .entry import SIGNS, Entries, Entry, Subject
+from .entry import Entries, Entry, Subject
+from .entry_signs import SIGNS
 from .robot_places import faults_in, place_of
 
 if TYPE_CHECKING:

@@ -11,7 +11,7 @@ from textual.containers import Container
 
 from .entry import Entries, Subject
 from .entry_keys import Lit
-from .panel import Panel, Resized
+from .panel import Resized
 from .program_panel import ProgramPanel
 from .styles import Lines
 from .text_view import TextView
@@ -171,7 +171,8 @@ class RobotPanel(Container):
         self.parts.follow(offset)
 
 
-def _made(analysis: Analysis, looks: Looks) -> Shown:
+def make(analysis: Analysis, looks: Looks) -> Shown:
+    """Make what the panel shows."""
     from .robot_entries import robot_entries
     from .robot_picture import picture_of, sides_of
 
@@ -186,19 +187,6 @@ def _made(analysis: Analysis, looks: Looks) -> Shown:
     return Shown(entries, picture)
 
 
-ROBOTS = Panel(
-    name="robots",
-    title="Robot",
-    dock="result",
-    keys="alt+l",
-    summary="The robots: their links and joints as a tree, and how one looks.",
-    about=(
-        "Each robot ◈ with its links ■, in their colours, each below the joint that holds it: "
-        "fixed ─, revolute ◠, continuous ○, prismatic ⇄, planar ▱, floating ∗. Enter goes to the "
-        "statement; Delete writes the one that takes a part away; G the one that writes it all."
-    ),
-    widget=RobotPanel,
-    make=_made,
-    count=lambda analysis: len(analysis.workspace.robots),
-    is_slow=True,
-)
+def count(analysis: Analysis) -> int:
+    """Return how much there is."""
+    return len(analysis.workspace.robots)

@@ -8,8 +8,6 @@ from plastron_tui.ros.interfaces import InterfaceKind
 
 from .entry import Entries
 from .hubs import count_hubs, hub_entries
-from .panel import Panel
-from .program_panel import ProgramPanel
 
 if TYPE_CHECKING:
     from ..analysis import Analysis
@@ -18,22 +16,12 @@ if TYPE_CHECKING:
 _INTERFACES = (InterfaceKind.SERVICE, InterfaceKind.ACTION)
 
 
-def _entries(analysis: Analysis, _: object) -> Entries:
+def make(analysis: Analysis, _: object) -> Entries:
+    """Make what the panel shows."""
     hubs = (hub for interface in _INTERFACES for hub in analysis.graph.at[interface])
     return Entries(hub_entries(hubs), "no services yet\nadder provides_service 'add' …")
 
 
-SERVICES = Panel(
-    name="services",
-    title="Services",
-    dock="outline",
-    keys="alt+3",
-    summary="The services and actions, each with who provides it and who calls.",
-    about=(
-        "Each service with who provides it ◆ and who calls it ◇, and each action with who does the "
-        "task ★ and who wants it done ☆. A ⚠ says which side is missing."
-    ),
-    widget=ProgramPanel,
-    make=_entries,
-    count=lambda analysis: sum(count_hubs(analysis.workspace, each) for each in _INTERFACES),
-)
+def count(analysis: Analysis) -> int:
+    """Return how much there is."""
+    return sum(count_hubs(analysis.workspace, each) for each in _INTERFACES)

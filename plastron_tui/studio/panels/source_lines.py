@@ -6,8 +6,6 @@ from collections.abc import Iterator
 from difflib import unified_diff
 from pathlib import Path
 
-from plastron_tui.targets import language_of
-
 from .styles import Line, Lines, Piece
 
 LONGEST = 4000
@@ -53,6 +51,8 @@ def coloured(text: str, path: Path) -> Lines:
 
 def lexer_of(path: Path) -> str | None:
     """Return what Pygments calls the language of a file, None for one that is not coloured."""
+    from plastron_tui.targets import language_of
+
     language = language_of(path)
     return _OTHERS.get(path.suffix, _OTHERS.get(path.name)) if language is None else language.name
 

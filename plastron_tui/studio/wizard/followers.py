@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 
 from plastron_tui.diagnostics import listed
+from plastron_tui.language import DECLARATIONS, Statement
 from plastron_tui.language import statements as st
-from plastron_tui.language.declaration import DECLARATIONS, Statement
 from plastron_tui.session import Session
 
 from .context import Scene, free_name, variables_of

@@ -12,7 +12,7 @@ from textual.containers import Horizontal, Vertical, VerticalScroll
 from textual.widgets import Button, Label
 
 from plastron_tui.diagnostics.terminal import visible
-from plastron_tui.language.declaration import DECLARATIONS
+from plastron_tui.language import DECLARATIONS
 from plastron_tui.language.statements import CreateMessage
 
 from ..screens.dialog import Dialog

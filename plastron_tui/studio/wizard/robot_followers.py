@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from plastron_tui.language import DECLARATIONS, Statement
 from plastron_tui.language import statements as st
-from plastron_tui.language.declaration import DECLARATIONS, Statement
 from plastron_tui.ros.robots.description import Description, JointType
 from plastron_tui.ros.robots.tree import held_by, holders
 

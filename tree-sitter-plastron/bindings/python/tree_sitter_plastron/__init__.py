@@ -1,5 +1,7 @@
 """The Plastron grammar for tree-sitter, and its queries."""
 
+from pathlib import Path
+
 from ._binding import language
 
 __all__ = [
@@ -26,8 +28,7 @@ def __getattr__(name: str) -> str:
     """Read a query when it is first asked for."""
     if name not in _QUERIES:
         raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
-    from importlib.resources import files  # slow to import, and needed for queries only
-
-    text = files(__name__).joinpath("queries", _QUERIES[name]).read_text("utf-8")
+    # Beside a compiled module, so never in an archive; `importlib.resources` is slow to import.
+    text = Path(__file__).with_name("queries").joinpath(_QUERIES[name]).read_text("utf-8")
     globals()[name] = text
     return text

@@ -1,0 +1,80 @@
+"""The nodes of the programs that are open, before anybody has run one."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from typing import TYPE_CHECKING
+
+from textual.screen import Screen
+
+from .active_program import ActiveProgram, Tab
+from .dock_layout import DockLayout
+from .file_actions import FileActions
+from .trust_prompt import TrustPrompt
+
+if TYPE_CHECKING:
+    from plastron_tui.diagnostics import Diagnostic
+
+    from .run_actions import RunActions
+
+
+@dataclass(eq=False)
+class LazyRuns:
+    """Tells what runs. What starts nodes is imported when it is asked for: most never run one.
+
+    Attributes:
+        screen: shows dialogs.
+        program: whose nodes they are.
+        files: saves it.
+        layout: has the panels, and brings them in sight.
+        trust: says where only trust is missing.
+        on_change: called when nodes start, or have ended.
+    """
+
+    screen: Screen[None]
+    program: ActiveProgram
+    files: FileActions
+    layout: DockLayout
+    trust: TrustPrompt
+    on_change: Callable[[], object]
+
+    @cached_property
+    def actions(self) -> RunActions:
+        """What generates, starts and stops nodes, made now if need be."""
+        from .readiness import Readiness
+        from .run_actions import RunActions
+        from .tab_run import RunPanels
+
+        ready = Readiness(self.screen, self.program, self.files, self.layout, self.trust)
+        shown = RunPanels.of(self.layout)
+        return RunActions(self.screen, self.program, ready, shown, self.on_change)
+
+    @property
+    def _made(self) -> RunActions | None:
+        return self.actions if "actions" in self.__dict__ else None
+
+    def runs_in(self, tab: Tab) -> bool:
+        """Tell whether nodes of a tab run."""
+        return self._made is not None and self._made.runs_in(tab)
+
+    def known(self, diagnostics: Sequence[Diagnostic]) -> None:
+        """Take away what was said of mistakes, where there are none any more."""
+        if self._made is not None:
+            self._made.readiness.known(diagnostics)
+
+    def follow(self) -> None:
+        """Show what the nodes of the program in front have printed, and which have failed."""
+        if self._made is not None:
+            self._made.follow()
+
+    def forget(self, tab: Tab) -> None:
+        """Have the nodes of a tab ended, because it is gone."""
+        if self._made is not None:
+            self._made.forget(tab)
+
+    def close(self) -> None:
+        """Have all nodes ended, because the studio ends."""
+        if self._made is not None:
+            self._made.close()
