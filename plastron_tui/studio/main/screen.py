@@ -87,18 +87,13 @@ class MainScreen(Screen[None], Paged):
     @cached_property
     def runner(self) -> RunActions:
         """What generates and runs nodes; made, with the panels that show them, when asked for."""
-        from ..panels.entry_list import EntryList
-        from ..panels.live_panel import LivePanel
-        from ..panels.output import OutputPanel
+        from .readiness import Readiness
         from .run_actions import RunActions
+        from .tab_run import RunPanels
 
-        output, nodes, live = self.panels["output"], self.panels["nodes"], self.panels["live"]
-        assert isinstance(output, OutputPanel) and isinstance(nodes, EntryList)
-        assert isinstance(live, LivePanel)
-        return RunActions(
-            self, self.program, self.files, self.dock_layout, output, nodes, self._trust, live,
-            self.show_title,
-        )  # fmt: skip
+        ready = Readiness(self, self.program, self.files, self.dock_layout, self._trust)
+        shown = RunPanels.of(self.panels, self.dock_layout)
+        return RunActions(self, self.program, ready, shown, self.show_title)
 
     @property
     def _runs(self) -> RunActions | None:
@@ -186,7 +181,7 @@ class MainScreen(Screen[None], Paged):
         if self.feed.take(message.analysis):
             self.show_title()
             if self._runs is not None:
-                self._runs.known(message.analysis.diagnostics)
+                self._runs.readiness.known(message.analysis.diagnostics)
             self._trust.tell_what_waits(message.analysis)
 
     @on(AnalysisFailed)
