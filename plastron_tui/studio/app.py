@@ -13,7 +13,7 @@ from functools import partial
 from pathlib import Path
 from time import monotonic
 from types import FrameType
-from typing import ClassVar
+from typing import Any, ClassVar
 
 from rich.segment import Segment
 from textual import events, on
@@ -189,6 +189,18 @@ class StudioApp(InOrder, inherit_bindings=False):
     async def run_call(self, call: str) -> None:
         """Do an action by its call."""
         await self.run_action(call, self.main)
+
+    def get_screen(self, screen: Any, screen_class: Any = None) -> Any:
+        """Return a screen, with its style sheets added to the app's.
+
+        Textual would read all style sheets anew and style all screens again, where a screen that
+        is opened has one of its own.
+        """
+        found: Screen[Any] = super().get_screen(screen, screen_class)
+        for path in found.css_path:
+            if not self.stylesheet.has_source(str(path), ""):
+                self.stylesheet.add_source(Path(path).read_text("utf-8"), (str(path), ""))
+        return found
 
     def get_driver_class(self) -> type[Driver]:
         """Return what writes to the terminal, and reads what comes from there."""
