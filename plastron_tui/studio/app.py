@@ -31,9 +31,8 @@ from plastron_tui.private_files import sweep
 from plastron_tui.session import Options
 from plastron_tui.user_folders import state_folder
 
-from .actions import key_owners
 from .analysis_worker import AnalysisFailed
-from .config import Profile, config_file, load_config, load_remembered, save_remembered
+from .config import Config, Profile, config_file, load_remembered, save_remembered
 from .control_characters import ONLY_TEXT
 from .files import OnDisk, meant_by, open_file
 from .folder_labels import not_saved
@@ -98,7 +97,7 @@ class StudioApp(InOrder, inherit_bindings=False):
         self._shown = ShownScreen()
         super().__init__()
         folder = state_folder()
-        config, self._messages = load_config(config_file(), key_owners, self.available_themes)
+        config, self._messages = _configured(self.available_themes)
         self.profile = Profile(config, load_remembered(folder), folder)
         self._begin_with(self._first_theme())
         self._paths = [] if path is None else _different([path, *others])
@@ -315,6 +314,17 @@ class StudioApp(InOrder, inherit_bindings=False):
     def on_unmount(self) -> None:
         """Remember what lasts."""
         save_remembered(self.profile.folder, self.profile.remembered)
+
+
+def _configured(themes: Iterable[str]) -> tuple[Config, tuple[str, ...]]:
+    """Return what the configuration file says, and what is wrong with it."""
+    file = config_file()
+    if not os.path.lexists(file):
+        return Config(), ()
+    from .actions import key_owners
+    from .config_reader import load_config
+
+    return load_config(file, key_owners(), themes)
 
 
 def _belongs(kept: Kept, open_: Open) -> bool:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from functools import cached_property
 from typing import TYPE_CHECKING, ClassVar
 
 from textual import on, work
@@ -24,13 +23,14 @@ from ..panels.entry_keys import Asked, Chosen, Lit
 from ..panels.key_bar import KeyBar
 from ..panels.panel import PanelWidgets, Resized
 from ..panels.registry import PANELS
-from .active_program import ActiveProgram, Tab
+from .active_program import ActiveProgram
 from .code_actions import CodeActions
 from .disk_watch import DiskWatch
 from .dock_layout import DockLayout
 from .entry_actions import EntryActions
 from .file_actions import FileActions
 from .key_help import choose_action, show_help, toggle_keys
+from .node_runs import NodeRuns
 from .panel_feed import PanelFeed
 from .program_bars import StatusBar, TitleBar
 from .recovery import Recovery
@@ -58,6 +58,8 @@ class MainScreen(Screen[None], Paged):
 
     BINDINGS: ClassVar[list[BindingType]] = [*bindings()]
     AUTO_FOCUS = "EditorView"
+    # What is in it covers it.
+    BLANK = True
 
     def __init__(self, open_: Open, profile: Profile, others: Sequence[Open] = ()) -> None:
         super().__init__()
@@ -79,26 +81,19 @@ class MainScreen(Screen[None], Paged):
             self, self.program, self.files, self.recovery, self.feed.ask_anew, self.show_title
         )
         self._trust = TrustPrompt(self, self.program, self.key_of)
-        self._tabs = TabActions(self, self.program, self.files, self._forget, self._show_anew)
+        self._runs = NodeRuns(
+            self, self.program, self.files, self.dock_layout, self.panels, self._trust,
+            self.show_title,
+        )  # fmt: skip
+        self._tabs = TabActions(self, self.program, self.files, self._runs.forget, self._show_anew)
         self._entries = EntryActions(self, self.program, self.action_code)
         self._code = CodeActions(self, self.program)
         self._wizard = WizardHost(self, self.program)
 
-    @cached_property
-    def runner(self) -> RunActions:
-        """What generates and runs nodes; made, with the panels that show them, when asked for."""
-        from .readiness import Readiness
-        from .run_actions import RunActions
-        from .tab_run import RunPanels
-
-        ready = Readiness(self, self.program, self.files, self.dock_layout, self._trust)
-        shown = RunPanels.of(self.panels, self.dock_layout)
-        return RunActions(self, self.program, ready, shown, self.show_title)
-
     @property
-    def _runs(self) -> RunActions | None:
-        """What runs nodes, None where nobody has asked for it yet."""
-        return self.runner if "runner" in self.__dict__ else None
+    def runner(self) -> RunActions:
+        """What generates and runs nodes."""
+        return self._runs.actions
 
     @property
     def open(self) -> Open:
@@ -131,18 +126,13 @@ class MainScreen(Screen[None], Paged):
         self.editor.view.line_numbers = self.profile.config.numbers
         self.show_title()
         self.show_status()
-        self.call_after_refresh(self._settle)
+        self.call_after_refresh(self.feed.start)
         self.set_interval(_LOOK_AT_DISK, self.look_at_disk)
-
-    def _settle(self) -> None:
-        """Begin to work, now that there is something to see."""
-        self.feed.start()
 
     def on_unmount(self) -> None:
         """Stop the worker and what runs."""
         self.feed.worker.stop()
-        if self._runs is not None:
-            self._runs.close()
+        self._runs.close()
 
     def on_resize(self) -> None:
         """Lay the panels out for another size."""
@@ -180,8 +170,7 @@ class MainScreen(Screen[None], Paged):
         """Show what the text means, if it is still that text."""
         if self.feed.take(message.analysis):
             self.show_title()
-            if self._runs is not None:
-                self._runs.readiness.known(message.analysis.diagnostics)
+            self._runs.known(message.analysis.diagnostics)
             self._trust.tell_what_waits(message.analysis)
 
     @on(AnalysisFailed)
@@ -192,16 +181,10 @@ class MainScreen(Screen[None], Paged):
     def _show_anew(self) -> None:
         """Show nothing of the program before: another one is there."""
         self.feed.clear()
-        if self._runs is not None:
-            self._runs.follow()
+        self._runs.follow()
         self.show_title()
         self.feed.ask_anew()
         self.call_later(self.look_at_disk)
-
-    def _forget(self, tab: Tab) -> None:
-        """Have what runs of a tab ended, because it is gone."""
-        if self._runs is not None:
-            self._runs.forget(tab)
 
     # What panels say.
 
@@ -230,18 +213,13 @@ class MainScreen(Screen[None], Paged):
         """Show what nodes print: `Printed` comes from `run_actions.py`."""
         self.runner.show_soon()
 
-    # The lines above and below.
-
     def show_title(self) -> None:
         """Show the program's name, whether it is saved, and what is the case with it; the tabs."""
-        runs = self._runs
-        is_running = runs is not None and runs.is_running
+        is_running = self._runs.is_running
         ros = self.open.session.ros if is_preloaded() else None
         self._title.show_program(self.open, ros, self.key_of("run") if is_running else None)
         self._keys.retitle({"run": "Stop"} if is_running else {})
-        self.tab_line.show_programs(
-            self.program, lambda tab: runs is not None and runs.runs_in(tab)
-        )
+        self.tab_line.show_programs(self.program, self._runs.runs_in)
 
     def show_status(self) -> None:
         """Show the sentence of the statement at the cursor, and where the cursor is."""

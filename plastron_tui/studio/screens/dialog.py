@@ -29,10 +29,7 @@ class Dialog(ModalScreen[ScreenResultType]):
         self.set_class(event.size.height < _LOW, "-low")
 
     def dismiss(self, result: ScreenResultType | None = None) -> AwaitComplete:
-        """Leave with an answer.
-
-        Textual would take away whatever lies on top, the main screen too.
-        """
+        """Leave with an answer; Textual would take what lies on top, the main screen too."""
         if self.app.screen is not self:
             return AwaitComplete()
         return super().dismiss(result)
