@@ -15,7 +15,9 @@ from typing import TYPE_CHECKING
 
 from plastron_tui.diagnostics import Diagnostic, LineIndex, has_errors
 from plastron_tui.language.document import Document
-from plastron_tui.project.options import Options
+from plastron_tui.output.own_files import has_leftovers
+from plastron_tui.project.options import Options as Options
+from plastron_tui.project.program_file import lines_of
 
 if TYPE_CHECKING:
     # What a program means is found out when its text is there to see: the studio starts sooner.
@@ -41,8 +43,6 @@ if TYPE_CHECKING:
     from plastron_tui.ros.parameter_values import NodeParameters
     from plastron_tui.runtime.parameters import SetResult
     from plastron_tui.targets.packages.spec import RenderedPackage
-
-__all__ = ["Options", "Session"]
 
 
 class Session:
@@ -212,7 +212,6 @@ class Session:
         return self._new_setting(self._new_loader())
 
     def _new_loader(self) -> NodeLoader:
-        from plastron_tui.output.own_files import has_leftovers
         from plastron_tui.project.loader import NodeLoader
 
         program = self._name, self.document.text
@@ -261,11 +260,7 @@ class Session:
 
     def lines(self, file: Path | None) -> LineIndex | None:
         """Return the lines of a file that a diagnostic is about; None is the program."""
-        if file in (None, self.path):
-            return self.document.lines
-        from plastron_tui.project.program_file import lines_of
-
-        return lines_of(file)
+        return self.document.lines if file in (None, self.path) else lines_of(file)
 
     def generated(self) -> tuple[Generated, ...]:
         """Make the files that the program asks for."""

@@ -2,9 +2,10 @@
 
 A pass returns its result together with its diagnostics, and never raises for what a user
 wrote. How they look (text, JSON, an underline in an editor) is for the renderers.
+
+What each code is about stands in `codes`, which is imported where a mistake is made.
 """
 
-from . import codes
 from .code import Code
 from .data import Diagnostic, Edit, Fix, Label, Span, has_errors, write
 from .lines import LineIndex, Position
@@ -22,7 +23,6 @@ __all__ = [
     "Position",
     "Severity",
     "Span",
-    "codes",
     "counted",
     "did_you_mean",
     "either",

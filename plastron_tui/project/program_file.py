@@ -5,7 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 from typing import NamedTuple
 
-from plastron_tui.diagnostics import Diagnostic, LineIndex, codes
+from plastron_tui.diagnostics import Diagnostic, LineIndex
 from plastron_tui.output.own_files import settled
 from plastron_tui.regular_files import read_named, read_regular, reason
 
@@ -68,4 +68,6 @@ def check_text(path: Path | None, text: bytes) -> ProgramText:
 
 
 def _unreadable(path: Path | None, message: str, remedy: str | None = None) -> ProgramText:
+    from plastron_tui.diagnostics import codes
+
     return ProgramText(None, (Diagnostic(codes.UNREADABLE_FILE, message, file=path, help=remedy),))

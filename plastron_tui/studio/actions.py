@@ -8,13 +8,16 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 from textual.binding import Binding
 
 from .editor.commands import COMMANDS, Command
-from .key_conflicts import EDITOR, EVERYWHERE, FIND, KeyOwner
 from .panels.dock import Dock
 from .panels.registry import PANELS
+
+if TYPE_CHECKING:
+    from .key_conflicts import KeyOwner
 
 
 @dataclass(frozen=True, slots=True)
@@ -135,6 +138,7 @@ def key_owners() -> tuple[KeyOwner, ...]:
     """Return what has keys, in the place where it has them, for the configuration file."""
     # The studio begins without it, and nearly always without keys of somebody's own.
     from .editor.bars import FindBar
+    from .key_conflicts import EDITOR, EVERYWHERE, FIND, KeyOwner
 
     owners = [
         KeyOwner(action.id, action.title, frozenset({EVERYWHERE}), _split(action.keys))
@@ -155,6 +159,8 @@ def key_owners() -> tuple[KeyOwner, ...]:
 
 def _bound_by(widget: type, place: str) -> list[KeyOwner]:
     """Return what a class of widgets itself binds keys to."""
+    from .key_conflicts import KeyOwner
+
     return [
         KeyOwner(each.id or "", each.description, frozenset({place}), _split(each.key))
         for each in widget.__dict__.get("BINDINGS", ())

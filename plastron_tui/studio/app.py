@@ -13,7 +13,7 @@ from functools import partial
 from pathlib import Path
 from time import monotonic
 from types import FrameType
-from typing import ClassVar
+from typing import Any, ClassVar
 
 from rich.segment import Segment
 from textual import events, on
@@ -31,9 +31,8 @@ from plastron_tui.private_files import sweep
 from plastron_tui.session import Options
 from plastron_tui.user_folders import state_folder
 
-from .actions import key_owners
 from .analysis_worker import AnalysisFailed
-from .config import Profile, config_file, load_config, load_remembered, save_remembered
+from .config import Config, Profile, config_file, load_remembered, save_remembered
 from .control_characters import ONLY_TEXT
 from .files import OnDisk, meant_by, open_file
 from .folder_labels import not_saved
@@ -61,7 +60,7 @@ _SMALL_TERMINALS = frozenset({"linux", "xterm", "screen", "rxvt", "ansi", "vt100
 
 
 class _LegibleText(LineFilter):
-    """Lets nothing in a line be obeyed, and all be read; a line is made anew once for both."""
+    """Lets nothing in a line be obeyed, and all of it be read; makes a line anew once for both."""
 
     def apply(self, segments: list[Segment], background: Color) -> list[Segment]:
         """Return the segments, those as they are that need no change."""
@@ -98,7 +97,7 @@ class StudioApp(InOrder, inherit_bindings=False):
         self._shown = ShownScreen()
         super().__init__()
         folder = state_folder()
-        config, self._messages = load_config(config_file(), key_owners, self.available_themes)
+        config, self._messages = _configured(self.available_themes)
         self.profile = Profile(config, load_remembered(folder), folder)
         self._begin_with(self._first_theme())
         self._paths = [] if path is None else _different([path, *others])
@@ -189,6 +188,18 @@ class StudioApp(InOrder, inherit_bindings=False):
     async def run_call(self, call: str) -> None:
         """Do an action by its call."""
         await self.run_action(call, self.main)
+
+    def get_screen(self, screen: Any, screen_class: Any = None) -> Any:
+        """Return a screen, with its style sheets added to the app's.
+
+        Textual would read all style sheets anew and style all screens again, where a screen that
+        is opened has one of its own.
+        """
+        found: Screen[Any] = super().get_screen(screen, screen_class)
+        for path in found.css_path:
+            if not self.stylesheet.has_source(str(path), ""):
+                self.stylesheet.add_source(Path(path).read_text("utf-8"), (str(path), ""))
+        return found
 
     def get_driver_class(self) -> type[Driver]:
         """Return what writes to the terminal, and reads what comes from there."""
@@ -303,6 +314,17 @@ class StudioApp(InOrder, inherit_bindings=False):
     def on_unmount(self) -> None:
         """Remember what lasts."""
         save_remembered(self.profile.folder, self.profile.remembered)
+
+
+def _configured(themes: Iterable[str]) -> tuple[Config, tuple[str, ...]]:
+    """Return what the configuration file says, and what is wrong with it."""
+    file = config_file()
+    if not os.path.lexists(file):
+        return Config(), ()
+    from .actions import key_owners
+    from .config_reader import load_config
+
+    return load_config(file, key_owners(), themes)
 
 
 def _belongs(kept: Kept, open_: Open) -> bool:

@@ -6,11 +6,9 @@ import os
 from dataclasses import dataclass
 from pathlib import Path
 
-from plastron_tui.boundary import find_boundary
-from plastron_tui.diagnostics import Diagnostic, Severity, codes
+from plastron_tui.diagnostics import Diagnostic, Severity
 from plastron_tui.output.own_files import settled
 from plastron_tui.project.program_file import LARGEST_PROGRAM, read_program
-from plastron_tui.project.settings import outside_program
 from plastron_tui.regular_files import Stamp, read_regular, stamp_of
 
 SUFFIX = ".plastron"
@@ -93,9 +91,11 @@ def save_file(path: Path, text: bytes, known: OnDisk | None) -> Saved:
         text: the program.
         known: what is known to be there; another text there is not written over.
     """
+    from plastron_tui.boundary import find_boundary
     from plastron_tui.output.manifest import Manifest
     from plastron_tui.output.plan import OutputFile, make_plan
     from plastron_tui.output.writer import write
+    from plastron_tui.project.settings import outside_program
 
     present = _present(path)
     expected = known.text if known is not None and known.path == path else None
@@ -129,6 +129,8 @@ def _present(path: Path) -> bytes | None:
 
 
 def _gone(path: Path) -> Diagnostic:
+    from plastron_tui.diagnostics import codes
+
     folder = path.absolute().parent
     message = f"cannot write `{path.name}`: the folder `{folder.name}` is not there"
     return Diagnostic(codes.CANNOT_WRITE, message, file=path, help="save it under another name")

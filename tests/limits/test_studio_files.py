@@ -13,7 +13,8 @@ _LOOKS = """
 import sys
 from pathlib import Path
 from plastron_tui.project.program_file import read_program
-from plastron_tui.studio.config import load_config, load_remembered
+from plastron_tui.studio.config import load_remembered
+from plastron_tui.studio.config_reader import load_config
 from plastron_tui.studio.files import open_file, read_again, save_file
 from plastron_tui.studio.journal import kept_texts
 from plastron_tui.studio.recipes import recipes
@@ -25,7 +26,7 @@ here = Path.cwd()
 opened = open_file(here / "x.plastron")
 assert opened.disk is None and opened.problem is not None
 assert save_file(here / "x.plastron", b"text", None).problem is not None
-load_config(here / "studio.yaml", tuple, ())
+load_config(here / "studio.yaml", (), ())
 assert load_remembered(here).recent == []
 assert kept_texts(here) == []
 assert recipes(here) == ()

@@ -7,7 +7,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from plastron_tui.studio.actions import ACTIONS, BY_ID, key_owners
-from plastron_tui.studio.config import read_config
+from plastron_tui.studio.config_reader import read_config
 from plastron_tui.studio.key_display import key_name
 from plastron_tui.studio.key_names import Arrival, another_key, arrival, read_key, read_keys
 

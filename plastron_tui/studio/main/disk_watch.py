@@ -7,7 +7,6 @@ from pathlib import Path
 
 from textual.screen import Screen
 
-from plastron_tui.diagnostics import codes
 from plastron_tui.regular_files import stamp_of
 
 from ..files import OnDisk, read_again
@@ -72,6 +71,7 @@ class DiskWatch:
         analysis, session = self._program.analysis, self._program.open.session
         if analysis is None:
             return
+        from plastron_tui.diagnostics import codes
         from plastron_tui.model.source import place_of
 
         sources = (node.source for node in analysis.workspace.nodes.values())

@@ -6,12 +6,12 @@ from collections.abc import Callable, Iterable, Mapping
 
 from textual import events, on
 from textual.app import ComposeResult
-from textual.containers import Horizontal, Vertical
+from textual.containers import Horizontal
 from textual.geometry import Size
 from textual.widget import Widget
 
 from ..config import Remembered
-from ..panels.dock import Dock, Edge, TabStrip
+from ..panels.dock import Covered, Dock, Edge, TabStrip
 from ..panels.panel import Panel, PanelWidgets
 
 WIDE = 150
@@ -38,6 +38,8 @@ class DockLayout(Horizontal):
         front: the dock that is in sight where not all are.
     """
 
+    BLANK = True
+
     def __init__(
         self,
         panels: Iterable[Panel],
@@ -56,7 +58,6 @@ class DockLayout(Horizontal):
             on_change: called when other panels may be in sight.
         """
         super().__init__(id="body")
-        self.widgets = widgets
         self._editor = editor
         self._remembered = remembered
         self._on_change = on_change
@@ -64,7 +65,7 @@ class DockLayout(Horizontal):
             Dock(side, panels, widgets) for side in ("outline", "result", "bottom")
         )
         self._outline_edge, self._result_edge = Edge(id="outline-edge"), Edge(id="result-edge")
-        self._center = Vertical(id="center")
+        self._center = Covered(id="center")
         self.sizes = {dock.side: 0 for dock in self.docks}
         self.front = self.outline
         self._counts: Mapping[str, int] = {}

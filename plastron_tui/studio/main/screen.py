@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, ClassVar
 
 from textual import on, work
 from textual.app import ComposeResult
-from textual.binding import BindingType
+from textual.binding import Binding, BindingType
 from textual.screen import Screen
 
 from ..actions import BY_ID, KEPT, bindings
@@ -16,7 +16,6 @@ from ..config import Profile
 from ..editor import ProgramEditor
 from ..editor.preload import is_preloaded
 from ..journal import Kept
-from ..key_display import key_name
 from ..key_order import Paged
 from ..open_program import Open
 from ..panels.entry import Entry
@@ -31,7 +30,7 @@ from .dock_layout import DockLayout
 from .entry_actions import EntryActions
 from .file_actions import FileActions
 from .key_help import choose_action, show_help, toggle_keys
-from .lazy_runs import LazyRuns
+from .node_runs import NodeRuns
 from .panel_feed import PanelFeed
 from .program_bars import StatusBar, TitleBar
 from .recovery import Recovery
@@ -59,6 +58,8 @@ class MainScreen(Screen[None], Paged):
 
     BINDINGS: ClassVar[list[BindingType]] = [*bindings()]
     AUTO_FOCUS = "EditorView"
+    # What is in it covers it.
+    BLANK = True
 
     def __init__(self, open_: Open, profile: Profile, others: Sequence[Open] = ()) -> None:
         super().__init__()
@@ -80,9 +81,10 @@ class MainScreen(Screen[None], Paged):
             self, self.program, self.files, self.recovery, self.feed.ask_anew, self.show_title
         )
         self._trust = TrustPrompt(self, self.program, self.key_of)
-        self._runs = LazyRuns(
-            self, self.program, self.files, self.dock_layout, self._trust, self.show_title
-        )
+        self._runs = NodeRuns(
+            self, self.program, self.files, self.dock_layout, self.panels, self._trust,
+            self.show_title,
+        )  # fmt: skip
         self._tabs = TabActions(self, self.program, self.files, self._runs.forget, self._show_anew)
         self._entries = EntryActions(self, self.program, self.action_code)
         self._code = CodeActions(self, self.program)
@@ -110,7 +112,11 @@ class MainScreen(Screen[None], Paged):
 
     def compose(self) -> ComposeResult:
         """Make the parts."""
-        yield from (self._title, self.tab_line, self.dock_layout, self._status, self._keys)
+        yield self._title
+        yield self.tab_line
+        yield self.dock_layout
+        yield self._status
+        yield self._keys
 
     def on_mount(self) -> None:
         """Start the worker, and look at the files from time to time."""
@@ -120,12 +126,8 @@ class MainScreen(Screen[None], Paged):
         self.editor.view.line_numbers = self.profile.config.numbers
         self.show_title()
         self.show_status()
-        self.call_after_refresh(self._settle)
+        self.call_after_refresh(self.feed.start)
         self.set_interval(_LOOK_AT_DISK, self.look_at_disk)
-
-    def _settle(self) -> None:
-        """Begin to work, now that there is something to see."""
-        self.feed.start()
 
     def on_unmount(self) -> None:
         """Stop the worker and what runs."""
@@ -211,11 +213,9 @@ class MainScreen(Screen[None], Paged):
         """Show what nodes print: `Printed` comes from `run_actions.py`."""
         self.runner.show_soon()
 
-    # The lines above and below.
-
     def show_title(self) -> None:
         """Show the program's name, whether it is saved, and what is the case with it; the tabs."""
-        is_running = self._runs.runs_in(self.program.tab)
+        is_running = self._runs.is_running
         ros = self.open.session.ros if is_preloaded() else None
         self._title.show_program(self.open, ros, self.key_of("run") if is_running else None)
         self._keys.retitle({"run": "Stop"} if is_running else {})
@@ -223,13 +223,14 @@ class MainScreen(Screen[None], Paged):
 
     def show_status(self) -> None:
         """Show the sentence of the statement at the cursor, and where the cursor is."""
-        at = self.editor.cursor_offset
-        self._status.show_statement(self.editor.statement_help, self.open.text, at)
+        editor = self.editor
+        self._status.show_statement(editor.statement_help, self.open.text, editor.cursor_offset)
 
     def key_of(self, action: str) -> str:
         """Return the key of an action, as a person writes it; "" where it has none."""
         keys = self.profile.config.keys.get(action, BY_ID[action].keys)
-        return key_name(keys.split(",")[0]) if keys else ""
+        key = keys.split(",")[0]
+        return self.app.get_key_display(Binding(key, "")) if key else ""
 
     # Actions: panels.
 

@@ -6,6 +6,8 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
+from textual.widget import Widget
+
 from ..panels.entry_list import EntryList
 from ..panels.live_panel import LivePanel
 from ..panels.output import OutputPanel
@@ -54,9 +56,9 @@ class RunPanels:
     live: LivePanel
 
     @classmethod
-    def of(cls, layout: DockLayout) -> RunPanels:
+    def of(cls, panels: Mapping[str, Widget], layout: DockLayout) -> RunPanels:
         """Return those of all panels that show nodes that run."""
-        output, nodes, live = map(layout.widgets.__getitem__, ("output", "nodes", "live"))
+        output, nodes, live = panels["output"], panels["nodes"], panels["live"]
         assert isinstance(output, OutputPanel) and isinstance(nodes, EntryList)
         assert isinstance(live, LivePanel)
         return cls(layout, output, nodes, live)

@@ -183,7 +183,13 @@ class Edge(Widget):
         self.release_mouse()
 
 
-class Dock(Vertical):
+class Covered(Vertical):
+    """A container that what is in it covers: to draw its lines one by one would be for nothing."""
+
+    BLANK = True
+
+
+class Dock(Covered):
     """Panels of which one is in sight."""
 
     BINDINGS: ClassVar[list[BindingType]] = [

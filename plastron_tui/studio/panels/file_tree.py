@@ -5,28 +5,29 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
-from typing import ClassVar, NamedTuple
+from typing import TYPE_CHECKING, ClassVar, NamedTuple
 
 from textual import events
 from textual.binding import Binding, BindingType
 
-from plastron_tui.output.plan import FileState
-
 from .entry import Entries, Entry
 from .entry_list import EntryList
+
+if TYPE_CHECKING:
+    from plastron_tui.output.plan import FileState
 
 FEW = 2
 """So many files are a list: folders would only be in the way."""
 
-_SIGNS = {
-    FileState.CREATE: ("+", "success"),
-    FileState.IDENTICAL: ("=", "quiet"),
-    FileState.CHANGED: ("~", "warning"),
-    FileState.CONFLICT: ("!", "error"),
+_SIGNS: dict[str | None, tuple[str, str]] = {
+    "create": ("+", "success"),
+    "identical": ("=", "quiet"),
+    "changed": ("~", "warning"),
+    "conflict": ("!", "error"),
     None: ("·", "quiet"),
 }
 _FOLDER = ("▾", "quiet")
-_WORDS = {FileState.CHANGED: "changed", FileState.CONFLICT: "by hand"}
+_WORDS = {"changed": "changed", "conflict": "by hand"}
 """What of its files is said beside a folder: that of the others shows in their signs."""
 
 
@@ -117,7 +118,7 @@ def _lines(folder: _Folder, before: str, depth: int) -> Iterator[Entry]:
 
 
 def _folder(path: str, shown: str, folder: _Folder, depth: int) -> Entry:
-    states = list(folder.states())
+    states: list[str | None] = list(folder.states())
     said = [f"{len(states)} file{'' if len(states) == 1 else 's'}"]
     said += [f"{states.count(each)} {word}" for each, word in _WORDS.items() if each in states]
     return Entry(path, shown, ", ".join(said), *_FOLDER, depth=depth, is_branch=True)

@@ -4,10 +4,12 @@ from __future__ import annotations
 
 import asyncio
 from dataclasses import dataclass
+from typing import ClassVar
 
 from textual import events
 from textual.app import ComposeResult
 from textual.containers import Horizontal, Vertical
+from textual.types import CSSPathType
 from textual.widget import Widget
 from textual.widgets import Button, Label
 
@@ -23,6 +25,7 @@ from .menu import Offer
 from .menu_page import Item, MenuPage, ReviewPage
 from .result_view import ResultView
 from .statement_view import StatementView
+from .style_sheets import STYLES
 
 NARROW = 76
 """With fewer columns the code and the graph have a page of their own."""
@@ -52,6 +55,8 @@ class Frame(Paged, Dialog[str]):
         look: all that follows from it, as it is shown.
         is_done: whether the statements are in the program.
     """
+
+    CSS_PATH: ClassVar[CSSPathType | None] = STYLES
 
     course: Course
     look: Look

@@ -9,6 +9,7 @@ from textual import on
 from textual.app import ComposeResult
 from textual.binding import Binding, BindingType
 from textual.containers import Horizontal, Vertical, VerticalScroll
+from textual.types import CSSPathType
 from textual.widgets import Button, Label
 
 from plastron_tui.diagnostics.terminal import visible
@@ -18,6 +19,7 @@ from plastron_tui.language.statements import CreateMessage
 from ..screens.dialog import Dialog
 from .rows import Confirmed, Entered, Reached, Row
 from .sent_values import Wrong
+from .style_sheets import STYLES
 from .values import Entry, Heading, Path
 
 Check = Callable[[Mapping[Path, str]], Any]
@@ -31,6 +33,7 @@ class LiveForm(Dialog["dict[Path, str] | None"]):
         given: what was entered, by field.
     """
 
+    CSS_PATH: ClassVar[CSSPathType | None] = STYLES
     BINDINGS: ClassVar[list[BindingType]] = [
         Binding("escape", "cancel", "Cancel"),
         Binding("down", "app.focus_next", show=False),

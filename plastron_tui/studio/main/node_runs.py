@@ -1,0 +1,97 @@
+"""What runs nodes: it is made when somebody first runs any, and costs nothing before."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from functools import cached_property
+from typing import TYPE_CHECKING
+
+from textual.screen import Screen
+
+from plastron_tui.diagnostics import Diagnostic
+
+from ..panels.panel import PanelWidgets
+from .active_program import ActiveProgram, Tab
+from .dock_layout import DockLayout
+from .file_actions import FileActions
+from .trust_prompt import TrustPrompt
+
+if TYPE_CHECKING:
+    from .run_actions import RunActions
+
+
+class NodeRuns:
+    """Tells of the nodes that run in each tab; as long as nothing was run, there are none."""
+
+    def __init__(
+        self,
+        screen: Screen[None],
+        program: ActiveProgram,
+        files: FileActions,
+        layout: DockLayout,
+        panels: PanelWidgets,
+        trust: TrustPrompt,
+        on_change: Callable[[], object],
+    ) -> None:
+        """Prepare to make it.
+
+        Args:
+            screen: shows dialogs, and gets what nodes print.
+            program: whose nodes they are.
+            files: saves the program first.
+            layout: brings panels in sight.
+            panels: the widgets of panels, of which some show nodes that run.
+            trust: says where only trust is missing.
+            on_change: called when nodes start, or have ended.
+        """
+        self._screen = screen
+        self._program = program
+        self._files = files
+        self._layout = layout
+        self._panels = panels
+        self._trust = trust
+        self._on_change = on_change
+
+    @cached_property
+    def actions(self) -> RunActions:
+        """What generates, starts and stops nodes."""
+        from .readiness import Readiness
+        from .run_actions import RunActions
+        from .tab_run import RunPanels
+
+        ready = Readiness(self._screen, self._program, self._files, self._layout, self._trust)
+        shown = RunPanels.of(self._panels, self._layout)
+        return RunActions(self._screen, self._program, ready, shown, self._on_change)
+
+    @property
+    def _made(self) -> RunActions | None:
+        return self.actions if "actions" in self.__dict__ else None
+
+    def runs_in(self, tab: Tab) -> bool:
+        """Tell whether nodes of a tab run."""
+        return self._made is not None and self._made.runs_in(tab)
+
+    @property
+    def is_running(self) -> bool:
+        """Whether nodes of the program in front run."""
+        return self.runs_in(self._program.tab)
+
+    def known(self, diagnostics: Sequence[Diagnostic]) -> None:
+        """Take away what was said of mistakes, where there are none any more."""
+        if self._made is not None:
+            self._made.readiness.known(diagnostics)
+
+    def follow(self) -> None:
+        """Show what the nodes of the program in front have printed, and which have failed."""
+        if self._made is not None:
+            self._made.follow()
+
+    def forget(self, tab: Tab) -> None:
+        """Have the nodes of a tab ended, because it is gone."""
+        if self._made is not None:
+            self._made.forget(tab)
+
+    def close(self) -> None:
+        """Have all nodes ended, because the studio ends."""
+        if self._made is not None:
+            self._made.close()
