@@ -20,7 +20,7 @@ from ..open_program import Open
 from ..panels.styles import Toned
 from .active_program import ActiveProgram, Tab
 
-_LONGEST = 24
+_WIDEST = 24
 """The most cells of a name."""
 
 
@@ -42,7 +42,7 @@ def names_of(programs: Sequence[Open]) -> list[str]:
     """Return what tabs call programs: files of the same name have their folder before it."""
     short = [_short_name(open_.name) for open_ in programs]
     return [
-        _fitted(f"{_folder(open_.path)}/{name}" if short.count(name) > 1 and open_.path else name)
+        _end_of(f"{_folder(open_.path)}/{name}" if short.count(name) > 1 and open_.path else name)
         for open_, name in zip(programs, short, strict=True)
     ]
 
@@ -55,9 +55,9 @@ def _folder(path: Path) -> str:
     return visible(path.absolute().parent.name)
 
 
-def _fitted(name: str) -> str:
+def _end_of(name: str) -> str:
     """Return a name of which the end is seen, where it is too long."""
-    while cell_len(name) > _LONGEST:
+    while cell_len(name) > _WIDEST:
         name = "…" + name.lstrip("…")[1:]
     return name
 

@@ -7,11 +7,10 @@ from functools import lru_cache
 from rich.cells import cell_len, get_character_cell_size
 from textual.geometry import Size
 
+from plastron_tui.runtime.labels import split_label
+
 from .styles import Line, Lines, Piece
 from .text_view import TextView
-
-_SIGN = " | "
-"""What `plastron run` puts between the node and what it printed."""
 
 _STOPS = " ,("
 """The characters behind which a line may be broken."""
@@ -89,8 +88,8 @@ def wrapped(line: Line, width: int) -> Lines:
     text = "".join(piece.text for piece in line)
     if cell_len(text) <= width:
         return (line,)
-    name, sign, _ = text.partition(_SIGN)
-    indent = cell_len(name) + len(_SIGN) if sign else 2
+    label, _ = split_label(text)
+    indent = cell_len(label) or 2
     if indent > width // 2:
         indent = min(2, width // 2)
     rows: list[Line] = []
