@@ -12,6 +12,7 @@ from textual.message import Message
 from textual.screen import Screen
 
 from plastron_tui.regular_files import reason
+from plastron_tui.runtime.labels import ended_node
 
 from ..delay import Delay
 from ..panels.output_log import Record
@@ -203,8 +204,6 @@ class RunActions:
 
     def _tell_failed(self, run: TabRun, printed: Iterable[str]) -> None:
         """Say which nodes have failed, and mark them."""
-        from plastron_tui.runtime.console import ended_node
-
         for node, how in filter(None, map(ended_node, printed)):
             self._failures.say(f"{node} {how}", severity="error", timeout=10)
             run.failed = {**run.failed, node: "has ended"}
