@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 from textual.screen import Screen
 
 from plastron_tui.diagnostics import Diagnostic
+from plastron_tui.regular_files import is_same_file
 
 from ..config import Profile
 from ..files import OnDisk, Opened, Saved, open_file, read_again, save_file, with_suffix
@@ -64,9 +65,10 @@ class FileActions:
             cursor: where the cursor is put, in bytes.
             in_place: whether the program in the editor gives its place up in any case.
         """
-        before = self._program.open
-        is_same_file = open_.path is not None and open_.path == before.path
-        if in_place or is_same_file or before.is_blank:
+        same = None if open_.path is None else self._program.tab_of(open_.path)
+        if same is not None:
+            self._program.bring(same)
+        if in_place or same is not None or self._program.open.is_blank:
             self._program.replace(open_, cursor)
         else:
             self._program.add(open_, cursor)
@@ -143,7 +145,10 @@ class FileActions:
             self.bring(there)
             if there.open.is_changed and not await self.may_leave():
                 return
-        if kept.path is None:
+            # One step, so that what the file holds comes back by undoing it.
+            self._program.editor.replace_all(kept.text)
+            self._program.editor.go_to(kept.cursor)
+        elif kept.path is None:
             begun = kept.folder
             if begun is not None and not begun.is_dir():
                 begun = None
@@ -198,7 +203,7 @@ class FileActions:
         path = await self._ask_path(f"Save as, with {names} beside it", name)
         if path is None:
             return False
-        if path == open_.path and open_.is_changed and not await self.may_leave():
+        if is_same_file(path, open_.path) and open_.is_changed and not await self.may_leave():
             return False
         present = read_again(OnDisk(path, None, None))
         if present.text not in (None, recipe.text):
@@ -288,7 +293,7 @@ class FileActions:
             return False
         open_ = self._program.open
         open_.journal.drop()
-        if open_.path == path:
+        if is_same_file(path, open_.path):
             open_.disk = saved.disk
             open_.told = None
             self._profile.remembered.opened(path)
