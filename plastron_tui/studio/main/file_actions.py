@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 from textual.screen import Screen
 
 from plastron_tui.diagnostics import Diagnostic
+from plastron_tui.project.other_files import other_kind, program_beside
 from plastron_tui.regular_files import is_same_file
 
 from ..config import Profile
@@ -95,7 +96,13 @@ class FileActions:
         return True
 
     def take_file(self, path: Path, *, kept: Kept | None = None) -> bool:
-        """Read a file and show it, or say why that cannot be."""
+        """Read a file and show it, or say why that cannot be.
+
+        For one that is no program, one that loads it is offered.
+        """
+        if kept is None and other_kind(path) is not None:
+            start_exclusive(self._screen, "load", self.offer_loading, path)
+            return False
         found = self.read(path)
         if found.problem is not None:
             self._say_problem(found.problem)
@@ -109,6 +116,20 @@ class FileActions:
                 start_exclusive(self._screen, "kept", self.offer, other)
                 break
         return True
+
+    async def offer_loading(self, path: Path) -> None:
+        """Offer a program that loads a file, beside it."""
+        from .loading_offer import ask_to_load
+
+        kind, beside = other_kind(path), program_beside(path)
+        wanted = None if kind is None else await ask_to_load(self._screen, path, kind)
+        if wanted is None:
+            return
+        if wanted == beside or self._program.tab_of(beside) is not None:
+            self.open_file(beside)
+        else:
+            assert isinstance(wanted, bytes)
+            self.take(self._opened(OnDisk(beside, None, None), wanted))
 
     def read(self, path: Path) -> Opened:
         """Read a file; say what was found of a write that was interrupted."""
@@ -135,6 +156,10 @@ class FileActions:
         path = await self._screen.app.push_screen_wait(ChooseFile("Open", start, must_be=True))
         if path is not None:
             self.open_file(path)
+
+    async def offer_any(self, found: Kept | Path) -> None:
+        """Offer a text that was not saved, or a program that loads a file."""
+        await (self.offer_loading(found) if isinstance(found, Path) else self.offer(found))
 
     async def offer(self, kept: Kept, *, is_asked_for: bool = False) -> None:
         """Offer a text that was not saved before the studio ended, and open it."""
@@ -261,6 +286,11 @@ class FileActions:
         if chosen is None:
             return None
         path = with_suffix(chosen)
+        kind = other_kind(path)
+        if kind is not None:
+            message = f"by its name {path.name} is {kind.title}; a program's ends in .plastron"
+            self._screen.notify(message, severity="warning", markup=False)
+            return None
         tab = self._program.tab_of(path)
         if tab not in (None, self._program.tab):
             message = f"{path.name} is open in another tab: close it there first"

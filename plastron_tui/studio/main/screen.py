@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from pathlib import Path
 from typing import ClassVar
 
 from textual import on, work
@@ -322,10 +323,10 @@ class MainScreen(Screen[None], Paged):
         await self.files.start_from(path)
 
     @work(exclusive=True, group="kept", description="kept")
-    async def offer_kept(self, kept: Sequence[Kept], after: str | None = None) -> None:
-        """Offer texts that were not saved before the studio ended; then do an action."""
-        for each in kept:
-            await self.files.offer(each)
+    async def offer_first(self, found: Sequence[Kept | Path], after: str | None = None) -> None:
+        """Offer texts that were not saved, and what loads files that are no programs; then act."""
+        for each in found:
+            await self.files.offer_any(each)
         if after is not None:
             await self.run_action(after)
 
