@@ -10,7 +10,7 @@ from plastron_tui.diagnostics import Diagnostic, LineIndex, Severity
 
 from .entry import Entries, Entry, Subject
 from .panel import Panel
-from .program_panel import ProgramPanel
+from .wrapped_list import WrappedList
 
 if TYPE_CHECKING:
     from ..analysis import Analysis
@@ -86,7 +86,7 @@ PROBLEMS = Panel(
     keys="alt+7",
     summary="What is wrong, and how to fix it.",
     about="Everything that is wrong. Enter goes there; F fixes it where there is a ⚑.",
-    widget=ProgramPanel,
+    widget=WrappedList,
     make=_entries,
     count=lambda analysis: len(analysis.diagnostics),
     is_alarm=True,
