@@ -66,7 +66,7 @@ class MainScreen(Screen[None], Paged):
         self.program = ActiveProgram(open_, others)
         self.tab_line = TabLine(id="tabs")
         self._title, self._status = TitleBar(id="title"), StatusBar(id="status")
-        self._keys = KeyBar(KEPT)
+        self._keys = KeyBar(KEPT, tuple(BY_ID))
         widgets = {panel: panel.widget(id=panel.name) for panel in PANELS}
         self.panels = {panel.name: widget for panel, widget in widgets.items()}
         self.dock_layout = DockLayout(
