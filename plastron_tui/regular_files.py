@@ -92,3 +92,8 @@ def stamp_of(path: Path) -> Stamp | None:
     except (OSError, ValueError):
         return None
     return status.st_mtime_ns, status.st_size, status.st_ino
+
+
+def is_same_file(path: Path, other: Path | None) -> bool:
+    """Tell whether two paths lead to one file: relative or not, through links or not."""
+    return other is not None and os.path.realpath(path) == os.path.realpath(other)

@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from plastron_tui.diagnostics import Diagnostic, Severity, codes, counted
+from plastron_tui.project.other_files import other_file
 from plastron_tui.project.program_file import (
     LARGEST_PROGRAM,
     ProgramText,
@@ -19,10 +20,7 @@ from plastron_tui.project.program_file import (
     read_program,
 )
 from plastron_tui.session import Options, Session
-from plastron_tui.sources import own_languages
 from plastron_tui.targets import LIBRARIES
-
-from .other_files import other_file
 
 if TYPE_CHECKING:
     from click.shell_completion import CompletionItem
@@ -204,7 +202,7 @@ def open_session(file: Path, report: Report, options: Options | None = None) -> 
         read = check_text(None, sys.stdin.buffer.read(LARGEST_PROGRAM + 1))
         path = None
     else:
-        refusal = other_file(file) or _node_file(file)
+        refusal = other_file(file)
         read = read_program(file) if refusal is None else ProgramText(None, (refusal,))
         path = file
     if read.text is None:
@@ -212,19 +210,6 @@ def open_session(file: Path, report: Report, options: Options | None = None) -> 
         return None
     report.add(read.diagnostics, lambda _: None)
     return Session(read.text, path, options)
-
-
-def _node_file(file: Path) -> Diagnostic | None:
-    """Say that a file is a node's, as its suffix tells, and no program."""
-    language = next((each for each in own_languages() if file.suffix in each.suffixes), None)
-    if language is None or not file.is_file():
-        return None
-    return Diagnostic(
-        codes.UNREADABLE_FILE,
-        f"`{file.name}` is {language.title}, not a program",
-        file=file,
-        help="`plastron inspect` shows what a node file holds, and `load` changes it in a program",
-    )
 
 
 def _with_suffix_hint(found: Diagnostic, file: Path) -> Diagnostic:

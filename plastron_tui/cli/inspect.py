@@ -12,13 +12,13 @@ from plastron_tui.model.inspection import inspect_json, inspect_text
 from plastron_tui.model.program_text import program_of
 from plastron_tui.model.source import SourceUnit
 from plastron_tui.project.loader import read_node, with_others
+from plastron_tui.project.other_files import other_file
 from plastron_tui.ros.robots.names import FILE_ENDINGS
 from plastron_tui.targets import ros_version
 
 from .common import Report, finish, format_option, print_text, read_input
 from .file_words import files_and_arguments, robot_arguments, words_argument
 from .inspect_robot import show_robot
-from .other_files import other_file
 
 
 @click.command(epilog="Example: plastron inspect --format plastron scripts/driver.py")

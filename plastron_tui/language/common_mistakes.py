@@ -14,6 +14,7 @@ from plastron_tui.diagnostics import Diagnostic, Edit, Fix, Span, codes
 from .declaration import Form, SlotKind
 from .field_mistakes import FIELD_SLIPS
 from .keywords import BY_KEYWORD, FIRST_WORDS, KEYWORDS, VERBS
+from .limit_mistakes import bounds
 from .mistake_place import Place, mended, unquoted
 from .number_mistakes import LEFT_OUT
 from .robot_mistakes import ROBOT_SLIPS
@@ -322,6 +323,7 @@ _SLIPS: tuple[Callable[[Place, Diagnostic], Diagnostic | None], ...] = (
     _point,
     _two_words,
     variable_left_out,
+    bounds,
     *VALUE_SLIPS,
     *FIELD_SLIPS,
     _clause,

@@ -10,6 +10,7 @@ from plastron_tui.diagnostics import Diagnostic
 
 from .declaration import SlotKind
 from .mistake_place import Place, mended
+from .statements.parameters import HasParameter
 from .statements.robots import LimitsJoint
 from .tokens import is_glued
 from .written_numbers import (
@@ -26,6 +27,15 @@ from .written_numbers import (
 
 _LIMITS = re.compile(r"(?:between|from)?\s*")
 _AND = re.compile(r"\s*(?:\band\b|\bto\b|\.\.+|[,;…–])\s*|\s+")
+
+_BOUNDS_WORDS = ("between", "from", "in", "range", "within", "limits")
+_BOUND = r"([-+]?\d+(?:\.\d*)?(?:[eE][-+]?\d+)?)"
+_BOUNDS = re.compile(
+    rf"\w+\s*(?:range\s+)?[\[(]?\s*{_BOUND}\s*(?:,|;|\bto\b|\band\b|\.\.+|–|\s)\s*{_BOUND}"
+    r"\s*[\])]?(?![^\s])"
+)
+_BOUNDS_BEGIN = 4
+"""How many tokens before a mistake in bounds they can begin: `between`, `-`, a number, `to`."""
 
 _FORCE = r"N\s?m|N·m|N|rad/s|deg/s|°/s|m/s|radians/s|degrees/s"
 _GIVEN = rf"([a-z]+)\s*[=:]?\s*({TERM})(?:\s*({_FORCE})(?![\w/]))?"
@@ -67,6 +77,26 @@ def limits(place: Place, found: Diagnostic) -> Diagnostic | None:
     if None in numbers or is_same(right, written) or not is_within:
         return None
     what = "limits are two numbers with `and` between them, and then their unit"
+    return mended(found, what, span, right)
+
+
+def bounds(place: Place, found: Diagnostic) -> Diagnostic | None:
+    """Recognise `from 0 to 1`, `range [0, 1]` and `between 0 to 1` behind a parameter's default."""
+    if place.declaration is None or place.declaration.type is not HasParameter:
+        return None
+    back = range(place.at, max(place.at - _BOUNDS_BEGIN, -1), -1)
+    first = next((at for at in back if place.text(at) in _BOUNDS_WORDS), None)
+    if first is None:
+        return None
+    token = place.tokens[first]
+    given = _BOUNDS.match(written_from(place, token))
+    if given is None:
+        return None
+    right, span = f"between {given[1]} and {given[2]}", span_from(token, given[0])
+    is_within = found.span is not None and span.start <= found.span.start < span.end
+    if is_same(right, given[0]) or not is_within:
+        return None
+    what = "the bounds stand behind `between`, with `and` between them"
     return mended(found, what, span, right)
 
 

@@ -18,6 +18,9 @@ from .sentence_match import BEHIND_NUMBERS, SentenceMatch, SlotMatch
 from .token_errors import broken_text, unexpected
 from .tokens import QUOTED_KINDS, UNCLOSED_STRING, UNKNOWN, WORD_KINDS, Token, text_at, token_at
 
+SENTENCE_IS = "the sentence is: "
+"""What a help begins with that says how the whole statement is written."""
+
 _CLOSED_BY = {"(": ")", "[": "]"}
 _VALUE_KINDS = frozenset({"number", "string", "(", "["})
 _KINDS = {
@@ -364,7 +367,7 @@ class SentenceErrors:
         return self._error(f"expected {what}, not `{shown(token.text)}`", token.span)
 
     def _error(self, message: str, span: Span) -> Diagnostic:
-        help_ = f"the sentence is: {self._declaration.usage_around(self._part)}"
+        help_ = f"{SENTENCE_IS}{self._declaration.usage_around(self._part)}"
         if any(slot.kind is SlotKind.FIELDS for slot in self._declaration.slots):
             help_ += f"; for example: {self._declaration.example}"
         return Diagnostic(codes.SYNTAX_ERROR, message, span, help=help_)

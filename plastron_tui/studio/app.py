@@ -28,6 +28,7 @@ from textual.worker import WorkerFailed
 
 from plastron_tui.diagnostics.terminal import visible_text
 from plastron_tui.private_files import sweep
+from plastron_tui.project.other_files import other_kind
 from plastron_tui.session import Options
 from plastron_tui.user_folders import state_folder
 
@@ -101,6 +102,7 @@ class StudioApp(InOrder, inherit_bindings=False):
         self.profile = Profile(config, load_remembered(folder), folder)
         self._begin_with(self._first_theme())
         self._paths = [] if path is None else _different([path, *others])
+        self._other_files: list[Path] = []
         self._options = options or Options()
         self._first = None if first is None else f"screen.{first}"
         self._failures: set[str] = set()
@@ -112,6 +114,9 @@ class StudioApp(InOrder, inherit_bindings=False):
         """Open the programs that were asked for."""
         disks: list[OnDisk | None] = []
         for path in self._paths:
+            if other_kind(path) is not None:
+                self._other_files.append(path)
+                continue
             found = open_file(path)
             self._messages += found.said
             if found.disk is not None:
@@ -156,8 +161,9 @@ class StudioApp(InOrder, inherit_bindings=False):
             page = f"the welcome page ({self.main.key_of('welcome')})"
             text = f"{not_saved(others)}\n{page} has what was typed"
             self.notify(text, timeout=10, markup=False)
-        if own:
-            self.call_after_refresh(self.main.offer_kept, own, self._first)
+        if own or self._other_files:
+            found = [*own, *self._other_files]
+            self.call_after_refresh(self.main.offer_first, found, self._first)
         elif self._first is not None:
             self.call_after_refresh(self.run_call, self._first)
         elif not self._paths:

@@ -9,7 +9,7 @@ from pathlib import Path
 from plastron_tui.diagnostics import Diagnostic, Severity
 from plastron_tui.output.own_files import settled
 from plastron_tui.project.program_file import LARGEST_PROGRAM, read_program
-from plastron_tui.regular_files import Stamp, read_regular, stamp_of
+from plastron_tui.regular_files import Stamp, is_same_file, read_regular, stamp_of
 
 SUFFIX = ".plastron"
 
@@ -98,7 +98,7 @@ def save_file(path: Path, text: bytes, known: OnDisk | None) -> Saved:
     from plastron_tui.project.settings import outside_program
 
     present = _present(path)
-    expected = known.text if known is not None and known.path == path else None
+    expected = known.text if known is not None and is_same_file(path, known.path) else None
     if present is not None and present not in (expected, text):
         return Saved(None, found=present)
     folder = path.absolute().parent

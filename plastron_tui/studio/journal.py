@@ -16,6 +16,7 @@ from typing import Any
 
 from plastron_tui.private_files import is_running, process_mark, read_private, sweep, write_private
 from plastron_tui.project.program_file import LARGEST_PROGRAM
+from plastron_tui.regular_files import is_same_file
 
 _FORMAT = 1
 _NEW = count(1)
@@ -51,8 +52,8 @@ class Kept:
     def belongs_to(self, path: Path | None, folder: Path) -> bool:
         """Tell whether it is the text of a program: of a file, or without one of a folder."""
         if path is None or self.path is None:
-            return path is self.path and self.folder is not None and _is_same(self.folder, folder)
-        return _is_same(self.path, path)
+            return path is self.path and is_same_file(folder, self.folder)
+        return is_same_file(self.path, path)
 
     def drop(self) -> None:
         """Forget it."""
@@ -143,10 +144,6 @@ class Journal:
 
 def _text_of(path: Path | None) -> str | None:
     return None if path is None else os.fspath(path.absolute())
-
-
-def _is_same(path: Path, other: Path) -> bool:
-    return os.path.realpath(path) == os.path.realpath(other)
 
 
 def _name(path: Path) -> str:

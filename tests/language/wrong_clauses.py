@@ -8,6 +8,7 @@ ONCE = "what compares more is code in the node"
 COMPARED = "what compares two values is code in the node"
 IN_CODE = "one value is calculated with plain numbers; what takes more is code in the node"
 BEGINS = "a calculation begins with `parameter` or `received`"
+BOUNDS = "the bounds stand behind `between`, with `and` between them"
 METRES = "a number has no unit; ROS measures in metres"
 
 # How lines begin; of each how it goes on, the text of the span, the message, what the help says.
@@ -155,7 +156,14 @@ _ENDS: dict[str, list[tuple[str, str, str, str | None]]] = {
         ("1 2", "2", "unexpected `2` in the values", SENTENCE),
         ("x=1", "=", "this takes one value, which has no name", SENTENCE),
         ("[1, 2", "[", "`[` is not closed", SENTENCE),
-        ("1 between 0 to 2", "to", "expected `and`, not `to`", SENTENCE),
+        ("1 between 0 to 2", "between 0 to 2", BOUNDS, "write `between 0 and 2`"),
+        ("0.5 from -1.0 to 1e3 described_as \"x\"", "from -1.0 to 1e3", BOUNDS,
+         "write `between -1.0 and 1e3`"),
+        ("1 range [0, 2]", "range [0, 2]", BOUNDS, "write `between 0 and 2`"),
+        ("1 in range 0..2", "in range 0..2", BOUNDS, "write `between 0 and 2`"),
+        ("1 from 0", "from", "unexpected `from` in the values", SENTENCE),
+        ("1 from 0 to 2m", "from", "unexpected `from` in the values", SENTENCE),
+        ("1 between 0 and 2 apples", "apples", "unexpected `apples`", SENTENCE),
         ("1 between", "", "expected a number here", SENTENCE),
         ("1 between low and high", "low", "expected a number, not `low`", SENTENCE),
         ("1 between 0 and", "", "expected a number here", SENTENCE),

@@ -54,6 +54,8 @@ def home(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     for name in ("NO_COLOR", "ROS_VERSION", "ROS_DISTRO", "VISUAL", "EDITOR"):
         monkeypatch.delenv(name, raising=False)
     monkeypatch.setenv("TERM", "xterm-256color")
+    # No editor of this machine is opened.
+    monkeypatch.setattr("plastron_tui.studio.editor.external_editor.USUAL", ())
     return folder
 
 

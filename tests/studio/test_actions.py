@@ -61,7 +61,7 @@ async def test_keys_are_remapped_and_a_bad_configuration_is_said(program: Path, 
         assert "size: " in driver.notes()
         # What shows keys shows those that work.
         await driver.press("escape")
-        assert "F11 Generate" in driver.main.query_one("KeyBar").text
+        assert "F5 Run  F11 Generate  F7 Panels" in driver.main.query_one("KeyBar").text
         await driver.press("f1")
         await driver.pilot.press("f1")
         dialog = await driver.dialog("Help")

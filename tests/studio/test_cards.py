@@ -113,6 +113,17 @@ def test_what_is_wrong_with_a_word_comes_first() -> None:
     assert remedy == "did you mean `LaserScan`?"
 
 
+def test_a_card_does_not_say_again_how_the_statement_is_written() -> None:
+    text = f"{PROGRAM}subscribe ear 'scan' of message_type LaserScan\n"
+    session = Session(text.encode(), environ={})
+    known = Known(session, session.program, session.workspace, session.diagnostics)
+    [wrong] = [each for each in session.diagnostics if "expected `to`" in each.message]
+    assert wrong.help is not None and "the sentence is" in wrong.help
+    words = said(card_at(known, text.rindex("'scan'") + 1))
+    assert wrong.message in words
+    assert "the sentence is" not in words
+
+
 def test_a_card_is_about_the_word_at_the_place() -> None:
     session = Session(PROGRAM.encode(), environ={})
     known = Known(session, session.program, session.workspace)

@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 from studio_driver import PROGRAM, studio
 from test_terminal import Terminal, start, terminal  # noqa: F401 - a fixture
-from textual.widgets import Label
+from textual.widgets import Label, OptionList
 
 from plastron_tui.model.kinds import EndpointKind
 from plastron_tui.output.writer import write
@@ -238,6 +238,27 @@ def test_the_line_is_found_again_in_another_text() -> None:
     assert line_again(before, 3, CodeLines(b"b\nx\ny\nb\nc\nz\n", path)) == 3
     assert line_again(before, 2, CodeLines(b"x\nx\nx\nx\n c\n", path)) == 4
     assert line_again(before, 2, CodeLines(b"x\n", path)) == 2
+
+
+async def test_of_several_places_the_file_that_is_there_comes_first(program: Path) -> None:
+    program.write_text("load 'node.py' as old\ngenerate_node old\n")
+    program.with_name("node.py").write_text(
+        "import rospy\nfrom std_msgs.msg import String\nrospy.init_node('old')\n"
+        "rospy.Publisher('a', String, queue_size=1)\n"
+    )
+    async with studio(program, (80, 24)) as driver:
+        await driver.pilot.press("alt+c")
+        dialog = await driver.dialog("ChoosePlace")
+        listed = dialog.query_one(OptionList)
+        options = [str(listed.get_option_at_index(at).prompt) for at in (0, 1)]
+        assert [option.split("  ")[1:] for option in options] == [
+            ["work/node.py:3"], ["output/node.py:3", "not written yet"]
+        ]  # fmt: skip
+        box = dialog.query_one("#dialog").region
+        assert abs(box.y - (24 - box.bottom)) <= 1 and abs(box.x - (80 - box.right)) <= 1
+        await driver.pilot.press("enter")
+        view = await driver.dialog("CodeView")
+        assert view.place.text is None
 
 
 async def test_the_view_shows_finds_turns_and_edits(

@@ -139,7 +139,7 @@ CASES: dict[str, Case] = {
     "editor.rename": Case(lambda driver: type(driver.app.focused).__name__ == "Input",
                           cursor="greeting to"),
     "editor.format": text(PROGRAM, program=PROGRAM.replace("of message_type", "of   message_type")),
-    "editor.external_editor": Case(lambda driver: "$EDITOR names" in driver.notes()),
+    "editor.external_editor": Case(lambda driver: "in $EDITOR" in driver.notes()),
     "editor.toggle_wrap": Case(lambda driver: not driver.main.editor.view.soft_wrap),
     "editor.next_problem": Case(lambda driver: _row(driver) == 3, program=WRONG),
     "editor.previous_problem": Case(lambda driver: _row(driver) == 3, program=WRONG,

@@ -167,10 +167,36 @@ async def test_a_file_that_others_change_is_asked_about(program: Path, key: str,
         assert driver.app.screen is driver.main
 
 
+async def test_a_text_that_nobody_touched_gives_way_to_what_others_write(program: Path) -> None:
+    async with studio(program) as driver:
+        main = driver.main
+        await driver.press("down")
+        program.write_text(PROGRAM.replace("hello", "bye") + "// theirs\n")
+        main.look_at_disk()
+        await driver.until(lambda: driver.text.endswith("// theirs\n"))
+        assert driver.app.screen is main
+        assert not main.open.is_changed
+        assert main.editor.state.row == 1
+        assert "talk.plastron was changed by another program" in driver.notes()
+        await driver.press("ctrl+z")
+        assert driver.text == PROGRAM
+        assert main.open.is_changed
+        # What one has written oneself meanwhile is no other text.
+        program.write_text(PROGRAM)
+        main.look_at_disk()
+        assert not main.open.is_changed
+        # What is no program any more leaves the text alone.
+        program.write_bytes(b"\xff\xfe")
+        main.look_at_disk()
+        await driver.until(lambda: "not UTF-8" in driver.notes())
+        assert driver.text == PROGRAM
+
+
 async def test_what_was_kept_in_place_of_the_file_is_saved_without_another_question(
     program: Path,
 ) -> None:
     async with studio(program) as driver:
+        await driver.type("// hi\n")
         program.write_text("// theirs\n" + PROGRAM)
         driver.main.look_at_disk()
         await driver.dialog("Question")
@@ -179,7 +205,7 @@ async def test_what_was_kept_in_place_of_the_file_is_saved_without_another_quest
         assert driver.main.open.is_changed
         await driver.until(lambda: driver.main.open.journal.file.exists())
         await driver.press("ctrl+s")
-        await driver.until(lambda: program.read_text() == PROGRAM)
+        await driver.until(lambda: program.read_text() == "// hi\n" + PROGRAM)
         assert driver.app.screen is driver.main
         program.write_text("// others\n" + PROGRAM)
         await driver.type("// mine")
@@ -237,9 +263,12 @@ async def test_what_was_typed_is_in_the_journal_within_a_second(program: Path) -
 
 
 @pytest.mark.parametrize(("key", "text"), [("r", "// kept\n"), ("f", ""), ("l", "")])
-async def test_what_a_crash_left_is_offered(program: Path, key: str, text: str) -> None:
+async def test_what_a_crash_left_is_offered(
+    program: Path, key: str, text: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
     kept = leave_behind(program, "// kept\n" + PROGRAM, cursor=3)
-    async with studio(program, welcome=True) as driver:
+    monkeypatch.chdir(program.parent)
+    async with studio(Path(program.name), welcome=True) as driver:
         dialog = await driver.dialog("Question")
         assert "+// kept" in dialog.query_one("TextView").text
         await driver.pilot.press(key)
@@ -250,6 +279,9 @@ async def test_what_a_crash_left_is_offered(program: Path, key: str, text: str) 
             assert driver.main.open.is_changed
         await driver.until(lambda: kept.exists() == (key == "l"))
         assert driver.main.open.journal.file.exists() == (key == "r")
+        assert len(driver.main.program.tabs) == 1
+        await driver.press("ctrl+z")
+        assert driver.text == PROGRAM
 
 
 def test_a_journal_that_is_no_journal_is_left_out(tmp_path: Path) -> None:

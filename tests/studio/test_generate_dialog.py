@@ -5,7 +5,7 @@ from pathlib import Path
 
 import pytest
 from studio_driver import PROGRAM, SIZES, Driver, studio
-from textual.widgets import Button, Label
+from textual.widgets import Button, Label, Static
 
 from plastron_tui.diagnostics import Edit, Span
 from plastron_tui.output.writer import write
@@ -86,6 +86,24 @@ async def test_the_preview_of_a_loaded_node_is_what_differs_from_its_file(loaded
                 await driver.until(lambda dialog=dialog: dialog.is_written)
             await driver.pilot.press("escape")
             await driver.back()
+
+
+async def test_the_preview_says_what_comes_first(loaded: Path) -> None:
+    loaded.write_text(LOADED.replace("'alarm'", "'nothing'"))
+    async with studio(loaded) as driver:
+        panel = driver.main.panels["preview"]
+
+        def head() -> str:
+            return str(panel.query_one("#preview-head", Static).content)
+
+        await driver.show("preview")
+        said = "old.py  as it was loaded: nothing in it changes  mend 1 problem first"
+        assert head() == said
+        assert panel.text == FILE.rstrip("\n")
+        driver.main.editor.replace_all(b"load 'gone.py' as old\nfoo\n")
+        await driver.settle()
+        assert head() == "mend 2 problems first"
+        assert panel.text == ""
 
 
 async def test_each_state_is_listed_with_what_it_is_about(program: Path) -> None:

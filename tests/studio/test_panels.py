@@ -173,12 +173,12 @@ async def test_help_is_about_the_panel(program: Path, size: tuple[int, int], pan
         assert "Back to the editor" in dialog.query_one("TextView").text
 
 
-async def test_a_narrow_panel_keeps_the_sign_of_a_fix(program: Path) -> None:
+async def test_a_narrow_panel_says_all_of_a_fix(program: Path) -> None:
     program.write_text(PROGRAM + "listener provides_service 'add' of service_type AddTwoInst\n")
     async with studio(program, (40, 20)) as driver:
         driver.main.action_show("problems")
         await driver.settle()
         panel = driver.main.panels["problems"]
-        row = panel.render_line(0).text
-        assert len(row) == 40
-        assert row.rstrip().endswith("… ⚑")
+        rows = [panel.render_line(y).text for y in range(4)]
+        assert {len(row) for row in rows} == {40}
+        assert any(row.rstrip().endswith("⚑ write `AddTwoInts`") for row in rows)

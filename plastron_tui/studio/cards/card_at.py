@@ -10,6 +10,7 @@ from plastron_tui.diagnostics import Diagnostic, Span
 from plastron_tui.language import SlotKind
 from plastron_tui.language.expectations import Expectation, expected_at
 from plastron_tui.language.keywords import BY_KEYWORD, WORDS
+from plastron_tui.language.sentence_errors import SENTENCE_IS
 from plastron_tui.model.kinds import INTERFACES, Parameter
 from plastron_tui.ros.interfaces import InterfaceKind
 from plastron_tui.targets import LIBRARIES
@@ -59,7 +60,8 @@ def _problem_rows(diagnostics: Iterable[Diagnostic], span: Span) -> Iterator[Car
             and span.start <= found.span.start < span.end
         ):
             yield CardRow(found.message, is_warning=True)
-            if found.help is not None:
+            # How the statement is written stands below the text, and in the statement's own card.
+            if found.help is not None and not found.help.startswith(SENTENCE_IS):
                 yield CardRow(found.help)
 
 

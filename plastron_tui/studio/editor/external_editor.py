@@ -7,15 +7,23 @@ import shlex
 import subprocess
 from collections.abc import Mapping, Sequence
 from pathlib import Path
-from shutil import rmtree
+from shutil import rmtree, which
 from tempfile import mkdtemp
 
 from plastron_tui.project.program_file import LARGEST_PROGRAM
 from plastron_tui.regular_files import read_regular, reason
 
+USUAL: tuple[str, ...] = ("sensible-editor", "editor", "nano", "vim", "vi")
+"""The editors that are looked for where no variable names one, the user's own choice first."""
+
+NO_EDITOR = "no editor is found: name one in $EDITOR"
+
 
 def external_editor(environ: Mapping[str, str]) -> list[str] | None:
-    """Return the command of the user's editor, None where no variable names one."""
+    """Return the command of the user's editor, None for none.
+
+    Where no variable names one, it is the system's, or one that most systems have.
+    """
     for variable in ("VISUAL", "EDITOR"):
         try:
             command = shlex.split(environ.get(variable, ""))
@@ -23,12 +31,13 @@ def external_editor(environ: Mapping[str, str]) -> list[str] | None:
             continue
         if command:
             return command
-    return None
+    found = (which(name, path=environ.get("PATH")) for name in USUAL)
+    return next(([command] for command in found if command is not None), None)
 
 
 _WAYS = {
-    "vi vim nvim view gvim ex elvis vile nano pico emacs emacsclient mg jed joe ne micro kak gedit "
-    "pluma xed mcedit tilde": ("+{line}", "{file}"),
+    "sensible-editor editor vi vim nvim view gvim ex elvis vile nano pico emacs emacsclient mg jed "
+    "joe ne micro kak gedit pluma xed mcedit tilde": ("+{line}", "{file}"),
     "hx helix subl sublime_text zed zeditor lapce": ("{file}:{line}",),
     "code code-insiders codium vscodium code-oss": ("--goto", "{file}:{line}"),
     "kate kwrite geany": ("--line", "{line}", "{file}"),

@@ -13,7 +13,7 @@ from plastron_tui.language import format_document
 from plastron_tui.project.program_file import check_text
 from plastron_tui.regular_files import reason
 
-from .external_editor import EditedElsewhere, external_editor, run_editor
+from .external_editor import NO_EDITOR, EditedElsewhere, external_editor, run_editor
 from .names import Variable, variable_at, wrong_name
 from .robot_parts import find_part, kept_name, part_at, wrong_part_name
 
@@ -101,7 +101,7 @@ def edit_elsewhere(editor: ProgramEditor) -> None:
     """Edit the text in `$VISUAL` or `$EDITOR`, and take what comes back as one step."""
     command = external_editor(os.environ)
     if command is None:
-        editor.warn("neither $VISUAL nor $EDITOR names an editor")
+        editor.warn(NO_EDITOR)
         return
     path = editor.session.path
     try:

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-import os
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
+
+from plastron_tui.regular_files import is_same_file
 
 from ..editor import ProgramEditor
 from ..editor.state import EditingState
@@ -70,9 +71,7 @@ class ActiveProgram:
 
     def tab_of(self, path: Path) -> Tab | None:
         """Return the tab that has a file open, None for no tab."""
-        real = os.path.realpath(path)
-        opened = ((tab, tab.open.path) for tab in self.tabs)
-        return next((tab for tab, own in opened if own and os.path.realpath(own) == real), None)
+        return next((tab for tab in self.tabs if is_same_file(path, tab.open.path)), None)
 
     def cursor_of(self, tab: Tab) -> int:
         """Return where the cursor of a tab is, in bytes."""

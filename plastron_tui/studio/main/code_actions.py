@@ -44,7 +44,8 @@ class CodeActions:
             found = await self._find(asked)
         finally:
             self._searches -= 1
-        places = found.places
+        # What is there, and can be changed, comes before what would be written.
+        places = tuple(sorted(found.places, key=lambda place: place.text is not None))
         if not places:
             self._say(found.reason)
             return

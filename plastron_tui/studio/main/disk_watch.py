@@ -48,15 +48,20 @@ class DiskWatch:
         self._stamps: Mapping[Path, object] = {}
 
     def look(self) -> None:
-        """Ask, when somebody else has written the file; read anew what the program loads."""
+        """Take what somebody else wrote to the file, or ask; read anew what the program loads.
+
+        A text that nobody has touched since it was read or saved gives way to the file without a
+        question.
+        """
         self._look_at_loaded()
         open_ = self._program.open
         disk = open_.disk
         if disk is None or not disk.is_changed or not self._screen.is_current:
             return
         now = read_again(disk)
-        if now.text == disk.text:
+        if now.text in (disk.text, open_.text):
             open_.disk = now
+            self._on_change()
         elif now.text is None:
             if open_.told is None or open_.told.text is not None:
                 open_.told = now
@@ -64,7 +69,10 @@ class DiskWatch:
                 self._screen.notify(message, severity="warning", markup=False)
         elif open_.told is None or open_.told.stamp != now.stamp:
             open_.told = now
-            start_exclusive(self._screen, "disk", self._ask, open_, now)
+            if open_.is_changed:
+                start_exclusive(self._screen, "disk", self._ask, open_, now)
+            else:
+                self._load(now)
 
     def _look_at_loaded(self) -> None:
         """Run the program anew when a file that it loads, or would load, is another one."""
@@ -110,11 +118,21 @@ class DiskWatch:
             open_.disk = now
             self._recovery.keep_soon()
         elif answer == "load":
-            found = self._files.read(now.path)
-            if found.disk is None:
-                message = found.problem.message if found.problem is not None else "it has gone"
-                self._screen.notify(message, severity="error", markup=False)
-                return
-            open_.disk = found.disk
-            self._program.editor.replace_all(found.disk.text or b"")
+            self._load(now)
+            return
+        self._on_change()
+
+    def _load(self, now: OnDisk) -> None:
+        """Put what the file holds into the editor, as one step to undo; say why not, if not."""
+        found = self._files.read(now.path)
+        if found.disk is None:
+            message = found.problem.message if found.problem is not None else "it has gone"
+            self._screen.notify(message, severity="error", markup=False)
+            return
+        open_ = self._program.open
+        if not open_.is_changed:
+            message = f"{now.path.name} was changed by another program: this is the new text"
+            self._screen.notify(message, timeout=4, markup=False)
+        open_.disk = found.disk
+        self._program.editor.replace_all(found.disk.text or b"")
         self._on_change()

@@ -10,6 +10,8 @@ from typing import TYPE_CHECKING
 from textual.screen import Screen
 
 from plastron_tui.diagnostics import Diagnostic
+from plastron_tui.project.other_files import other_kind, program_beside
+from plastron_tui.regular_files import is_same_file
 
 from ..config import Profile
 from ..files import OnDisk, Opened, Saved, open_file, read_again, save_file, with_suffix
@@ -53,9 +55,10 @@ class FileActions:
             cursor: where the cursor is put, in bytes.
             in_place: whether the program in the editor gives its place up in any case.
         """
-        before = self.program.open
-        is_same_file = open_.path is not None and open_.path == before.path
-        if in_place or is_same_file or before.is_blank:
+        same = None if open_.path is None else self.program.tab_of(open_.path)
+        if same is not None:
+            self.program.bring(same)
+        if in_place or same is not None or self.program.open.is_blank:
             self.program.replace(open_, cursor)
         else:
             self.program.add(open_, cursor)
@@ -82,7 +85,13 @@ class FileActions:
         return True
 
     def take_file(self, path: Path, *, kept: Kept | None = None) -> bool:
-        """Read a file and show it, or say why that cannot be."""
+        """Read a file and show it, or say why that cannot be.
+
+        For one that is no program, one that loads it is offered.
+        """
+        if kept is None and other_kind(path) is not None:
+            start_exclusive(self.screen, "load", self.offer_loading, path)
+            return False
         found = self.read(path)
         if found.problem is not None:
             self._say_problem(found.problem)
@@ -96,6 +105,20 @@ class FileActions:
                 start_exclusive(self.screen, "kept", self.offer, other)
                 break
         return True
+
+    async def offer_loading(self, path: Path) -> None:
+        """Offer a program that loads a file, beside it."""
+        from .loading_offer import ask_to_load
+
+        kind, beside = other_kind(path), program_beside(path)
+        wanted = None if kind is None else await ask_to_load(self.screen, path, kind)
+        if wanted is None:
+            return
+        if wanted == beside or self.program.tab_of(beside) is not None:
+            self.open_file(beside)
+        else:
+            assert isinstance(wanted, bytes)
+            self.take(self._opened(OnDisk(beside, None, None), wanted))
 
     def read(self, path: Path) -> Opened:
         """Read a file; say what was found of a write that was interrupted."""
@@ -123,6 +146,10 @@ class FileActions:
         if path is not None:
             self.open_file(path)
 
+    async def offer_any(self, found: Kept | Path) -> None:
+        """Offer a text that was not saved, or a program that loads a file."""
+        await (self.offer_loading(found) if isinstance(found, Path) else self.offer(found))
+
     async def offer(self, kept: Kept, *, is_asked_for: bool = False) -> None:
         """Offer a text that was not saved before the studio ended, and open it."""
         if not await self.recovery.is_wanted(kept, is_asked_for=is_asked_for):
@@ -132,7 +159,10 @@ class FileActions:
             self.bring(there)
             if there.open.is_changed and not await self.may_leave():
                 return
-        if kept.path is None:
+            # One step, so that what the file holds comes back by undoing it.
+            self.program.editor.replace_all(kept.text)
+            self.program.editor.go_to(kept.cursor)
+        elif kept.path is None:
             begun = kept.folder
             if begun is not None and not begun.is_dir():
                 begun = None
@@ -185,7 +215,7 @@ class FileActions:
         path = await self._ask_path(f"Save as, with {names} beside it", name)
         if path is None:
             return False
-        if path == open_.path and open_.is_changed and not await self.may_leave():
+        if is_same_file(path, open_.path) and open_.is_changed and not await self.may_leave():
             return False
         present = read_again(OnDisk(path, None, None))
         if present.text not in (None, recipe.text):
@@ -241,6 +271,11 @@ class FileActions:
         if chosen is None:
             return None
         path = with_suffix(chosen)
+        kind = other_kind(path)
+        if kind is not None:
+            message = f"by its name {path.name} is {kind.title}; a program's ends in .plastron"
+            self.screen.notify(message, severity="warning", markup=False)
+            return None
         tab = self.program.tab_of(path)
         if tab not in (None, self.program.tab):
             message = f"{path.name} is open in another tab: close it there first"
@@ -274,7 +309,7 @@ class FileActions:
             return False
         open_ = self.program.open
         open_.journal.drop()
-        if open_.path == path:
+        if is_same_file(path, open_.path):
             open_.disk = saved.disk
             open_.told = None
             self.profile.remembered.opened(path)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from pathlib import Path
 from typing import TYPE_CHECKING, ClassVar
 
 from textual import on, work
@@ -69,7 +70,7 @@ class MainScreen(Screen[None], Paged):
         self.program = ActiveProgram(open_, others)
         self.tab_line = TabLine(id="tabs")
         self._title, self._status = TitleBar(id="title"), StatusBar(id="status")
-        self._keys = KeyBar(KEPT)
+        self._keys = KeyBar(KEPT, tuple(BY_ID))
         self.panels = PanelWidgets(PANELS)
         self.dock_layout = DockLayout(
             PANELS, self.panels, self.editor, profile.remembered, lambda: self.feed.refresh()
@@ -114,11 +115,7 @@ class MainScreen(Screen[None], Paged):
 
     def compose(self) -> ComposeResult:
         """Make the parts."""
-        yield self._title
-        yield self.tab_line
-        yield self.dock_layout
-        yield self._status
-        yield self._keys
+        yield from (self._title, self.tab_line, self.dock_layout, self._status, self._keys)
 
     def on_mount(self) -> None:
         """Start the worker, and look at the files from time to time."""
@@ -326,10 +323,10 @@ class MainScreen(Screen[None], Paged):
         await self.files.start_from(path)
 
     @work(exclusive=True, group="kept", description="kept")
-    async def offer_kept(self, kept: Sequence[Kept], after: str | None = None) -> None:
-        """Offer texts that were not saved before the studio ended; then do an action."""
-        for each in kept:
-            await self.files.offer(each)
+    async def offer_first(self, found: Sequence[Kept | Path], after: str | None = None) -> None:
+        """Offer texts that were not saved, and what loads files that are no programs; then act."""
+        for each in found:
+            await self.files.offer_any(each)
         if after is not None:
             await self.run_action(after)
 

@@ -93,8 +93,16 @@ class EntryList(Pointing, Toned, ScrollView, can_focus=True):
             shown.append(entry)
         self._shown = shown
         self._rows = {entry.key: row for row, entry in enumerate(shown)}
-        self.virtual_size = Size(1, len(shown))
+        self.virtual_size = Size(1, self._count_rows())
         self.refresh()
+
+    def _count_rows(self) -> int:
+        """Return how many rows the entries take, now that others are shown."""
+        return len(self._shown)
+
+    def _number_at(self, row: int) -> int:
+        """Return the number of the entry that is drawn in a row."""
+        return row
 
     def watch_index(self, old: int, new: int) -> None:
         """Draw the two lines again."""
@@ -130,7 +138,7 @@ class EntryList(Pointing, Toned, ScrollView, can_focus=True):
 
     def on_click(self, event: events.Click) -> None:
         """Choose the entry under the mouse; its sign folds it."""
-        row = event.y + self.scroll_offset.y
+        row = self._number_at(event.y + self.scroll_offset.y)
         if not 0 <= row < len(self._shown):
             return
         self.index = row
@@ -149,13 +157,18 @@ class EntryList(Pointing, Toned, ScrollView, can_focus=True):
             return self._render_empty(y, width, base)
         if row >= len(self._shown):
             return Strip.blank(width, base)
-        entry = self._shown[row]
-        is_lit = row == self.index and self.has_focus
+        base, is_lit = self._style_of(row)
+        segments = self._segments(self._shown[row], width, base, is_lit)
+        return Strip(segments).adjust_cell_length(width, base)
+
+    def _style_of(self, number: int) -> tuple[Style, bool]:
+        """Return what an entry is drawn on, and whether it is the one that the keys are for."""
+        is_lit = number == self.index and self.has_focus
         if is_lit:
-            base += self.tone("cursor", "entry-list")
-        elif entry.key == self._here:
-            base += self.tone("here", "entry-list")
-        return Strip(self._segments(entry, width, base, is_lit)).adjust_cell_length(width, base)
+            return self.rich_style + self.tone("cursor", "entry-list"), True
+        if self._shown[number].key == self._here:
+            return self.rich_style + self.tone("here", "entry-list"), False
+        return self.rich_style, False
 
     def _render_empty(self, y: int, width: int, base: Style) -> Strip:
         lines = self.entries.empty.split("\n")

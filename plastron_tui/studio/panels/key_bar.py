@@ -55,14 +55,16 @@ class KeyBar(Toned):
 
     COMPONENT_CLASSES: ClassVar[set[str]] = {"key-bar--key"}
 
-    def __init__(self, kept: Container[str] = frozenset()) -> None:
+    def __init__(self, kept: Container[str] = frozenset(), order: Sequence[str] = ()) -> None:
         """Make the line.
 
         Args:
             kept: the ids of bindings that are to be there however narrow the line is.
+            order: the ids of bindings that come last, whatever their keys are, in their order.
         """
         super().__init__()
         self._kept = kept
+        self._ranks = {id_: rank for rank, id_ in enumerate(order)}
         self._shown: tuple[Key, ...] = ()
         self._titles: Mapping[str, str] = {}
         self._places: list[tuple[int, int, str]] = []
@@ -92,11 +94,15 @@ class KeyBar(Toned):
                 each.key,
                 each.id or "",
             )
-            for each in shown.values()
+            for each in sorted(shown.values(), key=self._rank)
         )
         if keys != self._shown:
             self._shown = keys
             self.refresh()
+
+    def _rank(self, binding: Binding) -> int:
+        """Return where a binding comes: Textual puts those with other keys behind all the rest."""
+        return self._ranks.get(binding.id or "", -1)
 
     @property
     def text(self) -> str:

@@ -104,13 +104,16 @@ def wrapped(line: Line, width: int) -> Lines:
 
     All but the first are indented to the text behind the node's name, where it leaves room.
     """
+    label, _ = split_label("".join(piece.text for piece in line))
+    indent = cell_len(label) or 2
+    return broken(line, width, min(2, width // 2) if indent > width // 2 else indent)
+
+
+def broken(line: Line, width: int, indent: int) -> Lines:
+    """Break a line into rows of at most so many cells, all but the first with an indent."""
     text = "".join(piece.text for piece in line)
     if cell_len(text) <= width:
         return (line,)
-    label, _ = split_label(text)
-    indent = cell_len(label) or 2
-    if indent > width // 2:
-        indent = min(2, width // 2)
     rows: list[Line] = []
     start = 0
     while start < len(text):

@@ -29,7 +29,8 @@ class Preview:
         path: where it would be written.
         state: what writing would do to it; None for a node that is not generated yet.
         lines: its text, coloured.
-        diff: what would change in it, None where there is nothing to compare with.
+        diff: what would change in it, None where there is nothing to compare with; empty where
+            the file stays as it was loaded.
         problems: why there is no text.
         size: how large it will be, in bytes.
         is_main: whether it is the file of a node that the others belong to.

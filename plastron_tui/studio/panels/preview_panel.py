@@ -10,6 +10,8 @@ from textual.binding import Binding, BindingType
 from textual.containers import Container, Vertical
 from textual.widgets import Static
 
+from plastron_tui.diagnostics import Severity
+
 from .entry_keys import Chosen, Lit
 from .file_tree import FileTree, TreeFile, is_tree
 from .styles import Line, Piece
@@ -28,6 +30,9 @@ _STATES = {
     "conflict": ("was changed by hand", "error"),
 }
 """By the value of a `FileState`."""
+
+_DIM = "$foreground 60%"
+"""How the head says what is of little weight."""
 
 _WIDE = 64
 """From so many columns on the files are beside the text, not above it."""
@@ -54,6 +59,7 @@ class PreviewPanel(Vertical):
         self._shown: str | None = None
         self._at = 0
         self._shows_diff = True
+        self._errors = 0
         self._head = Static("", id="preview-head", markup=True)
         self._tree = FileTree(id="preview-files")
         self._view = TextView(numbers=True, id="preview-text")
@@ -97,6 +103,7 @@ class PreviewPanel(Vertical):
         """Ask for the files of what is at the cursor, or else of the last one, or the first."""
         if analysis is None:
             return None
+        self._errors = sum(each.severity is Severity.ERROR for each in analysis.diagnostics)
         known = analysis.workspace
         kinds = (known.nodes, known.packages, known.launches, known.robots, known.types)
         is_there = any(self._subject in each for each in kinds)
@@ -128,7 +135,7 @@ class PreviewPanel(Vertical):
         """Offer the diff where there is one."""
         current = self.current
         if action == "toggle_diff":
-            return current is not None and current.diff is not None
+            return current is not None and bool(current.diff)
         if action == "next_file":
             return len(self.previews) > 1
         if action == "turn":
@@ -171,27 +178,36 @@ class PreviewPanel(Vertical):
         from textual.content import Content
 
         current = self.current
+        pieces: list[Piece] = []
         if current is None:
-            self._head.update(
-                Content.styled(
-                    "put the cursor on the statement of a node or a package", "$foreground 60%"
-                )
-            )
+            if not self._errors:
+                pieces.append(Piece("put the cursor on the statement of a node or a package", _DIM))
             self._view.show((), numbers=False)
-            return
-        if current.path is None:
-            self._head.update(Content(current.name))
-            self._view.show(tuple(_problem(found.message, found.help)
-                                  for found in current.problems), numbers=False)  # fmt: skip
-            return
-        state, tone = _NOT_GENERATED if current.state is None else _STATES[current.state.value]
-        colour = {"quiet": "$foreground 60%"}.get(tone, f"$text-{tone}")
-        self._head.update(Content.assemble((current.name, "bold"), "  ", (state, colour)))
-        if self._shows_diff and current.diff is not None:
-            self._view.show(current.diff, numbers=False)
+        elif current.path is None:
+            pieces.append(Piece(current.name, ""))
+            problems = tuple(_problem(found.message, found.help) for found in current.problems)
+            self._view.show(problems, numbers=False)
         else:
-            self._view.show(current.lines, numbers=True)
-        self.refresh_bindings()
+            state, tone = _state(current)
+            pieces += [Piece(current.name, "bold"), Piece(state, tone)]
+            if self._shows_diff and current.diff:
+                self._view.show(current.diff, numbers=False)
+            else:
+                self._view.show(current.lines, numbers=True)
+            self.refresh_bindings()
+        if self._errors:
+            count = f"{self._errors} problem{'' if self._errors == 1 else 's'}"
+            pieces.append(Piece(f"mend {count} first", "$text-error"))
+        parts = [part for text, style in pieces for part in ("  ", (text, style))]
+        self._head.update(Content.assemble(*parts[1:]))
+
+
+def _state(preview: Preview) -> tuple[str, str]:
+    """Return what is said of a file behind its name, and in which style."""
+    if preview.diff == ():
+        return "as it was loaded: nothing in it changes", _DIM
+    state, tone = _NOT_GENERATED if preview.state is None else _STATES[preview.state.value]
+    return state, _DIM if tone == "quiet" else f"$text-{tone}"
 
 
 def _problem(message: str, remedy: str | None) -> Line:

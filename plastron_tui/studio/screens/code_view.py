@@ -18,7 +18,7 @@ from plastron_tui.diagnostics.wording import counted
 from plastron_tui.regular_files import read_regular, reason, stamp_of
 
 from ..code_places import LARGEST, Place
-from ..editor.external_editor import external_editor, run_editor
+from ..editor.external_editor import NO_EDITOR, external_editor, run_editor
 from ..folder_labels import shown_folder
 from ..panels.code_lines import CodeLines
 from ..panels.code_text import CodeText
@@ -64,7 +64,7 @@ class ChoosePlace(Dialog[int]):
 
 
 def _where(place: Place) -> str:
-    where = f"{visible(place.path.name)}:{place.line}"
+    where = f"{visible(place.path.parent.name)}/{visible(place.path.name)}:{place.line}"
     return where if place.text is None else f"{where}  not written yet"
 
 
@@ -242,7 +242,7 @@ def edit_in_terminal(app: App[object], place: Place, line: int) -> str | None:
     """Lend the terminal to the user's editor for a file, and return what went wrong."""
     command = external_editor(os.environ)
     if command is None:
-        return "neither $VISUAL nor $EDITOR names an editor"
+        return NO_EDITOR
     try:
         with app.suspend():
             problem = run_editor(command, place.path, line)

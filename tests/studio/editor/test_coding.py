@@ -9,6 +9,7 @@ from pathlib import Path
 import pytest
 from editor_host import PROGRAM, editing
 
+from plastron_tui.studio.editor.external_editor import NO_EDITOR, external_editor
 from plastron_tui.studio.editor.program_commands import rename
 
 
@@ -105,9 +106,22 @@ class TestCoding:
             await at.press("ctrl+e")
             assert at.app.said == ["`/nowhere/editor` cannot be started: no such file or directory"]
 
+    def test_the_system_has_an_editor_where_nobody_names_one(
+        self, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+    ) -> None:
+        monkeypatch.undo()
+        for name in ("vi", "nano"):
+            tmp_path.joinpath(name).write_text("#!/bin/sh\n")
+            tmp_path.joinpath(name).chmod(0o755)
+        environ = {"PATH": str(tmp_path), "VISUAL": " ", "EDITOR": "'"}
+        assert external_editor(environ) == [str(tmp_path / "nano")]
+        assert external_editor({**environ, "EDITOR": "ed -x"}) == ["ed", "-x"]
+        assert external_editor({"PATH": ""}) is None
+
     async def test_without_an_editor_it_says_so(self, monkeypatch: pytest.MonkeyPatch) -> None:
         monkeypatch.delenv("VISUAL", raising=False)
         monkeypatch.delenv("EDITOR", raising=False)
+        monkeypatch.setenv("PATH", str(Path(__file__).parent))
         async with editing("abc") as at:
             await at.press("ctrl+e")
-            assert at.app.said == ["neither $VISUAL nor $EDITOR names an editor"]
+            assert at.app.said == [NO_EDITOR]

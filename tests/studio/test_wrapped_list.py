@@ -1,0 +1,59 @@
+"""Problems are read whole, whatever the width: what they say goes on below."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+from rich.cells import cell_len
+from studio_driver import studio
+
+from plastron_tui.diagnostics import Edit, Span
+from plastron_tui.studio.panels.entry import Entry
+from plastron_tui.studio.panels.wrapped_list import WrappedList, _height, rows_of
+
+FIX = (Edit(Span(0, 0), b""),)
+HELP = (
+    "the sentence is: VARIABLE has_parameter 'PARAMETER_NAME' of parameter_type PARAMETER_TYPE "
+    "and default VALUE [between LEAST and MOST]"
+)
+ENTRIES = [
+    Entry("a", "short", "line 1", "✖", "error"),
+    Entry("b", HELP, "", "=", depth=1),
+    Entry("c", HELP, "line 12 · syntax-error", "✖", edits=FIX, warning="write `between 0 and 1`"),
+    Entry("d", "short", "line 3", "▲", edits=FIX, warning="take the statement away"),
+    Entry("e", "漢字" * 40, "line 5", "✖", warning="ü"),
+]
+
+
+@pytest.mark.parametrize("width", [1, 2, 7, 20, 40, 82, 300])
+@pytest.mark.parametrize("entry", ENTRIES, ids=lambda entry: entry.key)
+def test_an_entry_is_whole_at_any_width(entry: Entry, width: int) -> None:
+    rows = ["".join(piece.text for piece in row) for row in rows_of(entry, width)]
+    assert len(rows) == _height(entry, width)
+    if width > 2:
+        assert all(cell_len(row) <= width for row in rows)
+    whole = "".join("".join(rows).split())
+    said = (entry.text, entry.detail, "⚑" if entry.edits else "", entry.warning)
+    assert whole == "".join("".join((entry.sign, *said[:2])).split()) + (
+        "".join(("⚑" if entry.edits else "⚠", *entry.warning.split())) if entry.warning else ""
+    )
+
+
+async def test_a_problem_is_walked_to_and_clicked_on_whatever_rows_it_takes(program: Path) -> None:
+    program.write_text("create_node 'a' as a\na has_parameter 'speed' of\nfoo bar\n" * 4)
+    async with studio(program, (80, 24)) as driver:
+        await driver.show("problems")
+        panel = driver.main.panels["problems"]
+        assert isinstance(panel, WrappedList)
+        whole = "\n".join(panel.render_line(y).text for y in range(panel.size.height))
+        help_ = next(entry.text for entry in panel.entries.all if entry.key.startswith("help"))
+        assert "".join(help_.split()) in "".join(whole.split())
+        assert panel.virtual_size.height > len(panel._shown)
+        await driver.press("end")
+        assert panel.scroll_offset.y == panel.virtual_size.height - panel.size.height
+        await driver.press("home")
+        ends = panel._ends
+        number = next(at for at in range(len(ends)) if ends[at] - panel._start_of(at) > 1)
+        await driver.pilot.click("#problems", offset=(12, ends[number] - 1))
+        assert panel.index == number
