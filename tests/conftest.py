@@ -10,6 +10,7 @@ from hypothesis import settings
 from machine import IN_CI, be_quick, examples
 from rewriting import compile_share
 from suite_order import in_order, minutes
+from watchdog import Watchdog
 from worker_reports import ShortReports
 
 from plastron_tui.ros import installations
@@ -47,6 +48,7 @@ def pytest_configure(config: pytest.Config) -> None:
         "plastron", deadline=None, derandomize=IN_CI, max_examples=examples(100)
     )
     settings.load_profile("plastron")
+    config.pluginmanager.register(Watchdog(), "watchdog")
     if hasattr(config, "workerinput"):
         config.pluginmanager.register(ShortReports(config), "short_reports")
 

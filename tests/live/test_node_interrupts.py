@@ -262,7 +262,9 @@ def test_ctrl_c_while_there_is_no_master(ros1: Graph, tmp_path: Path) -> None:
     assert not own_tracebacks(node.output)
 
 
-@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM], ids=lambda one: one.name)
+@pytest.mark.parametrize(
+    "number", mostly_long([signal.SIGINT, signal.SIGTERM], ["SIGINT"], lambda one: one.name)
+)
 def test_ctrl_c_while_the_master_is_gone(
     ros1: Graph, tmp_path: Path, number: signal.Signals
 ) -> None:
