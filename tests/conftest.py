@@ -3,13 +3,16 @@ from __future__ import annotations
 import gc
 import signal
 from collections.abc import Generator
+from pathlib import Path
 
 import pytest
 from cpp_builds import describe_rclcpp
 from hypothesis import settings
+from long_modules import is_left_out, overlooked
 from machine import IN_CI, be_quick, examples
 from rewriting import compile_share
 from suite_order import in_order, minutes
+from watchdog import Watchdog
 from worker_reports import ShortReports
 
 from plastron_tui.ros import installations
@@ -47,6 +50,7 @@ def pytest_configure(config: pytest.Config) -> None:
         "plastron", deadline=None, derandomize=IN_CI, max_examples=examples(100)
     )
     settings.load_profile("plastron")
+    config.pluginmanager.register(Watchdog(), "watchdog")
     if hasattr(config, "workerinput"):
         config.pluginmanager.register(ShortReports(config), "short_reports")
 
@@ -58,6 +62,10 @@ def pytest_sessionstart(session: pytest.Session) -> None:
         compile_share(session.config, worker, given["workercount"])
 
 
+def pytest_ignore_collect(collection_path: Path, config: pytest.Config) -> bool | None:
+    return True if config.option.markexpr == "long" and is_left_out(collection_path) else None
+
+
 @pytest.hookimpl(wrapper=True)
 def pytest_collection_modifyitems(
     config: pytest.Config, items: list[pytest.Item]
@@ -66,6 +74,7 @@ def pytest_collection_modifyitems(
     for item in items if is_long else ():
         if getattr(getattr(item, "obj", None), "is_hypothesis_test", False):
             item.add_marker("long")
+    assert overlooked(items) == []
     result = yield
     # By now the others are left out.
     if is_long:

@@ -1,13 +1,15 @@
-"""Each worker begins with some of the longest tests, and each kind of work is spread."""
+"""Each worker begins with some of the longest tests, each kind of work is spread, none is lost."""
 
 from __future__ import annotations
 
 from itertools import groupby, pairwise
+from pathlib import Path
 from types import SimpleNamespace
 
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+from long_modules import is_left_out, overlooked
 from suite_order import in_order, minutes, shares
 from xdist.scheduler.worksteal import WorkStealingScheduling
 
@@ -85,6 +87,24 @@ def test_files_are_mixed() -> None:
         sum(each.startswith("live") for each in half) for half in (ordered[:20], ordered[20:])
     ]
     assert min(halves) >= 5
+
+
+def test_modules_without_a_long_test_are_not_read_for_the_long_ones() -> None:
+    here = Path(__file__)
+    assert not is_left_out(here)
+    assert is_left_out(here.with_name("test_watchdog.py"))
+    # Helpers of tests, and what is given to them, are read where a test is.
+    assert not is_left_out(here.with_name("conftest.py"))
+    assert not is_left_out(here.parent)
+
+
+@pytest.mark.long(0.1)
+def test_a_long_test_is_overlooked_where_its_module_does_not_say_so(
+    request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    assert overlooked([request.node]) == []
+    monkeypatch.setattr("long_modules.may_be_long", lambda module: False)
+    assert overlooked([request.node]) == [request.node.nodeid]
 
 
 @pytest.mark.long(0.1)

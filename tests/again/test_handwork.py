@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+from itertools import product
 from pathlib import Path
 
 import pytest
 from again_driver import LIBRARIES, WAYS, Bench, shown
+from machine import mostly_long
 
 KEPT = "merged-by-hand: `robot.py` was changed by hand and is kept, with the program's changes"
 PUBLISH = "n publish hello to 'chatter' of message_type String\n"
@@ -53,7 +55,14 @@ class Hand:
         return sorted(str(name) for each, name in found.elements() if each == kind)
 
 
-@pytest.fixture(params=[(library, way) for library in LIBRARIES for way in FOUR_WAYS])
+# Every way, and both libraries in a folder of their own and in place.
+QUICK = [
+    *((LIBRARIES[0], way) for way in (BY_NAME, "in place")),
+    *((LIBRARIES[1], way) for way in (BY_NAME_IN_OUTPUT, "by its path")),
+]
+
+
+@pytest.fixture(params=mostly_long(product(LIBRARIES, FOUR_WAYS), QUICK))
 def hand(request: pytest.FixtureRequest, tmp_path: Path) -> Hand:
     return Hand(tmp_path, *request.param)
 

@@ -8,6 +8,7 @@ import socket
 import subprocess
 import sys
 from collections.abc import Callable, Iterator
+from itertools import product
 from pathlib import Path
 
 import pytest
@@ -270,12 +271,20 @@ def test_noise_through_the_process(run: Run, here: Path) -> None:
         assert run("check", "-", stdin=noise(seed)).returncode in (0, 1, 2)
 
 
+STATUS = {"check": 0, "generate": 0, "graph": 0, "inspect": 1, "--help": 0, "shell": 0}
+CLOSED = (">&-", "2>&-", ">&- 2>&- <&-")
+
+
+# Each command with all of them closed, and one of them with each.
 @pytest.mark.parametrize(
-    ("command", "status"),
-    [("check", 0), ("generate", 0), ("graph", 0), ("inspect", 1), ("--help", 0), ("shell", 0)],
+    "case",
+    mostly_long(
+        product(STATUS, CLOSED),
+        [*product(STATUS, CLOSED[2:]), *product(["generate"], CLOSED[:2])],
+    ),
 )
-@pytest.mark.parametrize("closed", [">&-", "2>&-", ">&- 2>&- <&-"])
-def test_closed_streams(here: Path, command: str, status: int, closed: str) -> None:
+def test_closed_streams(here: Path, case: tuple[str, str]) -> None:
+    command, closed = case
     here.joinpath("talker.plastron").write_text(TALKER)
     file = "talker.plastron" if command[0].islower() and command != "shell" else ""
     code = "from plastron_tui.cli import main; main()"
@@ -289,7 +298,7 @@ def test_closed_streams(here: Path, command: str, status: int, closed: str) -> N
         timeout=60,
     )
     assert "Traceback" not in done.stderr
-    assert done.returncode == status
+    assert done.returncode == STATUS[command]
 
 
 def test_files_of_the_other_kind(run: Run, here: Path) -> None:

@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from machine import examples
+from machine import examples, mostly_long
 from plastron_programs import EXAMPLES, read, shape, variables
 
 from plastron_tui.language import DECLARATIONS, Program, SlotKind
@@ -64,15 +64,15 @@ def test_the_words_are_those_that_came_later() -> None:
     }
 
 
-@pytest.mark.parametrize("word", PLAIN)
-@pytest.mark.parametrize("text", PROGRAMS, ids=range(len(PROGRAMS)))
-def test_a_program_means_the_same_with_one_word_for_a_name(text: str, word: str) -> None:
-    for at in range(len({name for *_, name in named(text)})):
-        words = [f"name_{index}" for index in range(at)]
-        other, names = renamed(text, [*words, word])
-        program = read(other)
-        assert program.diagnostics == ()
-        assert shape(program) == with_names(read(text), names)
+@pytest.mark.parametrize("word", mostly_long(PLAIN, PLAIN[::3]))
+def test_a_program_means_the_same_with_one_word_for_a_name(word: str) -> None:
+    for text in PROGRAMS:
+        for at in range(len({name for *_, name in named(text)})):
+            words = [f"name_{index}" for index in range(at)]
+            other, names = renamed(text, [*words, word])
+            program = read(other)
+            assert program.diagnostics == (), other
+            assert shape(program) == with_names(read(text), names), other
 
 
 @settings(max_examples=examples(100), deadline=None)

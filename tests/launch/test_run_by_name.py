@@ -50,7 +50,11 @@ def _run(folder: Path, *words: str, program: str = PROGRAM) -> Result:
 
 @pytest.mark.parametrize(
     "words, namespace",
-    [(["bringup"], "/left"), (["up"], "/left"), (["bringup", "side:=right"], "/right")],
+    [
+        pytest.param(["bringup"], "/left", marks=pytest.mark.long),
+        pytest.param(["up"], "/left", marks=pytest.mark.long),
+        (["bringup", "side:=right"], "/right"),
+    ],
 )
 def test_a_launch_file_is_written_and_started(
     tmp_path: Path, started: Started, words: list[str], namespace: str
@@ -66,7 +70,13 @@ def test_a_launch_file_is_written_and_started(
     "words, program, status, said",
     [
         (["bringup", "talker"], PROGRAM, 2, "is a launch file, and is started without `talker`"),
-        (["bringup", "--namespace", "a"], PROGRAM, 2, "--namespace is for programs"),
+        pytest.param(
+            ["bringup", "--namespace", "a"],
+            PROGRAM,
+            2,
+            "--namespace is for programs",
+            marks=pytest.mark.long,
+        ),
         (["bringpu"], PROGRAM, 1, "did you mean `bringup`?"),
         (["bringup"], PROGRAM.replace("demo contains up\n", ""), 1, "does not write `bringup`"),
         (["bringup"], PROGRAM.replace("starts talker", "starts tlker"), 1, "no node `tlker`"),
@@ -93,10 +103,10 @@ def test_what_was_changed_by_hand_is_started_and_told(tmp_path: Path, started: S
 @pytest.mark.parametrize(
     "old, new, is_stale",
     [
-        ("", "", False),
+        pytest.param("", "", False, marks=pytest.mark.long),
         ('"hi"', '"ho"', False),
         ("starts talker", "starts talker as 'other'", True),
-        ("starts talker", "starts tlker", False),
+        pytest.param("starts talker", "starts tlker", False, marks=pytest.mark.long),
     ],
 )
 def test_a_program_that_says_otherwise_by_now_is_told(

@@ -13,9 +13,11 @@ from itertools import repeat
 import rclpy
 from action_msgs.msg import GoalStatus
 from probe_ros2 import load, plain
+from rcl_interfaces.srv import ListParameters
 from rclpy.action import ActionClient, ActionServer, CancelResponse, GoalResponse
 from rclpy.callback_groups import ReentrantCallbackGroup
 from rclpy.executors import ExternalShutdownException, MultiThreadedExecutor
+from rclpy.node import NodeNameNonExistentError
 from std_msgs.msg import String
 from std_srvs.srv import SetBool, Trigger
 
@@ -29,6 +31,47 @@ STATUS = {
 def tell(event, **more):
     sys.stdout.write(json.dumps({"event": event, "time": time.monotonic(), **more}) + "\n")
     sys.stdout.flush()
+
+
+def wait_for_clients(node, names):
+    """Wait until a server knows of those who ask: what it answers before that is lost to them."""
+    end = time.monotonic() + 60
+    while not all(map(node.count_clients, names)) and time.monotonic() < end:
+        time.sleep(0.01)
+
+
+def parts(action):
+    return [f"/{action}/_action/{each}" for each in ("send_goal", "cancel_goal", "get_result")]
+
+
+def services_of(node, name, namespace):
+    """Return the services of a node, none where it is not yet known, or has gone."""
+    with suppress(NodeNameNonExistentError):
+        return [each for each, _ in node.get_service_names_and_types_by_node(name, namespace)]
+    return []
+
+
+def wait_to_be_known(node, action):
+    """Wait until the node that provides an action knows of all that was made here so far.
+
+    It hears of what a node has in the order in which it was made: once it answers a client that was
+    made last, no answer and no feedback to the others is lost.
+    """
+    end = time.monotonic() + 60
+    asked = None
+    while asked is None and time.monotonic() < end:
+        for name, namespace in node.get_node_names_and_namespaces():
+            services = services_of(node, name, namespace)
+            if parts(action)[0] in services:
+                asked = [each for each in services if each.endswith("/list_parameters")]
+        rclpy.spin_once(node, timeout_sec=0.05)
+    for service in asked or ():
+        client = node.create_client(ListParameters, service)
+        while time.monotonic() < end:
+            answer = client.call_async(ListParameters.Request())
+            rclpy.spin_until_future_complete(node, answer, timeout_sec=1)
+            if answer.done():
+                break
 
 
 def send(node, action, type_name, fields, cancel_at, second_at):
@@ -72,6 +115,7 @@ def send(node, action, type_name, fields, cancel_at, second_at):
 
     node.create_subscription(String, "chatter", lambda message: tell("message"), 10)
     assert client.wait_for_server(60), "the action is not there"
+    wait_to_be_known(node, action)
     begin(0)
     end = time.monotonic() + 120
     while len(ended) < (2 if second_at else 1):
@@ -89,6 +133,7 @@ def serve(node, action, type_name, how, feedback, result):
 
     def on_goal(goal):
         tell("goal", goal=plain(goal))
+        wait_for_clients(node, parts(action))
         time.sleep(5 if how == "late" else 0)
         return GoalResponse.REJECT if how == "reject" else GoalResponse.ACCEPT
 
@@ -122,6 +167,7 @@ def answer(node, seconds):
         def handle(request, response):
             flying.append(name)
             tell("request", service=name, flying=flying.count(name), request=plain(request))
+            wait_for_clients(node, [f"/{name}"])
             time.sleep(seconds)
             flying.remove(name)
             response.success, response.message = True, message

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import cache
 from itertools import combinations
 from pathlib import Path
 
@@ -295,8 +296,12 @@ FOLLOWING = {
 }  # fmt: skip
 
 
+@cache
 def _mistakes(line: str) -> list[str]:
-    """Return the texts that are marked in a line behind a program without mistakes."""
+    """Return the texts that are marked in a line behind a program without mistakes.
+
+    What has one mistake is asked for with each of the other ones that may stand beside it.
+    """
     driver = source(endpoint(EndpointKind.SUBSCRIPTION, "scan", "sensor_msgs/LaserScan"))
     found = LoadedDefinition(FoundDefinition(Path("a.msg"), b"", "p", InterfaceKind.MESSAGE))
     setting = Setting(

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from itertools import product
 from pathlib import Path
 
 import pytest
@@ -53,49 +54,52 @@ async def rename(driver: Driver, new: str) -> None:
     await driver.back()
 
 
-@pytest.mark.parametrize("size", SIZES)
-@pytest.mark.parametrize(
-    ("text", "panel", "entry", "statement"),
-    [
-        (PROGRAM, "nodes", "↑ chatter", "talker stop_publishing to 'chatter'\ngenerate_node"),
-        (PROGRAM, "nodes", "↓ chatter", "unsubscribe listener from 'chatter'\ngenerate_node"),
-        (PROGRAM, "topics", "↑ talker", "talker stop_publishing to 'chatter'\ngenerate_node"),
-        (SERVICES, "nodes", "◆ add", "adder stop_service 'add'\ngenerate_node adder"),
-        (SERVICES, "nodes", "◇ add", "with input 5, 6\ncaller stop_request 'add'\n"),
-        (SERVICES, "services", "◆ adder", "adder stop_service 'add'\ngenerate_node adder"),
+ENDED = {
+    PROGRAM: [
+        ("nodes", "↑ chatter", "talker stop_publishing to 'chatter'\ngenerate_node"),
+        ("nodes", "↓ chatter", "unsubscribe listener from 'chatter'\ngenerate_node"),
+        ("topics", "↑ talker", "talker stop_publishing to 'chatter'\ngenerate_node"),
     ],
-)  # fmt: skip
-async def test_an_entry_is_ended(
-    program: Path, size: tuple[int, int], text: str, panel: str, entry: str, statement: str
-) -> None:
+    SERVICES: [
+        ("nodes", "◆ add", "adder stop_service 'add'\ngenerate_node adder"),
+        ("nodes", "◇ add", "with input 5, 6\ncaller stop_request 'add'\n"),
+        ("services", "◆ adder", "adder stop_service 'add'\ngenerate_node adder"),
+    ],
+}
+
+
+@pytest.mark.parametrize("size", SIZES)
+@pytest.mark.parametrize("text", ENDED, ids=["topics", "services"])
+async def test_an_entry_is_ended(program: Path, size: tuple[int, int], text: str) -> None:
     program.write_text(text)
     async with studio(program, size) as driver:
-        await go_to(driver, panel, entry)
-        await driver.press("delete")
-        assert statement in driver.text
-        # A node that has nothing left to do is the only thing that can be wrong then.
-        assert {found.code for found in driver.main.open.analysis.diagnostics} <= {"idle-node"}
-        assert driver.main.editor.view.has_focus
-        await driver.press("ctrl+z")
-        assert driver.text == text
+        for panel, entry, statement in ENDED[text]:
+            await go_to(driver, panel, entry)
+            await driver.press("delete")
+            assert statement in driver.text
+            # A node that has nothing left to do is the only thing that can be wrong then.
+            assert {found.code for found in driver.main.open.analysis.diagnostics} <= {"idle-node"}
+            assert driver.main.editor.view.has_focus
+            await driver.press("ctrl+z")
+            assert driver.text == text
 
 
-@pytest.mark.parametrize(
-    ("entry", "statement"),
-    [
-        ("↑ status", "old stop_publishing to 'status'"),
-        ("↓ chatter", "unsubscribe old from 'chatter'"),
-        ("◆ reset", "old stop_service 'reset'"),
-        ("◇ go", "old stop_request 'go'"),
-    ],
-)
-async def test_what_a_loaded_file_does_is_ended(loaded: Path, entry: str, statement: str) -> None:
+async def test_what_a_loaded_file_does_is_ended(loaded: Path) -> None:
     async with studio(loaded) as driver:
-        await go_to(driver, "nodes", entry)
-        await driver.press("d")
-        assert driver.text == LOADED.replace("generate_node", f"{statement}\ngenerate_node")
-        assert driver.main.open.analysis.diagnostics == ()
-        assert not any(line.startswith(entry) for line in driver.shown("nodes"))
+        for entry, statement in (
+            ("↑ status", "old stop_publishing to 'status'"),
+            ("↓ chatter", "unsubscribe old from 'chatter'"),
+            ("◆ reset", "old stop_service 'reset'"),
+            ("◇ go", "old stop_request 'go'"),
+        ):
+            await go_to(driver, "nodes", entry)
+            await driver.press("d")
+            assert driver.text == LOADED.replace("generate_node", f"{statement}\ngenerate_node")
+            assert driver.main.open.analysis.diagnostics == ()
+            assert not any(line.startswith(entry) for line in driver.shown("nodes"))
+            driver.main.editor.undo()
+            await driver.settle()
+            assert driver.text == LOADED
 
 
 async def test_what_starts_after_the_generation_ends_after_it(program: Path) -> None:
@@ -176,82 +180,65 @@ async def test_a_node_with_another_variable_gets_another_name(program: Path) -> 
         assert driver.text == "create_node 'hand' as left\ngenerate_node left\n"
 
 
-@pytest.mark.parametrize(
-    ("panel", "entry", "new", "said"),
-    [
-        ("nodes", "● talker", "listener", "a node `listener` exists already"),
-        ("nodes", "● talker", "a b", "white space"),
-        ("topics", "≈ /chatter", "a b", "white space"),
-        ("messages", "✉ greeting", "talker", "`talker` is a variable already"),
-        ("messages", "✉ greeting", "load", "keyword"),
-    ],
-)
-async def test_a_name_that_cannot_be_is_refused(
-    program: Path, panel: str, entry: str, new: str, said: str
-) -> None:
+async def test_a_name_that_cannot_be_is_refused(program: Path) -> None:
     async with studio(program) as driver:
-        await go_to(driver, panel, entry)
-        await driver.pilot.press("f2")
-        dialog = await driver.dialog("Prompt")
-        dialog.query_one("Input").value = new
-        await driver.pilot.press("enter")
-        await driver.back()
-        assert driver.text == PROGRAM
-        assert said in driver.notes()
+        for panel, entry, new, said in (
+            ("nodes", "● talker", "listener", "a node `listener` exists already"),
+            ("nodes", "● talker", "a b", "white space"),
+            ("topics", "≈ /chatter", "a b", "white space"),
+            ("messages", "✉ greeting", "talker", "`talker` is a variable already"),
+            ("messages", "✉ greeting", "load", "keyword"),
+        ):
+            told = len(driver.notes())
+            await go_to(driver, panel, entry)
+            await driver.pilot.press("f2")
+            dialog = await driver.dialog("Prompt")
+            dialog.query_one("Input").value = new
+            await driver.pilot.press("enter")
+            await driver.back()
+            assert driver.text == PROGRAM
+            assert said in driver.notes()[told:]
+
+
+MISTAKES = {
+    "subscribe listenr to": "subscribe listener to",
+    "publish greting to": "publish greeting to",
+    "message_type Strin\ngenerate_node l": "message_type String\ngenerate_node l",
+    "generat_node talker": "generate_node talker",
+}
 
 
 @pytest.mark.parametrize("size", SIZES)
-@pytest.mark.parametrize(
-    ("wrong", "right"),
-    [
-        ("subscribe listenr to", "subscribe listener to"),
-        ("publish greting to", "publish greeting to"),
-        ("message_type Strin\ngenerate_node l", "message_type String\ngenerate_node l"),
-        ("generat_node talker", "generate_node talker"),
-    ],
-)  # fmt: skip
-@pytest.mark.parametrize("key", ["f", "alt+enter"])
-async def test_a_mistake_is_mended_with_one_key(
-    program: Path, size: tuple[int, int], wrong: str, right: str, key: str
-) -> None:
-    assert right in PROGRAM
-    program.write_text(PROGRAM.replace(right, wrong))
+async def test_a_mistake_is_mended_with_one_key(program: Path, size: tuple[int, int]) -> None:
     async with studio(program, size) as driver:
-        driver.main.action_show("problems")
-        await driver.settle()
-        panel = driver.main.panels["problems"]
-        assert any("⚑" in panel.render_line(y).text for y in range(2))
-        if key == "f":
-            await driver.press("f")
-        else:
-            await driver.press("enter", "alt+enter")
-        assert driver.text == PROGRAM
-        assert driver.shown("problems") == []
+        for (wrong, right), keys in product(MISTAKES.items(), (("f",), ("enter", "alt+enter"))):
+            driver.main.editor.replace_all(PROGRAM.replace(right, wrong).encode())
+            driver.main.editor.go_to(0)
+            driver.main.action_show("problems")
+            await driver.until(lambda: driver.shown("problems"))
+            panel = driver.main.panels["problems"]
+            assert any("⚑" in panel.render_line(y).text for y in range(2))
+            await driver.press(*keys)
+            assert driver.text == PROGRAM
+            assert driver.shown("problems") == []
 
 
 ACTS = ("end", "rename", "generate", "fix")
 
 
-@pytest.mark.parametrize(
-    ("panel", "entry", "acts"),
-    [
-        ("nodes", "● listener", {"rename", "generate"}),
-        ("nodes", "↓ chatter", {"end", "rename", "generate"}),
-        ("topics", "≈ /chatter", {"rename"}),
-        ("messages", "✉ greeting", {"rename"}),
-        ("messages", "data =", set()),
-        ("problems", "✖ `nothing`", set()),
-        ("problems", "✖ `generat_node`", {"fix"}),
-    ],
-)
-async def test_only_what_can_be_done_with_an_entry_is_offered(
-    program: Path, panel: str, entry: str, acts: set[str]
-) -> None:
+async def test_only_what_can_be_done_with_an_entry_is_offered(program: Path) -> None:
     program.write_text("nothing\ngenerat_node talker\n" + PROGRAM)
     async with studio(program) as driver:
-        driver.main.action_show(panel)
-        await driver.settle()
-        await go_to(driver, panel, entry)
-        bound = driver.main.active_bindings.values()
-        offered = {each.binding.action for each in bound if each.enabled}
-        assert {what for what in ACTS if f"ask('{what}')" in offered} == acts
+        for panel, entry, acts in (
+            ("nodes", "● listener", {"rename", "generate"}),
+            ("nodes", "↓ chatter", {"end", "rename", "generate"}),
+            ("topics", "≈ /chatter", {"rename"}),
+            ("messages", "✉ greeting", {"rename"}),
+            ("messages", "data =", set()),
+            ("problems", "✖ `nothing`", set()),
+            ("problems", "✖ `generat_node`", {"fix"}),
+        ):
+            await go_to(driver, panel, entry)
+            bound = driver.main.active_bindings.values()
+            offered = {each.binding.action for each in bound if each.enabled}
+            assert {what for what in ACTS if f"ask('{what}')" in offered} == acts, entry

@@ -143,7 +143,7 @@ async def test_panels_are_hidden_enlarged_and_left(program: Path) -> None:
         assert main.dock_layout.result.size.height < 30
 
 
-@pytest.mark.parametrize("size", [*SIZES, (200, 60)])
+@pytest.mark.parametrize("size", [*SIZES, pytest.param((200, 60), marks=pytest.mark.long)])
 async def test_f7_goes_through_all_panels(program: Path, size: tuple[int, int]) -> None:
     async with studio(program, size) as driver:
         seen = set()

@@ -177,7 +177,7 @@ async def prepared(driver: Driver, case: Case) -> None:
 
 
 @pytest.mark.parametrize("size", SIZES)
-@pytest.mark.parametrize("name", mostly_long(CASES, list(CASES)[::2]))
+@pytest.mark.parametrize("name", mostly_long(CASES, list(CASES)[::3]))
 async def test_an_action_does_by_its_key_what_it_is_for(
     program: Path, size: tuple[int, int], name: str
 ) -> None:

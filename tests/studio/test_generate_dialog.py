@@ -52,7 +52,7 @@ async def test_a_robot_alone_is_written_and_not_run(tmp_path: Path) -> None:
         assert not dialog.query_one("#run", Button).display
 
 
-@pytest.mark.parametrize("size", [*SIZES, (60, 20)])
+@pytest.mark.parametrize("size", [*SIZES, pytest.param((60, 20), marks=pytest.mark.long)])
 async def test_a_loaded_node_is_shown_as_what_differs_from_its_file(
     loaded: Path, size: tuple[int, int]
 ) -> None:

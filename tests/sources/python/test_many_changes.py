@@ -65,9 +65,17 @@ def test_in_one_go_is_as_one_after_the_other(name, monkeypatch):
     _check(Path("node.py"), NODE.encode(), name, monkeypatch)
 
 
+# Each node with a third of the changes, and each of these in a third of the nodes.
 @pytest.mark.long
-@pytest.mark.parametrize("name", MANY)
-@pytest.mark.parametrize("path", NODES[::8], ids=lambda path: path.name)
+@pytest.mark.parametrize(
+    ("path", "name"),
+    [
+        pytest.param(path, name, id=f"{path.name}-{name}")
+        for row, path in enumerate(NODES[::8])
+        for column, name in enumerate(MANY)
+        if (row + column) % 3 == 0
+    ],
+)
 def test_in_one_go_in_the_nodes_of_others(path, name, monkeypatch):
     _check(path, path.read_bytes(), name, monkeypatch)
 

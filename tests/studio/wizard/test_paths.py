@@ -31,6 +31,7 @@ listener repeats look at 2 hz
 
 QUICK = ("publish", "load")
 """What is gone through in every way, where `long` tests are left out."""
+BY_KEYS = (*QUICK, "stop_request")
 
 
 def keyword(declaration: Declaration) -> str:
@@ -86,7 +87,13 @@ async def through(it: WizardDriver, declaration: Declaration, go_on: Step, pick:
         await go_on()
 
 
-@pytest.mark.parametrize("declaration", mostly_long(ALL, (*QUICK, "stop_request"), keyword))
+# The others go to their last step, and back, and to the end by mouse, further down.
+@pytest.mark.parametrize(
+    "declaration",
+    mostly_long(
+        [each for each in ALL if each in ALL[1::2] or each.keyword in BY_KEYS], BY_KEYS, keyword
+    ),
+)
 async def test_by_keyboard_alone(declaration: Declaration, file: Path) -> None:
     before = program_for(declaration, file)
     async with wizard(file) as it:
@@ -97,7 +104,8 @@ async def test_by_keyboard_alone(declaration: Declaration, file: Path) -> None:
 
 
 @pytest.mark.parametrize(
-    "declaration", [each for each in ALL if each.keyword in QUICK], ids=keyword
+    "declaration",
+    mostly_long([each for each in ALL if each.keyword in QUICK], ["load"], keyword),
 )
 async def test_by_mouse_alone(declaration: Declaration, file: Path) -> None:
     before = program_for(declaration, file)

@@ -89,9 +89,16 @@ async def slowly(it: WizardDriver, keys: Sequence[str]) -> None:
         await it.settle()
 
 
-@pytest.mark.parametrize("focus", ["editor", pytest.param("nodes", marks=pytest.mark.long)])
-@pytest.mark.parametrize("way", mostly_long(WAYS, ["a value"]))
-async def test_a_burst_does_what_single_keys_do(here: Path, way: str, focus: str) -> None:
+# What has the focus counts for the first key alone.
+@pytest.mark.parametrize(
+    "case",
+    mostly_long(
+        [*((way, "editor") for way in WAYS), ("to the end", "nodes"), ("away at once", "nodes")],
+        [("a value", "editor")],
+    ),
+)
+async def test_a_burst_does_what_single_keys_do(here: Path, case: tuple[str, str]) -> None:
+    way, focus = case
     states = []
     for send in (slowly, quickly):
         path = here / f"{send.__name__}.plastron"

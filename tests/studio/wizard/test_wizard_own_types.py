@@ -5,6 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
+from machine import mostly_long
 from wizard_courses import ANSWER, MAKE, OWN, PACKAGE, REACT, SEND, TOGETHER
 from wizard_driver import WizardDriver, wizard, wizard_from_welcome
 
@@ -157,7 +158,7 @@ async def test_a_service_of_ones_own_is_what_is_answered_next(two: Path) -> None
         assert it.rows["type"] == "MyService"
 
 
-@pytest.mark.parametrize("off", ["contents", "launch", "write"])
+@pytest.mark.parametrize("off", mostly_long(["contents", "launch", "write"], ["contents"]))
 async def test_what_follows_a_package_can_be_left_out(off: str, two: Path) -> None:
     async with wizard(two) as it:
         await it.go(PACKAGE, "make a package")
