@@ -13,9 +13,9 @@ from studio_driver import PROGRAM, Driver, studio
 from textual import events
 from textual.widgets import Button, Input
 
+from plastron_tui.studio import code_places
 from plastron_tui.studio.actions import key_owners
 from plastron_tui.studio.key_order import ASKING, OPENING
-from plastron_tui.studio.main import code_actions
 from plastron_tui.studio.screens.question import Question
 from plastron_tui.studio.terminal_driver import Burst
 from plastron_tui.studio.wizard.statement_view import StatementView
@@ -167,13 +167,13 @@ async def test_keys_behind_that_of_a_panel_are_for_what_it_opens(
         await driver.settle()
         assert driver.text == PROGRAM.replace("talker", "talkers2")
         # A file is looked for in a thread.
-        find = code_actions.find_code
+        find = code_places.find_code
 
         def find_late(*given: Any) -> Any:
             time.sleep(0.1)
             return find(*given)
 
-        monkeypatch.setattr(code_actions, "find_code", find_late)
+        monkeypatch.setattr(code_places, "find_code", find_late)
         await driver.show("nodes")
         for key in ("c", "slash", *"rclpy"):
             driver.app.post_message(events.Key(key, "/" if key == "slash" else key))

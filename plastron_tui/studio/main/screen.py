@@ -9,7 +9,6 @@ from typing import TYPE_CHECKING, ClassVar
 from textual import on, work
 from textual.app import ComposeResult
 from textual.binding import Binding, BindingType
-from textual.screen import Screen
 
 from ..actions import BY_ID, KEPT, bindings
 from ..analysis_worker import Analysed, AnalysisFailed, Preloaded
@@ -31,6 +30,7 @@ from .disk_watch import DiskWatch
 from .dock_layout import DockLayout
 from .entry_actions import EntryActions
 from .file_actions import FileActions
+from .first_screen import FirstScreen
 from .key_help import choose_action, show_help, toggle_keys
 from .node_runs import NodeRuns
 from .panel_feed import PanelFeed
@@ -51,7 +51,7 @@ _LEAST_ROWS = 8
 """With fewer rows the line with the keys gives way to the text."""
 
 
-class MainScreen(Screen[None], Paged):
+class MainScreen(FirstScreen, Paged):
     """Shows the programs that are open: hands keys and messages to the part that they are for.
 
     Attributes:
@@ -60,8 +60,6 @@ class MainScreen(Screen[None], Paged):
 
     BINDINGS: ClassVar[list[BindingType]] = [*bindings()]
     AUTO_FOCUS = "EditorView"
-    # What is in it covers it.
-    BLANK = True
 
     def __init__(self, open_: Open, profile: Profile, others: Sequence[Open] = ()) -> None:
         super().__init__()

@@ -1,0 +1,20 @@
+"""The screen that an app starts with, without what Textual would do for nothing."""
+
+from __future__ import annotations
+
+from textual import events
+from textual.screen import Screen
+
+
+class FirstScreen(Screen[None]):
+    """A screen that what is in it covers, and whose widgets have just been styled when it shows."""
+
+    BLANK = True
+
+    _was_shown = False
+
+    def on_screen_resume(self, event: events.ScreenResume) -> None:
+        """Style nothing again the first time: each widget was styled when it was mounted."""
+        if not self._was_shown:
+            event.refresh_styles = False
+            self._was_shown = True
