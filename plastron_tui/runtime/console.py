@@ -6,6 +6,7 @@ import contextlib
 import errno
 import os
 import re
+import signal
 from collections.abc import Callable, Iterable, Mapping
 from typing import NamedTuple, TextIO
 
@@ -22,19 +23,33 @@ OWN_NAME = "plastron"
 
 
 _END = re.compile(
-    rf"{OWN_NAME} *\| (?P<node>\S+) (?P<how>(?:was ended by|died with|never started).*)", re.DOTALL
+    rf"{OWN_NAME} *\| (?P<node>\S+) (?P<how>(?:was ended by|died with|never started).*|finished)",
+    re.DOTALL,
 )
+_NO_CAUSE = re.compile(r"\[(?:DEBUG|INFO)\]", re.IGNORECASE)
+_FROM_OUTSIDE = frozenset({-signal.SIGKILL, -signal.SIGTERM, -signal.SIGINT, -signal.SIGHUP})
+"""The statuses of what somebody else has ended: nothing that it printed says why."""
 
 
 class Ended(NamedTuple):
-    """What a line of a run says of a node that has ended though nobody asked it to."""
+    """What a line of a run says of a node that has ended though nobody asked it to.
+
+    Attributes:
+        node: what its lines are labelled with.
+        how: in words: `finished`, `was ended by SIGKILL`, …
+    """
 
     node: str
     how: str
 
+    @property
+    def is_failure(self) -> bool:
+        """Whether it ended badly."""
+        return self.how != "finished"
+
 
 def ended_node(line: str) -> Ended | None:
-    """Return which node a line of `plastron run` says to have failed, and how (see `Console`)."""
+    """Return which node a line of `plastron run` says to have ended, and how (see `Console`)."""
     found = _END.fullmatch(line)
     return None if found is None else Ended(found["node"], found["how"])
 
@@ -117,7 +132,8 @@ class Console:
         if not lines:
             self.notice(told, is_bad=end.is_failure)
         elif end.process.role is Role.NODE:
-            self.notice(f"{told}: {lines[-1].strip()}", is_bad=True)
+            cause = "" if _is_no_cause(end, lines[-1]) else f": {lines[-1].strip()}"
+            self.notice(told + cause, is_bad=True)
         else:
             self.notice(f"{told}; its last lines were:", is_bad=True)
             for line in lines:
@@ -145,6 +161,11 @@ class Console:
             _silence(stream)
             if self._on_gone is not None:
                 self._on_gone()
+
+
+def _is_no_cause(end: Exit, line: str) -> bool:
+    """Tell whether the last line of a node says nothing of why it ended."""
+    return end.status in _FROM_OUTSIDE or _NO_CAUSE.search(line[:80]) is not None
 
 
 def _silence(stream: TextIO) -> None:

@@ -125,7 +125,7 @@ async def test_what_travels_is_shown_and_nodes_are_spoken_to(program: Path, orde
         await driver.until(lambda: "speed: done: set" in driver.notes())
         assert asked(orders, "set")[0]["value"] == 0.75
         # A service, whose answer is shown below it.
-        await driver.press("up", "up", "up")
+        await driver.press("up", "up")
         assert live(driver).row.name == "/add"
         await driver.pilot.press("enter")
         await driver.dialog("LiveForm")
@@ -138,14 +138,25 @@ async def test_what_travels_is_shown_and_nodes_are_spoken_to(program: Path, orde
         assert live(driver).watching(2) == Watching()
         await driver.press("alt+v")
         await driver.until(lambda: asked(orders, "watch")[-1]["topics"])
-        # A monitor that dies is told, the nodes run on, and another one can be had.
+        # Another monitor takes the place of one that dies, without a word.
         await driver.press("enter")
         await driver.dialog("LiveForm")
         await driver.pilot.press("backspace", "enter")
         await driver.back()
+        watches = driver.main.runner.watched.live
+        await driver.until(lambda: watches._retried and live(driver)._graphs[0].is_watched)
+        assert "not watched" not in driver.notes()
+        # Where that one dies too, that is said; the nodes run on, and another one can be had.
+        await driver.press("enter")
+        await driver.dialog("LiveForm")
+        await driver.pilot.press("enter")
+        await driver.back()
         await driver.until(lambda: "the nodes run on, but are not watched" in driver.notes())
-        await driver.press("end")
-        await wait_shown(driver, "press R to watch again")
+        await driver.press("home")
+        await wait_shown(driver, "not watched, press R to watch again")
+        # What was seen last is shown as that.
+        chatter = next(row for row in live(driver)._live if row.name == "/chatter")
+        assert chatter.is_old and chatter.rate == "2.0 Hz"
         assert driver.main.runner.is_running
         assert "r Watch again" in footer.text and "Enter" not in footer.text
         await driver.press("r", "home")

@@ -70,7 +70,9 @@ def test_what_a_run_says_of_a_node_that_fails_is_understood() -> None:
     for end in (Exit(process, -9), Exit(process, 1), Exit(process, None, "no such file")):
         found = ended_node(f"plastron | talker {end.words}: KeyError: 'x'")
         assert found is not None and found.node == "talker" and found.how.startswith(end.words)
-    assert ended_node(f"plastron | talker {Exit(process, 0).words}") is None
+        assert found.is_failure
+    found = ended_node(f"plastron | talker {Exit(process, 0).words}")
+    assert found == ("talker", "finished") and not found.is_failure
     assert ended_node("other | talker died with exit status 1") is None
 
 

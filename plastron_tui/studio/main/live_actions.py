@@ -4,14 +4,14 @@ from __future__ import annotations
 
 import itertools
 from collections import Counter
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 from textual.screen import Screen
 
 from plastron_tui.diagnostics.terminal import visible
 from plastron_tui.regular_files import reason
-from plastron_tui.runtime.live_graph import LiveGraph
+from plastron_tui.runtime.live_graph import LiveGraph, NodeEnd
 
 from ..delay import Delay
 from ..panels.live_panel import LOOKING, NOTHING_RUNS, STARTING, LivePanel, Watching
@@ -51,6 +51,8 @@ class LiveActions:
         self._graphs: dict[int, LiveGraph] = {}
         self._watching: dict[int, Watching] = {}
         self._silent: set[int] = set()
+        self._retried: set[int] = set()
+        """Those whose monitor was started again by itself."""
         self._numbers = itertools.count(1)
         self._asked: dict[int, LiveRow] = {}
         self._answers: dict[str, Answer] = {}
@@ -74,6 +76,7 @@ class LiveActions:
             commands: what starts their monitors.
         """
         self._tab, self._commands = tab, commands
+        self._retried.clear()
         self._close()
         self._tell(LOOKING)
         self._start_missing()
@@ -86,7 +89,7 @@ class LiveActions:
             if each.ros_version in self._monitors:
                 continue
             graph = self._graphs.setdefault(each.ros_version, LiveGraph(each.ros_version))
-            graph.problem = ""
+            graph.own = frozenset(itertools.chain.from_iterable(each.nodes.values()))
             try:
                 self._monitors[each.ros_version] = Monitor(each, self._news)
             except OSError as error:
@@ -166,21 +169,39 @@ class LiveActions:
         if self._monitors:
             self._look.start(_LOOK)
 
+    def mark_ended(self, ends: Mapping[str, NodeEnd]) -> None:
+        """Mark nodes that have ended by themselves: the middleware believes in them for longer.
+
+        Args:
+            ends: how they have ended, by what their lines are labelled with.
+        """
+        is_new = False
+        for command in self._commands:
+            graph = self._graphs[command.ros_version]
+            for label, end in ends.items():
+                is_new |= graph.mark_ended(command.nodes.get(label, ()), end)
+        if is_new:
+            self._tell(self._empty)
+
     def _lost(self, version: int, why: str) -> None:
-        """Say that a monitor is no more; the nodes run on."""
+        """Watch again, once; then say that a monitor is no more. The nodes run on."""
         monitor = self._monitors.pop(version)
         monitor.close()
         self._watching.pop(version, None)
         self._silent.discard(version)
-        self._fail(version, f"{why}; press R to watch again")
+        if version not in self._retried:
+            self._retried.add(version)
+            self._fail(version, f"not watched for the moment: {why}")
+            self._start_missing()
+            return
+        self._fail(version, f"not watched, press R to watch again: {why}")
         text = f"the nodes run on, but are not watched: {visible(why)}"
         self._screen.notify(text, severity="warning", markup=False)
 
     def _fail(self, version: int, problem: str) -> None:
         graph = self._graphs[version]
         graph.problem = problem
-        for topic in graph.topics.values():
-            topic.rate = 0.0
+        graph.is_watched = False
         self._tell(self._empty)
 
     # What is asked of nodes.
@@ -188,6 +209,7 @@ class LiveActions:
     def do(self, what: str, row: LiveRow | None) -> None:
         """Do what was asked about a row of the panel: see `LivePanel.on_asked`."""
         if what == "restart":
+            self._retried.clear()
             self._start_missing()
         elif row is not None:
             start_exclusive(self._screen, "live", self._ask, row)

@@ -49,9 +49,15 @@ class WatchedRun:
             self.live.starting()
         self._tab = tab
         self.live.start(tab, running.monitors)
+        self.mark_ended(tab, runs[tab])
         # Somebody may have gone elsewhere since the nodes were started.
         if tab is front and self._panels.layout.is_in_sight("output"):
             self._panels.layout.reveal("live")
+
+    def mark_ended(self, tab: Tab, run: TabRun) -> None:
+        """Mark the nodes of a tab that have ended by themselves, where that tab is watched."""
+        if self._tab is tab and run.ended:
+            self.live.mark_ended(run.ended)
 
     def end(self, tab: Tab, *, others_run: bool) -> None:
         """Show no more of what travels by the monitors of a tab: its nodes have ended.

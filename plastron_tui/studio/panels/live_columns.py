@@ -63,12 +63,16 @@ def line_of(row: LiveRow, columns: Columns, width: int) -> Line:
     before = f"{fold} " if sign else "    "
     indent = "" if sign else " " * (2 * row.depth)
     name = _fitted(indent + row.name, columns.name)
-    pieces = [Piece(before, "dim"), Piece(f"{sign} " if sign else "", tone)]
+    pieces = [
+        Piece(before, "dim"),
+        Piece(f"{sign} " if sign else "", "dim" if row.is_old else tone),
+    ]
     pieces += [Piece(name + " ", "strong" if row.depth == 0 else "")]
     has_rate = row.kind is Kind.TOPIC
     if has_rate:
         rate = row.rate.rjust(columns.rate)
-        pieces.append(Piece(rate + " ", "quiet" if row.rate == "silent" else "primary"))
+        is_quiet = row.is_old or row.rate == "silent"
+        pieces.append(Piece(rate + " ", "quiet" if is_quiet else "primary"))
     if columns.type and has_rate:
         pieces.append(
             Piece(_fitted(visible(row.type.rpartition("/")[2]), columns.type) + " ", "quiet")

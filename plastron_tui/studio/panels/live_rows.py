@@ -8,7 +8,7 @@ from enum import Enum
 from typing import NamedTuple
 
 from plastron_tui.diagnostics.terminal import visible
-from plastron_tui.runtime.live_graph import LiveGraph, LiveParameter, LiveTopic
+from plastron_tui.runtime.live_graph import LiveGraph, LiveParameter, LiveTopic, NodeEnd
 
 WAITING = "waiting for the first message…"
 NOBODY = "nobody publishes here yet"
@@ -56,6 +56,7 @@ class LiveRow(NamedTuple):
         is_branch: whether it can be unfolded.
         is_open: whether it is.
         parameter: what is known of a parameter.
+        is_old: whether it is what was seen last, and nobody watches any more.
     """
 
     key: str
@@ -72,6 +73,7 @@ class LiveRow(NamedTuple):
     is_branch: bool = False
     is_open: bool = False
     parameter: LiveParameter | None = None
+    is_old: bool = False
 
 
 def live_rows(
@@ -87,6 +89,9 @@ def live_rows(
     rows: list[LiveRow] = []
     for graph in graphs:
         words = f"ROS {graph.ros_version} " if len(graphs) > 1 else ""
+        if graph.problem:
+            key = f"{graph.ros_version} problem"
+            rows.append(LiveRow(key, Kind.NOTE, visible(graph.problem), tone="error"))
         parts = (
             ("topics", _topics(graph, unfolded)),
             ("services", _services(graph, answers)),
@@ -97,9 +102,6 @@ def live_rows(
             if below:
                 rows.append(LiveRow(f"{graph.ros_version} {part}", Kind.HEADING, words + part))
                 rows += below
-        if graph.problem:
-            key = f"{graph.ros_version} problem"
-            rows.append(LiveRow(key, Kind.NOTE, visible(graph.problem), tone="error"))
     return rows
 
 
@@ -108,6 +110,7 @@ def _topics(graph: LiveGraph, unfolded: AbstractSet[str]) -> Iterator[LiveRow]:
         key = f"{graph.ros_version} topic {topic.name}"
         is_open = key in unfolded
         value, tone = _topic_value(topic)
+        is_old = graph.has_ended or not graph.is_watched
         yield LiveRow(
             key,
             Kind.TOPIC,
@@ -117,10 +120,11 @@ def _topics(graph: LiveGraph, unfolded: AbstractSet[str]) -> Iterator[LiveRow]:
             topic.type,
             _rate(topic),
             value,
-            tone,
+            "quiet" if is_old else tone,
             tuple(topic.samples),
             is_branch=True,
             is_open=is_open,
+            is_old=is_old,
         )
         if is_open:
             yield from _fields(key, topic, graph.ros_version)
@@ -159,7 +163,7 @@ def _rate(topic: LiveTopic) -> str:
 def _topic_value(topic: LiveTopic) -> tuple[str, str]:
     """Return the last message, or what there is to say before it, and its tone."""
     if topic.is_gone:
-        return "gone", "warning"
+        return "gone", "quiet"
     if topic.text:
         return _line(topic.text), "" if topic.rate > 0 or topic.count < 2 else "quiet"
     return (WAITING if topic.publishers else NOBODY), "quiet"
@@ -176,7 +180,7 @@ def _services(graph: LiveGraph, answers: Mapping[str, Answer]) -> Iterator[LiveR
             graph.ros_version,
             service.type,
             value="gone" if service.is_gone else visible(service.type),
-            tone="warning" if service.is_gone else "quiet",
+            tone="quiet",
         )
         answer = answers.get(key)
         if answer is not None:
@@ -196,17 +200,21 @@ def _services(graph: LiveGraph, answers: Mapping[str, Answer]) -> Iterator[LiveR
 def _nodes(graph: LiveGraph, unfolded: AbstractSet[str]) -> Iterator[LiveRow]:
     for name, is_there in graph.nodes.items():
         key = f"{graph.ros_version} node {name}"
-        is_open = key in unfolded and is_there
+        end = graph.ended.get(name)
+        runs = is_there and end is None
+        is_open = key in unfolded and runs
+        value, tone = _node_state(end, is_there=is_there, has_ended=graph.has_ended)
         yield LiveRow(
             key,
             Kind.NODE,
             visible(name),
             name,
             graph.ros_version,
-            value="" if is_there else "gone",
-            tone="quiet" if is_there else "warning",
-            is_branch=is_there,
+            value=value,
+            tone=tone,
+            is_branch=runs,
             is_open=is_open,
+            is_old=not graph.is_watched or not runs,
         )
         if not is_open:
             continue
@@ -226,6 +234,15 @@ def _nodes(graph: LiveGraph, unfolded: AbstractSet[str]) -> Iterator[LiveRow]:
                 depth=1,
                 parameter=each,
             )
+
+
+def _node_state(end: NodeEnd | None, *, is_there: bool, has_ended: bool) -> tuple[str, str]:
+    """Return what there is to say of a node, and its tone: what nobody wanted is loud."""
+    if end is not None:
+        return visible(end.how), "error" if end.is_failure else "quiet"
+    if is_there:
+        return "", "quiet"
+    return "gone", "quiet" if has_ended else "warning"
 
 
 def _parameter_value(parameter: LiveParameter) -> str:
