@@ -121,9 +121,17 @@ async def test_what_travels_is_shown_and_nodes_are_spoken_to(program: Path, orde
         assert "s Set" in footer.text and "Watch again" not in footer.text
         await driver.pilot.press("enter")
         await driver.dialog("LiveForm")
-        await driver.pilot.press(*"0.75", "enter")
+        form = driver.app.screen
+        # What does not fit is not sent; what the node does not want stays in the form.
+        for typed, said in (("2.5", "a number from 0 to 1"), ("0.25", "not now")):
+            await driver.pilot.press(*["backspace"] * 4, *typed, "enter")
+            help_ = form.query_one("#wizard-help", Label)
+            await driver.until(lambda said=said, help_=help_: said in str(help_.content))
+        await driver.pilot.press("backspace", "backspace", "7", "5", "enter")
+        await driver.back()
         await driver.until(lambda: "speed: done: set" in driver.notes())
-        assert asked(orders, "set")[0]["value"] == 0.75
+        assert [each["value"] for each in asked(orders, "set")] == [0.25, 0.75]
+        assert "not now" not in driver.notes()
         # A service, whose answer is shown below it.
         await driver.press("up", "up")
         assert live(driver).row.name == "/add"

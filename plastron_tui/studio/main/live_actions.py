@@ -22,6 +22,7 @@ from .workers import start_exclusive
 if TYPE_CHECKING:
     from plastron_tui.runtime.monitor import Monitor, MonitorCommand
 
+    from ..wizard.live_form import LiveForm
     from ..wizard.values import Path
 
 _SHOWN_AFTER = 0.1
@@ -54,7 +55,7 @@ class LiveActions:
         self._retried: set[int] = set()
         """Those whose monitor was started again by itself."""
         self._numbers = itertools.count(1)
-        self._asked: dict[int, LiveRow] = {}
+        self._asked: dict[int, tuple[LiveRow, LiveForm | None]] = {}
         self._answers: dict[str, Answer] = {}
         self._said: Counter[str] = Counter()
         self._given: dict[str, dict[Path, str]] = {}
@@ -215,8 +216,7 @@ class LiveActions:
             start_exclusive(self._screen, "live", self._ask, row)
 
     async def _ask(self, row: LiveRow) -> None:
-        monitor = self._monitors.get(row.ros_version)
-        if monitor is None or self._tab is None:
+        if row.ros_version not in self._monitors or self._tab is None:
             self._say("nothing runs that could take it")
             return
         from ..wizard.live_orders import form_for
@@ -225,23 +225,44 @@ class LiveActions:
         if isinstance(form, str):
             self._say(form)
             return
-        given = await self._screen.app.push_screen_wait(form.dialog)
+        dialog = form.dialog
+        if row.kind is Kind.PARAMETER:
+            # A node may refuse a value that fits: what was typed is still there then.
+            dialog.ask = lambda given: self._order(row, form.order(given), dialog)
+            await self._screen.app.push_screen_wait(dialog)
+            return
+        given = await self._screen.app.push_screen_wait(dialog)
         if given is None:
             return
-        if row.kind is not Kind.PARAMETER:
-            # A parameter has a value, which is what its form begins with.
-            self._given[row.key] = given
-        number = next(self._numbers)
-        self._asked[number] = row
-        if not monitor.order(id=number, **form.order(given)):
-            del self._asked[number]
+        # A parameter has a value, which is what its form begins with; this begins with the last.
+        self._given[row.key] = given
+        if not self._order(row, form.order(given)):
             self._say("the monitor of the nodes takes nothing any more")
 
+    def _order(self, row: LiveRow, order: Mapping[str, Any], form: LiveForm | None = None) -> bool:
+        """Tell a monitor what to do; tell whether it takes orders.
+
+        Args:
+            row: what it is about.
+            order: what to do.
+            form: the form that waits for the answer.
+        """
+        monitor = self._monitors.get(row.ros_version)
+        number = next(self._numbers)
+        if monitor is None or not monitor.order(id=number, **order):
+            return False
+        self._asked[number] = row, form
+        return True
+
     def _take_answer(self, report: Any) -> bool:
-        row = self._asked.pop(report.get("id", 0), None)
+        row, form = self._asked.pop(report.get("id", 0), (None, None))
         if row is None:
             return False
         is_failure, text = bool(report.get("is_failure")), str(report.get("text"))
+        if form is not None and form.is_current:
+            form.answered(text, is_failure=is_failure)
+            if is_failure:
+                return False
         if row.kind in (Kind.SERVICE, Kind.ANSWER):
             key = f"{row.ros_version} service {row.owner}"
             self._answers[key] = Answer(text, is_failure)

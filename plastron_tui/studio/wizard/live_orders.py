@@ -83,12 +83,23 @@ def _setting(row: LiveRow) -> LiveOrder | str:
         return f"its value is too long to be changed here: {len(shown):,} characters"
     given = {entry.path: shown}
 
-    def check(entered: Mapping[Path, str]) -> Any:
-        return sent_setting(entry, type_, entered.get(entry.path, ""), row.ros_version)
-
     limits = "" if parameter.range is None else "from {:g} to {:g}".format(*parameter.range)
+
+    def check(entered: Mapping[Path, str]) -> Any:
+        found = sent_setting(entry, type_, entered.get(entry.path, ""), row.ros_version)
+        if isinstance(found, Wrong) or _is_within(found, parameter.range):
+            return found
+        return Wrong(f"{parameter.name} takes a number {limits}", entry.path)
+
     about = ". ".join(filter(None, (parameter.about, limits)))
     dialog = LiveForm(f"set {parameter.name} of {row.owner}", "Set", [entry], check,
                       given, about)  # fmt: skip
     order = {"do": "set", "node": row.owner, "name": parameter.name, "type": type_.value}
     return LiveOrder(dialog, lambda entered: {**order, "value": check(entered)})
+
+
+def _is_within(value: Any, limits: tuple[float, float] | None) -> bool:
+    """Tell whether a parameter's value is within its range; only a number can be outside."""
+    if limits is None or isinstance(value, bool) or not isinstance(value, (int, float)):
+        return True
+    return limits[0] <= value <= limits[1]
