@@ -6,7 +6,8 @@ import json
 import os
 import sys
 from pathlib import Path
-from typing import Any
+from types import SimpleNamespace
+from typing import Any, cast
 
 import pytest
 from studio_driver import PROGRAM, Driver, studio
@@ -16,6 +17,8 @@ from textual.widgets import Label
 from plastron_tui.runtime import monitor
 from plastron_tui.runtime.monitor import MonitorCommand
 from plastron_tui.studio import running
+from plastron_tui.studio.main.live_actions import LiveActions
+from plastron_tui.studio.main.watched_run import WatchedRun
 from plastron_tui.studio.panels.key_bar import KeyBar
 from plastron_tui.studio.panels.live_panel import LivePanel, Watching
 
@@ -176,6 +179,20 @@ async def test_what_travels_is_shown_and_nodes_are_spoken_to(program: Path, orde
         await driver.until(
             lambda: any("/talker" in line and "gone" in line for line in live(driver).lines)
         )
+
+
+def test_what_is_built_before_nodes_start_is_said_unless_others_are_watched() -> None:
+    said: list[str] = []
+    live = SimpleNamespace(preparing=said.append, starting=lambda: None)
+    watched = WatchedRun(cast(LiveActions, live), cast(Any, None))
+    watched.preparing(
+        ["plastron run a", "building `a`: compiling, 25 %", "building `b`: configuring"]
+    )
+    watched.preparing(["talker | building `it`: no"])
+    assert said == ["building `b`: configuring"]
+    watched._tab = cast(Any, object())
+    watched.preparing(["building `c`: compiling"])
+    assert len(said) == 1
 
 
 async def test_in_a_wide_window_the_output_stays(

@@ -69,6 +69,10 @@ class LiveActions:
         self._said.clear()
         self._tell(STARTING)
 
+    def preparing(self, step: str) -> None:
+        """Say what is done before the nodes start: to compile them takes its time."""
+        self._tell(f"{visible(step)}\nthe nodes start then, and what they send is shown here")
+
     def start(self, tab: Tab, commands: Sequence[MonitorCommand]) -> None:
         """Watch nodes.
 

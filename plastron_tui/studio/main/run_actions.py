@@ -188,6 +188,8 @@ class RunActions:
         status, end = running.status, None
         printed = running.take()
         self._tell_ended(tab, run, printed)
+        if not running.monitors:
+            self.watched.preparing(printed)
         if status is not None:
             run.running = None
             words = "stopped" if running.was_stopped else f"ended with status {status}"

@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 
 from .active_program import Tab
 from .live_actions import LiveActions
 from .tab_run import RunPanels, TabRun
+
+_BUILDING = "building `"
+"""How a line begins that says how far a build is (see `ProgressLine`)."""
 
 
 class WatchedRun:
@@ -26,6 +29,12 @@ class WatchedRun:
         """Show that nodes are about to run, unless others are watched."""
         if self._tab is None:
             self.live.starting()
+
+    def preparing(self, printed: Sequence[str]) -> None:
+        """Show what is built before nodes start, unless others are watched."""
+        steps = [line for line in printed if line.startswith(_BUILDING)]
+        if steps and self._tab is None:
+            self.live.preparing(steps[-1])
 
     def follow(self, runs: Mapping[Tab, TabRun], front: Tab) -> None:
         """Watch the nodes that were started last, of those that are ready.

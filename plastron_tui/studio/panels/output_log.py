@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import re
+import time
 from collections.abc import Iterable
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from typing import NamedTuple
 
 from plastron_tui.diagnostics.terminal import visible
@@ -16,6 +17,9 @@ _NEAR = 8
 """So many records above the last one a repeated line is still counted, and not shown again."""
 _LONGEST = 4000
 """The most characters of a line that are shown."""
+_NUMBER = r"(?:-?\d[\d.e+-]*|-?inf|nan)"
+_NUMBERS = re.compile(rf"\[((?:{_NUMBER}, ){{4}})((?:{_NUMBER}, ){{8,}}){_NUMBER}(\]|$)")
+"""A list of many numbers, as the ranges of a scan: the first ones tell enough of it."""
 _SIGN = " | "
 """What `plastron run` puts between the node and what it printed."""
 _OWN_NAME = "plastron"
@@ -34,12 +38,14 @@ class Record:
         text: what it printed, with nothing in it that a terminal obeys.
         tone: the colour of the text.
         times: how often it was printed.
+        at: when it came, the last time, in seconds since the epoch.
     """
 
     label: str
     text: str
     tone: str = ""
     times: int = 1
+    at: float = field(default_factory=time.time, compare=False)
 
     @property
     def node(self) -> str:
@@ -88,26 +94,34 @@ class OutputLog:
             if at is None:
                 records.append(record)
             else:
-                records[at] = replace(records[at], times=records[at].times + record.times)
+                times = records[at].times + record.times
+                records[at] = replace(records[at], times=times, at=record.at)
                 start = min(start, at)
         excess = max(0, len(records) - MOST_RECORDS)
         del records[:excess]
         dropped = min(excess, before)
         return Change(dropped, max(start, dropped))
 
-    def line(self, record: Record) -> Line:
+    def line(self, record: Record, *, with_time: bool = False) -> Line:
         """Return a record as it is shown."""
         pieces = [Piece(record.text, record.tone)]
         if record.label:
             pieces.insert(0, Piece(record.label, self._tone(record.node)))
         if record.times > 1:
             pieces.append(Piece(f"  ×{record.times:,}", "quiet"))
+        if with_time:
+            pieces.insert(0, Piece(f"{clock_time(record.at)} ", "quiet"))
         return tuple(pieces)
 
     def _tone(self, node: str) -> str:
         if node == _OWN_NAME:
             return "quiet"
         return self._tones.setdefault(node, _NODE_TONES[len(self._tones) % len(_NODE_TONES)])
+
+
+def clock_time(at: float) -> str:
+    """Return a time of the day to a tenth of a second: lines are gathered for half of that."""
+    return f"{time.strftime('%H:%M:%S', time.localtime(at))}.{int(at * 10) % 10}"
 
 
 def _repeated(records: list[Record], record: Record) -> int | None:
@@ -125,9 +139,16 @@ def printed_record(text: str) -> Record:
     label, sign, rest = shown.partition(_SIGN)
     if not sign:
         label, rest = "", shown
+    if "[" in rest:
+        rest = _NUMBERS.sub(_few_numbers, rest)
     if len(rest) > _LONGEST:
         rest = f"{rest[:_LONGEST]} … and {len(rest) - _LONGEST:,} characters more"
     return Record(label + sign, rest, _tone_of(rest))
+
+
+def _few_numbers(found: re.Match[str]) -> str:
+    first, more, end = found.groups()
+    return f"[{first}… {more.count(',') + 1} more{end}"
 
 
 def _tone_of(text: str) -> str:
