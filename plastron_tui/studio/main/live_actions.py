@@ -225,7 +225,9 @@ class LiveActions:
             return
         from ..wizard.live_orders import form_for
 
-        form = form_for(row, self._tab.open.session, self._given.get(row.key, {}))
+        topic = self._graphs[row.ros_version].topics.get(row.owner)
+        seen = () if topic is None or row.kind is not Kind.TOPIC else topic.fields
+        form = form_for(row, self._tab.open.session, self._given.get(row.key, {}), seen)
         if isinstance(form, str):
             self._say(form)
             return

@@ -36,7 +36,8 @@ class Watching(NamedTuple):
 
     Attributes:
         topics: the topics in sight.
-        full: those of them whose fields are in sight.
+        full: those of them whose fields are in sight, and the one that the cursor is on: what is
+            sent to that begins with them.
         nodes: the nodes that are unfolded: their parameters may be in sight any moment.
     """
 
@@ -46,7 +47,11 @@ class Watching(NamedTuple):
 
 
 def watching_of(
-    rows: Sequence[LiveRow], in_sight: range, version: int, unfolded: Set[str]
+    rows: Sequence[LiveRow],
+    in_sight: range,
+    version: int,
+    unfolded: Set[str],
+    cursor: LiveRow | None = None,
 ) -> Watching:
     """Return what is looked at of one generation of ROS.
 
@@ -55,11 +60,13 @@ def watching_of(
         in_sight: the places of those that can be seen.
         version: the generation.
         unfolded: the keys of the rows that are unfolded.
+        cursor: the row that the cursor is on.
     """
+    full_keys = unfolded if cursor is None else {*unfolded, cursor.key}
     own = [row for row in rows if row.ros_version == version]
     seen = [row for row in rows[in_sight.start : in_sight.stop] if row.ros_version == version]
     topics = dict.fromkeys(row.owner for row in seen if row.kind in (Kind.TOPIC, Kind.FIELD))
-    full = [name for name in topics if f"{version} topic {name}" in unfolded]
+    full = [name for name in topics if f"{version} topic {name}" in full_keys]
     nodes = [row.owner for row in own if row.kind is Kind.NODE and row.is_open]
     return Watching(tuple(topics), tuple(full), tuple(nodes))
 
@@ -126,7 +133,7 @@ class LivePanel(EntryList):
             return Watching()
         top = int(self.scroll_offset.y)
         in_sight = range(top, top + max(1, self.size.height))
-        return watching_of(self._live, in_sight, version, self._unfolded)
+        return watching_of(self._live, in_sight, version, self._unfolded, self.row)
 
     def show_live(
         self,
@@ -259,6 +266,7 @@ class LivePanel(EntryList):
     def watch_index(self, old: int, new: int) -> None:
         """Offer other actions with another row."""
         super().watch_index(old, new)
+        self.on_watched()
         if self.has_focus:
             self.refresh_bindings()
 
