@@ -21,9 +21,11 @@ from typing import Any
 from .child import Guard
 from .environment import Environment, with_folders
 from .monitor_reports import Report, Reports
+from .process_lines import News, lines_of
 
 _OBSERVERS = Path(__file__).with_name("observers")
-_LONGEST = 1 << 20
+_LONGEST_REPORT = 1 << 20
+"""Bytes of a line."""
 _MOST_UNSENT = 1 << 20
 _LAST_WORDS = 2.0
 """Seconds for which is waited for what an ended monitor has written of its errors."""
@@ -130,9 +132,8 @@ class Monitor:
         """
         self.ros_version = command.ros_version
         self.ended: str | None = None
-        self._on_news = on_news
+        self._news = News(on_news)
         self._reports = Reports()
-        self._is_told = threading.Event()
         self._heard = time.monotonic()
         self._has_reported = False
         self._unsent = b""
@@ -171,7 +172,7 @@ class Monitor:
 
     def take(self) -> list[Report]:
         """Return what it said since this was called last, without what is out of date."""
-        self._is_told.clear()
+        self._news.taking()
         found = self._reports.take()
         if self._unsent:
             self._write()
@@ -215,7 +216,7 @@ class Monitor:
     def _read(self, errors: threading.Thread) -> None:
         assert self._process.stdout is not None
         with self._process.stdout as stream:
-            for line in iter(lambda: stream.readline(_LONGEST), b""):
+            for line in lines_of(stream, _LONGEST_REPORT):
                 self._heard = time.monotonic()
                 # What is no report, a client library has printed.
                 with suppress(ValueError, RecursionError):
@@ -223,25 +224,19 @@ class Monitor:
                     if isinstance(report, dict):
                         self._has_reported = True
                         if self._reports.add(report):
-                            self._tell()
+                            self._news.tell()
         status = self._process.wait()
         self._guard.forget()
         self._guard.close()
         # What it said last tells why; a process of its own may hold the pipe open for longer.
         errors.join(_LAST_WORDS)
         self.ended = self._last_said or f"it ended with status {status}"
-        self._is_told.clear()
-        self._tell()
+        self._news.tell_anew()
 
     def _read_errors(self) -> None:
         assert self._process.stderr is not None
         with self._process.stderr as stream:
-            for line in iter(lambda: stream.readline(_LONGEST), b""):
+            for line in lines_of(stream, _LONGEST_REPORT):
                 text = line.decode("utf-8", "replace").strip()
                 if text:
                     self._last_said = text
-
-    def _tell(self) -> None:
-        if not self._is_told.is_set():
-            self._is_told.set()
-            self._on_news()

@@ -9,17 +9,17 @@ import threading
 from collections import deque
 from collections.abc import Callable
 from contextlib import suppress
-from functools import partial
 from pathlib import Path
 
 from plastron_tui import import_path
-from plastron_tui.runtime import guard
+from plastron_tui.runtime.child import Guard
 from plastron_tui.runtime.monitor import MonitorCommand, announced
+from plastron_tui.runtime.process_lines import News, lines_of
 from plastron_tui.session import Options
 
 _MOST_LINES = 5000
 """So many lines are kept of those that nobody has taken yet."""
-_LONGEST = 65536
+_MOST_BYTES = 65536
 """So many bytes of a line are kept; a node may print without ever ending one."""
 # The panel is narrow, and names the node before each line: the time and the name can go.
 _PLAIN = {
@@ -51,9 +51,8 @@ class Running:
         """
         self.status: int | None = None
         self.monitors: tuple[MonitorCommand, ...] = ()
-        self._on_news = on_news
+        self._news = News(on_news)
         self._lines: deque[str] = deque(maxlen=_MOST_LINES)
-        self._is_told = threading.Event()
         announcing, told = os.pipe()
         try:
             self._process = subprocess.Popen(
@@ -70,7 +69,10 @@ class Running:
             raise
         finally:
             os.close(told)
-        self._guard = _guarded(self._process.pid)
+        self._guard: Guard | None = None
+        with suppress(OSError):
+            self._guard = Guard()
+            self._guard.note(self._process.pid)
         threading.Thread(target=self._read, daemon=True).start()
         threading.Thread(target=self._hear, args=(announcing,), daemon=True).start()
 
@@ -81,7 +83,7 @@ class Running:
 
     def take(self) -> list[str]:
         """Return the lines that were printed since this was called last."""
-        self._is_told.clear()
+        self._news.taking()
         lines = []
         with suppress(IndexError):
             while True:
@@ -96,43 +98,29 @@ class Running:
 
     def close(self) -> None:
         """Have the nodes ended by the guard, which takes the time that it takes."""
-        if self._guard is None or self._guard.stdin is None:
+        if self._guard is None:
             self.stop()
         else:
-            with suppress(OSError):
-                self._guard.stdin.close()
+            self._guard.end()
 
     def _read(self) -> None:
         assert self._process.stdout is not None
         with self._process.stdout as stream:
-            is_rest = False
-            for line in iter(partial(stream.readline, _LONGEST), b""):
-                if not is_rest:
-                    self._lines.append(line.decode("utf-8", "replace").rstrip("\r\n"))
-                    self._tell()
-                is_rest = not line.endswith(b"\n")
+            for line in lines_of(stream, _MOST_BYTES):
+                self._lines.append(line.decode("utf-8", "replace"))
+                self._news.tell()
         self.status = self._process.wait()
-        self._is_told.clear()
-        self._tell()
-        if self._guard is not None and self._guard.stdin is not None:
-            # `ValueError`: it was closed.
-            with suppress(OSError, ValueError):
-                self._guard.stdin.write(b"-\n")
-                self._guard.stdin.close()
-            self._guard.wait()
+        self._news.tell_anew()
+        if self._guard is not None:
+            self._guard.forget()
+            self._guard.close()
 
     def _hear(self, announcing: int) -> None:
         """Read what starts the monitors, which is said when the nodes are started."""
         with os.fdopen(announcing, encoding="utf-8", errors="replace") as pipe:
             self.monitors = announced(pipe.readline())
         if self.monitors:
-            self._is_told.clear()
-            self._tell()
-
-    def _tell(self) -> None:
-        if not self._is_told.is_set():
-            self._is_told.set()
-            self._on_news()
+            self._news.tell_anew()
 
 
 def _command(path: Path, options: Options, told: int) -> list[str]:
@@ -143,22 +131,3 @@ def _command(path: Path, options: Options, told: int) -> list[str]:
     if options.output is not None:
         command += ["--output", os.fspath(options.output)]
     return command
-
-
-def _guarded(group: int) -> subprocess.Popen[bytes] | None:
-    """Start the process that ends a group of processes when this one is gone, if that can be."""
-    try:
-        process = subprocess.Popen(
-            guard.command(),
-            stdin=subprocess.PIPE,
-            stdout=subprocess.DEVNULL,
-            stderr=subprocess.DEVNULL,
-            start_new_session=True,
-        )
-    except OSError:
-        return None
-    assert process.stdin is not None
-    with suppress(OSError):
-        process.stdin.write(b"+%d\n" % group)
-        process.stdin.flush()
-    return process

@@ -12,7 +12,7 @@ from studio_driver import Driver, studio
 from textual.widgets._toast import Toast
 
 from plastron_tui.runtime.child import Exit, Process
-from plastron_tui.runtime.console import ended_node
+from plastron_tui.runtime.labels import ended_node
 from plastron_tui.studio.app import StudioApp
 from plastron_tui.studio.panels import output_log
 from plastron_tui.studio.panels.log_view import wrapped
@@ -38,6 +38,7 @@ def log_of(*lines: str) -> OutputLog:
         (["a | x", "b | y"] * 3, ["a | x  ×3", "b | y  ×3"]),
         (["a | x", "a | y", "a | x"], ["a | x", "a | y", "a | x"]),
         (["a | ", "a | "], ["a | ", "a | "]),
+        (["| a file | lines |"] * 2, ["| a file | lines |  ×2"]),
         (["x", "x"], ["x  ×2"]),
         # What is far above was perhaps read and forgotten: it is said again.
         (

@@ -9,13 +9,12 @@ import importlib
 import json
 import sys
 import time
-from collections import deque
 from typing import Any
 
+from arrivals import Arrivals
 from plastron_text import line_of
 
 _PERIOD = 0.5
-_WINDOW = 50
 _INFRASTRUCTURE = frozenset({"/rosout", "/rosout_agg", "/parameter_events"})
 
 
@@ -24,26 +23,13 @@ class Topic:
 
     def __init__(self, type_name: str) -> None:
         self.type_name = type_name
-        self.count = 0
+        self.arrivals = Arrivals()
         self.last: Any = None
-        self._times: deque[float] = deque(maxlen=_WINDOW)
 
     def see(self, message: Any) -> None:
         """Note a message."""
-        self.count += 1
+        self.arrivals.note()
         self.last = message
-        self._times.append(time.monotonic())
-
-    @property
-    def rate(self) -> float:
-        """Messages a second over the latest ones, 0 when the topic went silent."""
-        if len(self._times) < 2:
-            return 0.0
-        first, last = self._times[0], self._times[-1]
-        period = (last - first) / (len(self._times) - 1)
-        if time.monotonic() - last > max(3 * period, 1.0):
-            return 0.0
-        return 1 / period if period > 0 else 0.0
 
 
 def is_shown(name: str) -> bool:
@@ -57,8 +43,8 @@ def _print(topics: dict[str, Topic], decode: Any) -> None:
         {
             "name": name,
             "type": topic.type_name,
-            "rate": round(topic.rate, 2),
-            "count": topic.count,
+            "rate": round(topic.arrivals.rate(time.monotonic()), 2),
+            "count": topic.arrivals.count,
             "text": _decoded(decode, topic),
         }
         for name, topic in sorted(topics.items())

@@ -44,7 +44,7 @@ class LiveActions:
         self._screen = screen
         self._tab: Tab | None = None
         self._panel = panel
-        panel.on_watched, panel.on_asked = self.watch, self.do
+        panel.on_watched, panel.on_asked = self.update_subscriptions, self.run_order
         self._delay = Delay(screen, self._show)
         self._look = Delay(screen, self._look_at_monitors)
         self._commands: Sequence[MonitorCommand] = ()
@@ -80,6 +80,9 @@ class LiveActions:
             tab: whose nodes they are, whichever is in front; its types are those of the forms.
             commands: what starts their monitors.
         """
+        if tab is not self._tab:
+            # A topic of that name may have another type there.
+            self._given.clear()
         self._tab, self._commands = tab, commands
         self._retried.clear()
         self._close()
@@ -99,7 +102,7 @@ class LiveActions:
                 self._monitors[each.ros_version] = Monitor(each, self._news)
             except OSError as error:
                 self._fail(each.ros_version, f"the nodes cannot be watched: {reason(error)}")
-        self.watch()
+        self.update_subscriptions()
         self._look.start(_LOOK)
 
     def end(self) -> None:
@@ -121,8 +124,8 @@ class LiveActions:
         self._delay.stop()
         self._look.stop()
 
-    def watch(self) -> None:
-        """Tell the monitors what is in sight now, where that is something else."""
+    def update_subscriptions(self) -> None:
+        """Have the topics and nodes in sight listened to, and no others."""
         for version, monitor in self._monitors.items():
             wanted = self._panel.watching(version)
             if self._watching.get(version) != wanted:
@@ -154,7 +157,7 @@ class LiveActions:
                 is_new = False
         if is_new:
             self._tell(self._empty, unseen=False)
-        self.watch()
+        self.update_subscriptions()
 
     def _tell(self, empty: str, *, unseen: bool = True) -> None:
         self._empty = empty
@@ -209,10 +212,8 @@ class LiveActions:
         graph.is_watched = False
         self._tell(self._empty)
 
-    # What is asked of nodes.
-
-    def do(self, what: str, row: LiveRow | None) -> None:
-        """Do what was asked about a row of the panel: see `LivePanel.on_asked`."""
+    def run_order(self, what: str, row: LiveRow | None) -> None:
+        """Start monitors again, or ask for what is sent about a row: see `LivePanel.on_asked`."""
         if what == "restart":
             self._retried.clear()
             self._start_missing()

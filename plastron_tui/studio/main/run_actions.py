@@ -12,6 +12,7 @@ from textual.message import Message
 from textual.screen import Screen
 
 from plastron_tui.regular_files import reason
+from plastron_tui.runtime.labels import ended_node
 from plastron_tui.runtime.live_graph import NodeEnd
 
 from ..delay import Delay
@@ -206,8 +207,6 @@ class RunActions:
 
     def _tell_ended(self, tab: Tab, run: TabRun, printed: Iterable[str]) -> None:
         """Mark the nodes that have ended, and say which have failed."""
-        from plastron_tui.runtime.console import ended_node
-
         for end in filter(None, map(ended_node, printed)):
             words = end.how.partition(":")[0]
             run.ended = {**run.ended, end.node: NodeEnd(words, end.is_failure)}

@@ -8,6 +8,7 @@ from enum import Enum
 from typing import NamedTuple
 
 from plastron_tui.diagnostics.terminal import visible
+from plastron_tui.diagnostics.wording import counted
 from plastron_tui.runtime.live_graph import LiveGraph, LiveParameter, LiveTopic, NodeEnd
 
 WAITING = "waiting for the first message…"
@@ -132,7 +133,7 @@ def _topics(graph: LiveGraph, unfolded: AbstractSet[str]) -> Iterator[LiveRow]:
 
 def _fields(key: str, topic: LiveTopic, version: int) -> Iterator[LiveRow]:
     # The type has no column in a narrow panel.
-    ends = f"{_several(topic.publishers, 'publisher')}, {_several(topic.subscribers, 'subscriber')}"
+    ends = f"{counted(topic.publishers, 'publisher')}, {counted(topic.subscribers, 'subscriber')}"
     about = f"{visible(topic.type)}, {ends}"
     yield LiveRow(f"{key} about", Kind.NOTE, about, topic.name, version, depth=1, tone="quiet")
     for path, text in topic.fields:
@@ -146,10 +147,6 @@ def _fields(key: str, topic: LiveTopic, version: int) -> Iterator[LiveRow]:
             samples=tuple(topic.field_samples.get(path, ())),
             depth=1,
         )
-
-
-def _several(count: int, word: str) -> str:
-    return f"{count or 'no'} {word}{'' if count == 1 else 's'}"
 
 
 def _rate(topic: LiveTopic) -> str:

@@ -9,20 +9,18 @@ from dataclasses import dataclass, field, replace
 from typing import NamedTuple
 
 from plastron_tui.diagnostics.terminal import visible
+from plastron_tui.runtime.labels import OWN_NAME, SIGN, split_label
 
 from .styles import Line, Piece
 
 MOST_RECORDS = 5000
 _NEAR = 8
 """So many records above the last one a repeated line is still counted, and not shown again."""
-_LONGEST = 4000
+_MOST_CHARACTERS = 4000
 """The most characters of a line that are shown."""
 _NUMBER = r"(?:-?\d[\d.e+-]*|-?inf|nan)"
 _NUMBERS = re.compile(rf"\[((?:{_NUMBER}, ){{4}})((?:{_NUMBER}, ){{8,}}){_NUMBER}(\]|$)")
 """A list of many numbers, as the ranges of a scan: the first ones tell enough of it."""
-_SIGN = " | "
-"""What `plastron run` puts between the node and what it printed."""
-_OWN_NAME = "plastron"
 _NODE_TONES = ("primary", "accent", "success", "secondary")
 """Yellow and red are for what is wrong."""
 _LEVEL = re.compile(r"\[(DEBUG|INFO|WARN|WARNING|ERROR|FATAL)\]", re.IGNORECASE)
@@ -50,7 +48,7 @@ class Record:
     @property
     def node(self) -> str:
         """The name of the node."""
-        return self.label.removesuffix(_SIGN).rstrip()
+        return self.label.removesuffix(SIGN).rstrip()
 
     def matches(self, words: Iterable[str]) -> bool:
         """Tell whether all words are in it, whatever their case; they are lower case."""
@@ -114,7 +112,7 @@ class OutputLog:
         return tuple(pieces)
 
     def _tone(self, node: str) -> str:
-        if node == _OWN_NAME:
+        if node == OWN_NAME:
             return "quiet"
         return self._tones.setdefault(node, _NODE_TONES[len(self._tones) % len(_NODE_TONES)])
 
@@ -135,15 +133,12 @@ def _repeated(records: list[Record], record: Record) -> int | None:
 
 def printed_record(text: str) -> Record:
     """Return the record of a line that was printed."""
-    shown = visible(text.expandtabs(4))
-    label, sign, rest = shown.partition(_SIGN)
-    if not sign:
-        label, rest = "", shown
+    label, rest = split_label(visible(text.expandtabs(4)))
     if "[" in rest:
         rest = _NUMBERS.sub(_few_numbers, rest)
-    if len(rest) > _LONGEST:
-        rest = f"{rest[:_LONGEST]} … and {len(rest) - _LONGEST:,} characters more"
-    return Record(label + sign, rest, _tone_of(rest))
+    if len(rest) > _MOST_CHARACTERS:
+        rest = f"{rest[:_MOST_CHARACTERS]} … and {len(rest) - _MOST_CHARACTERS:,} characters more"
+    return Record(label, rest, _tone_of(rest))
 
 
 def _few_numbers(found: re.Match[str]) -> str:
