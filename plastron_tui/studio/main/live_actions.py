@@ -97,6 +97,7 @@ class LiveActions:
             if each.ros_version in self._monitors:
                 continue
             graph = self._graphs.setdefault(each.ros_version, LiveGraph(each.ros_version))
+            graph.domain = each.environ.get("ROS_DOMAIN_ID", "0") if each.ros_version == 2 else "0"
             graph.own = frozenset(itertools.chain.from_iterable(each.nodes.values()))
             try:
                 self._monitors[each.ros_version] = Monitor(each, self._news)
