@@ -5,6 +5,8 @@ from __future__ import annotations
 import contextlib
 import errno
 import os
+import re
+import signal
 from collections.abc import Callable, Iterable, Mapping
 from typing import TextIO
 
@@ -18,6 +20,9 @@ from .table import Screen
 _COLOURS = (36, 33, 35, 32, 34, 96, 93, 95, 92, 94)
 _RED = 31
 _DIM = 2
+_NO_CAUSE = re.compile(r"\[(?:DEBUG|INFO)\]", re.IGNORECASE)
+_FROM_OUTSIDE = frozenset({-signal.SIGKILL, -signal.SIGTERM, -signal.SIGINT, -signal.SIGHUP})
+"""The statuses of what somebody else has ended: nothing that it printed says why."""
 
 
 class Console:
@@ -98,7 +103,8 @@ class Console:
         if not lines:
             self.notice(told, is_bad=end.is_failure)
         elif end.process.role is Role.NODE:
-            self.notice(f"{told}: {lines[-1].strip()}", is_bad=True)
+            cause = "" if _is_no_cause(end, lines[-1]) else f": {lines[-1].strip()}"
+            self.notice(told + cause, is_bad=True)
         else:
             self.notice(f"{told}; its last lines were:", is_bad=True)
             for line in lines:
@@ -126,6 +132,11 @@ class Console:
             _silence(stream)
             if self._on_gone is not None:
                 self._on_gone()
+
+
+def _is_no_cause(end: Exit, line: str) -> bool:
+    """Tell whether the last line of a node says nothing of why it ended."""
+    return end.status in _FROM_OUTSIDE or _NO_CAUSE.search(line[:80]) is not None
 
 
 def _silence(stream: TextIO) -> None:

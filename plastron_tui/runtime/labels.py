@@ -11,19 +11,30 @@ SIGN = " | "
 """What stands between a name, with blanks behind it, and what was printed."""
 
 _END = re.compile(
-    rf"{OWN_NAME} *\| (?P<node>\S+) (?P<how>(?:was ended by|died with|never started).*)", re.DOTALL
+    rf"{OWN_NAME} *\| (?P<node>\S+) (?P<how>(?:was ended by|died with|never started).*|finished)",
+    re.DOTALL,
 )
 
 
 class Ended(NamedTuple):
-    """What a line of a run says of a node that has ended though nobody asked it to."""
+    """What a line of a run says of a node that has ended though nobody asked it to.
+
+    Attributes:
+        node: what its lines are labelled with.
+        how: in words: `finished`, `was ended by SIGKILL`, …
+    """
 
     node: str
     how: str
 
+    @property
+    def is_failure(self) -> bool:
+        """Whether it ended badly."""
+        return self.how != "finished"
+
 
 def ended_node(line: str) -> Ended | None:
-    """Return which node a line of `plastron run` says to have failed, and how (see `Console`)."""
+    """Return which node a line of `plastron run` says to have ended, and how (see `Console`)."""
     found = _END.fullmatch(line)
     return None if found is None else Ended(found["node"], found["how"])
 

@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
+import re
 from collections import deque
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 from typing import Any, NamedTuple
 
 MOST_SAMPLES = 60
 """So many of the latest numbers are kept of a topic, and of each field that is looked at."""
 _MOST_NAMES = 5000
+_ANONYMOUS = re.compile(r"(_\d+)+$")
 
 
 class LiveField(NamedTuple):
@@ -28,6 +30,7 @@ class LiveTopic:
         type: its type, such as `std_msgs/String`.
         publishers: how many publish to it.
         subscribers: how many listen.
+        nodes: the nodes that publish or listen; nothing where nobody said.
         count: how many messages were seen while it was looked at.
         rate: messages a second.
         text: the last message in a line, "" before the first one.
@@ -41,6 +44,7 @@ class LiveTopic:
     type: str
     publishers: int = 0
     subscribers: int = 0
+    nodes: frozenset[str] = frozenset()
     count: int = 0
     rate: float = 0.0
     text: str = ""
@@ -99,6 +103,13 @@ class LiveParameter(NamedTuple):
     is_read_only: bool = False
 
 
+class NodeEnd(NamedTuple):
+    """How a node has ended that nobody asked to: in words, and whether that is a failure."""
+
+    how: str
+    is_failure: bool
+
+
 @dataclass(slots=True)
 class LiveGraph:
     """The topics, services and nodes of one generation of ROS.
@@ -111,6 +122,11 @@ class LiveGraph:
         parameters: those of the nodes that are looked at, by node.
         is_known: whether the monitor has said what there is.
         problem: what is wrong with the monitor, "" where nothing is.
+        is_watched: whether a monitor says what is the case now; else all is what was seen last.
+        has_ended: whether the nodes were ended, all of them.
+        own: the nodes of the run that is watched; nothing where nobody said.
+        domain: the domain of ROS 2.
+        ended: how nodes of the run have ended that nobody asked to, by their names.
     """
 
     ros_version: int
@@ -120,6 +136,12 @@ class LiveGraph:
     parameters: dict[str, tuple[LiveParameter, ...]] = field(default_factory=dict)
     is_known: bool = False
     problem: str = ""
+    is_watched: bool = True
+    has_ended: bool = False
+    own: frozenset[str] = frozenset()
+    domain: str = "0"
+    ended: dict[str, NodeEnd] = field(default_factory=dict)
+    _marked: set[str] = field(default_factory=set)
 
     def feed(self, report: Mapping[str, Any]) -> bool:
         """Take a report; tell whether something is new. What is no report changes nothing."""
@@ -144,13 +166,14 @@ class LiveGraph:
 
     def _take_graph(self, report: Mapping[str, Any]) -> None:
         self.problem = ""
-        self.is_known = True
+        self.is_known = self.is_watched = True
         found: dict[str, LiveTopic] = {}
-        for name, type_, publishers, subscribers in report["topics"][:_MOST_NAMES]:
+        for name, type_, publishers, subscribers, *nodes in report["topics"][:_MOST_NAMES]:
             topic = self.topics.get(name)
             if topic is None or topic.type != type_:
                 topic = LiveTopic(str(name), str(type_))
             topic.publishers, topic.subscribers = int(publishers), int(subscribers)
+            topic.nodes = frozenset(map(str, nodes[0])) if nodes else frozenset()
             topic.is_gone = False
             found[topic.name] = topic
         for name, topic in self.topics.items():
@@ -163,10 +186,31 @@ class LiveGraph:
         gone = {name: each._replace(is_gone=True) for name, each in self.services.items()}
         self.services = dict(sorted({**gone, **now}.items())[:_MOST_NAMES])
         there = set(map(str, report["nodes"]))
+        for name in there:
+            if self.nodes.get(name) is False:
+                # Somebody has started it again.
+                self.ended.pop(name, None)
         self.nodes = {name: name in there for name in sorted({*self.nodes, *there})[:_MOST_NAMES]}
+
+    def is_own(self, nodes: Iterable[str]) -> bool:
+        """Tell whether one of some nodes is of the run; all are where nobody said which."""
+        named = frozenset(nodes)
+        return not self.own or not named or any(map(self._is_of_run, named))
+
+    def _is_of_run(self, node: str) -> bool:
+        # A node of ROS 1 may ask for a number behind its name ("anonymous").
+        return node in self.own or (self.ros_version == 1 and _ANONYMOUS.sub("", node) in self.own)
+
+    def mark_ended(self, names: Iterable[str], end: NodeEnd) -> bool:
+        """Note how nodes of the run have ended; tell whether that is new."""
+        new = [name for name in names if name not in self._marked]
+        self._marked.update(new)
+        self.ended.update(dict.fromkeys(new, end))
+        return bool(new)
 
     def end(self) -> None:
         """Note that the nodes have ended: nothing is sent any more."""
+        self.has_ended = True
         for topic in self.topics.values():
             topic.rate = 0.0
         self.nodes = dict.fromkeys(self.nodes, False)

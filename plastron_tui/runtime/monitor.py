@@ -14,7 +14,7 @@ import threading
 import time
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from contextlib import suppress
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any
 
@@ -29,8 +29,10 @@ _LONGEST_REPORT = 1 << 20
 _MOST_UNSENT = 1 << 20
 _LAST_WORDS = 2.0
 """Seconds for which is waited for what an ended monitor has written of its errors."""
-SILENT = 8.0
-"""Seconds without a word, of a monitor that says one every second, after which it hangs."""
+SILENT = 15.0
+"""Seconds without a word, of a monitor that says one every second, after which it hangs.
+
+A machine that is busy with other things keeps it waiting for some."""
 SLOWEST_START = 60.0
 """Seconds that it may take until its first word: it has a middleware to start."""
 
@@ -43,11 +45,13 @@ class MonitorCommand:
         ros_version: the generation of ROS whose nodes it watches.
         command: the program and its arguments.
         environ: its environment variables, those of the nodes.
+        nodes: the full names of the nodes of the run, by what their lines are labelled with.
     """
 
     ros_version: int
     command: tuple[str, ...]
     environ: Mapping[str, str]
+    nodes: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
 
 
 def monitor_commands(
@@ -80,7 +84,12 @@ def monitor_commands(
 def announcement(commands: Iterable[MonitorCommand]) -> str:
     """Return a line that says what starts monitors, for `announced`."""
     told = [
-        {"ros_version": each.ros_version, "command": each.command, "environ": dict(each.environ)}
+        {
+            "ros_version": each.ros_version,
+            "command": each.command,
+            "environ": dict(each.environ),
+            "nodes": dict(each.nodes),
+        }
         for each in commands
     ]
     return json.dumps(told) + "\n"
@@ -91,11 +100,14 @@ def announced(line: str) -> tuple[MonitorCommand, ...]:
     try:
         return tuple(
             MonitorCommand(
-                int(each["ros_version"]), tuple(map(str, each["command"])), dict(each["environ"])
+                int(each["ros_version"]),
+                tuple(map(str, each["command"])),
+                dict(each["environ"]),
+                {str(label): tuple(map(str, names)) for label, names in each["nodes"].items()},
             )
             for each in json.loads(line)
         )
-    except (ValueError, TypeError, KeyError):
+    except (ValueError, TypeError, KeyError, AttributeError):
         return ()
 
 

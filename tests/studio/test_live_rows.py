@@ -12,12 +12,20 @@ from rich.cells import cell_len
 from plastron_tui.ros.catalog import Catalog
 from plastron_tui.ros.interfaces import InterfaceKind, InterfaceName
 from plastron_tui.ros.parameters import ParameterType
-from plastron_tui.runtime.live_graph import LiveGraph, LiveParameter
+from plastron_tui.runtime.live_graph import LiveField, LiveGraph, LiveParameter, NodeEnd
 from plastron_tui.runtime.observers import ros1_parameters
 from plastron_tui.session import Session
 from plastron_tui.studio.panels.live_columns import columns_of, line_of
 from plastron_tui.studio.panels.live_panel import Watching, watching_of
-from plastron_tui.studio.panels.live_rows import NOBODY, WAITING, Answer, Kind, LiveRow, live_rows
+from plastron_tui.studio.panels.live_rows import (
+    FOREIGN,
+    NOBODY,
+    WAITING,
+    Answer,
+    Kind,
+    LiveRow,
+    live_rows,
+)
 from plastron_tui.studio.panels.sparkline import sparkline
 from plastron_tui.studio.wizard.live_orders import form_for
 from plastron_tui.studio.wizard.parameter_kinds import parameter_entry
@@ -27,7 +35,7 @@ from plastron_tui.studio.wizard.values import entries_of
 
 @pytest.mark.parametrize(
     ("samples", "cells", "curve"),
-    [([], 5, ""), ([1.0], 5, "─"), ([2, 2, 2], 5, "───"), ([0, 1], 5, "▁█"), ([0, 1, 2], 2, "▁█"),
+    [([], 5, ""), ([1.0], 5, ""), ([2, 2, 2], 5, ""), ([0, 1], 5, "▁█"), ([0, 1, 2], 2, "▁█"),
      (range(8), 8, "▁▂▃▄▅▆▇█"), ([-1.7e308, 1.7e308], 4, "▁█"), ([1, 2], 0, "")],
 )  # fmt: skip
 def test_a_curve_is_between_the_least_and_the_greatest(
@@ -46,8 +54,8 @@ def graph() -> LiveGraph:
         "services": [["/add", "example_interfaces/AddTwoInts"]],
         "nodes": ["/talker"],
     })  # fmt: skip
-    fields = [["data", "0.5", 0.5]]
     for count, number in enumerate((0.25, 0.5), 1):
+        fields = [["data", f"{number}", number]]
         row = {"count": count, "rate": 2.0, "text": f"{number}", "number": number, "fields": fields}
         graph.feed({"tell": "topics", "rows": {"/speed": row}})
     return graph
@@ -68,17 +76,17 @@ def test_the_rows_say_what_runs(graph: LiveGraph) -> None:
     unfolded = {"2 topic /speed", "2 node /talker"}
     assert drawn(graph, 90, unfolded, answer=Answer("sum: 3")) == [
         " topics",
-        f"▸ ≈ /a\\x1b[2J           {WAITING}",
-        f"▸ ≈ /cmd_vel            {NOBODY}",
-        f"▾ ≈ /speed       2.0 Hz 0.5{'▁█':>63}",
-        "      std_msgs/Float64, 1 publisher, 1 subscriber",
-        f"      data    0.5{'──':>73}",
+        f" ▸ ≈ /a\\x1b[2J           {WAITING}",
+        f" ▸ ≈ /cmd_vel            {NOBODY}",
+        f" ▾ ≈ /speed       2.0 Hz 0.5{'▁█':>61}",
+        "       std_msgs/Float64, 1 publisher, 1 subscriber",
+        f"       data              0.5{'▁█':>61}",
         " services",
-        "  ◆ /add      example_interfaces/AddTwoInts",
-        "      → sum: 3",
+        "   ◆ /add                example_interfaces/AddTwoInts",
+        "       → sum: 3",
         " nodes",
-        "▾ ● /talker",
-        "      asking for its parameters…",
+        " ▾ ● /talker",
+        "       asking for its parameters…",
     ]
 
 
@@ -97,6 +105,76 @@ def test_what_is_gone_or_silent_is_marked(graph: LiveGraph) -> None:
     graph.feed({"tell": "graph", "topics": [], "services": [], "nodes": []})
     lines = drawn(graph, 60, set())
     assert sum("gone" in line for line in lines) == 5
+
+
+@pytest.mark.parametrize(
+    ("there", "end", "stopped", "value", "tone"),
+    [(True, None, False, "", "quiet"), (False, None, False, "gone", "warning"),
+     # The middleware believes for some seconds in a node that was killed.
+     (True, NodeEnd("was ended by SIGKILL", True), False, "was ended by SIGKILL", "error"),
+     (False, NodeEnd("finished", False), False, "finished", "quiet"),
+     (False, None, True, "gone", "quiet")],
+)  # fmt: skip
+def test_a_node_that_has_done_its_work_is_not_one_that_is_gone(
+    graph: LiveGraph, there: bool, end: NodeEnd | None, stopped: bool, value: str, tone: str
+) -> None:
+    if end is not None:
+        assert graph.mark_ended(["/talker"], end) and not graph.mark_ended(["/talker"], end)
+    if not there:
+        graph.feed({"tell": "graph", "topics": [], "services": [], "nodes": []})
+    if stopped:
+        graph.end()
+    row = live_rows([graph], set(), {})[-1]
+    assert (row.name, row.value, row.tone) == ("/talker", value, tone)
+    assert row.is_branch == (there and end is None)
+    if end is not None and not there:
+        # Somebody has started it by hand.
+        graph.feed({"tell": "graph", "topics": [], "services": [], "nodes": ["/talker"]})
+        assert live_rows([graph], set(), {})[-1].value == ""
+
+
+@pytest.mark.parametrize(
+    ("own", "version", "topics", "nodes"),
+    [((), 2, ["/a", "/b", "/c"], ["/x", "/y"]),
+     (("/y",), 2, ["/b", "/c", "-/a"], ["/y", "-/x"]),
+     (("/x",), 2, ["/a", "/c", "-/b"], ["/x", "-/y"]),
+     # Of a topic nobody said whose it is, and a node of ROS 1 has a number behind its name.
+     (("/n",), 1, ["/a", "/b", "/c"], ["/n_12_345"])],
+)  # fmt: skip
+def test_what_the_program_does_not_have_comes_behind_and_is_marked(
+    own: tuple[str, ...], version: int, topics: list[str], nodes: list[str]
+) -> None:
+    graph = LiveGraph(version, own=frozenset(own), domain="7")
+    there = ["/x", "/y"] if version == 2 else ["/n_12_345"]
+    at = [[node] for node in there] if version == 2 else [there, there]
+    graph.feed({"tell": "graph", "topics": [["/a", "p/T", 1, 0, at[0]], ["/b", "p/T", 1, 0, at[1]],
+                                            ["/c", "p/T", 1, 0]],
+                "services": [], "nodes": there})  # fmt: skip
+    rows = live_rows([graph], set(), {})
+    for kind, wanted in ((Kind.TOPIC, topics), (Kind.NODE, nodes)):
+        shown = [f"{'-' * row.is_foreign}{row.name}" for row in rows if row.kind is kind]
+        assert shown == wanted
+    assert {row.value for row in rows if row.kind is Kind.NODE and row.is_foreign} <= {FOREIGN}
+    assert [row.name for row in rows if row.kind is Kind.HEADING] == ["topics, domain 7", "nodes"]
+
+
+def test_a_long_name_is_cut_before_the_part_that_tells() -> None:
+    name = "/very/long/namespace/of/the/robot/wheel_ticks"
+    rows = [LiveRow("k", Kind.TOPIC, name, name)]
+    for width in (50, 80):
+        line = "".join(piece.text for piece in line_of(rows[0], columns_of(rows, width), width))
+        assert "wheel_ticks " in line and "…" in line and cell_len(line) <= width
+
+
+def test_what_nobody_watches_is_what_was_seen_last(graph: LiveGraph) -> None:
+    graph.is_watched, graph.problem = False, "not watched"
+    rows = live_rows([graph], set(), {})
+    assert (rows[0].name, rows[0].tone) == ("not watched", "error")
+    speed = next(row for row in rows if row.name == "/speed")
+    assert (speed.rate, speed.value, speed.tone) == ("2.0 Hz", "0.5", "quiet")
+    columns = columns_of(rows, 90)
+    tones = {piece.tone for row in rows[1:] for piece in line_of(row, columns, 90)}
+    assert "primary" not in tones
 
 
 def test_what_the_network_says_is_only_shown() -> None:
@@ -281,6 +359,29 @@ def test_a_parameter_that_nobody_touched_stays_as_it_is(type_: str, value: Any) 
     assert form.order(form.dialog.given)["value"] == wanted
 
 
+@pytest.mark.parametrize(
+    ("type_", "seen", "given"),
+    [("geometry_msgs/Twist", [("linear.x", "0.3"), ("linear.y", "0"), ("angular.z", "-1e-05")],
+      {("linear", "x"): "0.3", ("angular", "z"): "-1e-05"}),
+     ("std_msgs/Bool", [("data", "True")], {("data",): "True"}),
+     # Of a text or a list only the beginning may be known; a stamp is when it is sent.
+     ("sensor_msgs/JointState", [("header.stamp", "5.0"), ("position", "[1.0, … 9 in all]")], {}),
+     ("std_msgs/Float64", [("data", "inf")], {}),
+     ("std_msgs/Float64", [("other", "1")], {})],
+)  # fmt: skip
+def test_a_message_that_is_sent_begins_with_the_last_one_that_came(
+    type_: str, seen: list[tuple[str, str]], given: dict[tuple[str, ...], str]
+) -> None:
+    row = LiveRow("k", Kind.TOPIC, "/a", "/a", type=type_)
+    fields = [LiveField(*each) for each in seen]
+    form = form_for(row, Session(b""), {}, fields)
+    assert not isinstance(form, str) and form.dialog.given == given
+    # What was sent the last time comes before that.
+    before = {next(iter(given), ("data",)): "1"}
+    form = form_for(row, Session(b""), before, fields)
+    assert not isinstance(form, str) and form.dialog.given == before
+
+
 def test_each_generation_is_asked_for_its_own_alone() -> None:
     graphs = []
     for version in (1, 2):
@@ -295,5 +396,7 @@ def test_each_generation_is_asked_for_its_own_alone() -> None:
     assert watching_of(rows, everything, 1, unfolded) == wanted
     wanted = Watching(("/both", "/of2"), ("/of2",), ("/n2",))
     assert watching_of(rows, everything, 2, unfolded) == wanted
+    cursor = next(row for row in rows if row.key == "2 topic /both")
+    assert watching_of(rows, everything, 2, set(), cursor).full == ("/both",)
     # Of a node that is unfolded the parameters may be in sight, wherever it is; a topic is not.
     assert watching_of(rows, range(0), 2, unfolded) == Watching(nodes=("/n2",))

@@ -16,6 +16,7 @@ from collections.abc import Callable
 from typing import Any
 
 import rclpy
+from fitting_subscription import FittingSubscription
 from message_filling import fill, has_stamp
 from monitor_parameters import Parameters
 from monitor_pipes import Orders, answer, send, sent_words
@@ -26,7 +27,7 @@ from rclpy.executors import SingleThreadedExecutor
 from rclpy.qos import DurabilityPolicy, QoSProfile, ReliabilityPolicy
 from rclpy.serialization import deserialize_message
 from rclpy.signals import SignalHandlerOptions
-from watch import is_shown, ros2_class, ros2_qos
+from watch import is_shown, ros2_class
 
 _TURN, _IDLE_TURN = 0.05, 0.5
 _REPORT = 0.25
@@ -42,18 +43,13 @@ class _Watching:
     """A subscription that nobody spins: its messages are taken in turns."""
 
     def __init__(self, node: Any, name: str, type_name: str) -> None:
-        self.name = name
-        self._node = node
         self._class = _class_of(type_name)
         self.topic = WatchedTopic(type_name, lambda raw: deserialize_message(raw, self._class))
-        self._subscription = self._subscribed(ros2_qos(node, name))
-
-    def _subscribed(self, qos: Any) -> Any:
-        return self._node.create_subscription(self._class, self.name, lambda _: None, qos, raw=True)
+        self._fitting = FittingSubscription(node, name, self._class, lambda _: None)
 
     def take(self) -> None:
         """Note the messages that came."""
-        subscription = self._subscription
+        subscription = self._fitting.subscription
         clock = time.monotonic() - time.time()
         with subscription.handle:
             for _ in range(_MOST_A_TURN):
@@ -64,18 +60,12 @@ class _Watching:
                 self.topic.see(found[0], at if abs(at - time.monotonic()) < 1 else None)
 
     def look(self) -> None:
-        """Ask for no more than publishers offer that came later."""
-        had, qos = self._subscription.qos_profile, ros2_qos(self._node, self.name)
-        if (
-            had.reliability != qos.reliability == ReliabilityPolicy.BEST_EFFORT
-            or had.durability != qos.durability == DurabilityPolicy.VOLATILE
-        ):
-            self.close()
-            self._subscription = self._subscribed(qos)
+        """Follow the publishers that are there now."""
+        self._fitting.look()
 
     def close(self) -> None:
         """Hear no more of it."""
-        self._node.destroy_subscription(self._subscription)
+        self._fitting.close()
 
 
 def _class_of(type_name: str) -> Any:
@@ -99,6 +89,7 @@ class _Monitor:
         self._publishers: Counter[str] = Counter()
         self._pending: list[tuple[dict[str, Any], float, Callable[[bool], bool]]] = []
         self._parameters = Parameters(self._caller)
+        self._nodes_at: dict[str, tuple[tuple[int, int], list[str]]] = {}
         self._graph: dict[str, Any] = {}
         self._looked = self._reported = 0.0
 
@@ -166,10 +157,10 @@ class _Monitor:
             self._topics.types[name] = type_name = types[0].replace("/msg/", "/")
             own = self._publishers[name]
             heard = self._topics.hears(name)
-            publishers = node.count_publishers(name) - own
-            subscribers = node.count_subscribers(name) - heard
+            ends = node.count_publishers(name), node.count_subscribers(name)
+            publishers, subscribers = ends[0] - own, ends[1] - heard
             if publishers + subscribers > 0:
-                topics.append((name, type_name, publishers, subscribers))
+                topics.append((name, type_name, publishers, subscribers, self._at(name, ends)))
         services = [
             (name, types[0].replace("/srv/", "/"))
             for name, types in node.get_service_names_and_types()
@@ -181,6 +172,18 @@ class _Monitor:
             if not name.startswith("_")
         )
         return {"topics": topics, "services": services, "nodes": nodes}
+
+    def _at(self, name: str, ends: tuple[int, int]) -> list[str]:
+        """Return the nodes at a topic; they are looked up where their number is another one."""
+        known = self._nodes_at.get(name)
+        if known is None or known[0] != ends:
+            infos = [
+                *self._node.get_publishers_info_by_topic(name),
+                *self._node.get_subscriptions_info_by_topic(name),
+            ]
+            names = {f"{each.node_namespace.rstrip('/')}/{each.node_name}" for each in infos}
+            known = self._nodes_at[name] = ends, sorted(names)
+        return known[1]
 
     def _later(
         self, order: dict[str, Any], step: Callable[[bool], bool], limit: float = _ANSWER

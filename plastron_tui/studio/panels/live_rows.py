@@ -9,10 +9,12 @@ from typing import NamedTuple
 
 from plastron_tui.diagnostics.terminal import visible
 from plastron_tui.diagnostics.wording import counted
-from plastron_tui.runtime.live_graph import LiveGraph, LiveParameter, LiveTopic
+from plastron_tui.runtime.live_graph import LiveGraph, LiveParameter, LiveTopic, NodeEnd
 
 WAITING = "waiting for the first message…"
 NOBODY = "nobody publishes here yet"
+FOREIGN = "not in this program"
+_USUAL_DOMAIN = ("", "0")
 
 
 _WIDEST = 500
@@ -57,6 +59,8 @@ class LiveRow(NamedTuple):
         is_branch: whether it can be unfolded.
         is_open: whether it is.
         parameter: what is known of a parameter.
+        is_foreign: whether the program that is watched does not have it.
+        is_old: whether it is what was seen last, and nobody watches any more.
     """
 
     key: str
@@ -73,6 +77,8 @@ class LiveRow(NamedTuple):
     is_branch: bool = False
     is_open: bool = False
     parameter: LiveParameter | None = None
+    is_foreign: bool = False
+    is_old: bool = False
 
 
 def live_rows(
@@ -88,6 +94,10 @@ def live_rows(
     rows: list[LiveRow] = []
     for graph in graphs:
         words = f"ROS {graph.ros_version} " if len(graphs) > 1 else ""
+        domain = f", domain {visible(graph.domain)}" if graph.domain not in _USUAL_DOMAIN else ""
+        if graph.problem:
+            key = f"{graph.ros_version} problem"
+            rows.append(LiveRow(key, Kind.NOTE, visible(graph.problem), tone="error"))
         parts = (
             ("topics", _topics(graph, unfolded)),
             ("services", _services(graph, answers)),
@@ -96,19 +106,21 @@ def live_rows(
         for part, found in parts:
             below = list(found)
             if below:
-                rows.append(LiveRow(f"{graph.ros_version} {part}", Kind.HEADING, words + part))
+                rows.append(
+                    LiveRow(f"{graph.ros_version} {part}", Kind.HEADING, words + part + domain)
+                )
+                domain = ""
                 rows += below
-        if graph.problem:
-            key = f"{graph.ros_version} problem"
-            rows.append(LiveRow(key, Kind.NOTE, visible(graph.problem), tone="error"))
     return rows
 
 
 def _topics(graph: LiveGraph, unfolded: AbstractSet[str]) -> Iterator[LiveRow]:
-    for topic in graph.topics.values():
+    # What others have besides comes behind.
+    for topic in sorted(graph.topics.values(), key=lambda each: not graph.is_own(each.nodes)):
         key = f"{graph.ros_version} topic {topic.name}"
         is_open = key in unfolded
         value, tone = _topic_value(topic)
+        is_old = graph.has_ended or not graph.is_watched
         yield LiveRow(
             key,
             Kind.TOPIC,
@@ -118,10 +130,12 @@ def _topics(graph: LiveGraph, unfolded: AbstractSet[str]) -> Iterator[LiveRow]:
             topic.type,
             _rate(topic),
             value,
-            tone,
+            "quiet" if is_old else tone,
             tuple(topic.samples),
             is_branch=True,
             is_open=is_open,
+            is_foreign=not graph.is_own(topic.nodes),
+            is_old=is_old,
         )
         if is_open:
             yield from _fields(key, topic, graph.ros_version)
@@ -156,7 +170,7 @@ def _rate(topic: LiveTopic) -> str:
 def _topic_value(topic: LiveTopic) -> tuple[str, str]:
     """Return the last message, or what there is to say before it, and its tone."""
     if topic.is_gone:
-        return "gone", "warning"
+        return "gone", "quiet"
     if topic.text:
         return _line(topic.text), "" if topic.rate > 0 or topic.count < 2 else "quiet"
     return (WAITING if topic.publishers else NOBODY), "quiet"
@@ -173,7 +187,7 @@ def _services(graph: LiveGraph, answers: Mapping[str, Answer]) -> Iterator[LiveR
             graph.ros_version,
             service.type,
             value="gone" if service.is_gone else visible(service.type),
-            tone="warning" if service.is_gone else "quiet",
+            tone="quiet",
         )
         answer = answers.get(key)
         if answer is not None:
@@ -191,19 +205,28 @@ def _services(graph: LiveGraph, answers: Mapping[str, Answer]) -> Iterator[LiveR
 
 
 def _nodes(graph: LiveGraph, unfolded: AbstractSet[str]) -> Iterator[LiveRow]:
-    for name, is_there in graph.nodes.items():
+    nodes = sorted(graph.nodes.items(), key=lambda each: not graph.is_own([each[0]]))
+    for name, is_there in nodes:
+        is_foreign = not graph.is_own([name])
         key = f"{graph.ros_version} node {name}"
-        is_open = key in unfolded and is_there
+        end = graph.ended.get(name)
+        runs = is_there and end is None
+        is_open = key in unfolded and runs
+        value, tone = _node_state(end, is_there=is_there, has_ended=graph.has_ended)
+        if is_foreign:
+            value, tone = FOREIGN if is_there else f"gone, {FOREIGN}", "quiet"
         yield LiveRow(
             key,
             Kind.NODE,
             visible(name),
             name,
             graph.ros_version,
-            value="" if is_there else "gone",
-            tone="quiet" if is_there else "warning",
-            is_branch=is_there,
+            value=value,
+            tone=tone,
+            is_branch=runs,
             is_open=is_open,
+            is_foreign=is_foreign,
+            is_old=not graph.is_watched or not runs,
         )
         if not is_open:
             continue
@@ -223,6 +246,15 @@ def _nodes(graph: LiveGraph, unfolded: AbstractSet[str]) -> Iterator[LiveRow]:
                 depth=1,
                 parameter=each,
             )
+
+
+def _node_state(end: NodeEnd | None, *, is_there: bool, has_ended: bool) -> tuple[str, str]:
+    """Return what there is to say of a node, and its tone: what nobody wanted is loud."""
+    if end is not None:
+        return visible(end.how), "error" if end.is_failure else "quiet"
+    if is_there:
+        return "", "quiet"
+    return "gone", "quiet" if has_ended else "warning"
 
 
 def _parameter_value(parameter: LiveParameter) -> str:

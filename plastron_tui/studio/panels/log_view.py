@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable
 
 from rich.cells import cell_len, get_character_cell_size
@@ -12,6 +13,8 @@ from plastron_tui.runtime.labels import split_label
 from .styles import Line, Lines, Piece
 from .text_view import TextView
 
+_CLOCK = re.compile(r"\d\d:\d\d:\d\d\.\d ")
+"""When a line came, where that is shown."""
 _STOPS = " ,("
 """The characters behind which a line may be broken."""
 _MOST_KEPT = 6000
@@ -104,8 +107,11 @@ def wrapped(line: Line, width: int) -> Lines:
 
     All but the first are indented to the text behind the node's name, where it leaves room.
     """
-    label, _ = split_label("".join(piece.text for piece in line))
-    indent = cell_len(label) or 2
+    text = "".join(piece.text for piece in line)
+    clock = _CLOCK.match(text)
+    start = 0 if clock is None else clock.end()
+    label, _ = split_label(text[start:])
+    indent = start + (cell_len(label) or 2)
     return broken(line, width, min(2, width // 2) if indent > width // 2 else indent)
 
 

@@ -61,6 +61,8 @@ class OutputPanel(Vertical):
     BINDINGS: ClassVar[list[BindingType]] = [
         Binding("slash", "filter", "Filter", id="output.filter",
                 tooltip="Show only the lines with certain words in them"),
+        Binding("t", "times", "Times", id="output.times",
+                tooltip="Show when each line came, or do not"),
     ]  # fmt: skip
 
     def __init__(self, *, id: str | None = None) -> None:  # noqa: A002 - Textual's word
@@ -69,6 +71,7 @@ class OutputPanel(Vertical):
         self._bar: FilterBar | None = None
         self.printed = OutputLog()
         self._words: tuple[str, ...] = ()
+        self._has_times = False
 
     def compose(self) -> ComposeResult:
         """Make the lines; the filter is made when somebody asks for it."""
@@ -114,18 +117,28 @@ class OutputPanel(Vertical):
 
     def _show_changed(self, change: Change) -> None:
         new = self.printed.records[change.start - change.dropped :]
-        self.view.splice(change.dropped, change.start, tuple(map(self.printed.line, new)))
+        self.view.splice(change.dropped, change.start, self._lines(new))
 
     def _show_all(self) -> None:
         records = self.printed.records
         found = [record for record in records if record.matches(self._words)]
-        self.view.show(tuple(map(self.printed.line, found)), follow=True)
+        self.view.show(self._lines(found), follow=True)
         if self._bar is not None:
             self._bar.say(len(found), len(records))
 
+    def _lines(self, records: Iterable[Record]) -> Lines:
+        return tuple(self.printed.line(each, with_time=self._has_times) for each in records)
+
+    def action_times(self) -> None:
+        """Show when each line came, or do not."""
+        self._has_times = not self._has_times
+        self._show_all()
+
     def check_action(self, action: str, parameters: tuple[object, ...]) -> bool | None:
-        """Offer to filter where the words are not being typed already."""
-        return action != "filter" or self._bar is None or not self._bar.field.has_focus
+        """Offer what letters do where no words are being typed."""
+        return (
+            action not in ("filter", "times") or self._bar is None or not self._bar.field.has_focus
+        )
 
     async def action_filter(self) -> None:
         """Ask for the words that lines have to have."""

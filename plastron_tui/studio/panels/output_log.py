@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import re
+import time
 from collections.abc import Iterable
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from typing import NamedTuple
 
 from plastron_tui.diagnostics.terminal import visible
@@ -17,6 +18,9 @@ _NEAR = 8
 """So many records above the last one a repeated line is still counted, and not shown again."""
 _MOST_CHARACTERS = 4000
 """The most characters of a line that are shown."""
+_NUMBER = r"(?:-?\d[\d.e+-]*|-?inf|nan)"
+_NUMBERS = re.compile(rf"\[((?:{_NUMBER}, ){{4}})((?:{_NUMBER}, ){{8,}}){_NUMBER}(\]|$)")
+"""A list of many numbers, as the ranges of a scan: the first ones tell enough of it."""
 _NODE_TONES = ("primary", "accent", "success", "secondary")
 """Yellow and red are for what is wrong."""
 _LEVEL = re.compile(r"\[(DEBUG|INFO|WARN|WARNING|ERROR|FATAL)\]", re.IGNORECASE)
@@ -32,12 +36,14 @@ class Record:
         text: what it printed, with nothing in it that a terminal obeys.
         tone: the colour of the text.
         times: how often it was printed.
+        at: when it came, the last time, in seconds since the epoch.
     """
 
     label: str
     text: str
     tone: str = ""
     times: int = 1
+    at: float = field(default_factory=time.time, compare=False)
 
     @property
     def node(self) -> str:
@@ -86,26 +92,34 @@ class OutputLog:
             if at is None:
                 records.append(record)
             else:
-                records[at] = replace(records[at], times=records[at].times + record.times)
+                times = records[at].times + record.times
+                records[at] = replace(records[at], times=times, at=record.at)
                 start = min(start, at)
         excess = max(0, len(records) - MOST_RECORDS)
         del records[:excess]
         dropped = min(excess, before)
         return Change(dropped, max(start, dropped))
 
-    def line(self, record: Record) -> Line:
+    def line(self, record: Record, *, with_time: bool = False) -> Line:
         """Return a record as it is shown."""
         pieces = [Piece(record.text, record.tone)]
         if record.label:
             pieces.insert(0, Piece(record.label, self._tone(record.node)))
         if record.times > 1:
             pieces.append(Piece(f"  ×{record.times:,}", "quiet"))
+        if with_time:
+            pieces.insert(0, Piece(f"{clock_time(record.at)} ", "quiet"))
         return tuple(pieces)
 
     def _tone(self, node: str) -> str:
         if node == OWN_NAME:
             return "quiet"
         return self._tones.setdefault(node, _NODE_TONES[len(self._tones) % len(_NODE_TONES)])
+
+
+def clock_time(at: float) -> str:
+    """Return a time of the day to a tenth of a second: lines are gathered for half of that."""
+    return f"{time.strftime('%H:%M:%S', time.localtime(at))}.{int(at * 10) % 10}"
 
 
 def _repeated(records: list[Record], record: Record) -> int | None:
@@ -120,9 +134,16 @@ def _repeated(records: list[Record], record: Record) -> int | None:
 def printed_record(text: str) -> Record:
     """Return the record of a line that was printed."""
     label, rest = split_label(visible(text.expandtabs(4)))
+    if "[" in rest:
+        rest = _NUMBERS.sub(_few_numbers, rest)
     if len(rest) > _MOST_CHARACTERS:
         rest = f"{rest[:_MOST_CHARACTERS]} … and {len(rest) - _MOST_CHARACTERS:,} characters more"
     return Record(label, rest, _tone_of(rest))
+
+
+def _few_numbers(found: re.Match[str]) -> str:
+    first, more, end = found.groups()
+    return f"[{first}… {more.count(',') + 1} more{end}"
 
 
 def _tone_of(text: str) -> str:

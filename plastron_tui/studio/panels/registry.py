@@ -160,8 +160,9 @@ OUTPUT = Panel(
     summary="What the nodes print while they run.",
     about=(
         "What the nodes print that F5 started, each in its colour. A line that comes again is "
-        "counted: ×37. / shows only the lines with certain words; Esc in that field shows all. "
-        "Scroll up to read: the lines stay where they are until you go to the end."
+        "counted: ×37. T shows when each came; / shows only the lines with certain words, Esc in "
+        "that field shows all. Scroll up to read: the lines stay where they are until you go to "
+        "the end."
     ),
     widget="output:OutputPanel",
     is_kept=False,
