@@ -6,7 +6,7 @@ wrote. How they look (text, JSON, an underline in an editor) is for the renderer
 
 from . import codes
 from .code import Code
-from .data import Diagnostic, Edit, Fix, Label, Span, has_errors, write
+from .data import Diagnostic, Edit, Fix, Label, Span, has_errors, write, write_before
 from .lines import LineIndex, Position
 from .severity import Severity
 from .suggest import did_you_mean, guess
@@ -30,4 +30,5 @@ __all__ = [
     "listed",
     "shortened",
     "write",
+    "write_before",
 ]

@@ -46,13 +46,7 @@ class _User(NamedTuple):
     @property
     def place(self) -> str:
         """The file and the line that have it, "" where a statement made it."""
-        source, (kind, name) = self.node.source, (self.kind, self.endpoint.name)
-        if source is None or self.endpoint.span is not None:
-            return ""
-        renamed = self.node.renamed.get((kind, name))
-        name = name if renamed is None else renamed.name
-        found = (each for each in source.of_kind(kind) if each.name == name)
-        return next((f"line {each.line} of `{source.path_of(each).name}`" for each in found), "")
+        return self.node.place_of(self.endpoint)
 
     @property
     def span(self) -> Span:
