@@ -261,6 +261,20 @@ class Vocabulary:
         names = (kind.written(name) for kind in kinds for name in node.names(kind))
         return list(dict.fromkeys(names))
 
+    def loaded_with(self, word: str, name: str) -> set[str]:
+        """Return the nodes whose files have a name of what a word of `renames` says.
+
+        A name is the same with and without the slash that it may begin with.
+        """
+        kinds = [kind for kind in RENAMED.get(word, ()) if kind in EDITABLE]
+        return {
+            variable
+            for variable, node in self._workspace.nodes.items()
+            for kind in kinds
+            for written, endpoint in node.by_kind[kind].items()
+            if endpoint.span is None and kind.written(written).removeprefix("/") == name
+        }
+
     def renamable(self, variable: str) -> list[str]:
         """Return the words of `renames` for what a node has; of one that is not known, all."""
         return [word for word in RENAMED if self.named(variable, word)] or list(RENAMED)
