@@ -161,6 +161,37 @@ def source(place: Place, found: Diagnostic) -> Diagnostic | None:
     )
 
 
+def range_words(place: Place, found: Diagnostic) -> Diagnostic | None:
+    """Recognise `from 0 to 1`, and `between 0 to 1`, for the range of a parameter."""
+    slots = () if place.declaration is None else place.declaration.slots
+    if all(slot.kind is not SlotKind.PARAMETER_TYPE for slot in slots):
+        return None
+    at = place.at
+    if place.token.text == "to" and place.text(at - 2) == "between":
+        return mended(found, found.message, place.token.span, "and")
+    is_range = place.token.text in ("from", "in", "within") and place.text(at + 2) in ("to", "and")
+    ends = place.tokens[at + 1 : at + 4 : 2] if is_range else ()
+    if len(ends) < 2 or any(each.kind != "number" for each in ends):
+        return None
+    right = f"between {ends[0].text} and {ends[1].text}"
+    return mended(found, "a range is said by its ends", place.span(at, at + 4), right)
+
+
+def of_node(place: Place, found: Diagnostic) -> Diagnostic | None:
+    """Recognise `patrol.speed` for what a parameter holds."""
+    at = place.at
+    is_value = place.text(at - 1) == "=" and _is_in(place, Form.VALUES)
+    is_path = place.text(at + 1) == "." and place.is_name(at) and place.is_name(at + 2)
+    if not is_value or not is_path or place.text(at + 3) in (".", "="):
+        return None
+    right = f"parameter '{place.text(at + 2)}'"
+    return found._replace(
+        help=f"what a parameter holds is written `{right}`",
+        span=place.span(at, at + 3),
+        fix=write(right, place.span(at, at + 3)),
+    )
+
+
 def unquoted_parameter(place: Place, found: Diagnostic) -> Diagnostic | None:
     """Recognise `parameter speed`."""
     is_after = place.text(place.at - 1) == "parameter" and place.is_name(place.at)
@@ -259,7 +290,9 @@ VALUE_SLIPS: tuple[Callable[[Place, Diagnostic], Diagnostic | None], ...] = (
     comparison,
     turned,
     without_received,
+    range_words,
     source,
+    of_node,
     unquoted_parameter,
     number_first,
     sign,

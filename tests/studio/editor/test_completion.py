@@ -434,3 +434,27 @@ class TestPopup:
             await at.type("create_n")
             await at.press("tab", "ctrl+z")
             assert at.editor.text == b"create_n"
+
+
+BEST_EFFORT = """\
+create_node 'robot' as robot using rclpy
+create_node 'ears' as ears using rclpy
+create_node 'old' as old using rospy
+create_message m of message_type Bool and input True
+robot publish m to 'lost' of message_type Bool with qos sensor_data
+robot publish m to 'kept' of message_type Bool
+robot publish m to 'both' of message_type Bool with qos best_effort
+ears publish m to '/both' of message_type Bool
+"""
+WORDS = {
+    "subscribe ears to 'lo": " of message_type Bool with qos sensor_data",
+    "subscribe ears to 'ke": " of message_type Bool",
+    "subscribe ears to 'bo": " of message_type Bool",
+    "subscribe old to 'lo": " of message_type Bool",
+    "ears publish m to 'lo": " of message_type Bool",
+}
+
+
+@pytest.mark.parametrize(("line", "after"), WORDS.items())
+def test_a_topic_brings_along_what_lets_it_be_heard(line: str, after: str) -> None:
+    assert offered(line, BEST_EFFORT)[0].after == after
