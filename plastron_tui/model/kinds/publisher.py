@@ -134,7 +134,7 @@ def _also_sent(
     stop = sentence(declaration, {"node": node.variable, "topic": publisher.name})
     return Diagnostic(
         codes.ALSO_SENT,
-        f"{place} sends to `{publisher.name}` as well, and these messages come between",
+        f"{place} sends to `{publisher.name}` too: these messages come between",
         statement.span_of("topic"),
         help=f"to send these alone, write `{stop}` before",
         fix=write_before(stop, first),
