@@ -7,7 +7,7 @@ What each code is about stands in `codes`, which is imported where a mistake is 
 """
 
 from .code import Code
-from .data import Diagnostic, Edit, Fix, Label, Span, has_errors, write
+from .data import Diagnostic, Edit, Fix, Label, Span, has_errors, write, write_before
 from .lines import LineIndex, Position
 from .severity import Severity
 from .suggest import did_you_mean, guess
@@ -31,4 +31,5 @@ __all__ = [
     "listed",
     "shortened",
     "write",
+    "write_before",
 ]

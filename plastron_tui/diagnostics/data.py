@@ -43,6 +43,11 @@ def write(text: str, span: Span) -> Fix:
     return Fix(f"write `{text}`" if text else "take it away", (Edit(span, text),))
 
 
+def write_before(line: str, span: Span) -> Fix:
+    """Return the remedy that writes a line before the statement of a span."""
+    return Fix(f"write `{line}` before", (Edit(Span(span.start, span.start), f"{line}\n"),))
+
+
 class Label(NamedTuple):
     """A second place that explains the first, such as an earlier declaration."""
 

@@ -161,6 +161,21 @@ def source(place: Place, found: Diagnostic) -> Diagnostic | None:
     )
 
 
+def of_node(place: Place, found: Diagnostic) -> Diagnostic | None:
+    """Recognise `patrol.speed` for what a parameter holds."""
+    at = place.at
+    is_value = place.text(at - 1) == "=" and _is_in(place, Form.VALUES)
+    is_path = place.text(at + 1) == "." and place.is_name(at) and place.is_name(at + 2)
+    if not is_value or not is_path or place.text(at + 3) in (".", "="):
+        return None
+    right = f"parameter '{place.text(at + 2)}'"
+    return found._replace(
+        help=f"what a parameter holds is written `{right}`",
+        span=place.span(at, at + 3),
+        fix=write(right, place.span(at, at + 3)),
+    )
+
+
 def unquoted_parameter(place: Place, found: Diagnostic) -> Diagnostic | None:
     """Recognise `parameter speed`."""
     is_after = place.text(place.at - 1) == "parameter" and place.is_name(place.at)
@@ -260,6 +275,7 @@ VALUE_SLIPS: tuple[Callable[[Place, Diagnostic], Diagnostic | None], ...] = (
     turned,
     without_received,
     source,
+    of_node,
     unquoted_parameter,
     number_first,
     sign,

@@ -5,9 +5,21 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any
 
-from plastron_tui.diagnostics import Code, Diagnostic, Edit, Fix, Label, Span, codes, guess, write
+from plastron_tui.diagnostics import (
+    Code,
+    Diagnostic,
+    Edit,
+    Fix,
+    Label,
+    Span,
+    codes,
+    guess,
+    write,
+    write_before,
+)
 from plastron_tui.language import statements as st
 from plastron_tui.language.declaration import Statement
+from plastron_tui.language.sentence import sentence
 from plastron_tui.ros.catalog import DISTRIBUTIONS
 from plastron_tui.ros.interfaces import InterfaceName
 from plastron_tui.ros.names import (
@@ -203,11 +215,18 @@ class Checks:
         kind = MADE_BY[type(statement)]
         editing = kind.editing
         assert editing.already is not None, "it may be said again"
-        earlier = node.by_kind[kind].get(self.endpoint_name(statement, node, kind))
-        if earlier is not None:
-            what = f"`{node.variable}` {editing.indicative}"
-            slot = editing.name_slot
-            raise self.exists_already(statement, slot, node, editing.already, what, earlier.span)
+        name = self.endpoint_name(statement, node, kind)
+        earlier = node.by_kind[kind].get(name)
+        if earlier is None:
+            return
+        what = f"`{node.variable}` {editing.indicative}"
+        slot = editing.name_slot
+        first = None
+        if earlier.span is None and not users_of(node, kind, name):
+            texts = {"node": node.variable, slot: getattr(statement, slot)}
+            first = sentence(editing.ending, texts)
+        code = editing.already
+        raise self.exists_already(statement, slot, node, code, what, earlier.span, first)
 
     def unused(self, statement: Statement, node: Node, kind: EndpointKind) -> None:
         """Check that nothing else of a node needs an endpoint that a statement takes away."""
@@ -250,16 +269,31 @@ class Checks:
         return name
 
     def exists_already(
-        self, statement: Any, slot: str, node: Node, code: Code, what: str, earlier: Span | None
+        self,
+        statement: Any,
+        slot: str,
+        node: Node,
+        code: Code,
+        what: str,
+        earlier: Span | None,
+        first: str | None = None,
     ) -> Mistake:
-        """Make the mistake of what the node has already, since an earlier statement if known."""
+        """Make the mistake of what the node has already, since an earlier statement if known.
+
+        What it has of its file may be changed: by the statement, after `first`.
+        """
         name = spelled(getattr(statement, slot))
         if self._consequences.explains(node, name):
             return Mistake()
         fix = Fix("take the statement away", (Edit(statement.span, ""),))
+        remedy = None
+        if first is not None:
+            remedy = f"to change what the file has, write `{first}` before"
+            fix = write_before(first, statement.span)
         labels = () if earlier is None else (Label(earlier, "said first here"),)
         message = f"{what} `{name}` already"
-        return Mistake(Diagnostic(code, message, statement.span_of(slot), fix=fix, labels=labels))
+        where = statement.span_of(slot)
+        return Mistake(Diagnostic(code, message, where, help=remedy, fix=fix, labels=labels))
 
 
 def _wrong_name(statement: Statement, slot: str, name: str, problem: NameProblem) -> Diagnostic:

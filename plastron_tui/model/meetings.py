@@ -8,17 +8,19 @@ from __future__ import annotations
 
 import re
 from collections import defaultdict
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping
 from itertools import islice, pairwise, product
 from typing import NamedTuple
 
 from plastron_tui.diagnostics import Diagnostic, Edit, Fix, Label, Severity, Span, codes
+from plastron_tui.language.declaration import Statement
 from plastron_tui.language.lowering import Program
 from plastron_tui.ros.interfaces import InterfaceKind, InterfaceName
 from plastron_tui.ros.names import resolved_name, spelled
-from plastron_tui.ros.qos import DEFAULT, Mismatch, Qos, mismatches, value_text
+from plastron_tui.ros.qos import Mismatch, Qos, mismatches, value_text
 
 from .kinds import Endpoint, EndpointKind, Publisher, Subscription
+from .qos_remedies import meant_qos, qos_remedy
 from .type_agreement import CONFLICTS
 from .workspace import Node, Workspace
 
@@ -46,13 +48,7 @@ class _User(NamedTuple):
     @property
     def place(self) -> str:
         """The file and the line that have it, "" where a statement made it."""
-        source, (kind, name) = self.node.source, (self.kind, self.endpoint.name)
-        if source is None or self.endpoint.span is not None:
-            return ""
-        renamed = self.node.renamed.get((kind, name))
-        name = name if renamed is None else renamed.name
-        found = (each for each in source.of_kind(kind) if each.name == name)
-        return next((f"line {each.line} of `{source.path_of(each).name}`" for each in found), "")
+        return self.node.place_of(self.endpoint)
 
     @property
     def span(self) -> Span:
@@ -77,7 +73,7 @@ def check_meetings(
     """
     meetings = _meetings(workspace, version_of)
     yield from _disagreements(meetings)
-    yield from islice(_unmatched(meetings), _MOST)
+    yield from islice(_unmatched(meetings, program), _MOST)
     for one, other in _slips(meetings):
         yield _misspelt(one, other, program)
 
@@ -120,8 +116,9 @@ def _typed(user: _User) -> str:
     return f"`{user.endpoint.type}`" + (f" in {place}" if place else "")
 
 
-def _unmatched(meetings: _Meetings) -> Iterator[Diagnostic]:
+def _unmatched(meetings: _Meetings, program: Program) -> Iterator[Diagnostic]:
     """Yield an error for each publisher and subscription of ROS 2 that never match."""
+    statements: dict[Span, Statement] = {}
     for (interface, version, name), users in meetings.items():
         if interface is not InterfaceKind.MESSAGE or version != 2:
             continue
@@ -135,24 +132,26 @@ def _unmatched(meetings: _Meetings) -> Iterator[Diagnostic]:
                     types = {publisher.endpoint.type, subscription.endpoint.type}
                     # Of two types, it is said already that they do not meet.
                     if len(types) == 1 or None in types:
-                        yield _incompatible(name, publisher, subscription, found)
+                        statements = statements or {each.span: each for each in program.statements}
+                        yield _incompatible(name, publisher, subscription, found, statements)
 
 
 def _by_qos(users: list[_User], kind: EndpointKind) -> dict[Qos, list[_User]]:
     """Return the users of a kind that are no guesses, by their quality of service."""
     found: dict[Qos, list[_User]] = defaultdict(list)
     for user in users:
-        if isinstance(user.endpoint, Publisher | Subscription) and user.kind is kind:
-            qos = user.endpoint.qos or Qos()
-            # A file may have it from elsewhere; what is created is all that the program says.
-            known = qos if user.node.source is not None else qos.over(DEFAULT)
-            if not user.is_guess:
-                found[known].append(user)
+        is_meant = user.kind is kind and not user.is_guess
+        if is_meant and isinstance(user.endpoint, Publisher | Subscription):
+            found[meant_qos(user.node, user.endpoint)].append(user)
     return found
 
 
 def _incompatible(
-    name: str, publisher: _User, subscription: _User, found: tuple[Mismatch, ...]
+    name: str,
+    publisher: _User,
+    subscription: _User,
+    found: tuple[Mismatch, ...],
+    statements: Mapping[Span, Statement],
 ) -> Diagnostic:
     policies = " and ".join(each.policy for each in found)
     offered = " and ".join(f"`{value_text(each.offered)}`" for each in found)
@@ -160,12 +159,16 @@ def _incompatible(
     verb = "does" if len(found) == 1 else "do"
     first, last = sorted((publisher, subscription), key=lambda user: user.span)
     whose = "publisher" if first is publisher else "subscription"
+    sends, hears = publisher.endpoint, subscription.endpoint
+    assert isinstance(sends, Publisher) and isinstance(hears, Subscription)
+    remedy = qos_remedy((publisher.node, sends), (subscription.node, hears), statements)
     return Diagnostic(
         codes.QOS_INCOMPATIBLE,
         f"{policies} of topic `{name}` {verb} not match: {_says(publisher, 'offers')} {offered}, "
         f"and {_says(subscription, 'asks for')} {requested}",
         last.span,
-        help="no message arrives: offer as much as is asked for, or ask for less",
+        help=remedy.help,
+        fix=remedy.fix,
         labels=(Label(first.span, f"the {whose}"),),
     )
 

@@ -23,6 +23,7 @@ from .kinds.publisher import check_sent, check_unsent
 from .kinds.quality import qos_of
 from .kinds.rate import check_rate, rate_of
 from .kinds.reaction import reaction_of
+from .kinds.timer import check_not_repeated
 from .launch_statements import check_launch_named
 from .mistake import Mistake
 from .node_statements import check_managed, check_node_name, check_work
@@ -223,6 +224,10 @@ def _absent(run: Run, statement: Statement) -> None:
     run.checks.absent(statement, run.checks.node(statement))
 
 
+def _not_repeated(run: Run, statement: st.Repeats) -> None:
+    check_not_repeated(run, statement, run.checks.node(statement))
+
+
 def _called(run: Run, statement: Any) -> None:
     run.checks.function(statement, run.checks.node(statement))
 
@@ -270,7 +275,7 @@ _CHECKS: dict[type[Statement], tuple[_Check, ...]] = {
     st.ClientRequests: (_node, _name, _type, _agreement, _request, _rate),
     st.ProvidesAction: (_node, _name, _absent, _type, _agreement, _function, _answering),
     st.SendsGoal: (_node, _name, _type, _agreement, _request),
-    st.Repeats: (_node, _absent, _function, _called, _rate),
+    st.Repeats: (_node, _not_repeated, _function, _called, _rate),
     st.HasParameter: (_node, _parameter_name, _absent, _parameter_type, _default),
     st.Rename: (_node, _renamed, _old, _new),
     st.GenerateNode: (_node, _work, _library),

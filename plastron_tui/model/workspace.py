@@ -133,6 +133,16 @@ class Node:
         new = {each.name: now for (of, now), each in self.renamed.items() if of is kind}
         return [new.get(name, name) for name in names]
 
+    def place_of(self, endpoint: Endpoint) -> str:
+        """Return the file and the line that have an endpoint, "" where a statement made it."""
+        source, kind = self.source, kind_of(type(endpoint))
+        if source is None or endpoint.span is not None:
+            return ""
+        renamed = self.renamed.get((kind, endpoint.name))
+        name = endpoint.name if renamed is None else renamed.name
+        found = (each for each in source.of_kind(kind) if each.label == name)
+        return next((f"line {each.line} of `{source.path_of(each).name}`" for each in found), "")
+
     @property
     def is_idle(self) -> bool:
         """Whether the node would do nothing."""

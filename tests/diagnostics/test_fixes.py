@@ -17,7 +17,7 @@ WITHOUT = {
     "function-conflict", "name-taken", "idle-node", "service-provided-twice", "file-not-found",
     "wrong-number-of-values", "unknown-field", "duplicate-field", "value-after-named",
     "value-out-of-range", "wrong-array-length", "invalid-text", "invalid-rate",
-    "unsupported-target", "service-type-conflict", "action-type-conflict", "qos-incompatible",
+    "unsupported-target", "service-type-conflict", "action-type-conflict",
     "endless-messages", "package-exists", "unknown-item", "already-contained", "not-contained",
     "mixed-package", "bad-maintainer", "taken-package-name", "bad-package-text",
     "type-exists", "type-hidden", "circular-type", "type-in-use", "bad-field", "in-no-package",

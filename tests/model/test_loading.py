@@ -3,11 +3,14 @@
 from __future__ import annotations
 
 import pytest
+from robots_run import applied
 from workspaces import (
+    MESSAGE,
     TALKER,
     FakeReader,
     codes,
     endpoint,
+    run,
     source,
     workspace,
 )
@@ -107,3 +110,46 @@ def test_a_loaded_node_may_do_nothing() -> None:
     assert codes(text, reader=FakeReader({"driver": last})) == []
     nodes = workspace("load driver as d\n", reader=FakeReader({"driver": empty})).nodes
     assert nodes["d"].name == "driver"
+
+
+SENDING = f"load driver as d\n{MESSAGE}{{}}d publish m to 'out' of message_type String{{}}\n"
+ALSO_SENT = {
+    ("", ""): True,
+    ("", " at 50 hz"): True,
+    ("", " for_each 'in'"): True,
+    ("", " for_each 'in' when received.data = \"stop\""): False,
+    ("", " once"): False,
+    ("d stop_publishing to 'out'\n", ""): False,
+    ("d renames topic 'out' to 'of_file'\n", ""): False,
+    ("d publish m to 'out' of message_type String once\n", " at 2 hz"): True,
+    ("d publish m to 'out' of message_type String for_each 'in'\n", " at 2 hz"): True,
+}
+
+
+@pytest.mark.parametrize(("case", "is_told"), ALSO_SENT.items())
+def test_a_second_sender_beside_that_of_a_file(case: tuple[str, str], is_told: bool) -> None:
+    text = SENDING.format(*case)
+    found = run(text, reader=FakeReader({"driver": LOADED})).diagnostics
+    assert [each.code for each in found] == (["also-sent"] if is_told else [])
+    for each in found:
+        assert "line 1 of `driver.py` sends to `out`" in each.message
+        assert each.fix is not None
+        mended = applied(text, each.fix)
+        assert "String and input \"hi\"\nd stop_publishing to 'out'\nd publish" in mended
+        assert codes(mended, reader=FakeReader({"driver": LOADED})) == []
+
+
+CHANGING = {
+    "subscribe d to 'in' of message_type Int32\n": "unsubscribe d from 'in'",
+    "d provides_service 'ask' of service_type SetBool\n": "d stop_service 'ask'",
+}
+
+
+@pytest.mark.parametrize(("statement", "first"), CHANGING.items())
+def test_what_a_file_has_is_changed_by_a_statement_before(statement: str, first: str) -> None:
+    text = "load driver as d\n" + statement
+    [found] = run(text, reader=FakeReader({"driver": LOADED})).diagnostics
+    assert found.fix is not None
+    assert found.help == f"to change what the file has, write `{first}` before"
+    assert applied(text, found.fix) == f"load driver as d\n{first}\n{statement}"
+    assert codes(applied(text, found.fix), reader=FakeReader({"driver": LOADED})) == []

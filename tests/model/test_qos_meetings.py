@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import pytest
+from robots_run import applied
 from workspaces import FakeReader, codes, endpoint, marked, run, source
 
 from plastron_tui.diagnostics import Severity
@@ -116,7 +117,8 @@ def test_a_publisher_that_gets_a_message_keeps_what_it_has() -> None:
         f"{LOADED}create_message m of message_type std_msgs/String and input none\n"
         "a publish m to 'scan' of message_type std_msgs/String\n"
     )
-    assert codes(text, reader=reader(BEST_EFFORT, RELIABLE)) == ["qos-incompatible"]
+    found = codes(text, reader=reader(BEST_EFFORT, RELIABLE))
+    assert found == ["also-sent", "qos-incompatible"]
 
 
 MENDED = [
@@ -185,3 +187,40 @@ def test_panels_and_graph_get_what_is_known() -> None:
     workspace = run(LOADED, reader=reader(BEST_EFFORT, None)).workspace
     (hub,) = graph_of(workspace).topics
     assert [end.qos for end in hub.ends] == [BEST_EFFORT, None]
+
+
+SENT = "a publish m to 'scan' of message_type std_msgs/String{}\n"
+PAIR = CREATED.rpartition("a publish")[0] + SENT + HEARD.replace("String", "String{} calling f")
+REMEDIES = [
+    (" with qos sensor_data", "", "with qos sensor_data"),
+    (" with qos best_effort, depth 2", "", "with qos best_effort, depth 2"),
+    (" at 2 hz with qos best_effort", " with qos reliable, depth 3", "best_effort, depth 3"),
+    (" with qos depth 2", " with qos latched", "transient_local, depth 2"),
+    ("", " with qos deadline 0.5", "with qos deadline 0.5"),
+    (" with qos deadline 2", " with qos deadline 1, reliable", "reliable, deadline 2"),
+]
+
+
+@pytest.mark.parametrize(("sent", "heard", "words"), REMEDIES)
+def test_the_remedy_is_in_words_and_lets_them_meet(sent: str, heard: str, words: str) -> None:
+    text = PAIR.format(sent, heard)
+    (found,) = run(text).diagnostics
+    assert found.fix is not None and found.help is not None
+    assert (found.code, found.fix.title) == ("qos-incompatible", f"write `{words}`")
+    assert words in found.help
+    assert codes(applied(text, found.fix)) == []
+
+
+def test_files_have_no_fix_and_a_statement_meets_a_file() -> None:
+    (found,) = run(LOADED, reader=reader(BEST_EFFORT, RELIABLE)).diagnostics
+    assert found.fix is None
+    text = f"load one as a\n{HEARD}"
+    (found,) = run(text, reader=reader(BEST_EFFORT, None)).diagnostics
+    assert found.fix is not None
+    assert found.help == "no message arrives: let `b` ask for less, `with qos best_effort`"
+    assert codes(applied(text, found.fix), reader=reader(BEST_EFFORT, None)) == []
+    text = f"{CREATED}load two as b\n"
+    (found,) = run(text, reader=reader(None, KEPT)).diagnostics
+    assert found.fix is not None
+    assert found.help == "no message arrives: let `a` offer more, `with qos transient_local`"
+    assert codes(applied(text, found.fix), reader=reader(None, KEPT)) == []

@@ -268,6 +268,8 @@ async def test_the_view_shows_finds_turns_and_edits(
     editor.write_text(f'#!/bin/sh\necho "$@" >{told}\nsed -i "1i # mine" "$2"\n')
     editor.chmod(0o755)
     monkeypatch.setenv("EDITOR", str(editor))
+    calling = "String calling on_chatter\ngenerate_node listener"
+    program.write_text(PROGRAM.replace("String\ngenerate_node listener", calling))
     async with studio(program, (80, 24), options=Options("rclpy")) as driver:
         monkeypatch.setattr(driver.app, "suspend", nullcontext)
         driver.main.editor.go_to(program.read_text().index("subscribe listener"))
@@ -287,6 +289,16 @@ async def test_the_view_shows_finds_turns_and_edits(
         assert b"rclpy" in code.code.text.split(b"\n")[code.line]
         await driver.pilot.press("escape", "escape")
         await driver.back()
+        # A function is gone to at once.
+        driver.main.editor.go_to(program.read_text().index("on_chatter"))
+        await driver.pilot.press("f12")
+        code = (await driver.dialog("CodeView")).query_one("CodeText")
+        assert b"def on_chatter" in code.code.text.split(b"\n")[code.line]
+        await driver.pilot.press("escape")
+        await driver.back()
+        driver.main.editor.go_to(program.read_text().index("String"))
+        await driver.pilot.press("f12")
+        await driver.until(lambda: driver.main.editor.hover.is_asked)
         write(driver.main.open.session.plan()[0])
         await driver.show("nodes")
         await driver.pilot.press("home", "c")

@@ -39,6 +39,19 @@ ALREADY_PUBLISHING = Code(
     good=f"{TALKER}talker publish greeting to 'chatter' of message_type String at 20 hz\n",
 )
 
+ALSO_SENT = Code(
+    "also-sent",
+    "A node that was loaded publishes a topic, and the program lets it send other messages there "
+    "too. They come between those of the file, and a robot obeys both. To send them in place of "
+    "the file's, write `stop_publishing` before. What is sent `once`, or `when` something holds, "
+    "is taken as meant.",
+    severity=Severity.WARNING,
+    bad=f"{TALKING}generate_node talker\nload talker_pub as again\n"
+    "again publish greeting to 'chatter' of message_type String at 20 hz\n",
+    good=f"{TALKING}generate_node talker\nload talker_pub as again\nagain stop_publishing to "
+    "'chatter'\nagain publish greeting to 'chatter' of message_type String at 20 hz\n",
+)
+
 ALREADY_PROVIDING = Code(
     "already-providing",
     "A node provides a service twice.",
@@ -55,7 +68,8 @@ ALREADY_SERVING = Code(
 
 ALREADY_REPEATING = Code(
     "already-repeating",
-    "A node repeats a function twice. To call it more often, give a higher rate.",
+    "A node repeats a function twice. To call it more often, give a higher rate. A function that "
+    "a loaded file repeats may be given another rate.",
     bad=f"{BLINKER}blinker repeats blink at 4 hz\n",
     good=BLINKER,
 )

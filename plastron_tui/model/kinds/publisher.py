@@ -5,8 +5,10 @@ from __future__ import annotations
 import math
 from typing import TYPE_CHECKING, NamedTuple
 
-from plastron_tui.diagnostics import Diagnostic, Label, Span, codes, write
-from plastron_tui.language.statements import Publish
+from plastron_tui.diagnostics import Diagnostic, Label, Span, codes, write, write_before
+from plastron_tui.language.declaration import DECLARATIONS
+from plastron_tui.language.sentence import sentence
+from plastron_tui.language.statements import Publish, StopPublishing
 from plastron_tui.ros.interfaces import InterfaceKind, InterfaceName
 from plastron_tui.ros.names import spelled
 from plastron_tui.ros.qos import Qos
@@ -55,6 +57,11 @@ class Publication(NamedTuple):
     parameter: str | None = None
     is_once: bool = False
     reaction: Reaction | None = None
+
+    @property
+    def is_beside(self) -> bool:
+        """Whether it is meant to be sent beside others: an alarm, or a stop."""
+        return self.is_once or (self.reaction is not None and self.reaction.condition is not None)
 
     def fits(self, rate: float | None) -> bool:
         """Tell whether a loop of a rate can send it: its own is not written, or the same."""
@@ -105,7 +112,33 @@ def publish(run: Run, statement: Publish) -> None:
     qos = qos_of(run, statement, checks.version_of(node))
     if publisher is not None:
         qos = agreed(statement, qos, publisher.qos, publisher.span)
+    also_sent = None if publisher is None else _also_sent(statement, node, publisher, sent)
     run.add(statement, node, Publisher(topic, type_.name, (*earlier, sent), span, qos))
+    if also_sent is not None:
+        run.report(statement, also_sent)
+
+
+def _also_sent(
+    statement: Publish, node: Node, publisher: Publisher, sent: Publication
+) -> Diagnostic | None:
+    """Return the warning that a file sends to a topic itself, None where that is meant.
+
+    It is said once of a topic. The statement that mends it stands before all that send to it.
+    """
+    place = node.place_of(publisher)
+    earlier = publisher.publications
+    if not place or sent.is_beside or not all(each.is_beside for each in earlier):
+        return None
+    first = (earlier[0].span if earlier else None) or statement.span
+    declaration = DECLARATIONS[StopPublishing]
+    stop = sentence(declaration, {"node": node.variable, "topic": publisher.name})
+    return Diagnostic(
+        codes.ALSO_SENT,
+        f"{place} sends to `{publisher.name}` too: these messages come between",
+        statement.span_of("topic"),
+        help=f"to send these alone, write `{stop}` before",
+        fix=write_before(stop, first),
+    )
 
 
 def check_unsent(

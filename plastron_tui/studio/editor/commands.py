@@ -253,7 +253,8 @@ COMMANDS: tuple[Command, ...] = (
     Command("delete_line", "Delete lines", "ctrl+k", _lines(line_commands.delete),
             "Delete the lines of the selection."),
     Command("definition", "Go to definition", "f12", _program("go_to_definition"),
-            "Go to where the variable, or the part of a robot, is made.", "alt+g"),
+            "Go to where a variable or a part is made, to the next statement about a name, to the "
+            "code of a function.", "alt+g"),
     Command("rename", "Rename everywhere", "f2", _program("ask_name"),
             "Give the variable, or the part of a robot, another name.", asks=True),
     Command("format", "Format", "ctrl+l", _program("format_program"),

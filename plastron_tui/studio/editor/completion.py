@@ -10,12 +10,14 @@ from typing import TYPE_CHECKING, NamedTuple
 from plastron_tui.language import SlotKind
 from plastron_tui.language.expectations import Expectation
 from plastron_tui.language.keywords import BY_KEYWORD
+from plastron_tui.language.statements import Subscribe
 from plastron_tui.model.kinds import INTERFACES
 from plastron_tui.model.packages import BUILT_FOLDER
 from plastron_tui.model.rename import RENAMED
 from plastron_tui.ros.common_types import most_common_first, types_for
 from plastron_tui.ros.interfaces import Interface, InterfaceKind, InterfaceName
 from plastron_tui.ros.parameters import ParameterType
+from plastron_tui.ros.qos_agreement import words_to_hear
 from plastron_tui.ros.qos_words import offered_words
 from plastron_tui.ros.robots.names import FILE_ENDINGS
 from plastron_tui.session import Session
@@ -172,7 +174,7 @@ def _of_slot(
         case _ if kind.makes and kind.is_variable:
             yield from _variable(expected, vocabulary)
         case SlotKind.TOPIC | SlotKind.SERVICE | SlotKind.ACTION:
-            yield from _graph_names(kind, expected, vocabulary)
+            yield from _graph_names(kind, expected, vocabulary, session)
         case SlotKind.TRIGGER:
             heard = vocabulary.heard(_node_of(expected))
             yield from (
@@ -231,7 +233,7 @@ def _ended(expected: Expectation, vocabulary: Vocabulary) -> list[str]:
 
 
 def _graph_names(
-    kind: SlotKind, expected: Expectation, vocabulary: Vocabulary
+    kind: SlotKind, expected: Expectation, vocabulary: Vocabulary, session: Session
 ) -> Iterator[Candidate]:
     interface, word = _MEETINGS[kind]
     names = vocabulary.meetings(interface)
@@ -245,7 +247,16 @@ def _graph_names(
     # Those of the type that the message has come first.
     for name, type_ in sorted(names.items(), key=lambda entry: entry[1] != message):
         after = f" of {word} {type_}" if wants_type and type_ else ""
+        if after and declaration is not None and declaration.type is Subscribe:
+            after += _qos_to_hear(name, expected, vocabulary, session)
         yield Candidate(f"'{name}'", type_, after)
+
+
+def _qos_to_hear(name: str, expected: Expectation, vocabulary: Vocabulary, session: Session) -> str:
+    """Return the clause without which a subscription hears no publisher of a topic."""
+    library = vocabulary.library(_node_of(expected)) or session.library
+    words = words_to_hear(vocabulary.offered(name)) if ros_version(library) == 2 else ""
+    return f" with qos {words}" if words else ""
 
 
 def _qos_words(

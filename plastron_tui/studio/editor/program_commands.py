@@ -14,6 +14,7 @@ from plastron_tui.project.program_file import check_text
 from plastron_tui.regular_files import reason
 
 from .external_editor import NO_EDITOR, EditedElsewhere, external_editor, run_editor
+from .name_uses import Name, function_at, is_file_at, name_at, next_use, uses_of
 from .names import Variable, variable_at, wrong_name
 from .robot_parts import find_part, kept_name, part_at, wrong_part_name
 
@@ -27,21 +28,40 @@ def _variable(editor: ProgramEditor) -> Variable | None:
     if variable is not None:
         return variable
     part = part_at(document, offset)
-    if part is not None:
-        return find_part(document, part)
-    editor.warn("no variable, and no part of a robot, is under the cursor")
-    return None
+    return None if part is None else find_part(document, part)
 
 
-def go_to_definition(editor: ProgramEditor) -> None:
-    """Go to where the variable, or the part of a robot, under the cursor is made."""
+async def go_to_definition(editor: ProgramEditor) -> None:
+    """Go to where what is under the cursor is made; from a name, to what else is about it.
+
+    A function and a file are shown in code, a type is told in a card.
+    """
+    document, offset = editor.session.document, editor.cursor_offset
     variable = _variable(editor)
-    if variable is None:
-        return
-    if variable.definition is None:
+    name = name_at(document, offset)
+    is_code = function_at(document, offset) is not None or is_file_at(document, offset)
+    if variable is not None and variable.definition is None:
         editor.warn(f"nothing creates or loads `{variable.name}`")
-    else:
+    elif variable is not None and variable.definition is not None:
         editor.go_to(variable.definition.start)
+    elif name is not None:
+        _go_to_next_use(editor, name)
+    elif is_code:
+        await editor.run_action("screen.code")
+    elif not editor.hover.show_at_cursor():
+        editor.warn("nothing under the cursor leads anywhere")
+
+
+def _go_to_next_use(editor: ProgramEditor, name: Name) -> None:
+    loaded = editor.completer.names.loaded_with(name.what, name.text)
+    if name.owner:
+        loaded &= {name.owner}
+    uses = uses_of(editor.session.document, name, loaded)
+    use = next_use(uses, editor.cursor_offset)
+    if use is None:
+        editor.warn(f"no other statement is about the {name.what} `{name.text}`")
+    else:
+        editor.go_to(use.start)
 
 
 async def ask_name(editor: ProgramEditor) -> None:
@@ -52,7 +72,9 @@ async def ask_name(editor: ProgramEditor) -> None:
     kept = None if part is None else kept_name(part, editor.completer.names.known_robot(part.robot))
     if kept is not None:
         editor.warn(kept)
-    elif variable is not None:
+    elif variable is None:
+        editor.warn("no variable, and no part of a robot, is under the cursor")
+    else:
         name = variable.name
         await editor.ask(f"rename {name} to", name, partial(rename, editor))
 

@@ -8,11 +8,12 @@ from typing import TYPE_CHECKING, Any
 
 from plastron_tui.language import Program, SlotKind
 from plastron_tui.language import statements as st
-from plastron_tui.model.kinds import EDITABLE, EndpointKind, Parameter, Subscription
+from plastron_tui.model.kinds import EDITABLE, EndpointKind, Parameter, Publisher, Subscription
 from plastron_tui.model.own_types import interfaces_of
 from plastron_tui.model.rename import RENAMED
 from plastron_tui.ros.interfaces import InterfaceKind, InterfaceName
 from plastron_tui.ros.names import spelled
+from plastron_tui.ros.qos import Qos
 from plastron_tui.ros.robots.description import Description
 
 if TYPE_CHECKING:
@@ -237,6 +238,15 @@ class Vocabulary:
         node = self._workspace.nodes.get(variable)
         return {} if node is None else node.of(Subscription)
 
+    def offered(self, topic: str) -> list[Qos]:
+        """Return the quality of service of each publisher of a topic, as far as it is known."""
+        return [
+            publisher.qos or Qos()
+            for node in self._workspace.nodes.values()
+            for name, publisher in node.of(Publisher).items()
+            if name.removeprefix("/") == topic.removeprefix("/")
+        ]
+
     def heard_with(self, message: str) -> tuple[InterfaceName, ...]:
         """Return the types that a message may be made of when it is sent.
 
@@ -260,6 +270,20 @@ class Vocabulary:
         kinds = RENAMED.get(word, ())
         names = (kind.written(name) for kind in kinds for name in node.names(kind))
         return list(dict.fromkeys(names))
+
+    def loaded_with(self, word: str, name: str) -> set[str]:
+        """Return the nodes whose files have a name of what a word of `renames` says.
+
+        A name is the same with and without the slash that it may begin with.
+        """
+        kinds = [kind for kind in RENAMED.get(word, ()) if kind in EDITABLE]
+        return {
+            variable
+            for variable, node in self._workspace.nodes.items()
+            for kind in kinds
+            for written, endpoint in node.by_kind[kind].items()
+            if endpoint.span is None and kind.written(written).removeprefix("/") == name
+        }
 
     def renamable(self, variable: str) -> list[str]:
         """Return the words of `renames` for what a node has; of one that is not known, all."""

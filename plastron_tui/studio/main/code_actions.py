@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 from textual.screen import Screen
 
+from ..editor.name_uses import function_at
 from ..panels.entry import Entry, Subject
 from ..panels.entry_keys import Pointing
 from .active_program import ActiveProgram
@@ -36,7 +37,7 @@ class CodeActions:
         await self.show(entry if entry and is_known else self._program.editor.cursor_offset)
 
     async def show(self, asked: Entry | int) -> None:
-        """Show the code of an entry, or of the statement at an offset."""
+        """Show the code of an entry, or of the statement at an offset: its function where it is."""
         from ..screens.code_view import ChoosePlace, CodeView
 
         self._searches += 1
@@ -44,8 +45,9 @@ class CodeActions:
             found = await self._find(asked)
         finally:
             self._searches -= 1
+        places = self._of_function(found.places, asked) or found.places
         # What is there, and can be changed, comes before what would be written.
-        places = tuple(sorted(found.places, key=lambda place: place.text is not None))
+        places = tuple(sorted(places, key=lambda place: place.text is not None))
         if not places:
             self._say(found.reason)
             return
@@ -54,6 +56,13 @@ class CodeActions:
             at = await self._screen.app.push_screen_wait(ChoosePlace(places))
         if at >= 0:
             await self._screen.app.push_screen_wait(CodeView(places, at))
+
+    def _of_function(self, places: tuple[Place, ...], asked: Entry | int) -> tuple[Place, ...]:
+        """Return the places of the function that is named at an offset, none where none is."""
+        if not isinstance(asked, int):
+            return ()
+        name = function_at(self._program.open.session.document, asked)
+        return tuple(each for each in places if each.what == f"function {name}")
 
     async def _find(self, asked: Entry | int) -> Found:
         """Find places, apart from the screen; those that the project may not lead to go."""

@@ -19,7 +19,7 @@ class TestCoding:
             await at.press("f12")
             assert at.editor.cursor_offset == PROGRAM.index("hello of")
             await at.press("home", "f12")
-            assert at.app.said == ["no variable, and no part of a robot, is under the cursor"]
+            assert at.app.said == ["nothing under the cursor leads anywhere"]
 
     async def test_rename_everywhere_is_one_step(self) -> None:
         async with editing(PROGRAM, cursor=PROGRAM.index("talker publish")) as at:

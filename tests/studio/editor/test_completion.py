@@ -298,3 +298,27 @@ def test_files_that_can_be_loaded(tmp_path: Path) -> None:
     (tmp_path / "my-driver.py").touch()
     found = offered("load ", "", tmp_path / "a.plastron")
     assert [entry.text for entry in found] == ["talker_pub", "'my-driver.py'"]
+
+
+BEST_EFFORT = """\
+create_node 'robot' as robot using rclpy
+create_node 'ears' as ears using rclpy
+create_node 'old' as old using rospy
+create_message m of message_type Bool and input True
+robot publish m to 'lost' of message_type Bool with qos sensor_data
+robot publish m to 'kept' of message_type Bool
+robot publish m to 'both' of message_type Bool with qos best_effort
+ears publish m to '/both' of message_type Bool
+"""
+WORDS = {
+    "subscribe ears to 'lo": " of message_type Bool with qos sensor_data",
+    "subscribe ears to 'ke": " of message_type Bool",
+    "subscribe ears to 'bo": " of message_type Bool",
+    "subscribe old to 'lo": " of message_type Bool",
+    "ears publish m to 'lo": " of message_type Bool",
+}
+
+
+@pytest.mark.parametrize(("line", "after"), WORDS.items())
+def test_a_topic_brings_along_what_lets_it_be_heard(line: str, after: str) -> None:
+    assert offered(line, BEST_EFFORT)[0].after == after
