@@ -148,7 +148,7 @@ class TabStrip(Toned):
                     self.post_message(self.Picked(name))
 
 
-class Edge(Widget):
+class Edge(Toned):
     """The line between a dock and the editor, to drag; where there are frames, a side of one."""
 
     ends: reactive[tuple[str, str]] = reactive(("│", "│"))

@@ -11,7 +11,6 @@ from rich.style import Style
 from textual import events
 from textual.binding import Binding, BindingType
 from textual.geometry import Region
-from textual.strip import Strip
 
 from plastron_tui.runtime.live_graph import LiveGraph
 
@@ -107,7 +106,6 @@ class LivePanel(EntryList):
         self._columns = Columns(0, 0, 0, 0, 0)
         self._stale: set[int] = set()
         self._drawing = Delay(self, self._draw_some)
-        self._base: Style | None = None
 
     @property
     def row(self) -> LiveRow | None:
@@ -195,21 +193,6 @@ class LivePanel(EntryList):
         self._stale.difference_update(drawn)
         self.refresh(Region(0, first - top, self.size.width, len(drawn)))
         self._drawing.start(_BETWEEN)
-
-    @property
-    def rich_style(self) -> Style:
-        """The style of its background; looked up once for all lines that are drawn in one go."""
-        if self._base is None:
-            return super().rich_style
-        return self._base
-
-    def render_lines(self, crop: Region) -> list[Strip]:
-        """Draw lines."""
-        self._base = super().rich_style
-        try:
-            return super().render_lines(crop)
-        finally:
-            self._base = None
 
     def on_show(self) -> None:
         """Show what came meanwhile."""

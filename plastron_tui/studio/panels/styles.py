@@ -5,6 +5,8 @@ from __future__ import annotations
 from typing import NamedTuple
 
 from rich.style import Style
+from textual.geometry import Region
+from textual.strip import Strip
 from textual.widget import Widget
 
 TONES = (
@@ -79,6 +81,22 @@ class Toned(Widget):
     def __init__(self, *, id: str | None = None) -> None:  # noqa: A002 - Textual's word
         super().__init__(id=id)
         self._tones: dict[tuple[str, str], Style] = {}
+        self._base: Style | None = None
+
+    @property
+    def rich_style(self) -> Style:
+        """The style of its background; looked up once for all lines that are drawn in one go."""
+        if self._base is None:
+            return super().rich_style
+        return self._base
+
+    def render_lines(self, crop: Region) -> list[Strip]:
+        """Draw lines."""
+        self._base = super().rich_style
+        try:
+            return super().render_lines(crop)
+        finally:
+            self._base = None
 
     def tone(self, name: str, prefix: str = "tone") -> Style:
         """Return the style of a tone."""
