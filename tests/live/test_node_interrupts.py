@@ -253,6 +253,7 @@ def test_a_node_ends_when_it_is_terminated(graph: Graph, tmp_path: Path) -> None
     assert not own_tracebacks(node.output)
 
 
+@pytest.mark.long
 def test_ctrl_c_while_there_is_no_master(ros1: Graph, tmp_path: Path) -> None:
     env = {**ros1.env, "ROS_MASTER_URI": f"http://127.0.0.1:{free_port()}/"}
     start = tmp_path / "start.py"
@@ -319,7 +320,7 @@ PATIENCE = re.compile(r"(\.join\(|self\.create_timer\()SERVICE_TIMEOUT\b")
 """Where a node says how long it waits for an answer."""
 
 
-@pytest.mark.parametrize("graph", mostly_long(["ros1", "ros2"], ["ros1"]), indirect=True)
+@pytest.mark.long
 def test_ctrl_c_while_a_service_does_not_answer(graph: Graph, tmp_path: Path) -> None:
     program = tmp_path / "waits.plastron"
     program.write_text(

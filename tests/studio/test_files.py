@@ -5,6 +5,7 @@ import os
 from pathlib import Path
 
 import pytest
+from machine import mostly_long
 from studio_driver import PROGRAM, SIZES, leave_behind, studio
 
 from plastron_tui.studio.journal import kept_texts
@@ -101,24 +102,29 @@ async def test_a_program_is_opened(program: Path) -> None:
         assert driver.app.profile.remembered.recent[0] == str(other)
 
 
-@pytest.mark.parametrize(
-    ("contents", "said"),
-    [
-        (b"\xff\xfe", "the file is not UTF-8 (line 1)"),
-        (b"a\0b", "NUL"),
-        (b"// x\n" * (4 * 1024 * 1024), "larger than 16 MB"),
-    ],
-    ids=["latin", "binary", "20 MB"],
-)
-async def test_a_file_that_is_no_program_is_said_and_the_text_stays(
-    program: Path, contents: bytes, said: str
-) -> None:
-    bad = program.with_name("bad.plastron")
-    bad.write_bytes(contents)
+NO_PROGRAMS = {
+    "latin": (b"\xff\xfe", "the file is not UTF-8 (line 1)"),
+    "binary": (b"a\0b", "NUL"),
+    "20 MB": (b"// x\n" * (4 * 1024 * 1024), "larger than 16 MB"),
+}
+
+
+async def test_a_file_that_is_no_program_is_said_and_the_text_stays(program: Path) -> None:
     async with studio(program) as driver:
-        driver.main.files.open_file(bad)
-        await driver.until(lambda: said in driver.notes())
-        assert driver.text == PROGRAM
+        for name, (contents, said) in NO_PROGRAMS.items():
+            bad = program.with_name(f"{name}.plastron")
+            bad.write_bytes(contents)
+            driver.main.files.open_file(bad)
+            await driver.until(lambda said=said: said in driver.notes())
+            assert driver.text == PROGRAM
+            assert bad.read_bytes() == contents
+
+
+@pytest.mark.parametrize("name", mostly_long(NO_PROGRAMS, ["binary"]))
+async def test_a_studio_that_starts_with_no_program_says_so(tmp_path: Path, name: str) -> None:
+    contents, said = NO_PROGRAMS[name]
+    bad = tmp_path / "bad.plastron"
+    bad.write_bytes(contents)
     async with studio(bad) as driver:
         assert said in driver.notes()
         assert driver.text == ""

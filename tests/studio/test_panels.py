@@ -5,7 +5,6 @@ from pathlib import Path
 import pytest
 from studio_driver import PROGRAM, SIZES, studio
 
-from plastron_tui.studio.panels.panel import Panel
 from plastron_tui.studio.panels.registry import PANELS
 
 ENTRIES = {
@@ -19,15 +18,12 @@ ENTRIES = {
 
 
 @pytest.mark.parametrize("size", SIZES)
-@pytest.mark.parametrize("name", ENTRIES)
-async def test_a_panel_shows_what_the_text_means(
-    program: Path, size: tuple[int, int], name: str
-) -> None:
+async def test_each_panel_shows_what_the_text_means(program: Path, size: tuple[int, int]) -> None:
     async with studio(program, size) as driver:
-        driver.main.action_show(name)
-        await driver.settle()
-        assert driver.main.panels[name].has_focus
-        assert driver.shown(name) == ENTRIES[name]
+        for name, entries in ENTRIES.items():
+            await driver.show(name)
+            assert driver.main.panels[name].has_focus
+            assert driver.shown(name) == entries
 
 
 @pytest.mark.parametrize("size", SIZES)
@@ -85,28 +81,26 @@ async def test_what_is_done_to_an_entry_is_a_statement(
         assert driver.text == PROGRAM
 
 
-@pytest.mark.parametrize(
-    ("panel", "row", "new", "count"),
-    [
-        ("nodes", 0, "speaker", 4),
-        ("nodes", 1, "news", 2),
-        ("topics", 0, "news", 2),
-        ("topics", 2, "news", 2),
-        ("messages", 0, "hi", 2),
-    ],
-)
-async def test_an_entry_is_renamed_everywhere(
-    program: Path, panel: str, row: int, new: str, count: int
-) -> None:
+async def test_an_entry_is_renamed_everywhere(program: Path) -> None:
     async with studio(program) as driver:
-        await driver.show(panel)
-        await driver.press("home", *["down"] * row)
-        await driver.pilot.press("f2")
-        await driver.dialog("Prompt")
-        await driver.pilot.press(*new, "enter")
-        await driver.back()
-        assert driver.text.count(new) == count
-        assert not driver.main.open.analysis.diagnostics
+        for panel, row, new, count in (
+            ("nodes", 0, "speaker", 4),
+            ("nodes", 1, "news", 2),
+            ("topics", 0, "news", 2),
+            ("topics", 2, "news", 2),
+            ("messages", 0, "hi", 2),
+        ):
+            await driver.show(panel)
+            await driver.press("home", *["down"] * row)
+            await driver.pilot.press("f2")
+            await driver.dialog("Prompt")
+            await driver.pilot.press(*new, "enter")
+            await driver.back()
+            assert driver.text.count(new) == count
+            assert not driver.main.open.analysis.diagnostics
+            driver.main.editor.undo()
+            await driver.settle()
+            assert driver.text == PROGRAM
 
 
 async def test_a_problem_is_shown_and_mended(program: Path) -> None:
@@ -161,16 +155,17 @@ async def test_the_preview_scrolls(program: Path, size: tuple[int, int]) -> None
 
 
 @pytest.mark.parametrize("size", SIZES)
-@pytest.mark.parametrize("panel", PANELS, ids=lambda panel: panel.name)
-async def test_help_is_about_the_panel(program: Path, size: tuple[int, int], panel: Panel) -> None:
+async def test_help_is_about_the_panel(program: Path, size: tuple[int, int]) -> None:
     async with studio(program, size) as driver:
-        driver.main.action_show(panel.name)
-        await driver.settle()
-        await driver.pilot.press("f1")
-        dialog = await driver.dialog("Help")
-        assert str(dialog.query_one("#dialog-title").content) == panel.title
-        assert str(dialog.query_one("#dialog-text").content) == panel.about
-        assert "Back to the editor" in dialog.query_one("TextView").text
+        for panel in PANELS:
+            await driver.show(panel.name)
+            await driver.pilot.press("f1")
+            dialog = await driver.dialog("Help")
+            assert str(dialog.query_one("#dialog-title").content) == panel.title
+            assert str(dialog.query_one("#dialog-text").content) == panel.about
+            assert "Back to the editor" in dialog.query_one("TextView").text
+            await driver.pilot.press("escape")
+            await driver.back()
 
 
 async def test_a_narrow_panel_says_all_of_a_fix(program: Path) -> None:

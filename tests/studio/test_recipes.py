@@ -7,7 +7,8 @@ import shutil
 from pathlib import Path
 
 import pytest
-from studio_driver import SIZES, studio
+from machine import mostly_long
+from studio_driver import studio
 
 from plastron_tui.language.formatter import format_document
 from plastron_tui.session import Options, Session
@@ -98,11 +99,18 @@ async def choose(driver: object, recipe: Recipe) -> None:
     await driver.pilot.press("home", *["down"] * at, "enter")  # type: ignore[attr-defined]
 
 
-@pytest.mark.parametrize("size", [*SIZES, pytest.param((60, 20), marks=pytest.mark.long)])
-@every_recipe
+# In the quick suite one of nodes, one of a robot, and one with files; each size has some.
+SIZES = [(80, 24), (120, 40), (60, 20)]
+OPENED = [(recipe.path.stem, SIZES[number % 3]) for number, recipe in enumerate(RECIPES)]
+QUICK = ("talker_listener", "rover", "change_node")
+
+
+@pytest.mark.parametrize("case", mostly_long(OPENED, [each for each in OPENED if each[0] in QUICK]))
 async def test_a_recipe_is_opened_from_the_welcome(
-    recipe: Recipe, size: tuple[int, int], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+    case: tuple[str, tuple[int, int]], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
+    stem, size = case
+    (recipe,) = (each for each in RECIPES if each.path.stem == stem)
     monkeypatch.chdir(tmp_path)
     async with studio(None, size, welcome=True) as driver:
         await choose(driver, recipe)
