@@ -98,7 +98,7 @@ class _Watched:
         panel = self.main.panels["live"]
         assert isinstance(panel, LivePanel)
         self.panel = panel
-        self.actions: LiveActions = self.main.runner._live
+        self.actions: LiveActions = self.main.runner.watched.live
         self.drawn = 0.0
         self.is_drawn = asyncio.Event()
         draw = self.main.editor.view.render_lines

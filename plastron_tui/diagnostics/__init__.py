@@ -10,7 +10,7 @@ from .data import Diagnostic, Edit, Fix, Label, Span, has_errors, write
 from .lines import LineIndex, Position
 from .severity import Severity
 from .suggest import did_you_mean, guess
-from .wording import either, listed, shortened
+from .wording import counted, either, listed, shortened
 
 __all__ = [
     "Code",
@@ -23,6 +23,7 @@ __all__ = [
     "Severity",
     "Span",
     "codes",
+    "counted",
     "did_you_mean",
     "either",
     "guess",

@@ -52,3 +52,8 @@ def either(names: Iterable[str]) -> str:
     """Return names as what one may choose from: `a, b or c`."""
     *first, last = names
     return f"{', '.join(first)} or {last}" if first else last
+
+
+def counted(count: int, word: str) -> str:
+    """Return a number with what is counted: `1 file`, `3 files`."""
+    return f"{count} {word}" if count == 1 else f"{count} {word}s"

@@ -12,7 +12,7 @@ from dataclasses import dataclass
 from textual.binding import Binding
 
 from .editor.commands import COMMANDS, Command
-from .key_conflicts import EDITOR, EVERYWHERE, KeyOwner
+from .key_conflicts import EDITOR, EVERYWHERE, FIND, KeyOwner
 from .panels.dock import Dock
 from .panels.registry import PANELS
 
@@ -133,6 +133,9 @@ def bindings() -> list[Binding]:
 
 def key_owners() -> tuple[KeyOwner, ...]:
     """Return what has keys, in the place where it has them, for the configuration file."""
+    # The studio begins without it, and nearly always without keys of somebody's own.
+    from .editor.bars import FindBar
+
     owners = [
         KeyOwner(action.id, action.title, frozenset({EVERYWHERE}), _split(action.keys))
         for action in ACTIONS
@@ -142,14 +145,21 @@ def key_owners() -> tuple[KeyOwner, ...]:
         KeyOwner(command.id, command.title, frozenset({EDITOR}), _split(command.binding.key))
         for command in COMMANDS
     ]
+    owners += _bound_by(FindBar, FIND)
     for panel in PANELS:
         for base in (*panel.widget.__mro__, *Dock.__mro__):
-            owners += [
-                KeyOwner(each.id or "", each.description, frozenset({panel.name}), _split(each.key))
-                for each in base.__dict__.get("BINDINGS", ())
-                if isinstance(each, Binding) and base.__module__.startswith(__package__ or "")
-            ]
+            if base.__module__.startswith(__package__ or ""):
+                owners += _bound_by(base, panel.name)
     return tuple(dict.fromkeys(owners))
+
+
+def _bound_by(widget: type, place: str) -> list[KeyOwner]:
+    """Return what a class of widgets itself binds keys to."""
+    return [
+        KeyOwner(each.id or "", each.description, frozenset({place}), _split(each.key))
+        for each in widget.__dict__.get("BINDINGS", ())
+        if isinstance(each, Binding)
+    ]
 
 
 def _split(keys: str) -> tuple[str, ...]:

@@ -88,7 +88,7 @@ class StudioApp(InOrder, inherit_bindings=False):
         folder = state_folder()
         config, self._messages = load_config(config_file(), key_owners(), self.available_themes)
         self.profile = Profile(config, load_remembered(folder), folder)
-        self.set_reactive(App.theme, self._first_theme())
+        self._begin_with(self._first_theme())
         self._paths = [] if path is None else _different([path, *others])
         self._other_files: list[Path] = []
         self._options = options or Options()
@@ -167,6 +167,14 @@ class StudioApp(InOrder, inherit_bindings=False):
             return wanted
         return _SMALL if has_few_colours(os.environ) else DEFAULT_THEME
 
+    def _begin_with(self, theme: str) -> None:
+        """Have a theme before anything is styled; a change of it would style all once more."""
+        self.set_reactive(App.theme, theme)
+        self.stylesheet.set_variables(self.get_css_variables())
+        is_dark = self.current_theme.dark
+        self.set_class(is_dark, "-dark-mode", update=False)
+        self.set_class(not is_dark, "-light-mode", update=False)
+
     def _themed(self, name: str, first: str) -> None:
         if name != first or self.profile.remembered.theme is not None:
             self.profile.remembered.theme = name
@@ -177,7 +185,7 @@ class StudioApp(InOrder, inherit_bindings=False):
 
     def get_driver_class(self) -> type[Driver]:
         """Return what writes to the terminal, and reads what comes from there."""
-        return for_terminal(super().get_driver_class(), self._shown)
+        return for_terminal(super().get_driver_class(), self._shown, self._no_more_keys)
 
     def get_key_display(self, binding: Binding) -> str:
         """Return what a key is called, everywhere in the studio."""
@@ -219,6 +227,10 @@ class StudioApp(InOrder, inherit_bindings=False):
         if report not in self._failures:
             self._failures.add(report)
             self.push_screen(Failure(report, self.main.open.journal.file))
+
+    def _no_more_keys(self, error: Exception) -> None:
+        """End, from the thread that reads from the terminal: nothing can be typed any more."""
+        self.call_later(self.fail, error)
 
     def survives(self, error: Exception) -> bool:
         """Survive what goes wrong in a worker; end with a report what ends a widget's loop."""

@@ -6,11 +6,16 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import NamedTuple
 
+from .key_display import key_name
 from .key_names import Arrival, another_key, arrival, arrives_as, read_keys, shown_keys, types_text
 
 EVERYWHERE = "everywhere"
 """The place of what the main screen does, whatever has the focus."""
 EDITOR = "editor"
+FIND = "find"
+"""The line in the editor that asks what to find; it takes text as the editor does."""
+_OF_TEXT = frozenset({EVERYWHERE, EDITOR, FIND})
+"""Where a letter is written, and starts nothing."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -20,7 +25,8 @@ class KeyOwner:
     Attributes:
         id: its name in the configuration file; "" where that cannot give it others.
         title: what it is called.
-        places: what has to have the focus: the editor, a panel by its name, or `EVERYWHERE`.
+        places: what has to have the focus: the editor, its line that finds, a panel by its name, or
+            `EVERYWHERE`.
         keys: its keys from the start, in Textual's notation.
     """
 
@@ -77,7 +83,8 @@ def bind(wishes: Sequence[Wish], owners: Sequence[KeyOwner]) -> Bound:
             rival = next((each for each in rivals if each.places & owner.places), None)
             if rival is not None:
                 wanted.remove(key)
-                said.append(f"`{key}` is the key of {rival.name} in line {lines[rival.id]} already")
+                line = lines[rival.id]
+                said.append(f"`{key_name(key)}` is the key of {rival.name} in line {line} already")
         bound.problems += [Said(wish.line, words) for words in said]
         if wanted:
             given[wish.action] = tuple(wanted)
@@ -116,17 +123,17 @@ def _readable(owner: KeyOwner, wish: Wish, taken: set[str]) -> tuple[list[str], 
     come = [key for key in written.keys if arrival(key) is Arrival.ALWAYS]
     for key in written.keys:
         how = arrival(key)
-        instead = f"`{another_key(key, taken)}` comes through"
+        shown, instead = key_name(key), f"`{key_name(another_key(key, taken))}` comes through"
         if how is Arrival.AS_ANOTHER:
-            said.append(f"`{key}` reaches the studio as {arrives_as(key)}; {instead}")
-        elif owner.places & {EVERYWHERE, EDITOR} and types_text(key):
-            said.append(f"`{key}` writes into the text; {instead}")
+            said.append(f"`{shown}` reaches the studio as {arrives_as(key)}; {instead}")
+        elif owner.places & _OF_TEXT and types_text(key):
+            said.append(f"`{shown}` writes into the text; {instead}")
         else:
             keys.append(key)
             if how is Arrival.NEVER and not come:
-                said.append(f"no terminal sends `{key}`; {instead}")
+                said.append(f"no terminal sends `{shown}`; {instead}")
             elif how is Arrival.SOMETIMES and not come:
-                said.append(f"few terminals send `{key}`; {instead}")
+                said.append(f"few terminals send `{shown}`; {instead}")
     return keys, said
 
 
@@ -155,13 +162,24 @@ def _effects(
             now = f"has {shown_keys(left)} left" if left else "has no key now"
             yield f"{words} was the key of {other.name}, which {now}"
         elif EVERYWHERE in owner.places:
-            yield f"{words} stays the key of {other.name} {_while_in(other)}"
+            news = [key for key in both if not _is_in_two_places(key, other, owners)]
+            if news:
+                yield f"{shown_keys(news)} stays the key of {other.name} {_while_in(other)}"
         elif EVERYWHERE in other.places:
             yield f"{words} is the key of {other.name} too, which it is not {_while_in(owner)}"
+
+
+def _is_in_two_places(key: str, owner: KeyOwner, owners: Sequence[KeyOwner]) -> bool:
+    """Tell whether a key of an owner does something else outside of its place from the start."""
+    return key in owner.keys and any(
+        key in each.keys and EVERYWHERE in each.places for each in owners
+    )
 
 
 def _while_in(owner: KeyOwner) -> str:
     if EDITOR in owner.places:
         return "in the editor"
+    if FIND in owner.places:
+        return "in the line that finds"
     names = sorted(owner.places)
     return f"in the panel {names[0]}" if len(names) == 1 else "in panels"

@@ -2,17 +2,13 @@
 
 from __future__ import annotations
 
+from types import MappingProxyType
+
 from .key_table import MEANT, sign_of_name
 
-_NAMES = {
-    "escape": "Esc",
-    "pageup": "PgUp",
-    "pagedown": "PgDn",
-    "up": "↑",
-    "down": "↓",
-    "left": "←",
-    "right": "→",
-}
+ARROWS = MappingProxyType({"up": "↑", "down": "↓", "left": "←", "right": "→"})
+"""The signs of the keys that move by one."""
+_NAMES = {"escape": "Esc", "pageup": "PgUp", "pagedown": "PgDn", **ARROWS}
 """Names that do not follow from Textual's."""
 
 

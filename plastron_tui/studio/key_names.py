@@ -12,7 +12,8 @@ from textual.keys import KEY_NAME_REPLACEMENTS
 
 from plastron_tui.diagnostics import did_you_mean
 
-from .key_table import MEANT, SENT, SIGNS, name_of_sign
+from .key_display import ARROWS, key_name
+from .key_table import SENT, SIGNS, name_of_sign
 from .terminal_keys import ALT_CHORDS
 
 _HELD = {
@@ -33,6 +34,7 @@ _SAME = {
     "dash": "minus", "equals": "equals_sign", "equal": "equals_sign", "dot": "full_stop",
     "period": "full_stop", "question": "question_mark", "hash": "number_sign",
     "commercial_at": "at", "backtick": "grave_accent",
+    **{arrow: key for key, arrow in ARROWS.items()},
 }  # fmt: skip
 _MOVING = ("up", "down", "left", "right", "home", "end", "pageup", "pagedown")
 _NAMED = frozenset(
@@ -117,7 +119,7 @@ def read_key(text: str) -> str | None:
 
 def _name_of(word: str, held: set[str]) -> str | None:
     """Return the name of the key itself; with Shift alone a letter is its capital."""
-    if len(word) == 1:
+    if len(word) == 1 and word not in _SAME:
         return _name_of_character(word, held)
     name = re.sub(r"[ -]+", "_", word.lower())
     name = _SAME.get(name, name)
@@ -174,8 +176,7 @@ def _comes_from_all(held: list[str], name: str) -> bool:
 
 def shown_keys(keys: Iterable[str]) -> str:
     """Return keys as a message has them: of those that are the same to a hand one is enough."""
-    pressed = dict.fromkeys(MEANT.get(key, key) for key in keys)
-    return ", ".join(f"`{key}`" for key in pressed)
+    return ", ".join(dict.fromkeys(f"`{key_name(key)}`" for key in keys))
 
 
 def arrives_as(key: str) -> str:

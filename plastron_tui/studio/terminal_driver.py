@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from time import monotonic
 from typing import IO, TYPE_CHECKING, cast
 
@@ -13,7 +13,7 @@ from textual.message import Message
 
 from .key_bursts import Bursts, Kind
 from .terminal_output import ShownScreen
-from .textual_private import linux_driver, output_of, parse_input_with
+from .textual_private import linux_driver, output_of, parse_input_with, take_any_bytes
 
 if TYPE_CHECKING:
     from textual._xterm_parser import XTermParser
@@ -33,17 +33,21 @@ class Burst(events.Event):
         self.keys = keys
 
 
-def for_terminal(driver: type[Driver], shown: ShownScreen) -> type[Driver]:
+def for_terminal(
+    driver: type[Driver], shown: ShownScreen, failed: Callable[[Exception], object]
+) -> type[Driver]:
     """Return a driver for the studio that does all that another one does; a browser's as it is.
 
     Args:
         driver: Textual's choice.
         shown: what the terminal shows; it is told of what is written, and has to be told of else.
+        failed: takes what ended the thread that reads from the terminal, in that thread.
     """
     base = linux_driver()
     if base is None or driver is not base:
         return driver
     parse_input_with(_with_bursts)
+    take_any_bytes()
 
     class StudioDriver(driver):  # type: ignore[valid-type, misc]
         """Writes to the terminal only what differs from what it shows."""
@@ -53,6 +57,13 @@ def for_terminal(driver: type[Driver], shown: ShownScreen) -> type[Driver]:
             changes = shown.changes(data, _size(output_of(self)))
             if changes:
                 super().write(changes)
+
+        def run_input_thread(self) -> None:
+            """Read from the terminal until the studio ends."""
+            try:
+                super().run_input_thread()
+            except Exception as error:
+                failed(error)
 
     return StudioDriver
 

@@ -5,7 +5,9 @@ A version of Textual that has it no longer takes away what is said here, and not
 
 from __future__ import annotations
 
+import codecs
 from collections.abc import Callable, MutableMapping
+from functools import partial
 from typing import IO, TYPE_CHECKING, Any, cast
 
 from textual.app import App
@@ -69,6 +71,23 @@ def parse_input_with(parser_of: Callable[[type[XTermParser]], type[XTermParser]]
         linux_driver.XTermParser = parser  # type: ignore[attr-defined]
 
 
+def take_any_bytes() -> None:
+    """Let Textual's driver read U+FFFD where a terminal sends what is no UTF-8.
+
+    Without it such a byte ends the studio; what was typed is in the journal.
+    """
+    try:
+        from textual.drivers import linux_driver
+    except ImportError:
+        return
+    if getattr(linux_driver, "getincrementaldecoder", None) is not None:
+        linux_driver.getincrementaldecoder = _forgiving  # type: ignore[assignment, attr-defined]
+
+
+def _forgiving(encoding: str) -> Callable[[], codecs.IncrementalDecoder]:
+    return partial(codecs.getincrementaldecoder(encoding), errors="replace")
+
+
 def _takes_keys(parser: type[XTermParser]) -> bool:
     """Tell whether a parser that is made and fed as it is now returns a key for a letter."""
     try:
@@ -130,6 +149,10 @@ class Failing(App[None], inherit_bindings=False):
     def survives(self, error: Exception) -> bool:
         """Take note of an error; tell whether the app goes on."""
         return False
+
+    def fail(self, error: Exception) -> None:
+        """End as an error in a widget does."""
+        self._handle_exception(error)
 
     def _handle_exception(self, error: Exception) -> None:
         if self.survives(error):

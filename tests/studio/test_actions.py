@@ -51,6 +51,7 @@ async def test_keys_are_remapped_and_a_bad_configuration_is_said(program: Path, 
     )
     async with studio(program) as driver:
         assert driver.app.theme == "nord"
+        assert driver.main.styles.background.hex6 == driver.app.current_theme.background
         for said in ("line 4: no action `generat`; did you mean `generate`?",
                      "line 6: no setting `width`",
                      "line 7: `mouse` has a value that it cannot have"):  # fmt: skip
@@ -94,6 +95,7 @@ async def test_the_theme_and_the_layout_are_remembered(program: Path) -> None:
         width = driver.main.dock_layout.sizes["outline"]
     async with studio(program) as driver:
         assert driver.app.theme == "gruvbox"
+        assert driver.main.styles.background.hex6 == driver.app.current_theme.background
         assert driver.main.dock_layout.outline.active == "topics"
         assert driver.main.dock_layout.sizes["outline"] == width
         assert driver.main.dock_layout.outline.size.width == width

@@ -8,6 +8,7 @@ from hypothesis import strategies as st
 
 from plastron_tui.studio.actions import ACTIONS, BY_ID, key_owners
 from plastron_tui.studio.config import read_config
+from plastron_tui.studio.key_display import key_name
 from plastron_tui.studio.key_names import Arrival, another_key, arrival, read_key, read_keys
 
 OWNERS = key_owners()
@@ -47,6 +48,12 @@ def test_what_is_read_as_a_key_is_read_again_as_the_same(text: str) -> None:
     assert key is None or read_key(key) == key
 
 
+def test_a_key_is_read_as_messages_and_footer_write_it() -> None:
+    keys = {key for owner in OWNERS for key in owner.keys if not key.startswith("f1")}
+    for key in keys:
+        assert key in read_keys([key_name(key)]).keys, key
+
+
 def test_all_keys_of_the_studio_can_be_written_and_come_through() -> None:
     for action in ACTIONS:
         keys = action.keys.split(",")
@@ -61,32 +68,39 @@ def test_all_keys_of_the_studio_can_be_written_and_come_through() -> None:
     ("yaml", "keys", "said"),
     [
         ("generate: Ctrl-B", {"generate": "ctrl+b"}, []),
-        ("generate: ^B\n  run: [F11, alt+r]", {"generate": "ctrl+b", "run": "f11,alt+r"}, []),
+        ("generate: ^B\n  run: [F11, alt+x]", {"generate": "ctrl+b", "run": "f11,alt+x"}, []),
+        ("run: alt+r", {"run": "alt+r"},
+         ["line 2: `Alt-R` stays the key of `find.regex` in the line that finds"]),
+        ("find.regex: alt+x", {"find.regex": "alt+x"}, []),
+        ("find.regex: alt+c", {"find.regex": "alt+c", "find.case": "f7"},
+         ["line 2: `Alt-C` is the key of `code` too, which it is not in the line that finds",
+          "line 2: `Alt-C` was the key of `find.case`, which has `F7` left"]),
+        ("find.next: n", {}, ["line 2: `n` writes into the text; `Alt-H` comes"]),
         ("run: f6\n  generate: f5", {"run": "f6", "generate": "f5"}, []),
         ("generate: f11\n  run: f11", {"generate": "f11"},
-         ["line 3: `f11` is the key of `generate` in line 2 already"]),
+         ["line 3: `F11` is the key of `generate` in line 2 already"]),
         ("generate: f5", {"generate": "f5", "run": ""},
-         ["line 2: `f5` was the key of `run`, which has no key now"]),
+         ["line 2: `F5` was the key of `run`, which has no key now"]),
         ("zoom: alt+w", {"zoom": "alt+w", "wizard": "ctrl+u"},
-         ["line 2: `alt+w` was the key of `wizard`, which has `ctrl+u` left"]),
+         ["line 2: `Alt-W` was the key of `wizard`, which has `Ctrl-U` left"]),
         ("generate: ctrl+k", {"generate": "ctrl+k"},
-         ["line 2: `ctrl+k` stays the key of `editor.delete_line` in the editor"]),
+         ["line 2: `Ctrl-K` stays the key of `editor.delete_line` in the editor"]),
         ("editor.find: f6", {"editor.find": "f6"},
-         ["line 2: `f6` is the key of `generate` too, which it is not in the editor"]),
+         ["line 2: `F6` is the key of `generate` too, which it is not in the editor"]),
         ("editor.find: alt+x\n  generate: ctrl+f", {"editor.find": "alt+x", "generate": "ctrl+f"},
          []),
         ("graph.size: v", {"graph.size": "v"}, []),
         ("graph.size: k", {"graph.size": "k", "panel.up": "up"},
-         ["line 2: `k` was the key of `panel.up`, which has `up` left"]),
+         ["line 2: `k` was the key of `panel.up`, which has `↑` left"]),
         ("robots.view: d", {"robots.view": "d"}, []),
-        ("generate: x", {}, ["line 2: `x` writes into the text; `alt+x` comes through"]),
-        ("generate: ctrl+i", {}, ["line 2: `ctrl+i` reaches the studio as Tab;"]),
-        ("generate: ctrl+m", {}, ["line 2: `ctrl+m` reaches the studio as Enter;"]),
-        ("generate: Ctrl-H", {}, ["line 2: `ctrl+h` reaches the studio as Backspace;"]),
-        ("generate: ctrl+1", {"generate": "ctrl+1"}, ["line 2: no terminal sends `ctrl+1`;"]),
-        ("generate: cmd+g", {"generate": "super+g"}, ["line 2: no terminal sends `super+g`;"]),
+        ("generate: x", {}, ["line 2: `x` writes into the text; `Alt-X` comes through"]),
+        ("generate: ctrl+i", {}, ["line 2: `Ctrl-I` reaches the studio as Tab;"]),
+        ("generate: ctrl+m", {}, ["line 2: `Ctrl-M` reaches the studio as Enter;"]),
+        ("generate: Ctrl-H", {}, ["line 2: `Ctrl-H` reaches the studio as Backspace;"]),
+        ("generate: ctrl+1", {"generate": "ctrl+1"}, ["line 2: no terminal sends `Ctrl-1`;"]),
+        ("generate: cmd+g", {"generate": "super+g"}, ["line 2: no terminal sends `Super-G`;"]),
         ("generate: ctrl+shift+b", {"generate": "ctrl+shift+b"},
-         ["line 2: few terminals send `ctrl+shift+b`; `ctrl+b` comes through"]),
+         ["line 2: few terminals send `Ctrl-Shift-B`; `Ctrl-B` comes through"]),
         ("generate: [ctrl+shift+b, f11]", {"generate": "ctrl+shift+b,f11"}, []),
         ("generate: escap", {}, ["line 2: no key `escap`; did you mean `escape`?"]),
         ("generat: f11", {}, ["line 2: no action `generat`; did you mean `generate`?"]),

@@ -170,7 +170,7 @@ async def test_in_a_wide_window_the_output_stays(
         assert driver.main.dock_layout.is_in_sight("output")
         # A studio that was stopped has not read what the monitor said meanwhile: it is asked twice.
         monkeypatch.setattr(monitor, "SILENT", 0.0)
-        look = driver.main.runner._live._look_at_monitors
+        look = driver.main.runner.watched.live._look_at_monitors
         look()
         monkeypatch.setattr(monitor, "SILENT", 60.0)
         look()
@@ -205,13 +205,13 @@ async def test_the_nodes_that_were_started_last_are_watched_whichever_tab_is_the
             await driver.until(lambda: not runner.runs_in(second))
             await wait_shown(driver, "≈ /chatter")
         # What is sent to them is of their program's types, not of those of the one in front.
-        assert main.program.tab is second and runner._live._tab is first
+        assert main.program.tab is second and runner.watched.live._tab is first
         assert "gone" not in "".join(live(driver).lines)
         # Nodes that are ready are watched, and those of before again when they have ended.
         await driver.press("f5")
-        await driver.until(lambda: runner._live._tab is second)
+        await driver.until(lambda: runner.watched.live._tab is second)
         await wait_shown(driver, "≈ /chatter")
         runner.forget(second)
-        await driver.until(lambda: runner._live._tab is first)
+        await driver.until(lambda: runner.watched.live._tab is first)
         await driver.until(lambda: "nothing runs" not in live(driver).entries.empty)
         await wait_shown(driver, "≈ /chatter")

@@ -33,6 +33,7 @@ from plastron_tui.studio.textual_private import (
     notes_in_sight,
     output_of,
     parse_input_with,
+    take_any_bytes,
 )
 
 
@@ -66,13 +67,40 @@ def test_a_text_that_comes_at_once_is_one_event() -> None:
     assert (burst.text, len(burst.keys)) == ("x" * 80, 80)
 
 
+def test_what_is_no_utf_8_ends_nothing() -> None:
+    assert StudioApp().driver_class is not LinuxDriver
+    decoder = vars(textual_driver)["getincrementaldecoder"]("utf-8")()
+    assert [decoder.decode(data) for data in (b"caf\xe9x", b"\xc3", b"\xa9\xff")] == [
+        "caf\ufffdx",
+        "",
+        "é\ufffd",
+    ]
+
+
+async def test_the_studio_ends_with_its_own_words_where_no_key_can_be_read(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    def fails(self: LinuxDriver) -> None:
+        raise OSError("no terminal any more")
+
+    monkeypatch.setattr(LinuxDriver, "run_input_thread", fails)
+    monkeypatch.setattr(App, "_handle_exception", lambda self, error: self.exit())
+    app = StudioApp()
+    async with app.run_test(size=(80, 24)) as pilot:
+        app.driver_class(app).run_input_thread()  # type: ignore[attr-defined]
+        while not app.last_words:
+            await pilot.pause()
+    assert "no terminal any more" in app.last_words
+
+
 @pytest.mark.parametrize("module", [None, type(sys)("without")])
 def test_without_the_driver_all_is_written(module: object, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setitem(sys.modules, "textual.drivers.linux_driver", module)
     monkeypatch.setitem(sys.modules, "textual._xterm_parser", module)
     parse_input_with(lambda parser: parser)
+    take_any_bytes()
     assert linux_driver() is None
-    assert for_terminal(LinuxDriver, ShownScreen()) is LinuxDriver
+    assert for_terminal(LinuxDriver, ShownScreen(), lambda _: None) is LinuxDriver
 
 
 async def test_without_a_driver_s_file_all_is_written() -> None:

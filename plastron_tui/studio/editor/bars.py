@@ -11,7 +11,15 @@ from textual.binding import Binding, BindingType
 from textual.containers import Horizontal, Vertical
 from textual.widgets import Button, Input, Label
 
+from ..key_display import key_name
 from .finder import Finder
+
+# A button, what it says, and the action whose key it names.
+_BUTTONS = (
+    ("#find-regex", ".*", "find.regex"),
+    ("#find-case", "Aa", "find.case"),
+    ("#find-all", "all", "find.replace_all"),
+)
 
 
 class FindBar(Vertical):
@@ -23,7 +31,7 @@ class FindBar(Vertical):
     FindBar Input { width: 1fr; height: 1; border: none; padding: 0 1; }
     FindBar Label { width: auto; padding: 0 1; }
     FindBar Button { min-width: 4; width: auto; height: 1; border: none; margin: 0 0 0 1; }
-    FindBar .is-on { text-style: bold reverse; }
+    FindBar Button.is-on { background: $accent !important; color: auto !important; }
     FindBar #find-count { min-width: 10; text-align: right; }
     """
 
@@ -80,7 +88,18 @@ class FindBar(Vertical):
         # At once: what is typed next is meant for this field.
         self.screen.set_focus(field)
         field.select_all()
+        self._name_keys()
         self._find()
+
+    def _name_keys(self) -> None:
+        """Write on the buttons which keys press them, as they are bound now."""
+        keys = {
+            active.binding.id: key_name(active.binding.key)
+            for active in reversed(list(self.screen.active_bindings.values()))
+        }
+        for button, words, action in _BUTTONS:
+            key = keys.get(action)
+            self.query_one(button, Button).label = f"{words} {key}" if key else words
 
     def step(self, by: int) -> None:
         """Go to the next match, or with -1 to the one before; the bar need not be in sight."""

@@ -90,9 +90,7 @@ class Geometry:
         rows = self._marked_rows()
         self.marks = marks
         rows |= self._marked_rows()
-        extra = {row: self._extra(row) for row in rows}
-        if any(self.lines.extra.get(row, 0) != more for row, more in extra.items()):
-            self.lines.set({**self.lines.extra, **extra})
+        self.lines.set_rows({row: self._extra(row) for row in rows})
 
     def _marked_rows(self) -> set[int]:
         """Return the rows that may have a message below them."""
@@ -112,8 +110,7 @@ class Geometry:
             return False
         last = self.state.buffer.row_count - 1
         rows = {row for edit in edits for row in range(edit.row, edit.row + edit.new_rows)}
-        changes = [self.lines.set_row(row, self._extra(row)) for row in rows if row <= last]
-        return any(changes)
+        return self.lines.set_rows({row: self._extra(row) for row in rows if row <= last})
 
     def _extra(self, row: int) -> int:
         return len(self.sections(row)) - 1 + (self.message_below(row) is not None)

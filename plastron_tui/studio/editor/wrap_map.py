@@ -27,11 +27,11 @@ class WrapMap:
         self.extra = {row: extra[row] for row in sorted(extra) if extra[row] > 0}
         self._index()
 
-    def set_row(self, row: int, extra: int) -> bool:
-        """Set the extra lines of one row; tell whether that is a change."""
-        if self.extra.get(row, 0) == extra:
+    def set_rows(self, extra: Mapping[int, int]) -> bool:
+        """Set the extra lines of some rows; tell whether that is a change."""
+        if all(self.extra.get(row, 0) == more for row, more in extra.items()):
             return False
-        self.set({**self.extra, row: extra})
+        self.set({**self.extra, **extra})
         return True
 
     def edited(self, edited: Edited) -> None:

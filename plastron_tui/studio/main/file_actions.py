@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -25,36 +26,25 @@ if TYPE_CHECKING:
     from ..recipes import Recipe
 
 
+@dataclass(frozen=True, eq=False)
 class FileActions:
-    """Opens, saves and leaves programs, and asks what has to be asked."""
+    """Opens, saves and leaves programs, and asks what has to be asked.
 
-    def __init__(
-        self,
-        screen: Screen[None],
-        program: ActiveProgram,
-        profile: Profile,
-        recovery: Recovery,
-        on_open: Callable[[], object],
-        on_change: Callable[[], object],
-    ) -> None:
-        """Prepare to open and save.
+    Attributes:
+        screen: shows dialogs and messages.
+        program: what is saved; another program gets a tab beside it.
+        profile: remembers what was open.
+        recovery: offers what was typed in a file and not saved.
+        on_open: called when another program is there.
+        on_change: called when the program is saved.
+    """
 
-        Args:
-            screen: shows dialogs and messages.
-            program: what is saved; another program gets a tab beside it.
-            profile: remembers what was open.
-            recovery: offers what was typed in a file and not saved.
-            on_open: called when another program is there.
-            on_change: called when the program is saved.
-        """
-        self._screen = screen
-        self._program = program
-        self._profile = profile
-        self._recovery = recovery
-        self._on_open = on_open
-        self._on_change = on_change
-
-    # Opening.
+    screen: Screen[None]
+    program: ActiveProgram
+    profile: Profile
+    recovery: Recovery
+    on_open: Callable[[], object]
+    on_change: Callable[[], object]
 
     def take(self, open_: Open, cursor: int = 0, *, in_place: bool = False) -> None:
         """Show another program, in a tab of its own.
@@ -66,30 +56,30 @@ class FileActions:
             cursor: where the cursor is put, in bytes.
             in_place: whether the program in the editor gives its place up in any case.
         """
-        same = None if open_.path is None else self._program.tab_of(open_.path)
+        same = None if open_.path is None else self.program.tab_of(open_.path)
         if same is not None:
-            self._program.bring(same)
-        if in_place or same is not None or self._program.open.is_blank:
-            self._program.replace(open_, cursor)
+            self.program.bring(same)
+        if in_place or same is not None or self.program.open.is_blank:
+            self.program.replace(open_, cursor)
         else:
-            self._program.add(open_, cursor)
+            self.program.add(open_, cursor)
         if open_.path is not None:
-            self._profile.remembered.opened(open_.path)
-        self._on_open()
+            self.profile.remembered.opened(open_.path)
+        self.on_open()
         if open_.is_changed:
-            self._recovery.keep_soon()
-        self._program.editor.focus()
+            self.recovery.keep_soon()
+        self.program.editor.focus()
 
     def bring(self, tab: Tab) -> None:
         """Bring a tab in front."""
-        if tab is not self._program.tab:
-            self._program.bring(tab)
-            self._on_open()
-        self._program.editor.focus()
+        if tab is not self.program.tab:
+            self.program.bring(tab)
+            self.on_open()
+        self.program.editor.focus()
 
     def open_file(self, path: Path) -> bool:
         """Open a file in a tab, or bring the tab in front that has it; tell whether it is there."""
-        tab = self._program.tab_of(path)
+        tab = self.program.tab_of(path)
         if tab is None:
             return self.take_file(path)
         self.bring(tab)
@@ -101,7 +91,7 @@ class FileActions:
         For one that is no program, one that loads it is offered.
         """
         if kept is None and other_kind(path) is not None:
-            start_exclusive(self._screen, "load", self.offer_loading, path)
+            start_exclusive(self.screen, "load", self.offer_loading, path)
             return False
         found = self.read(path)
         if found.problem is not None:
@@ -111,9 +101,9 @@ class FileActions:
             self.take(self._opened(found.disk, kept.text), kept.cursor)
             return True
         self.take(self._opened(found.disk))
-        for other in self._recovery.not_saved():
+        for other in self.recovery.not_saved():
             if other.belongs_to(path, path.parent):
-                start_exclusive(self._screen, "kept", self.offer, other)
+                start_exclusive(self.screen, "kept", self.offer, other)
                 break
         return True
 
@@ -122,10 +112,10 @@ class FileActions:
         from .loading_offer import ask_to_load
 
         kind, beside = other_kind(path), program_beside(path)
-        wanted = None if kind is None else await ask_to_load(self._screen, path, kind)
+        wanted = None if kind is None else await ask_to_load(self.screen, path, kind)
         if wanted is None:
             return
-        if wanted == beside or self._program.tab_of(beside) is not None:
+        if wanted == beside or self.program.tab_of(beside) is not None:
             self.open_file(beside)
         else:
             assert isinstance(wanted, bytes)
@@ -135,14 +125,14 @@ class FileActions:
         """Read a file; say what was found of a write that was interrupted."""
         found = open_file(path)
         for text in found.said:
-            self._screen.notify(text, severity="warning", timeout=10, markup=False)
+            self.screen.notify(text, severity="warning", timeout=10, markup=False)
         return found
 
     def _opened(
         self, disk: OnDisk | None, text: bytes | None = None, begun: Path | None = None
     ) -> Open:
-        options = self._program.open.session.options
-        return opened(disk, self._profile.journals, options, text, begun)
+        options = self.program.open.session.options
+        return opened(disk, self.profile.journals, options, text, begun)
 
     def new(self, *, in_place: bool = False) -> None:
         """Start an empty program."""
@@ -152,8 +142,8 @@ class FileActions:
         """Open a program that is asked for."""
         from ..screens.choose_file import ChooseFile
 
-        start = self._program.open.session.folder
-        path = await self._screen.app.push_screen_wait(ChooseFile("Open", start, must_be=True))
+        start = self.program.open.session.folder
+        path = await self.screen.app.push_screen_wait(ChooseFile("Open", start, must_be=True))
         if path is not None:
             self.open_file(path)
 
@@ -163,34 +153,34 @@ class FileActions:
 
     async def offer(self, kept: Kept, *, is_asked_for: bool = False) -> None:
         """Offer a text that was not saved before the studio ended, and open it."""
-        if not await self._recovery.is_wanted(kept, is_asked_for=is_asked_for):
+        if not await self.recovery.is_wanted(kept, is_asked_for=is_asked_for):
             return
-        there = None if kept.path is None else self._program.tab_of(kept.path)
+        there = None if kept.path is None else self.program.tab_of(kept.path)
         if there is not None:
             self.bring(there)
             if there.open.is_changed and not await self.may_leave():
                 return
             # One step, so that what the file holds comes back by undoing it.
-            self._program.editor.replace_all(kept.text)
-            self._program.editor.go_to(kept.cursor)
+            self.program.editor.replace_all(kept.text)
+            self.program.editor.go_to(kept.cursor)
         elif kept.path is None:
             begun = kept.folder
             if begun is not None and not begun.is_dir():
                 begun = None
                 message = "the folder in which it was begun is gone"
-                self._screen.notify(message, severity="warning")
+                self.screen.notify(message, severity="warning")
             self.take(self._opened(None, kept.text, begun), kept.cursor)
         elif not self.take_file(kept.path, kept=kept):
             return
-        self._recovery.adopt(kept)
+        self.recovery.adopt(kept)
 
     async def welcome(self) -> None:
         """Show recent programs, examples and the tour."""
         from ..screens.welcome import Welcome
 
-        kept = self._recovery.not_saved()
-        welcome = Welcome(self._profile.remembered.recent, kept)
-        match await self._screen.app.push_screen_wait(welcome):
+        kept = self.recovery.not_saved()
+        welcome = Welcome(self.profile.remembered.recent, kept)
+        match await self.screen.app.push_screen_wait(welcome):
             case ("kept", str(number)):
                 await self.offer(kept[int(number)], is_asked_for=True)
             case ("open", str(path)):
@@ -198,11 +188,9 @@ class FileActions:
             case ("recipe", str(path)):
                 await self.start_from(path)
             case ("action", str(call)):
-                await self._screen.run_action(call)
+                await self.screen.run_action(call)
             case _:
-                self._program.editor.focus()
-
-    # Recipes.
+                self.program.editor.focus()
 
     async def start_from(self, path: str) -> None:
         """Open the recipe of a path."""
@@ -218,7 +206,7 @@ class FileActions:
         The file that is open, where it has nothing in it yet, was named for what comes now. Tell
         whether it was opened.
         """
-        open_ = self._program.open
+        open_ = self.program.open
         named = open_.disk if not open_.text.strip() and not open_.saved else None
         if not recipe.files:
             self.take(self._opened(named, recipe.text))
@@ -249,19 +237,17 @@ class FileActions:
             return False
         for file in placed.kept:
             message = f"{file} was there already, and stays as it is"
-            self._screen.notify(message, markup=False)
+            self.screen.notify(message, markup=False)
         return self.take_file(path)
-
-    # Saving.
 
     async def save(self, *, other: bool = False) -> bool:
         """Save, and ask what has to be asked; tell whether it was done."""
-        path = self._program.path
+        path = self.program.path
         if path is None or other:
             path = await self._ask_path()
             if path is None:
                 return False
-        open_ = self._program.open
+        open_ = self.program.open
         saved = await self._save_asking(path, open_.text, open_.disk)
         return saved is not None and self._saved(path, saved)
 
@@ -278,35 +264,35 @@ class FileActions:
     async def _ask_path(self, title: str = "Save as", name: str = "") -> Path | None:
         from ..screens.choose_file import ChooseFile
 
-        path = self._program.path
-        start = self._program.open.session.folder
+        path = self.program.path
+        start = self.program.open.session.folder
         name = name or (self._suggested() if path is None else path.name)
         dialog = ChooseFile(title, start, name=name, must_be=False)
-        chosen = await self._screen.app.push_screen_wait(dialog)
+        chosen = await self.screen.app.push_screen_wait(dialog)
         if chosen is None:
             return None
         path = with_suffix(chosen)
         kind = other_kind(path)
         if kind is not None:
             message = f"by its name {path.name} is {kind.title}; a program's ends in .plastron"
-            self._screen.notify(message, severity="warning", markup=False)
+            self.screen.notify(message, severity="warning", markup=False)
             return None
-        tab = self._program.tab_of(path)
-        if tab not in (None, self._program.tab):
+        tab = self.program.tab_of(path)
+        if tab not in (None, self.program.tab):
             message = f"{path.name} is open in another tab: close it there first"
-            self._screen.notify(message, severity="warning", markup=False)
+            self.screen.notify(message, severity="warning", markup=False)
             return None
         return path
 
     def _suggested(self) -> str:
-        analysis = self._program.open.analysis
+        analysis = self.program.open.analysis
         nodes = () if analysis is None else tuple(analysis.workspace.nodes.values())
         return f"{nodes[0].name}.plastron" if nodes else "program.plastron"
 
     async def _may_overwrite(self, path: Path, found: bytes, text: bytes) -> bool:
         from ..screens.question import Question
 
-        answer = await self._screen.app.push_screen_wait(
+        answer = await self.screen.app.push_screen_wait(
             Question(
                 f"{path.name} holds something else on the disk",
                 [("cancel", "Cancel"), ("overwrite", "Overwrite it")],
@@ -321,34 +307,32 @@ class FileActions:
             self._say_problem(saved.problem)
         if saved.disk is None:
             return False
-        open_ = self._program.open
+        open_ = self.program.open
         open_.journal.drop()
         if is_same_file(path, open_.path):
             open_.disk = saved.disk
             open_.told = None
-            self._profile.remembered.opened(path)
+            self.profile.remembered.opened(path)
         else:
-            cursor = self._program.editor.cursor_offset
+            cursor = self.program.editor.cursor_offset
             self.take(self._opened(saved.disk), cursor, in_place=True)
-        self._on_change()
-        self._screen.notify(f"saved {path.name}", timeout=2, markup=False)
+        self.on_change()
+        self.screen.notify(f"saved {path.name}", timeout=2, markup=False)
         return True
 
     def _say_problem(self, problem: Diagnostic) -> None:
         help_ = f"\n{problem.help}" if problem.help else ""
-        self._screen.notify(problem.message + help_, severity="error", timeout=10, markup=False)
-
-    # Leaving.
+        self.screen.notify(problem.message + help_, severity="error", timeout=10, markup=False)
 
     async def may_leave(self) -> bool:
         """Ask about what is not saved; tell whether the program may be closed."""
-        open_ = self._program.open
+        open_ = self.program.open
         if not open_.is_changed:
             open_.journal.drop()
             return True
         from ..screens.question import Question
 
-        answer = await self._screen.app.push_screen_wait(
+        answer = await self.screen.app.push_screen_wait(
             Question(
                 f"Save {open_.name}?",
                 [("save", "Save"), ("drop", "Don't save"), ("cancel", "Cancel")],
@@ -358,6 +342,6 @@ class FileActions:
         if answer == "save":
             return await self.save()
         if answer == "drop":
-            self._program.open.journal.drop()
+            self.program.open.journal.drop()
             return True
         return False

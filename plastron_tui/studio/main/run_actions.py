@@ -3,32 +3,24 @@
 from __future__ import annotations
 
 import asyncio
-from collections.abc import Callable, Iterable, Mapping, Sequence
-from dataclasses import dataclass, field
+from collections.abc import Callable, Iterable
 from pathlib import Path
 from time import monotonic
 from typing import TYPE_CHECKING
 
 from textual.message import Message
-from textual.notifications import SeverityLevel
 from textual.screen import Screen
 
-from plastron_tui.diagnostics import Diagnostic, Severity, has_errors
-from plastron_tui.diagnostics.terminal import visible_text
 from plastron_tui.regular_files import reason
 
 from ..delay import Delay
-from ..panels.entry_list import EntryList
-from ..panels.live_panel import LivePanel
-from ..panels.output import OutputPanel
-from ..panels.output_log import OutputLog, Record, printed_record
-from ..textual_private import forget_notes
+from ..panels.output_log import Record
 from .active_program import ActiveProgram, Tab
-from .dock_layout import DockLayout
-from .file_actions import FileActions
-from .generate_offer import offer_generating
 from .live_actions import LiveActions
-from .trust_prompt import TrustPrompt
+from .readiness import Readiness
+from .said_notes import SaidNotes
+from .tab_run import RunPanels, TabRun
+from .watched_run import WatchedRun
 
 if TYPE_CHECKING:
     from ..running import Running
@@ -40,43 +32,27 @@ TWICE = 0.7
 """Seconds in which the key that starts the nodes is pressed again by mistake."""
 
 _LOOK = 0.01
-"""Seconds after which is looked again whether the worker knows what the text means."""
+"""Seconds after which is looked again whether nodes have ended that are started anew."""
 
 
 class Printed(Message):
     """Nodes that run printed something, or ended."""
 
 
-@dataclass(eq=False)
-class TabRun:
-    """The nodes of a tab.
+class RunActions:
+    """Generates, starts and stops nodes; those of each tab go on while another is in front.
 
     Attributes:
-        log: what they have printed.
-        failed: which have failed, by their names, and what is said of that.
-        running: those that run, None for none.
-        started_at: when they were started, by the clock of `monotonic`.
+        readiness: says what is missing before nodes can be generated or run.
+        watched: shows what travels between the nodes.
     """
-
-    log: OutputLog
-    failed: Mapping[str, str] = field(default_factory=dict)
-    running: Running | None = None
-    started_at: float = 0.0
-
-
-class RunActions:
-    """Generates, starts and stops nodes; those of each tab go on while another is in front."""
 
     def __init__(
         self,
         screen: Screen[None],
         program: ActiveProgram,
-        files: FileActions,
-        layout: DockLayout,
-        output: OutputPanel,
-        nodes: EntryList,
-        trust: TrustPrompt,
-        live: LivePanel,
+        readiness: Readiness,
+        panels: RunPanels,
         on_change: Callable[[], object],
     ) -> None:
         """Prepare to run.
@@ -84,33 +60,24 @@ class RunActions:
         Args:
             screen: shows dialogs, and gets `Printed`.
             program: whose nodes they are.
-            files: saves the program first.
-            layout: brings the output, or the problems, in sight.
-            output: shows what nodes print.
-            nodes: lists the nodes, and shows which have failed.
-            trust: says where only trust is missing.
-            live: shows what travels between the nodes.
+            readiness: makes sure that they can be generated, or run.
+            panels: show what they print, and what is the case with them.
             on_change: called when nodes start, or have ended.
         """
         self._screen = screen
-        self._delay = Delay(screen, self._show)
         self._program = program
-        self._files = files
-        self._layout = layout
-        self._output = output
-        self._nodes = nodes
-        self._said: set[str] = set()
-        self._trust = trust
-        self._live = LiveActions(screen, live)
-        self._watched: Tab | None = None
-        """Whose monitors the live panel has."""
+        self._panels = panels
         self._on_change = on_change
-        self._runs = {program.tab: TabRun(output.printed)}
+        self._delay = Delay(screen, self._show)
+        self._failures = SaidNotes(screen)
+        self._runs = {program.tab: TabRun(panels.output.printed)}
+        self.readiness = readiness
+        self.watched = WatchedRun(LiveActions(screen, panels.live), panels)
 
     @property
     def _run(self) -> TabRun:
         """The run of the tab in front."""
-        return self._runs.setdefault(self._program.tab, TabRun(OutputLog()))
+        return self._runs.setdefault(self._program.tab, TabRun())
 
     def runs_in(self, tab: Tab) -> bool:
         """Tell whether nodes of a tab run."""
@@ -126,7 +93,7 @@ class RunActions:
         """Show what would be written, then write it; tell whether files may be other ones now."""
         from ..screens.generate import GenerateDialog
 
-        if not await self._may_write(to_run=False):
+        if not await self.readiness.to_write():
             return False
         session = self._program.open.session
         await self._screen.app.push_screen_wait(GenerateDialog(session))
@@ -139,7 +106,7 @@ class RunActions:
         if run.running is not None:
             if not anew and monotonic() - run.started_at < TWICE:
                 return
-            self._layout.reveal("output")
+            self._panels.layout.reveal("output")
             run.running.stop()
             if not anew:
                 return
@@ -147,28 +114,9 @@ class RunActions:
                 await asyncio.sleep(_LOOK)
             if tab is not self._program.tab:
                 return
-        if not await self._may_write(to_run=True):
-            return
-        if self._program.open.is_changed and not await self._files.save():
-            return
-        assert self._program.path is not None
-        self._start(self._program.path)
-
-    def _say(
-        self, text: str, *, severity: SeverityLevel = "information", timeout: float | None = None
-    ) -> None:
-        """Say why nothing runs, or no longer."""
-        self._said.add(visible_text(text))
-        self._screen.notify(text, severity=severity, timeout=timeout, markup=False)
-
-    def known(self, diagnostics: Sequence[Diagnostic]) -> None:
-        """Take away what was said of mistakes, where there are none any more."""
-        if self._said and not has_errors(diagnostics):
-            self._unsay()
-
-    def _unsay(self) -> None:
-        said, self._said = self._said, set()
-        forget_notes(self._screen.app, lambda note: note.message in said)
+        path = await self.readiness.to_run()
+        if path is not None:
+            self._start(path)
 
     def stop(self) -> None:
         """Stop what runs of the program in front; say where else nodes run."""
@@ -182,7 +130,7 @@ class RunActions:
 
     def close(self) -> None:
         """Have all nodes ended, because the studio ends."""
-        self._live.close()
+        self.watched.close()
         for run in self._runs.values():
             if run.running is not None:
                 run.running.close()
@@ -194,44 +142,11 @@ class RunActions:
             run.running.close()
             self._screen.notify(f"the nodes of {tab.open.name} were stopped", markup=False)
             self._end_watch(tab)
+            self.show_soon()
 
     def follow(self) -> None:
         """Show what the nodes of the program in front have printed, and which have failed."""
-        self._output.show_log(self._run.log)
-        self._nodes.remark(self._run.failed)
-
-    async def _may_write(self, *, to_run: bool) -> bool:
-        """Make sure that there is a folder, no mistake, and something to write or to run."""
-        if not await self._has_place() or await self._has_errors():
-            return False
-        return await offer_generating(self._screen, self._program, to_run=to_run)
-
-    async def _has_place(self) -> bool:
-        """Make sure that there is a folder to generate into: that of the program."""
-        if self._program.path is not None:
-            return True
-        self._say("the files go beside the program: save it first", timeout=4)
-        return await self._files.save()
-
-    async def _has_errors(self) -> bool:
-        """Find out, as soon as that is known, whether the text has mistakes; then show them."""
-        errors = await self._errors()
-        if not errors:
-            return False
-        count = len(errors)
-        said = f"{count} {'problem has' if count == 1 else 'problems have'} to be fixed first"
-        self._say(self._trust.explain(errors) or said, severity="warning")
-        self._layout.bring("problems", focus=True)
-        return True
-
-    async def _errors(self) -> list[Diagnostic]:
-        open_ = self._program.open
-        while self._program.analysis is None and open_.failed != open_.text:
-            await asyncio.sleep(_LOOK)
-        known = self._program.analysis
-        # What fails in the worker fails here too, and is said as the error that it is.
-        found = open_.session.diagnostics if known is None else known.diagnostics
-        return [each for each in found if each.severity is Severity.ERROR]
+        self._panels.follow(self._run)
 
     def _start(self, path: Path) -> None:
         from ..running import Running
@@ -244,14 +159,12 @@ class RunActions:
             self._screen.notify(message, severity="error", markup=False)
             return
         run.started_at = monotonic()
-        self._unsay()
+        self._failures.forget()
         run.failed = {}
-        self._nodes.remark(run.failed)
-        if self._watched is None:
-            self._live.starting()
-        self._output.begin(f"plastron run {path.name}")
+        self.watched.starting()
+        self._panels.begin(run, f"plastron run {path.name}")
         self._on_change()
-        self._layout.reveal("output")
+        self._panels.layout.reveal("output")
 
     def _news(self) -> None:
         """Tell the screen, from the thread that reads."""
@@ -266,7 +179,7 @@ class RunActions:
         for tab, run in list(self._runs.items()):
             if run.running is not None:
                 self._show_run(tab, run, run.running)
-        self._watch_newest()
+        self.watched.follow(self._runs, self._program.tab)
 
     def _show_run(self, tab: Tab, run: TabRun, running: Running) -> None:
         """Take what nodes of a tab have printed, and show it where the tab is in front."""
@@ -280,56 +193,21 @@ class RunActions:
             self._end_watch(tab)
             if not is_in_front:
                 self._screen.notify(f"the nodes of {tab.open.name} have ended", markup=False)
-            elif tone == "error" and self._layout.is_in_sight("live"):
-                # Why they ended is printed.
-                self._layout.reveal("output")
             self._on_change()
         printed = running.take()
-        if is_in_front:
-            self._output.add(printed, end)
-        else:
-            run.log.add([*map(printed_record, printed), *([] if end is None else [end])])
         self._tell_failed(run, printed)
         if is_in_front:
-            self._nodes.remark(run.failed)
+            self._panels.add(run, printed, end)
+        else:
+            run.add(printed, end)
 
     def _tell_failed(self, run: TabRun, printed: Iterable[str]) -> None:
         """Say which nodes have failed, and mark them."""
         from plastron_tui.runtime.console import ended_node
 
         for node, how in filter(None, map(ended_node, printed)):
-            self._say(f"{node} {how}", severity="error", timeout=10)
+            self._failures.say(f"{node} {how}", severity="error", timeout=10)
             run.failed = {**run.failed, node: "has ended"}
 
-    def _watch_newest(self) -> None:
-        """Show what travels between the nodes that were started last, of those that are ready."""
-        ready = [
-            (run.started_at, tab, run.running)
-            for tab, run in self._runs.items()
-            if run.running is not None and run.running.monitors
-        ]
-        if not ready:
-            return
-        _, tab, running = max(ready, key=lambda each: each[0])
-        if tab is self._watched:
-            return
-        if self._watched is not None:
-            # What is known is of the nodes of another tab.
-            self._live.starting()
-        self._watched = tab
-        self._live.start(tab, running.monitors)
-        # Somebody may have gone elsewhere since the nodes were started.
-        if tab is self._program.tab and self._layout.is_in_sight("output"):
-            self._layout.reveal("live")
-
     def _end_watch(self, tab: Tab) -> None:
-        """Show no more of what travels by the monitors of a tab: its nodes have ended.
-
-        The nodes of another tab that run, or start just now, are watched instead.
-        """
-        if self._watched is tab or (
-            self._watched is None and not any(map(self.runs_in, self._runs))
-        ):
-            self._watched = None
-            self._live.end()
-            self.show_soon()
+        self.watched.end(tab, others_run=any(map(self.runs_in, self._runs)))

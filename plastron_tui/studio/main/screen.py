@@ -21,10 +21,7 @@ from ..key_order import Paged
 from ..open_program import Open
 from ..panels.entry import Entry
 from ..panels.entry_keys import Asked, Chosen, Lit
-from ..panels.entry_list import EntryList
 from ..panels.key_bar import KeyBar
-from ..panels.live_panel import LivePanel
-from ..panels.output import OutputPanel
 from ..panels.panel import Resized
 from ..panels.registry import PANELS
 from .active_program import ActiveProgram
@@ -36,10 +33,12 @@ from .file_actions import FileActions
 from .key_help import choose_action, show_help, toggle_keys
 from .panel_feed import PanelFeed
 from .program_bars import StatusBar, TitleBar
+from .readiness import Readiness
 from .recovery import Recovery
 from .run_actions import Printed, RunActions
 from .tab_actions import TabActions
 from .tab_line import TabLine
+from .tab_run import RunPanels
 from .trust_prompt import TrustPrompt
 from .wizard_host import WizardHost
 
@@ -81,13 +80,9 @@ class MainScreen(Screen[None], Paged):
             self, self.program, self.files, self.recovery, self.feed.ask_anew, self.show_title
         )
         self._trust = TrustPrompt(self, self.program, self.key_of)
-        output, nodes, live = self.panels["output"], self.panels["nodes"], self.panels["live"]
-        assert isinstance(output, OutputPanel) and isinstance(nodes, EntryList)
-        assert isinstance(live, LivePanel)
-        self.runner = RunActions(
-            self, self.program, self.files, self.dock_layout, output, nodes, self._trust, live,
-            self.show_title,
-        )  # fmt: skip
+        ready = Readiness(self, self.program, self.files, self.dock_layout, self._trust)
+        shown = RunPanels.of(self.panels, self.dock_layout)
+        self.runner = RunActions(self, self.program, ready, shown, self.show_title)
         self._tabs = TabActions(self, self.program, self.files, self.runner.forget, self._show_anew)
         self._entries = EntryActions(self, self.program, self.action_code)
         self._code = CodeActions(self, self.program)
@@ -167,7 +162,7 @@ class MainScreen(Screen[None], Paged):
         """Show what the text means, if it is still that text."""
         if self.feed.take(message.analysis):
             self.show_title()
-            self.runner.known(message.analysis.diagnostics)
+            self.runner.readiness.known(message.analysis.diagnostics)
             self._trust.tell_what_waits(message.analysis)
 
     @on(AnalysisFailed)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import dataclass
 
 from textual.screen import Screen
 
@@ -10,63 +11,55 @@ from .active_program import ActiveProgram, Tab
 from .file_actions import FileActions
 
 
+@dataclass(frozen=True, eq=False)
 class TabActions:
-    """Turns to other tabs, closes them, and asks what is to become of what is not saved."""
+    """Turns to other tabs, closes them, and asks what is to become of what is not saved.
 
-    def __init__(
-        self,
-        screen: Screen[None],
-        program: ActiveProgram,
-        files: FileActions,
-        on_close: Callable[[Tab], object],
-        on_change: Callable[[], object],
-    ) -> None:
-        """Prepare to turn and to close.
+    Attributes:
+        screen: shows the questions.
+        program: the programs that are open.
+        files: saves them, and brings another one in front.
+        on_close: called with a tab that goes.
+        on_change: called when another program is there.
+    """
 
-        Args:
-            screen: shows the questions.
-            program: the programs that are open.
-            files: saves them, and brings another one in front.
-            on_close: called with a tab that goes.
-            on_change: called when another program is there.
-        """
-        self._screen = screen
-        self._program = program
-        self._files = files
-        self._on_close = on_close
-        self._on_change = on_change
+    screen: Screen[None]
+    program: ActiveProgram
+    files: FileActions
+    on_close: Callable[[Tab], object]
+    on_change: Callable[[], object]
 
     def turn(self, by: int) -> None:
         """Bring the next tab in front, or with -1 the one before; behind the last is the first."""
-        tabs = self._program.tabs
+        tabs = self.program.tabs
         if len(tabs) > 1:
-            self.bring((tabs.index(self._program.tab) + by) % len(tabs))
+            self.bring((tabs.index(self.program.tab) + by) % len(tabs))
 
     def bring(self, number: int) -> None:
         """Bring the tab of a number in front."""
-        self._files.bring(self._program.tabs[number])
+        self.files.bring(self.program.tabs[number])
 
     async def close(self) -> None:
         """Close the program in front; behind the last one there is a new one."""
-        if not await self._files.may_leave():
+        if not await self.files.may_leave():
             return
-        self._on_close(self._program.tab)
-        if len(self._program.tabs) == 1:
-            self._files.new(in_place=True)
+        self.on_close(self.program.tab)
+        if len(self.program.tabs) == 1:
+            self.files.new(in_place=True)
         else:
-            self._program.remove()
-            self._on_change()
-        self._program.editor.focus()
+            self.program.remove()
+            self.on_change()
+        self.program.editor.focus()
 
     async def may_quit(self) -> bool:
         """Ask, once, about all that is not saved; tell whether the studio may end."""
-        changed = [tab for tab in self._program.tabs if tab.open.is_changed]
+        changed = [tab for tab in self.program.tabs if tab.open.is_changed]
         if len(changed) < 2:
-            self._files.bring(changed[0] if changed else self._program.tab)
-            return await self._files.may_leave()
+            self.files.bring(changed[0] if changed else self.program.tab)
+            return await self.files.may_leave()
         from ..screens.question import Question
 
-        answer = await self._screen.app.push_screen_wait(
+        answer = await self.screen.app.push_screen_wait(
             Question(
                 f"Save {len(changed)} programs?",
                 [("save", "Save all"), ("drop", "Don't save"), ("cancel", "Cancel")],
@@ -82,7 +75,7 @@ class TabActions:
 
     async def _save(self, changed: list[Tab]) -> bool:
         for tab in changed:
-            self._files.bring(tab)
-            if not await self._files.save():
+            self.files.bring(tab)
+            if not await self.files.save():
                 return False
         return True

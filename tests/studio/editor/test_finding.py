@@ -149,7 +149,14 @@ class TestFinding:
     async def test_the_buttons_leave_the_focus_where_one_types(self) -> None:
         async with editing("ab a.\n") as at:
             await at.press("ctrl+r", "a", "full_stop")
+            buttons = {
+                name: at.editor.find_bar.query_one(f"#find-{name}") for name in ("regex", "all")
+            }
+            assert str(buttons["regex"].render()) == ".* Alt-R"
+            assert str(buttons["all"].render()) == "all Alt-A"
+            off = buttons["regex"].rich_style
             await at.pilot.click("#find-regex")
+            assert buttons["regex"].rich_style.bgcolor != off.bgcolor
             await at.press("tab", "x")
             await at.pilot.click("#find-all")
             await at.pilot.pause()

@@ -7,9 +7,11 @@ from states import state_of
 
 from plastron_tui.diagnostics import Diagnostic, Severity, Span, codes
 from plastron_tui.studio.editor import line_commands
+from plastron_tui.studio.editor.geometry import Geometry
 from plastron_tui.studio.editor.marks import Marks
 from plastron_tui.studio.editor.search import Search
-from plastron_tui.studio.editor.state import TextState
+from plastron_tui.studio.editor.state import Edited, TextState
+from plastron_tui.studio.editor.wrap_map import WrapMap
 
 
 @pytest.mark.parametrize(
@@ -27,6 +29,20 @@ def test_found_by_an_expression(text: bytes, pattern: str, spans: list[tuple[int
     search = Search.make(pattern, is_regex=True, is_case_sensitive=True)
     search.run(text)
     assert search.spans == spans
+
+
+def test_rows_that_are_edited_together_are_placed_at_once(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    indexed = []
+    index = WrapMap._index
+    monkeypatch.setattr(WrapMap, "_index", lambda self: (indexed.append(1), index(self)))
+    geometry = Geometry(state_of("word " * 20 + "\n" + ("word " * 20 + "\n") * 200, 0))
+    geometry.is_wrapped, geometry.width = True, 30
+    assert geometry.place_edited([Edited(0, 1, 1, 0, 1, 201)])
+    assert len(geometry.lines.extra) == 201
+    assert len(indexed) == 1
+    assert not geometry.place_edited([Edited(0, 1, 1, 0, 1, 201)])
 
 
 class TestLineCommands:

@@ -1,0 +1,82 @@
+"""The nodes of a tab, and what shows them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING
+
+from textual.widget import Widget
+
+from ..panels.entry_list import EntryList
+from ..panels.live_panel import LivePanel
+from ..panels.output import OutputPanel
+from ..panels.output_log import OutputLog, Record, printed_record
+from .dock_layout import DockLayout
+
+if TYPE_CHECKING:
+    from ..running import Running
+
+
+@dataclass(eq=False)
+class TabRun:
+    """The nodes of a tab.
+
+    Attributes:
+        log: what they have printed.
+        failed: which have failed, by their names, and what is said of that.
+        running: those that run, None for none.
+        started_at: when they were started, by the clock of `monotonic`.
+    """
+
+    log: OutputLog = field(default_factory=OutputLog)
+    failed: Mapping[str, str] = field(default_factory=dict)
+    running: Running | None = None
+    started_at: float = 0.0
+
+    def add(self, printed: Iterable[str], end: Record | None) -> None:
+        """Keep what was printed while another tab is in front; `end` says how the nodes ended."""
+        self.log.add([*map(printed_record, printed), *([] if end is None else [end])])
+
+
+@dataclass(frozen=True)
+class RunPanels:
+    """What shows nodes that run.
+
+    Attributes:
+        layout: brings a panel in sight.
+        output: shows what nodes print.
+        nodes: lists the nodes, and shows which have failed.
+        live: shows what travels between the nodes.
+    """
+
+    layout: DockLayout
+    output: OutputPanel
+    nodes: EntryList
+    live: LivePanel
+
+    @classmethod
+    def of(cls, panels: Mapping[str, Widget], layout: DockLayout) -> RunPanels:
+        """Return those of all panels that show nodes that run."""
+        output, nodes, live = panels["output"], panels["nodes"], panels["live"]
+        assert isinstance(output, OutputPanel) and isinstance(nodes, EntryList)
+        assert isinstance(live, LivePanel)
+        return cls(layout, output, nodes, live)
+
+    def follow(self, run: TabRun) -> None:
+        """Show what the nodes of a tab have printed, and which have failed."""
+        self.output.show_log(run.log)
+        self.nodes.remark(run.failed)
+
+    def begin(self, run: TabRun, title: str) -> None:
+        """Show that the nodes of a tab are started, and nothing of those before."""
+        self.nodes.remark(run.failed)
+        self.output.begin(title)
+
+    def add(self, run: TabRun, printed: Iterable[str], end: Record | None) -> None:
+        """Show what the nodes of the tab in front have printed."""
+        self.output.add(printed, end)
+        self.nodes.remark(run.failed)
+        if end is not None and end.tone == "error" and self.layout.is_in_sight("live"):
+            # Why they ended is printed.
+            self.layout.reveal("output")
