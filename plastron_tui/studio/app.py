@@ -179,6 +179,13 @@ class StudioApp(InOrder, inherit_bindings=False):
         if name != first or self.profile.remembered.theme is not None:
             self.profile.remembered.theme = name
 
+    def action_change_theme(self) -> None:
+        """Choose other colours, and see them meanwhile."""
+        from .screens.themes import choose_theme
+
+        remembered = self.profile.remembered
+        choose_theme(self, remembered.theme, partial(setattr, remembered, "theme"))
+
     async def run_call(self, call: str) -> None:
         """Do an action by its call."""
         await self.run_action(call, self.main)

@@ -376,7 +376,7 @@ class MainScreen(Screen[None], Paged):
 
     def action_keys(self) -> None:
         """Show the keys of what has the focus, at the side."""
-        toggle_keys(self)
+        toggle_keys(self, self.dock_layout, self.key_of)
 
     @work(exclusive=True, group="tour")
     async def action_tour(self) -> None:
