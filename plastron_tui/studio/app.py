@@ -87,6 +87,7 @@ class StudioApp(InOrder, inherit_bindings=False):
         super().__init__()
         folder = state_folder()
         config, self._messages = load_config(config_file(), key_owners(), self.available_themes)
+        self._has_wrong_settings = bool(self._messages)
         self.profile = Profile(config, load_remembered(folder), folder)
         self._begin_with(self._first_theme())
         self._paths = [] if path is None else _different([path, *others])
@@ -131,7 +132,8 @@ class StudioApp(InOrder, inherit_bindings=False):
         if keys:
             self.set_keymap(keys)
         sweep(self.profile.folder)
-        for message in shown_at_once(self._messages):
+        where = f"{self.main.key_of('config')} lists those of the settings"
+        for message in shown_at_once(self._messages, where if self._has_wrong_settings else ""):
             self.notify(message, severity="warning", timeout=10, markup=False)
         if not self.is_headless:
             for number in (signal.SIGTERM, signal.SIGHUP):
@@ -337,10 +339,15 @@ def run_served() -> None:
     sys.exit(run(Path(sys.argv[1]) if len(sys.argv) > 1 else None))
 
 
-def shown_at_once(messages: Sequence[str]) -> list[str]:
-    """Return messages so that they leave room on the screen: the first of them in one."""
+def shown_at_once(messages: Sequence[str], where: str = "") -> list[str]:
+    """Return messages so that they leave room on the screen: the first of them in one.
+
+    Args:
+        messages: what there is to say.
+        where: where the rest is to be read.
+    """
     first, more = messages[:_AT_ONCE], len(messages) - _AT_ONCE
-    last = [f"… and {more} more"] if more > 0 else []
+    last = [f"… and {more} more{f': {where}' if where else ''}"] if more > 0 else []
     return ["\n".join([*first, *last])] if first else []
 
 

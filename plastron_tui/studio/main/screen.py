@@ -391,4 +391,4 @@ class MainScreen(Screen[None], Paged):
         """Open the configuration file in $EDITOR, and take what it says at the next start."""
         from .edit_config import edit_config
 
-        edit_config(self)
+        await edit_config(self)
