@@ -20,6 +20,7 @@ from textual.drivers.linux_driver import LinuxDriver
 from textual.message import Message
 from textual.worker import WorkerFailed
 
+from plastron_tui.studio import terminal_driver
 from plastron_tui.studio.app import StudioApp
 from plastron_tui.studio.terminal_driver import Burst, for_terminal
 from plastron_tui.studio.terminal_keys import teach
@@ -65,6 +66,28 @@ def test_a_text_that_comes_at_once_is_one_event() -> None:
     (burst,) = parser().feed("x" * 80)
     assert isinstance(burst, Burst)
     assert (burst.text, len(burst.keys)) == ("x" * 80, 80)
+
+
+def test_nothing_between_the_marks_of_a_paste_is_a_key(monkeypatch: pytest.MonkeyPatch) -> None:
+    now = [0.0]
+    monkeypatch.setattr(terminal_driver, "monotonic", lambda: now[0])
+    assert StudioApp().driver_class is not LinuxDriver
+    parser = vars(textual_driver)["XTermParser"]()
+    text = "one \x1b[31mred \x1b]0;t\x07 two\x11"
+    (event,) = parser.feed(f"\x1b[200~{text}\x1b[201~")
+    assert isinstance(event, events.Paste)
+    assert event.text == text
+    assert [*parser.feed("\x1b"), *parser.tick()] == []
+    now[0] = 0.2
+    (event,) = parser.tick()
+    assert (event.key, event.character) == ("escape", "\x1b")
+    # The end of this one is lost.
+    assert [*parser.feed("\x1b[200~lost\x1b"), *parser.tick()] == []
+    now[0] = 2
+    (event,) = parser.tick()
+    assert event.text == "lost"
+    now[0] = 5
+    assert [getattr(event, "key", "") for event in parser.feed("\x11")] == ["", "ctrl+q"]
 
 
 def test_what_is_no_utf_8_ends_nothing() -> None:
