@@ -14,10 +14,13 @@ from textual._context import message_hook
 from textual._styles_cache import StylesCache
 from textual._xterm_parser import XTermParser
 from textual.app import App
+from textual.command import CommandPalette
 from textual.driver import Driver
 from textual.drivers import linux_driver as textual_driver
 from textual.drivers.linux_driver import LinuxDriver
+from textual.geometry import Offset
 from textual.message import Message
+from textual.widgets import Static
 from textual.worker import WorkerFailed
 
 from plastron_tui.studio import terminal_driver
@@ -191,6 +194,27 @@ async def test_without_a_word_of_errors_the_studio_starts(monkeypatch: pytest.Mo
         await pilot.pause()
         assert app.survives(WorkerFailed(RuntimeError("a deliberate error")))
     assert len(shown) == 1
+
+
+async def test_the_mouse_closes_nothing_twice_and_may_be_pressed_on_what_was_removed(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    assert App.ALLOW_SELECT
+    app = StudioApp()
+    async with app.run_test(size=(80, 24)) as pilot:
+        app.push_screen(palette := CommandPalette(providers=[]))
+        await pilot.pause()
+        while len(app.screen_stack) > 1:
+            app.pop_screen()
+        palette.dismiss()
+        await pilot.pause()
+        main = app.screen
+        assert main is app.main
+        removed = Static(), Offset(0, 0)
+        monkeypatch.setattr(main, "get_widget_and_offset_at", lambda x, y: removed)
+        await pilot.mouse_down(offset=(3, 3))
+        await pilot.pause()
+        assert app.screen is main
 
 
 async def test_a_dialog_that_was_left_is_freed() -> None:
