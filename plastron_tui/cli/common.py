@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from plastron_tui.diagnostics import Diagnostic, Severity, codes
+from plastron_tui.diagnostics import Diagnostic, Severity, codes, counted
 from plastron_tui.project.program_file import (
     LARGEST_PROGRAM,
     ProgramText,
@@ -174,7 +174,7 @@ class Report:
     def finish(self) -> int:
         """Say how much was wrong, and return the exit status."""
         parts = [
-            f"{count} {word}{'' if count == 1 else 's'}"
+            counted(count, word)
             for count, word in ((self._errors, "error"), (self._warnings, "warning"))
             if count
         ]

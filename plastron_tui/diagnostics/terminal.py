@@ -35,6 +35,19 @@ def width(text: str) -> int:
     return len(text) if text.isascii() else sum(map(_cells, text))
 
 
+def cut(text: str, cells: int) -> str:
+    """Return as much of a text as so many cells take; one that is longer ends in `…`."""
+    if width(text) <= cells:
+        return text
+    used, kept = 0, []
+    for character in text:
+        used += width(character)
+        if used > cells - 1:
+            break
+        kept.append(character)
+    return "".join(kept).rstrip() + "…"
+
+
 @lru_cache(maxsize=4096)
 def _cells(character: str) -> int:
     if category(character) in {"Mn", "Me"}:

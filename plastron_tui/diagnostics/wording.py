@@ -55,5 +55,5 @@ def either(names: Iterable[str]) -> str:
 
 
 def counted(count: int, word: str) -> str:
-    """Return a number with what is counted: `1 file`, `3 files`."""
-    return f"{count} {word}" if count == 1 else f"{count} {word}s"
+    """Return a number with what is counted: `no files`, `1 file`, `3 files`."""
+    return f"1 {word}" if count == 1 else f"{count or 'no'} {word}s"

@@ -5,14 +5,13 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import Any
 
-from plastron_tui.diagnostics.wording import shortened
+from plastron_tui.diagnostics.wording import counted, shortened
 from plastron_tui.ros.robots.macros import (
     Include,
     Macro,
     MacroCall,
     Macros,
     Parameter,
-    counted,
 )
 
 _LONGEST = 200

@@ -7,7 +7,7 @@ from collections.abc import Callable, Sequence
 
 from tree_sitter import Node as SyntaxNode
 
-from plastron_tui.diagnostics import Diagnostic, Span, codes, listed, write
+from plastron_tui.diagnostics import Diagnostic, Span, codes, counted, listed, write
 from plastron_tui.diagnostics.suggest import nearest
 from plastron_tui.language.inputs import COMMENTS, InputValue, Literal
 from plastron_tui.ros.interfaces import Field, FieldType, InterfaceName
@@ -39,7 +39,7 @@ def wrong_count(
         return Diagnostic(
             codes.WRONG_NUMBER_OF_VALUES, f"`{name}` takes no values", where, help="write `none`"
         )
-    takes = f"{len(fields)} value{'' if len(fields) == 1 else 's'}"
+    takes = counted(len(fields), "value")
     text = f"in order: {listed(field.name for field in fields)}"
     if leaves is not None and len(leaves) != len(fields):
         takes += f", or {len(leaves)}"

@@ -93,20 +93,20 @@ class Exit:
 
 
 class Guard:
-    """The supervisor's end of the guard process (see `guard.py`)."""
+    """This process's end of the guard process (see `guard.py`)."""
 
     def __init__(self) -> None:
-        read_end, self._pipe = os.pipe()
-        try:
-            self._process = subprocess.Popen(
-                guard.command(),
-                stdin=read_end,
-                stdout=subprocess.DEVNULL,
-                stderr=subprocess.DEVNULL,
-                start_new_session=True,
-            )
-        finally:
-            os.close(read_end)
+        """Start the guard; `OSError` where that is not possible."""
+        self._process = subprocess.Popen(
+            guard.command(),
+            stdin=subprocess.PIPE,
+            stdout=subprocess.DEVNULL,
+            stderr=subprocess.DEVNULL,
+            bufsize=0,
+            start_new_session=True,
+        )
+        assert self._process.stdin is not None
+        self._pipe = self._process.stdin
 
     def note_own_group(self) -> None:
         """Note the calling process; to be called in a new child, before it becomes the node.
@@ -124,15 +124,21 @@ class Guard:
         """Take a group off, or the last one that was noted."""
         self._write(f"-{'' if group is None else group}\n")
 
+    def end(self) -> None:
+        """Have every group ended that is still noted, then the guard; nothing waits for that."""
+        with contextlib.suppress(OSError):
+            self._pipe.close()
+
     def close(self) -> None:
         """End the guard, and with it every group that is still noted."""
-        os.close(self._pipe)
+        self.end()
         self._process.wait()
 
     def _write(self, line: str) -> None:
-        # A guard that somebody killed must not keep the nodes from being started.
-        with contextlib.suppress(OSError):
-            os.write(self._pipe, line.encode())
+        # A guard that somebody killed must not keep the nodes from being started; `ValueError`:
+        # it was ended.
+        with contextlib.suppress(OSError, ValueError):
+            self._pipe.write(line.encode())
 
 
 class Child:

@@ -6,37 +6,23 @@ import contextlib
 import errno
 import os
 import re
+import signal
 from collections.abc import Callable, Iterable, Mapping
-from typing import NamedTuple, TextIO
+from typing import TextIO
 
 from plastron_tui.diagnostics.terminal import is_only_colour, visible, visible_line, wants_colour
 
 from .child import Exit, Process, Role
+from .labels import OWN_NAME, SIGN
 from .table import Screen
 
 # Cyan, yellow, magenta, green, blue, then their bright kin: red is kept for what went wrong.
 _COLOURS = (36, 33, 35, 32, 34, 96, 93, 95, 92, 94)
 _RED = 31
 _DIM = 2
-OWN_NAME = "plastron"
-
-
-_END = re.compile(
-    rf"{OWN_NAME} *\| (?P<node>\S+) (?P<how>(?:was ended by|died with|never started).*)", re.DOTALL
-)
-
-
-class Ended(NamedTuple):
-    """What a line of a run says of a node that has ended though nobody asked it to."""
-
-    node: str
-    how: str
-
-
-def ended_node(line: str) -> Ended | None:
-    """Return which node a line of `plastron run` says to have failed, and how (see `Console`)."""
-    found = _END.fullmatch(line)
-    return None if found is None else Ended(found["node"], found["how"])
+_NO_CAUSE = re.compile(r"\[(?:DEBUG|INFO)\]", re.IGNORECASE)
+_FROM_OUTSIDE = frozenset({-signal.SIGKILL, -signal.SIGTERM, -signal.SIGINT, -signal.SIGHUP})
+"""The statuses of what somebody else has ended: nothing that it printed says why."""
 
 
 class Console:
@@ -117,15 +103,16 @@ class Console:
         if not lines:
             self.notice(told, is_bad=end.is_failure)
         elif end.process.role is Role.NODE:
-            self.notice(f"{told}: {lines[-1].strip()}", is_bad=True)
+            cause = "" if _is_no_cause(end, lines[-1]) else f": {lines[-1].strip()}"
+            self.notice(told + cause, is_bad=True)
         else:
             self.notice(f"{told}; its last lines were:", is_bad=True)
             for line in lines:
                 self.notice(f"  {line}", is_bad=True)
 
     def _label(self, name: str, code: int, in_colour: bool) -> str:
-        label = f"{visible(name):<{self._width}} |"
-        return f"\x1b[{code}m{label}\x1b[0m " if in_colour else f"{label} "
+        label = f"{visible(name):<{self._width}}{SIGN}"
+        return f"\x1b[{code}m{label[:-1]}\x1b[0m " if in_colour else label
 
     def _write(self, stream: TextIO, line: str) -> None:
         if self._screen is not None:
@@ -145,6 +132,11 @@ class Console:
             _silence(stream)
             if self._on_gone is not None:
                 self._on_gone()
+
+
+def _is_no_cause(end: Exit, line: str) -> bool:
+    """Tell whether the last line of a node says nothing of why it ended."""
+    return end.status in _FROM_OUTSIDE or _NO_CAUSE.search(line[:80]) is not None
 
 
 def _silence(stream: TextIO) -> None:

@@ -328,8 +328,20 @@ class _Run:
             [(node.environment, node.folders) for node in self._nodes],
             lambda environment: self._node_environ(environment, master),
         )
+        named = [replace(each, nodes=self._names(each.ros_version)) for each in commands]
         with contextlib.suppress(OSError), os.fdopen(self._options.announce, "w") as pipe:
-            pipe.write(announcement(commands))
+            pipe.write(announcement(named))
+
+    def _names(self, ros_version: int) -> dict[str, tuple[str, ...]]:
+        """Return the full names of the nodes of a generation, by the labels of their lines."""
+        return {
+            node.title: (
+                *(node.starts or (node.full_name,)),
+                *(f"{node.namespace}/{each.name}" for each in node.loads),
+            )
+            for node in self._nodes
+            if node.environment.ros_version == ros_version
+        }
 
     def _start_observers(self, master: Master | None) -> None:
         for environment in dict.fromkeys(node.environment for node in self._nodes):

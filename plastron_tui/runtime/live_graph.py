@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import deque
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 from typing import Any, NamedTuple
 
@@ -99,6 +99,13 @@ class LiveParameter(NamedTuple):
     is_read_only: bool = False
 
 
+class NodeEnd(NamedTuple):
+    """How a node has ended that nobody asked to: in words, and whether that is a failure."""
+
+    how: str
+    is_failure: bool
+
+
 @dataclass(slots=True)
 class LiveGraph:
     """The topics, services and nodes of one generation of ROS.
@@ -111,6 +118,10 @@ class LiveGraph:
         parameters: those of the nodes that are looked at, by node.
         is_known: whether the monitor has said what there is.
         problem: what is wrong with the monitor, "" where nothing is.
+        is_watched: whether a monitor says what is the case now; else all is what was seen last.
+        has_ended: whether the nodes were ended, all of them.
+        own: the nodes of the run that is watched; nothing where nobody said.
+        ended: how nodes of the run have ended that nobody asked to, by their names.
     """
 
     ros_version: int
@@ -120,6 +131,11 @@ class LiveGraph:
     parameters: dict[str, tuple[LiveParameter, ...]] = field(default_factory=dict)
     is_known: bool = False
     problem: str = ""
+    is_watched: bool = True
+    has_ended: bool = False
+    own: frozenset[str] = frozenset()
+    ended: dict[str, NodeEnd] = field(default_factory=dict)
+    _marked: set[str] = field(default_factory=set)
 
     def feed(self, report: Mapping[str, Any]) -> bool:
         """Take a report; tell whether something is new. What is no report changes nothing."""
@@ -144,7 +160,7 @@ class LiveGraph:
 
     def _take_graph(self, report: Mapping[str, Any]) -> None:
         self.problem = ""
-        self.is_known = True
+        self.is_known = self.is_watched = True
         found: dict[str, LiveTopic] = {}
         for name, type_, publishers, subscribers in report["topics"][:_MOST_NAMES]:
             topic = self.topics.get(name)
@@ -163,10 +179,22 @@ class LiveGraph:
         gone = {name: each._replace(is_gone=True) for name, each in self.services.items()}
         self.services = dict(sorted({**gone, **now}.items())[:_MOST_NAMES])
         there = set(map(str, report["nodes"]))
+        for name in there:
+            if self.nodes.get(name) is False:
+                # Somebody has started it again.
+                self.ended.pop(name, None)
         self.nodes = {name: name in there for name in sorted({*self.nodes, *there})[:_MOST_NAMES]}
+
+    def mark_ended(self, names: Iterable[str], end: NodeEnd) -> bool:
+        """Note how nodes of the run have ended; tell whether that is new."""
+        new = [name for name in names if name not in self._marked]
+        self._marked.update(new)
+        self.ended.update(dict.fromkeys(new, end))
+        return bool(new)
 
     def end(self) -> None:
         """Note that the nodes have ended: nothing is sent any more."""
+        self.has_ended = True
         for topic in self.topics.values():
             topic.rate = 0.0
         self.nodes = dict.fromkeys(self.nodes, False)

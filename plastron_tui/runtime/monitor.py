@@ -14,21 +14,25 @@ import threading
 import time
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from contextlib import suppress
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any
 
 from .child import Guard
 from .environment import Environment, with_folders
 from .monitor_reports import Report, Reports
+from .process_lines import News, lines_of
 
 _OBSERVERS = Path(__file__).with_name("observers")
-_LONGEST = 1 << 20
+_LONGEST_REPORT = 1 << 20
+"""Bytes of a line."""
 _MOST_UNSENT = 1 << 20
 _LAST_WORDS = 2.0
 """Seconds for which is waited for what an ended monitor has written of its errors."""
-SILENT = 8.0
-"""Seconds without a word, of a monitor that says one every second, after which it hangs."""
+SILENT = 15.0
+"""Seconds without a word, of a monitor that says one every second, after which it hangs.
+
+A machine that is busy with other things keeps it waiting for some."""
 SLOWEST_START = 60.0
 """Seconds that it may take until its first word: it has a middleware to start."""
 
@@ -41,11 +45,13 @@ class MonitorCommand:
         ros_version: the generation of ROS whose nodes it watches.
         command: the program and its arguments.
         environ: its environment variables, those of the nodes.
+        nodes: the full names of the nodes of the run, by what their lines are labelled with.
     """
 
     ros_version: int
     command: tuple[str, ...]
     environ: Mapping[str, str]
+    nodes: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
 
 
 def monitor_commands(
@@ -78,7 +84,12 @@ def monitor_commands(
 def announcement(commands: Iterable[MonitorCommand]) -> str:
     """Return a line that says what starts monitors, for `announced`."""
     told = [
-        {"ros_version": each.ros_version, "command": each.command, "environ": dict(each.environ)}
+        {
+            "ros_version": each.ros_version,
+            "command": each.command,
+            "environ": dict(each.environ),
+            "nodes": dict(each.nodes),
+        }
         for each in commands
     ]
     return json.dumps(told) + "\n"
@@ -89,11 +100,14 @@ def announced(line: str) -> tuple[MonitorCommand, ...]:
     try:
         return tuple(
             MonitorCommand(
-                int(each["ros_version"]), tuple(map(str, each["command"])), dict(each["environ"])
+                int(each["ros_version"]),
+                tuple(map(str, each["command"])),
+                dict(each["environ"]),
+                {str(label): tuple(map(str, names)) for label, names in each["nodes"].items()},
             )
             for each in json.loads(line)
         )
-    except (ValueError, TypeError, KeyError):
+    except (ValueError, TypeError, KeyError, AttributeError):
         return ()
 
 
@@ -118,9 +132,8 @@ class Monitor:
         """
         self.ros_version = command.ros_version
         self.ended: str | None = None
-        self._on_news = on_news
+        self._news = News(on_news)
         self._reports = Reports()
-        self._is_told = threading.Event()
         self._heard = time.monotonic()
         self._has_reported = False
         self._unsent = b""
@@ -159,7 +172,7 @@ class Monitor:
 
     def take(self) -> list[Report]:
         """Return what it said since this was called last, without what is out of date."""
-        self._is_told.clear()
+        self._news.taking()
         found = self._reports.take()
         if self._unsent:
             self._write()
@@ -203,7 +216,7 @@ class Monitor:
     def _read(self, errors: threading.Thread) -> None:
         assert self._process.stdout is not None
         with self._process.stdout as stream:
-            for line in iter(lambda: stream.readline(_LONGEST), b""):
+            for line in lines_of(stream, _LONGEST_REPORT):
                 self._heard = time.monotonic()
                 # What is no report, a client library has printed.
                 with suppress(ValueError, RecursionError):
@@ -211,25 +224,19 @@ class Monitor:
                     if isinstance(report, dict):
                         self._has_reported = True
                         if self._reports.add(report):
-                            self._tell()
+                            self._news.tell()
         status = self._process.wait()
         self._guard.forget()
         self._guard.close()
         # What it said last tells why; a process of its own may hold the pipe open for longer.
         errors.join(_LAST_WORDS)
         self.ended = self._last_said or f"it ended with status {status}"
-        self._is_told.clear()
-        self._tell()
+        self._news.tell_anew()
 
     def _read_errors(self) -> None:
         assert self._process.stderr is not None
         with self._process.stderr as stream:
-            for line in iter(lambda: stream.readline(_LONGEST), b""):
+            for line in lines_of(stream, _LONGEST_REPORT):
                 text = line.decode("utf-8", "replace").strip()
                 if text:
                     self._last_said = text
-
-    def _tell(self) -> None:
-        if not self._is_told.is_set():
-            self._is_told.set()
-            self._on_news()

@@ -13,7 +13,7 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
-from plastron_tui.diagnostics.terminal import visible, width
+from plastron_tui.diagnostics.terminal import cut, visible, width
 
 _LONGEST_NAME = 40
 _REDRAW = 0.2
@@ -109,7 +109,7 @@ class Watch:
         ]
         if len(lines) > rows:
             lines = [*lines[: rows - 1], f"… {len(lines) - rows + 1} more lines"]
-        return [_cut(line, columns) for line in lines]
+        return [cut(line, columns) for line in lines]
 
 
 class Screen:
@@ -173,7 +173,7 @@ def _object(line: str) -> Mapping[str, Any]:
 def _columns(head: tuple[str, ...], rows: Sequence[tuple[str, ...]]) -> list[str]:
     """Align all columns but the last, which takes what is left of the line."""
     cells = [head, *(tuple(visible(cell) for cell in row) for row in rows)]
-    cells = [tuple(_cut(cell, _LONGEST_NAME) for cell in row[:-1]) + row[-1:] for row in cells]
+    cells = [tuple(cut(cell, _LONGEST_NAME) for cell in row[:-1]) + row[-1:] for row in cells]
     widths = [max(width(row[index]) for row in cells) for index in range(len(head) - 1)]
     return [
         "  ".join(
@@ -187,15 +187,3 @@ def _columns(head: tuple[str, ...], rows: Sequence[tuple[str, ...]]) -> list[str
         ).rstrip()
         for row in cells
     ]
-
-
-def _cut(text: str, columns: int) -> str:
-    if width(text) <= columns:
-        return text
-    used, kept = 0, []
-    for character in text:
-        used += width(character)
-        if used > columns - 1:
-            break
-        kept.append(character)
-    return "".join(kept) + "…"

@@ -41,11 +41,13 @@ OPENING = frozenset({
     "output.filter",
 })  # fmt: skip
 """What opens a dialog or a line from a panel, by the ids of its bindings, letters too."""
-_LONGEST = 5.0
+_CHOOSING = frozenset({"left", "right", "tab", "shift+tab"})
+"""The keys that go from answer to answer."""
+_LONGEST_WAIT = 5.0
 """Seconds for which the keys after one wait, at most: where messages never stop coming, or somebody
 keeps the others waiting, they are to be had for leaving."""
 QUIET = 0.7
-"""Seconds without a key, after which somebody has seen what came by itself."""
+"""Seconds without a key, after which somebody has read a question."""
 _PAUSE = 0.005
 """Seconds between two looks at a page that is on its way: a thread finds out what is in it."""
 
@@ -64,22 +66,47 @@ class Paged:
         return not self.is_turning
 
 
-class Unasked:
-    """A screen that may come by itself: keys that are typed for what it covers are not for it.
+class Unread:
+    """A screen with a question: who types on has not read it yet.
 
-    It takes keys once none has come for a while, and from then on all of them.
+    What it does not hear is no answer. It hears keys once none has come for a while, and from then
+    on all of them.
 
     Attributes:
-        appeared: when it came by itself, as `time.monotonic` has it; None where it was asked for.
+        appeared: when it appeared, as `time.monotonic` has it; None before that.
+        is_read: whether it hears all keys.
+        is_unasked: whether it came by itself: what it does not hear is for what it covers.
     """
 
     appeared: float | None = None
+    is_read = False
+    is_unasked = False
 
-    def hears(self, last: float, now: float) -> bool:
-        """Tell whether a key counts, when the one before it came, on whatever screen, at `last`."""
+    def hears(self, event: events.Event, last: float, now: float) -> bool:
+        """Tell whether a key or a text counts.
+
+        Args:
+            event: the key or the text.
+            last: when the one before it came, on whatever screen.
+            now: when it came itself.
+        """
+        if isinstance(event, events.Key):
+            # Nobody types Esc on and on: it leaves at once.
+            if event.key == "escape":
+                return True
+            if not self.is_unasked:
+                self.is_read = self.is_read or event.key in _CHOOSING
+                if not event.is_printable:
+                    return True
         if self.appeared is not None and now - max(self.appeared, last) >= QUIET:
-            self.appeared = None
-        return self.appeared is None
+            self.is_read = True
+        return self.is_read or self.appeared is None
+
+    def hears_late(self, event: events.Event) -> bool:
+        """Tell whether a key counts that waited to be let in, and was perhaps typed before."""
+        if self.appeared is None or self.appeared <= event.time:
+            return True
+        return self.hears(event, event.time, event.time)
 
 
 class InOrder(Failing, inherit_bindings=False):
@@ -111,10 +138,10 @@ class InOrder(Failing, inherit_bindings=False):
         """Keep a key, or a text that is pasted, as long as a key before it is on its way."""
         if isinstance(event, _TYPED) and not event.is_forwarded and event is not self._let_in:
             now, last = monotonic(), self._last_typed
-            if isinstance(self.screen, Unasked) and not self.screen.hears(last, now):
-                self._not_heard(event, now)
-                return
             self._last_typed = now
+            if isinstance(self.screen, Unread) and not self.screen.hears(event, last, now):
+                self._keep_for_below(event, self.screen)
+                return
             is_first = self._keys_worker is None or self._keys_worker.is_finished
             if not is_first or self._is_turning or self._waiting:
                 self._waiting.append(event)
@@ -129,17 +156,10 @@ class InOrder(Failing, inherit_bindings=False):
                 self._keep_order(self._key_path())
         await super().on_event(event)
 
-    def _not_heard(self, event: events.Event, now: float) -> None:
-        """Keep a text for what a screen covers that came by itself; a key is lost.
-
-        A letter may be for either: an answer that comes too soon is not to be put into a program.
-        Nobody types Esc on and on: it does not make the screen deaf for longer.
-        """
-        if not isinstance(event, events.Key):
+    def _keep_for_below(self, event: events.Event, screen: Unread) -> None:
+        """Keep what a screen does not hear that came by itself: it is for what that covers."""
+        if screen.is_unasked:
             self._kept.append(event)
-        elif event.key == "escape":
-            return
-        self._last_typed = now
 
     def pop_screen(self) -> AwaitComplete:
         """Go back to the screen below, if there is one, and let in what was kept for it.
@@ -149,7 +169,7 @@ class InOrder(Failing, inherit_bindings=False):
         if len(self.screen_stack) < 2:
             return AwaitComplete()
         popped = super().pop_screen()
-        if self._kept and not isinstance(self.screen, Unasked):
+        if self._kept and not isinstance(self.screen, Unread):
             self._waiting.extend(self._kept)
             self._kept.clear()
             if self._keys_worker is None or self._keys_worker.is_finished:
@@ -177,7 +197,7 @@ class InOrder(Failing, inherit_bindings=False):
 
     async def _until_listening(self) -> None:
         """Wait for somebody to be there, but not for one who never comes."""
-        end = monotonic() + _LONGEST
+        end = monotonic() + _LONGEST_WAIT
         while not self.listens() and monotonic() < end:
             await asyncio.sleep(_PAUSE)
 
@@ -222,6 +242,10 @@ class InOrder(Failing, inherit_bindings=False):
             if isinstance(event, Burst):
                 self._waiting.extendleft(reversed(self._taken_as(event)))
                 continue
+            screen = self.screen
+            if isinstance(screen, Unread) and not screen.hears_late(event):
+                self._keep_for_below(event, screen)
+                continue
             self._let_in = event
             nodes = self._key_path()
             self.post_message(event)
@@ -230,7 +254,7 @@ class InOrder(Failing, inherit_bindings=False):
     async def _settled(self, nodes: list[DOMNode]) -> None:
         """Wait for what follows from a key, but not for what never ends."""
         with suppress(asyncio.TimeoutError):
-            await asyncio.wait_for(self._settle(nodes), _LONGEST)
+            await asyncio.wait_for(self._settle(nodes), _LONGEST_WAIT)
 
     async def _settle(self, nodes: list[DOMNode]) -> None:
         """Wait until nothing is left to handle of a key that the app has got.

@@ -6,20 +6,24 @@ import os
 import signal
 import subprocess
 import threading
-from collections import deque
 from collections.abc import Callable
 from contextlib import suppress
-from functools import partial
 from pathlib import Path
 
 from plastron_tui import import_path
-from plastron_tui.runtime import guard
+from plastron_tui.runtime.child import Guard
+from plastron_tui.runtime.labels import OWN_NAME
 from plastron_tui.runtime.monitor import MonitorCommand, announced
+from plastron_tui.runtime.process_lines import Backlog, News, lines_of
 from plastron_tui.session import Options
 
 _MOST_LINES = 5000
 """So many lines are kept of those that nobody has taken yet."""
-_LONGEST = 65536
+_MOST_WAITING = 1_000_000
+"""So many bytes wait at most: what takes longer to show than two or three seconds."""
+_AT_ONCE = 20_000
+"""So many bytes are taken at once: what is shown between two keys, and nobody notices."""
+_MOST_BYTES = 65536
 """So many bytes of a line are kept; a node may print without ever ending one."""
 # The panel is narrow, and names the node before each line: the time and the name can go.
 _PLAIN = {
@@ -51,9 +55,11 @@ class Running:
         """
         self.status: int | None = None
         self.monitors: tuple[MonitorCommand, ...] = ()
-        self._on_news = on_news
-        self._lines: deque[str] = deque(maxlen=_MOST_LINES)
-        self._is_told = threading.Event()
+        self._news = News(on_news)
+        self._lines = Backlog(
+            most_lines=_MOST_LINES, most_bytes=_MOST_WAITING, at_once=_AT_ONCE, is_kept=_is_own
+        )
+        self._is_asked_to_stop = False
         announcing, told = os.pipe()
         try:
             self._process = subprocess.Popen(
@@ -70,7 +76,10 @@ class Running:
             raise
         finally:
             os.close(told)
-        self._guard = _guarded(self._process.pid)
+        self._guard: Guard | None = None
+        with suppress(OSError):
+            self._guard = Guard()
+            self._guard.note(self._process.pid)
         threading.Thread(target=self._read, daemon=True).start()
         threading.Thread(target=self._hear, args=(announcing,), daemon=True).start()
 
@@ -79,60 +88,56 @@ class Running:
         """Whether the nodes ended because they were asked to."""
         return self.status in _STOPPED
 
+    @property
+    def has_more(self) -> bool:
+        """Whether there are lines that `take` has not returned yet."""
+        return len(self._lines) > 0
+
     def take(self) -> list[str]:
-        """Return the lines that were printed since this was called last."""
-        self._is_told.clear()
-        lines = []
-        with suppress(IndexError):
-            while True:
-                lines.append(self._lines.popleft())
-        return lines
+        """Return the first of the lines that were printed since this was called last."""
+        self._news.taking()
+        return [line.decode("utf-8", "replace") for line in self._lines.take()]
 
     def stop(self) -> None:
-        """Interrupt the nodes, as Ctrl-C does."""
+        """Interrupt the nodes, as Ctrl-C does; leave out what would be shown long after that."""
+        self._is_asked_to_stop = True
+        self._lines.skip()
         if self.status is None:
             with suppress(ProcessLookupError, PermissionError):
                 self._process.send_signal(signal.SIGINT)
 
     def close(self) -> None:
         """Have the nodes ended by the guard, which takes the time that it takes."""
-        if self._guard is None or self._guard.stdin is None:
+        if self._guard is None:
             self.stop()
         else:
-            with suppress(OSError):
-                self._guard.stdin.close()
+            self._guard.end()
 
     def _read(self) -> None:
         assert self._process.stdout is not None
         with self._process.stdout as stream:
-            is_rest = False
-            for line in iter(partial(stream.readline, _LONGEST), b""):
-                if not is_rest:
-                    self._lines.append(line.decode("utf-8", "replace").rstrip("\r\n"))
-                    self._tell()
-                is_rest = not line.endswith(b"\n")
+            for line in lines_of(stream, _MOST_BYTES):
+                self._lines.add(line)
+                self._news.tell()
+        if self._is_asked_to_stop:
+            self._lines.skip()
         self.status = self._process.wait()
-        self._is_told.clear()
-        self._tell()
-        if self._guard is not None and self._guard.stdin is not None:
-            # `ValueError`: it was closed.
-            with suppress(OSError, ValueError):
-                self._guard.stdin.write(b"-\n")
-                self._guard.stdin.close()
-            self._guard.wait()
+        self._news.tell_anew()
+        if self._guard is not None:
+            self._guard.forget()
+            self._guard.close()
 
     def _hear(self, announcing: int) -> None:
         """Read what starts the monitors, which is said when the nodes are started."""
         with os.fdopen(announcing, encoding="utf-8", errors="replace") as pipe:
             self.monitors = announced(pipe.readline())
         if self.monitors:
-            self._is_told.clear()
-            self._tell()
+            self._news.tell_anew()
 
-    def _tell(self) -> None:
-        if not self._is_told.is_set():
-            self._is_told.set()
-            self._on_news()
+
+def _is_own(line: bytes) -> bool:
+    """Tell whether the run itself says something: how a node has ended, say."""
+    return line.startswith(OWN_NAME.encode())
 
 
 def _command(path: Path, options: Options, told: int) -> list[str]:
@@ -143,22 +148,3 @@ def _command(path: Path, options: Options, told: int) -> list[str]:
     if options.output is not None:
         command += ["--output", os.fspath(options.output)]
     return command
-
-
-def _guarded(group: int) -> subprocess.Popen[bytes] | None:
-    """Start the process that ends a group of processes when this one is gone, if that can be."""
-    try:
-        process = subprocess.Popen(
-            guard.command(),
-            stdin=subprocess.PIPE,
-            stdout=subprocess.DEVNULL,
-            stderr=subprocess.DEVNULL,
-            start_new_session=True,
-        )
-    except OSError:
-        return None
-    assert process.stdin is not None
-    with suppress(OSError):
-        process.stdin.write(b"+%d\n" % group)
-        process.stdin.flush()
-    return process

@@ -17,6 +17,7 @@ from textual.notifications import Notification
 
 if TYPE_CHECKING:
     from textual._xterm_parser import XTermParser
+    from textual.screen import Screen
 
 
 def known_sequences() -> MutableMapping[str, Any] | None:
@@ -97,6 +98,30 @@ def _takes_keys(parser: type[XTermParser]) -> bool:
     except Exception:
         return False
     return keys == ["a"]
+
+
+def tell_first_sizes(screen: Screen[Any]) -> None:
+    """Let widgets of a screen hear of their first size, whoever asked for it before.
+
+    A compositor tells what is new by the last map of the screen; but a question for the place of a
+    widget that was just mounted, from a panel or the mouse, makes another map, with the widget in
+    it. Without this the widget then hears of no `Show` and no `Resize`.
+    """
+    compositor = getattr(screen, "_compositor", None)
+    reflow = getattr(compositor, "reflow", None)
+    if compositor is None or reflow is None or not hasattr(compositor, "_full_map"):
+        return
+    told: Any = None
+
+    def reflow_from_told(*args: Any, **kwargs: Any) -> Any:
+        nonlocal told
+        if told is not None:
+            compositor._full_map = told
+        result = reflow(*args, **kwargs)
+        told = compositor._full_map
+        return result
+
+    compositor.reflow = reflow_from_told
 
 
 def hear_messages(hear: Callable[[Message], None]) -> None:

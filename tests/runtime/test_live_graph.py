@@ -97,7 +97,10 @@ def test_what_is_no_report_changes_nothing(report: Mapping[str, Any]) -> None:
 
 
 def test_what_starts_monitors_is_told_in_a_line() -> None:
-    commands = (MonitorCommand(1, ("a", "b"), {"X": "ü\n"}), MonitorCommand(2, ("c",), {}))
+    commands = (
+        MonitorCommand(1, ("a", "b"), {"X": "ü\n"}),
+        MonitorCommand(2, ("c",), {}, {"talker": ("/a/talker",)}),
+    )
     line = announcement(commands)
     assert line.count("\n") == 1 and announced(line) == commands
     for wrong in ("", "[1]", "{}", "[{}]", "nonsense"):

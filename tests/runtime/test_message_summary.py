@@ -149,8 +149,9 @@ class Duration:
 
 @pytest.mark.parametrize(
     "name",
-    ["message_filling", "message_summary", "monitor_pipes", "monitor_ros1", "monitor_services",
-     "monitor_subscriptions", "monitor_topics", "plastron_text", "ros1_parameters", "watch"],
+    ["arrivals", "message_filling", "message_summary", "monitor_pipes", "monitor_ros1",
+     "monitor_services", "monitor_subscriptions", "monitor_topics", "plastron_text",
+     "ros1_parameters", "watch"],
 )  # fmt: skip
 def test_the_python_of_ros_1_can_read_it(name: str) -> None:
     """Noetic has Python 3.8."""

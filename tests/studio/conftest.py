@@ -33,8 +33,8 @@ def styles_parsed_once(monkeypatch: pytest.MonkeyPatch) -> None:
 
 @pytest.fixture(autouse=True)
 def questions_answered_at_once(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Let a question take letters as soon as it is there: a test has read it by then."""
-    monkeypatch.setattr("plastron_tui.studio.screens.question.REST", 0.0)
+    """Let a question hear keys as soon as it is there: a test has read it by then."""
+    monkeypatch.setattr("plastron_tui.studio.key_order.QUIET", 0.0)
 
 
 @pytest.fixture(autouse=True)

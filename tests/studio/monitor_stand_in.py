@@ -38,6 +38,8 @@ def main() -> None:
                     send(tell="parameters", node=node, rows=[row])
             elif order["do"] == "call" and not order["values"]:
                 os.kill(os.getpid(), signal.SIGKILL)
+            elif order["do"] == "set" and order["value"] == 0.25:
+                send(tell="answer", id=order["id"], text="not now", is_failure=True)
             else:
                 send(tell="answer", id=order["id"], text=f"done: {order['do']}", is_failure=False)
 

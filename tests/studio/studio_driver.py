@@ -1,6 +1,5 @@
 from __future__ import annotations
 
-import asyncio
 import os
 from collections.abc import AsyncIterator, Callable, Sequence
 from contextlib import asynccontextmanager
@@ -16,7 +15,7 @@ from textual.widgets import Label
 from plastron_tui.session import Options
 from plastron_tui.studio.app import StudioApp
 from plastron_tui.studio.journal import Journal
-from plastron_tui.studio.key_order import QUIET, Unasked
+from plastron_tui.studio.key_order import Unread
 from plastron_tui.studio.main.screen import MainScreen
 from plastron_tui.user_folders import state_folder
 
@@ -115,12 +114,11 @@ class Driver:
         await until(self.pilot, condition)
 
     async def dialog(self, name: str) -> Any:
-        """Wait for a dialog, by the name of its class; one that came by itself takes keys then."""
+        """Wait for a dialog, by the name of its class; a question hears keys then."""
         await self.until(lambda: type(self.app.screen).__name__ == name)
         await self.pilot.pause()
-        if isinstance(self.app.screen, Unasked) and self.app.screen.appeared is not None:
-            await asyncio.sleep(QUIET)
-        await self.pilot.pause()
+        if isinstance(self.app.screen, Unread):
+            await self.until(lambda: self.app.screen.appeared is not None)
         return self.app.screen
 
     async def failure(self, text: bytes) -> Any:

@@ -71,6 +71,17 @@ def test_the_largest_drawing_that_fits_is_taken(program: str, room: tuple[int, i
         assert fitted.detail == (narrow or [len(DETAILS) - 1])[0]
 
 
+def test_a_dock_that_is_dragged_leaves_few_pictures() -> None:
+    drawing = picture(chain(6)).drawing
+    assert drawing is not None
+    first = drawing.fitted(Size(40, 20)).lines
+    for width in range(41, 80):
+        drawing.fitted(Size(width, 20))
+    assert drawing.is_fitted(Size(79, 20)) and not drawing.is_fitted(Size(40, 20))
+    assert len(drawing._fitted) <= 8 and len(drawing._plans) <= 48
+    assert drawing.fitted(Size(40, 20)).lines == first
+
+
 def drawn(fitted: Fitted) -> str:
     return "\n".join(text(fitted))
 

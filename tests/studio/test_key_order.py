@@ -13,7 +13,7 @@ from textual.message import Message
 from textual.screen import Screen
 from textual.widgets import Input, Label
 
-from plastron_tui.studio.key_order import InOrder, Unasked
+from plastron_tui.studio.key_order import QUIET, InOrder, Unread
 from plastron_tui.studio.terminal_driver import Burst
 
 STEPS = 25
@@ -80,26 +80,34 @@ async def test_what_is_pasted_or_comes_at_once_keeps_its_place(text: str) -> Non
 
 
 @pytest.mark.parametrize(
-    ("keys", "answers"),
+    ("is_unasked", "keys", "heard"),
     [
         # It has been there for a while, and nobody types.
-        ([0.8], [0]),
-        ([0.1, 0.2], []),
+        (True, [(0.8, "y")], "y"),
+        (True, [(0.1, "y"), (0.2, "n")], ""),
+        (True, [(0.1, "enter")], ""),
         # Whoever is used to it answers and goes on.
-        ([0.1, 0.9, 0.95], [1, 2]),
-        ([0.5, 1.0, 1.5, 2.3], [3]),
+        (True, [(0.1, "a"), (0.9, "y"), (0.95, "n")], "y n"),
+        (True, [(0.5, "a"), (1.0, "b"), (1.5, "c"), (2.3, "y")], "y"),
+        (True, [(0.1, "a"), (0.2, "escape")], "escape"),
+        # One that was asked for waits for letters alone; with the arrows one has read it.
+        (False, [(0.1, "d"), (0.2, "enter")], "enter"),
+        (False, [(0.1, "d"), (0.2, "right"), (0.3, "d")], "right d"),
+        (False, [(0.8, "d")], "d"),
     ],
 )
-def test_what_comes_by_itself_is_deaf_while_somebody_types(
-    keys: list[float], answers: list[int]
+def test_a_question_is_deaf_while_somebody_types(
+    is_unasked: bool, keys: list[tuple[float, str]], heard: str, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    screen = Unasked()
-    screen.appeared = 100.0
-    last, heard = 99.9, []
-    for number, time in enumerate(keys):
-        heard += [number] if screen.hears(last, 100.0 + time) else []
+    monkeypatch.setattr("plastron_tui.studio.key_order.QUIET", QUIET)
+    screen = Unread()
+    screen.appeared, screen.is_unasked = 100.0, is_unasked
+    last, found = 99.9, []
+    for time, key in keys:
+        event = events.Key(key, key if len(key) == 1 else None)
+        found += [key] if screen.hears(event, last, 100.0 + time) else []
         last = 100.0 + time
-    assert heard == answers
+    assert " ".join(found) == heard
 
 
 async def test_without_a_word_of_messages_keys_arrive(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -6,7 +6,8 @@ import json
 import os
 import sys
 from pathlib import Path
-from typing import Any
+from types import SimpleNamespace
+from typing import Any, cast
 
 import pytest
 from studio_driver import PROGRAM, Driver, studio
@@ -16,6 +17,8 @@ from textual.widgets import Label
 from plastron_tui.runtime import monitor
 from plastron_tui.runtime.monitor import MonitorCommand
 from plastron_tui.studio import running
+from plastron_tui.studio.main.live_actions import LiveActions
+from plastron_tui.studio.main.watched_run import WatchedRun
 from plastron_tui.studio.panels.key_bar import KeyBar
 from plastron_tui.studio.panels.live_panel import LivePanel, Watching
 
@@ -83,12 +86,11 @@ async def test_what_travels_is_shown_and_nodes_are_spoken_to(program: Path, orde
         watched = asked(orders, "watch")[-1]
         rows = live(driver).size.height
         assert "/chatter" in watched["topics"] and len(watched["topics"]) == rows - 1
-        assert not watched["full"]
+        assert watched["full"] == ["/chatter"]
         assert live(driver).row.name == "/chatter", line
         # Its fields.
         await driver.press("right")
         await wait_shown(driver, "linear.x")
-        assert asked(orders, "watch")[-1]["full"] == ["/chatter"]
         # A message, from a field of the topic: what does not fit is said, and not sent. Keys that
         # come before the form is there are for it.
         await driver.press("down", "down")
@@ -97,6 +99,7 @@ async def test_what_travels_is_shown_and_nodes_are_spoken_to(program: Path, orde
         for key in ("p", *"fast"):
             driver.app.post_message(events.Key(key, key))
         form = await driver.dialog("LiveForm")
+        # It begins with the last message, which what is typed replaces.
         await driver.until(lambda: "fast" in form.given.values())
         await driver.pilot.press("enter")
         await driver.pilot.pause()
@@ -121,11 +124,19 @@ async def test_what_travels_is_shown_and_nodes_are_spoken_to(program: Path, orde
         assert "s Set" in footer.text and "Watch again" not in footer.text
         await driver.pilot.press("enter")
         await driver.dialog("LiveForm")
-        await driver.pilot.press(*"0.75", "enter")
+        form = driver.app.screen
+        # What does not fit is not sent; what the node does not want stays in the form.
+        for typed, said in (("2.5", "a number from 0 to 1"), ("0.25", "not now")):
+            await driver.pilot.press(*["backspace"] * 4, *typed, "enter")
+            help_ = form.query_one("#wizard-help", Label)
+            await driver.until(lambda said=said, help_=help_: said in str(help_.content))
+        await driver.pilot.press("backspace", "backspace", "7", "5", "enter")
+        await driver.back()
         await driver.until(lambda: "speed: done: set" in driver.notes())
-        assert asked(orders, "set")[0]["value"] == 0.75
+        assert [each["value"] for each in asked(orders, "set")] == [0.25, 0.75]
+        assert "not now" not in driver.notes()
         # A service, whose answer is shown below it.
-        await driver.press("up", "up", "up")
+        await driver.press("up", "up")
         assert live(driver).row.name == "/add"
         await driver.pilot.press("enter")
         await driver.dialog("LiveForm")
@@ -138,14 +149,25 @@ async def test_what_travels_is_shown_and_nodes_are_spoken_to(program: Path, orde
         assert live(driver).watching(2) == Watching()
         await driver.press("alt+v")
         await driver.until(lambda: asked(orders, "watch")[-1]["topics"])
-        # A monitor that dies is told, the nodes run on, and another one can be had.
+        # Another monitor takes the place of one that dies, without a word.
         await driver.press("enter")
         await driver.dialog("LiveForm")
         await driver.pilot.press("backspace", "enter")
         await driver.back()
+        watches = driver.main.runner.watched.live
+        await driver.until(lambda: watches._retried and live(driver)._graphs[0].is_watched)
+        assert "not watched" not in driver.notes()
+        # Where that one dies too, that is said; the nodes run on, and another one can be had.
+        await driver.press("enter")
+        await driver.dialog("LiveForm")
+        await driver.pilot.press("enter")
+        await driver.back()
         await driver.until(lambda: "the nodes run on, but are not watched" in driver.notes())
-        await driver.press("end")
-        await wait_shown(driver, "press R to watch again")
+        await driver.press("home")
+        await wait_shown(driver, "not watched, press R to watch again")
+        # What was seen last is shown as that.
+        chatter = next(row for row in live(driver)._live if row.name == "/chatter")
+        assert chatter.is_old and chatter.rate == "2.0 Hz"
         assert driver.main.runner.is_running
         assert "r Watch again" in footer.text and "Enter" not in footer.text
         await driver.press("r", "home")
@@ -157,6 +179,20 @@ async def test_what_travels_is_shown_and_nodes_are_spoken_to(program: Path, orde
         await driver.until(
             lambda: any("/talker" in line and "gone" in line for line in live(driver).lines)
         )
+
+
+def test_what_is_built_before_nodes_start_is_said_unless_others_are_watched() -> None:
+    said: list[str] = []
+    live = SimpleNamespace(preparing=said.append, starting=lambda: None)
+    watched = WatchedRun(cast(LiveActions, live), cast(Any, None))
+    watched.preparing(
+        ["plastron run a", "building `a`: compiling, 25 %", "building `b`: configuring"]
+    )
+    watched.preparing(["talker | building `it`: no"])
+    assert said == ["building `b`: configuring"]
+    watched._tab = cast(Any, object())
+    watched.preparing(["building `c`: compiling"])
+    assert len(said) == 1
 
 
 async def test_in_a_wide_window_the_output_stays(

@@ -12,7 +12,7 @@ from rich.cells import cell_len
 from plastron_tui.ros.catalog import Catalog
 from plastron_tui.ros.interfaces import InterfaceKind, InterfaceName
 from plastron_tui.ros.parameters import ParameterType
-from plastron_tui.runtime.live_graph import LiveGraph, LiveParameter
+from plastron_tui.runtime.live_graph import LiveField, LiveGraph, LiveParameter, NodeEnd
 from plastron_tui.runtime.observers import ros1_parameters
 from plastron_tui.session import Session
 from plastron_tui.studio.panels.live_columns import columns_of, line_of
@@ -97,6 +97,43 @@ def test_what_is_gone_or_silent_is_marked(graph: LiveGraph) -> None:
     graph.feed({"tell": "graph", "topics": [], "services": [], "nodes": []})
     lines = drawn(graph, 60, set())
     assert sum("gone" in line for line in lines) == 5
+
+
+@pytest.mark.parametrize(
+    ("there", "end", "stopped", "value", "tone"),
+    [(True, None, False, "", "quiet"), (False, None, False, "gone", "warning"),
+     # The middleware believes for some seconds in a node that was killed.
+     (True, NodeEnd("was ended by SIGKILL", True), False, "was ended by SIGKILL", "error"),
+     (False, NodeEnd("finished", False), False, "finished", "quiet"),
+     (False, None, True, "gone", "quiet")],
+)  # fmt: skip
+def test_a_node_that_has_done_its_work_is_not_one_that_is_gone(
+    graph: LiveGraph, there: bool, end: NodeEnd | None, stopped: bool, value: str, tone: str
+) -> None:
+    if end is not None:
+        assert graph.mark_ended(["/talker"], end) and not graph.mark_ended(["/talker"], end)
+    if not there:
+        graph.feed({"tell": "graph", "topics": [], "services": [], "nodes": []})
+    if stopped:
+        graph.end()
+    row = live_rows([graph], set(), {})[-1]
+    assert (row.name, row.value, row.tone) == ("/talker", value, tone)
+    assert row.is_branch == (there and end is None)
+    if end is not None and not there:
+        # Somebody has started it by hand.
+        graph.feed({"tell": "graph", "topics": [], "services": [], "nodes": ["/talker"]})
+        assert live_rows([graph], set(), {})[-1].value == ""
+
+
+def test_what_nobody_watches_is_what_was_seen_last(graph: LiveGraph) -> None:
+    graph.is_watched, graph.problem = False, "not watched"
+    rows = live_rows([graph], set(), {})
+    assert (rows[0].name, rows[0].tone) == ("not watched", "error")
+    speed = next(row for row in rows if row.name == "/speed")
+    assert (speed.rate, speed.value, speed.tone) == ("2.0 Hz", "0.5", "quiet")
+    columns = columns_of(rows, 90)
+    tones = {piece.tone for row in rows[1:] for piece in line_of(row, columns, 90)}
+    assert "primary" not in tones
 
 
 def test_what_the_network_says_is_only_shown() -> None:
@@ -281,6 +318,29 @@ def test_a_parameter_that_nobody_touched_stays_as_it_is(type_: str, value: Any) 
     assert form.order(form.dialog.given)["value"] == wanted
 
 
+@pytest.mark.parametrize(
+    ("type_", "seen", "given"),
+    [("geometry_msgs/Twist", [("linear.x", "0.3"), ("linear.y", "0"), ("angular.z", "-1e-05")],
+      {("linear", "x"): "0.3", ("angular", "z"): "-1e-05"}),
+     ("std_msgs/Bool", [("data", "True")], {("data",): "True"}),
+     # Of a text or a list only the beginning may be known; a stamp is when it is sent.
+     ("sensor_msgs/JointState", [("header.stamp", "5.0"), ("position", "[1.0, … 9 in all]")], {}),
+     ("std_msgs/Float64", [("data", "inf")], {}),
+     ("std_msgs/Float64", [("other", "1")], {})],
+)  # fmt: skip
+def test_a_message_that_is_sent_begins_with_the_last_one_that_came(
+    type_: str, seen: list[tuple[str, str]], given: dict[tuple[str, ...], str]
+) -> None:
+    row = LiveRow("k", Kind.TOPIC, "/a", "/a", type=type_)
+    fields = [LiveField(*each) for each in seen]
+    form = form_for(row, Session(b""), {}, fields)
+    assert not isinstance(form, str) and form.dialog.given == given
+    # What was sent the last time comes before that.
+    before = {next(iter(given), ("data",)): "1"}
+    form = form_for(row, Session(b""), before, fields)
+    assert not isinstance(form, str) and form.dialog.given == before
+
+
 def test_each_generation_is_asked_for_its_own_alone() -> None:
     graphs = []
     for version in (1, 2):
@@ -295,5 +355,7 @@ def test_each_generation_is_asked_for_its_own_alone() -> None:
     assert watching_of(rows, everything, 1, unfolded) == wanted
     wanted = Watching(("/both", "/of2"), ("/of2",), ("/n2",))
     assert watching_of(rows, everything, 2, unfolded) == wanted
+    cursor = next(row for row in rows if row.key == "2 topic /both")
+    assert watching_of(rows, everything, 2, set(), cursor).full == ("/both",)
     # Of a node that is unfolded the parameters may be in sight, wherever it is; a topic is not.
     assert watching_of(rows, range(0), 2, unfolded) == Watching(nodes=("/n2",))

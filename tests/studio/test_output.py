@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
@@ -11,11 +12,12 @@ from studio_driver import Driver, studio
 from textual.widgets._toast import Toast
 
 from plastron_tui.runtime.child import Exit, Process
-from plastron_tui.runtime.console import ended_node
+from plastron_tui.runtime.labels import ended_node
 from plastron_tui.studio.app import StudioApp
 from plastron_tui.studio.panels import output_log
 from plastron_tui.studio.panels.log_view import wrapped
 from plastron_tui.studio.panels.output_log import OutputLog, printed_record
+from plastron_tui.studio.panels.styles import Piece
 
 
 def shown(log: OutputLog) -> list[str]:
@@ -36,17 +38,38 @@ def log_of(*lines: str) -> OutputLog:
         (["a | x", "b | y"] * 3, ["a | x  ×3", "b | y  ×3"]),
         (["a | x", "a | y", "a | x"], ["a | x", "a | y", "a | x"]),
         (["a | ", "a | "], ["a | ", "a | "]),
+        (["| a file | lines |"] * 2, ["| a file | lines |  ×2"]),
         (["x", "x"], ["x  ×2"]),
         # What is far above was perhaps read and forgotten: it is said again.
         (
             ["a | x", *(f"b | {number}" for number in range(9)), "a | x"],
             ["a | x", *(f"b | {number}" for number in range(9)), "a | x"],
         ),
+        # The numbers of a scan are no lines that anybody reads.
+        (
+            [f"a | ranges=array('f', [{', '.join(['0.5', '-1e-05', 'inf', 'nan'] * 90)}]) [1, 2]"],
+            ["a | ranges=array('f', [0.5, -1e-05, inf, nan, … 356 more]) [1, 2]"],
+        ),
         (["a | " + "x" * 5000], ["a | " + "x" * 4000 + " … and 1,000 characters more"]),
     ],
 )
 def test_repeated_lines_are_counted(lines: list[str], wanted: list[str]) -> None:
     assert shown(log_of(*lines)) == wanted
+
+
+def test_a_line_says_when_it_came_last() -> None:
+    log = OutputLog()
+    for at in (0.5, 3661.87):
+        log.add([replace(printed_record("a | x"), at=at)])
+    (record,) = log.records
+    line = log.line(record, with_time=True)
+    # Half an hour is the least that time zones differ by.
+    assert line[0].text.endswith(":01.8 ") and [piece.text for piece in line[1:]] == [
+        "a | ", "x", "  ×2"
+    ]  # fmt: skip
+    # What follows in a second row stands below the text.
+    (_, second) = wrapped((*line[:2], Piece("so many words " * 2)), 36)
+    assert second[0].text == " " * len(line[0].text + "a | ")
 
 
 @given(some.lists(some.tuples(some.sampled_from("abc"), some.sampled_from("xyz"))))
@@ -70,8 +93,17 @@ def test_what_a_run_says_of_a_node_that_fails_is_understood() -> None:
     for end in (Exit(process, -9), Exit(process, 1), Exit(process, None, "no such file")):
         found = ended_node(f"plastron | talker {end.words}: KeyError: 'x'")
         assert found is not None and found.node == "talker" and found.how.startswith(end.words)
-    assert ended_node(f"plastron | talker {Exit(process, 0).words}") is None
+        assert found.is_failure
+    found = ended_node(f"plastron | talker {Exit(process, 0).words}")
+    assert found == ("talker", "finished") and not found.is_failure
     assert ended_node("other | talker died with exit status 1") is None
+
+
+def test_so_much_text_is_kept() -> None:
+    log = log_of(*(f"a | {number:04}{'x' * 3000}" for number in range(400)))
+    assert sum(len(record.text) for record in log.records) > 0.99 * output_log.MOST_TEXT
+    assert sum(len(record.text) for record in log.records) <= output_log.MOST_TEXT
+    assert log.records[-1].text.startswith("0399")
 
 
 @given(some.lists(some.lists(some.integers(0, 3), max_size=12)))
@@ -120,6 +152,10 @@ async def test_the_output_can_be_read_and_filtered_while_nodes_print(
         assert "6 of 300" in str(output.query_one("#output-count").content)
         await driver.press("enter")
         assert output.view.has_focus
+        await driver.press("t")
+        assert set(output.text.splitlines()).isdisjoint(wanted)
+        await driver.press("t")
+        assert set(output.text.splitlines()) == wanted | {"listener | 77"}
         await driver.press("slash", "escape")
         assert len(output.lines) == most
         assert output.view.has_focus

@@ -167,6 +167,21 @@ def test_tabs_are_told_apart_by_their_folders(tmp_path: Path) -> None:
     assert len(names_of(programs)[2]) == 24
 
 
+@pytest.mark.parametrize(
+    ("files", "names"),
+    [
+        (["a/src/x", "b/src/x", "b/x", "c/src/x"], ["a/src/x", "b/src/x", "b/x", "c/src/x"]),
+        (["left/of_an_arm/program", "at_the_right/of_an_arm/program"],
+         ["left/of_an_arm/program", "at_the_right/…/program"]),
+        (["a/" + 30 * "x", "b/" + 30 * "x"], ["…" + 23 * "x", "…" + 23 * "x" + " 2"]),
+        (["", ""], ["new program", "new program 2"]),
+    ],
+)  # fmt: skip
+def test_no_two_tabs_are_called_alike(tmp_path: Path, files: list[str], names: list[str]) -> None:
+    disks = [OnDisk(tmp_path / f"{each}.plastron", b"", None) if each else None for each in files]
+    assert names_of([opened(disk, tmp_path) for disk in disks]) == names
+
+
 async def test_nodes_go_on_while_another_program_is_in_front(
     program: Path, other: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

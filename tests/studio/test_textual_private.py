@@ -18,8 +18,9 @@ from textual.command import CommandPalette
 from textual.driver import Driver
 from textual.drivers import linux_driver as textual_driver
 from textual.drivers.linux_driver import LinuxDriver
-from textual.geometry import Offset
+from textual.geometry import Offset, Size
 from textual.message import Message
+from textual.screen import Screen
 from textual.widgets import Static
 from textual.worker import WorkerFailed
 
@@ -38,6 +39,7 @@ from plastron_tui.studio.textual_private import (
     output_of,
     parse_input_with,
     take_any_bytes,
+    tell_first_sizes,
 )
 
 
@@ -157,6 +159,38 @@ def test_a_parser_that_lets_no_key_through_is_left_out(
     parse_input_with(lambda _: other)
     is_taken = vars(textual_driver)["XTermParser"] is other
     assert is_taken == (other is XTermParser)
+
+
+class _Heard(Static):
+    """A widget that notes of which size it hears."""
+
+    sizes: tuple[Size, ...] = ()
+
+    def on_resize(self, event: events.Resize) -> None:
+        self.sizes += (event.size,)
+
+
+@pytest.mark.parametrize("is_told", [True, False])
+async def test_a_widget_that_was_asked_for_its_size_hears_of_it(is_told: bool) -> None:
+    """That it does not without is why; a Textual in which it does needs no mending."""
+    async with App[None]().run_test() as pilot:
+        screen = pilot.app.screen
+        if is_told:
+            tell_first_sizes(screen)
+        await screen.mount(Static("before"))
+        await pilot.pause()
+        heard = _Heard("new")
+        await screen.mount(heard)
+        screen._compositor._full_map_invalidated = True
+        assert heard.size
+        await pilot.pause()
+        assert bool(heard.sizes) is is_told
+
+
+def test_without_a_compositor_nothing_is_mended() -> None:
+    screen = Screen[None]()
+    del screen._compositor
+    tell_first_sizes(screen)
 
 
 def test_without_the_list_of_notes_they_go_with_time() -> None:

@@ -9,6 +9,7 @@ from math import copysign
 from xml.sax.saxutils import escape
 
 from plastron_tui.diagnostics.terminal import visible
+from plastron_tui.diagnostics.wording import counted
 from plastron_tui.model.graph import NOUNS, Graph, Hub
 from plastron_tui.ros.interfaces import InterfaceKind
 
@@ -115,7 +116,7 @@ def _document(
 def _title(graph: Graph) -> str:
     counts = [(len(graph.nodes), "node")]
     counts += [(len(hubs), NOUNS[at]) for at, hubs in graph.at.items()]
-    parts = [f"{count} {word}{'' if count == 1 else 's'}" for count, word in counts]
+    parts = [counted(count, word) for count, word in counts]
     return f"A ROS graph of {', '.join(parts[:-1])} and {parts[-1]}"
 
 

@@ -7,6 +7,8 @@ from __future__ import annotations
 
 from typing import NamedTuple, TypeAlias
 
+from plastron_tui.diagnostics.wording import counted
+
 _DEEPEST = 50
 
 Arguments: TypeAlias = tuple[tuple[str, str], ...]
@@ -140,8 +142,3 @@ class Macros(NamedTuple):
             (self.conditions, "condition"),
         )
         return ", ".join(counted(count, word) for count, word in counts if count)
-
-
-def counted(count: int, word: str) -> str:
-    """Return a number of things: `1 link`, `2 links`."""
-    return f"{count} {word}{'' if count == 1 else 's'}"

@@ -16,6 +16,7 @@ from collections.abc import Callable
 from typing import Any
 
 import rclpy
+from fitting_subscription import FittingSubscription
 from message_filling import fill, has_stamp
 from monitor_parameters import Parameters
 from monitor_pipes import Orders, answer, send, sent_words
@@ -26,7 +27,7 @@ from rclpy.executors import SingleThreadedExecutor
 from rclpy.qos import DurabilityPolicy, QoSProfile, ReliabilityPolicy
 from rclpy.serialization import deserialize_message
 from rclpy.signals import SignalHandlerOptions
-from watch import is_shown, ros2_class, ros2_qos
+from watch import is_shown, ros2_class
 
 _TURN, _IDLE_TURN = 0.05, 0.5
 _REPORT = 0.25
@@ -42,18 +43,13 @@ class _Watching:
     """A subscription that nobody spins: its messages are taken in turns."""
 
     def __init__(self, node: Any, name: str, type_name: str) -> None:
-        self.name = name
-        self._node = node
         self._class = _class_of(type_name)
         self.topic = WatchedTopic(type_name, lambda raw: deserialize_message(raw, self._class))
-        self._subscription = self._subscribed(ros2_qos(node, name))
-
-    def _subscribed(self, qos: Any) -> Any:
-        return self._node.create_subscription(self._class, self.name, lambda _: None, qos, raw=True)
+        self._fitting = FittingSubscription(node, name, self._class, lambda _: None)
 
     def take(self) -> None:
         """Note the messages that came."""
-        subscription = self._subscription
+        subscription = self._fitting.subscription
         clock = time.monotonic() - time.time()
         with subscription.handle:
             for _ in range(_MOST_A_TURN):
@@ -64,18 +60,12 @@ class _Watching:
                 self.topic.see(found[0], at if abs(at - time.monotonic()) < 1 else None)
 
     def look(self) -> None:
-        """Ask for no more than publishers offer that came later."""
-        had, qos = self._subscription.qos_profile, ros2_qos(self._node, self.name)
-        if (
-            had.reliability != qos.reliability == ReliabilityPolicy.BEST_EFFORT
-            or had.durability != qos.durability == DurabilityPolicy.VOLATILE
-        ):
-            self.close()
-            self._subscription = self._subscribed(qos)
+        """Follow the publishers that are there now."""
+        self._fitting.look()
 
     def close(self) -> None:
         """Hear no more of it."""
-        self._node.destroy_subscription(self._subscription)
+        self._fitting.close()
 
 
 def _class_of(type_name: str) -> Any:

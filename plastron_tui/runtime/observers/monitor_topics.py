@@ -3,14 +3,12 @@
 from __future__ import annotations
 
 import time
-from collections import deque
 from collections.abc import Callable
 from typing import Any
 
+from arrivals import Arrivals
 from message_summary import fields_of, summary_of
 
-_WINDOW = 200
-_LEAST_SPAN = 2.0
 # Making one message readable may take this share of the time until the next one is.
 _SHARE = 0.05
 
@@ -26,11 +24,10 @@ class WatchedTopic:
             decode: makes a message of what `see` was given.
         """
         self.type_name = type_name
-        self.count = 0
+        self.arrivals = Arrivals()
         self.is_full = False
         self._decode = decode
         self._last: Any = None
-        self._times: deque[float] = deque(maxlen=_WINDOW)
         self._told = (-1, -1.0, False)
         self._next_decoding = 0.0
         self._content: dict[str, Any] = {}
@@ -38,31 +35,16 @@ class WatchedTopic:
     def see(self, raw: Any, at: float | None = None) -> None:
         """Note a message, and when it came, by the clock that never goes back."""
         self._last = raw
-        self._times.append(time.monotonic() if at is None else at)
-        self.count += 1
-
-    def rate(self, now: float) -> float:
-        """Messages a second lately, 0 where the topic went silent."""
-        times = self._times
-        if len(times) < 2:
-            return 0.0
-        last = times[-1]
-        recent = [each for each in list(times) if last - each <= _LEAST_SPAN]
-        if len(recent) < 3:
-            recent = list(times)[-3:]
-        period = (last - recent[0]) / (len(recent) - 1)
-        if period <= 0 or now - last > max(3 * period, 1.5):
-            return 0.0
-        return 1 / period
+        self.arrivals.note(at)
 
     def report(self) -> dict[str, Any] | None:
         """Return what is new since this was asked last, None where nothing is."""
         now = time.monotonic()
-        rate = round(self.rate(now), 1)
-        told = (self.count, rate, self.is_full)
+        count, rate = self.arrivals.count, round(self.arrivals.rate(now), 1)
+        told = (count, rate, self.is_full)
         if told == self._told:
             return None
-        is_new = self.count != self._told[0] or self.is_full != self._told[2]
+        is_new = count != self._told[0] or self.is_full != self._told[2]
         if is_new and self._last is not None:
             if now < self._next_decoding:
                 # Too much work for now: what was made last stays, and this is looked at later.
@@ -72,7 +54,7 @@ class WatchedTopic:
                 taken = time.monotonic() - now
                 self._next_decoding = now + taken / _SHARE
         self._told = told
-        return {"count": self.count, "rate": rate, **self._content}
+        return {"count": count, "rate": rate, **self._content}
 
     def _readable(self) -> dict[str, Any]:
         try:

@@ -9,13 +9,12 @@ import importlib
 import json
 import sys
 import time
-from collections import deque
 from typing import Any
 
+from arrivals import Arrivals
 from plastron_text import line_of
 
 _PERIOD = 0.5
-_WINDOW = 50
 _INFRASTRUCTURE = frozenset({"/rosout", "/rosout_agg", "/parameter_events"})
 
 
@@ -24,26 +23,13 @@ class Topic:
 
     def __init__(self, type_name: str) -> None:
         self.type_name = type_name
-        self.count = 0
+        self.arrivals = Arrivals()
         self.last: Any = None
-        self._times: deque[float] = deque(maxlen=_WINDOW)
 
     def see(self, message: Any) -> None:
         """Note a message."""
-        self.count += 1
+        self.arrivals.note()
         self.last = message
-        self._times.append(time.monotonic())
-
-    @property
-    def rate(self) -> float:
-        """Messages a second over the latest ones, 0 when the topic went silent."""
-        if len(self._times) < 2:
-            return 0.0
-        first, last = self._times[0], self._times[-1]
-        period = (last - first) / (len(self._times) - 1)
-        if time.monotonic() - last > max(3 * period, 1.0):
-            return 0.0
-        return 1 / period if period > 0 else 0.0
 
 
 def is_shown(name: str) -> bool:
@@ -57,8 +43,8 @@ def _print(topics: dict[str, Topic], decode: Any) -> None:
         {
             "name": name,
             "type": topic.type_name,
-            "rate": round(topic.rate, 2),
-            "count": topic.count,
+            "rate": round(topic.arrivals.rate(time.monotonic()), 2),
+            "count": topic.arrivals.count,
             "text": _decoded(decode, topic),
         }
         for name, topic in sorted(topics.items())
@@ -107,14 +93,14 @@ def watch_ros1() -> None:
 def watch_ros2() -> None:
     """Watch the topics that ROS 2 discovers."""
     import rclpy
-    from rclpy.qos import DurabilityPolicy, ReliabilityPolicy
+    from fitting_subscription import FittingSubscription
     from rclpy.serialization import deserialize_message
     from rclpy.signals import SignalHandlerOptions
 
     rclpy.init(signal_handler_options=SignalHandlerOptions.NO)
     node = rclpy.create_node("_plastron_watch", enable_rosout=False, start_parameter_services=False)
     topics: dict[str, Topic] = {}
-    subscriptions: dict[str, Any] = {}
+    subscriptions: dict[str, FittingSubscription] = {}
 
     def decode(topic: Topic) -> Any:
         return deserialize_message(topic.last, ros2_class(topic.type_name))
@@ -126,23 +112,7 @@ def watch_ros2() -> None:
         except (ImportError, AttributeError):
             topic.type_name += " (not installed)"
             return
-        listen(name, message_class, ros2_qos(node, name))
-
-    def listen(name: str, message_class: Any, qos: Any) -> None:
-        see = topics[name].see
-        subscriptions[name] = node.create_subscription(message_class, name, see, qos, raw=True)
-
-    def listen_to_all(name: str) -> None:
-        """Ask for no more than publishers offer that came later."""
-        old, qos = subscriptions[name], ros2_qos(node, name)
-        had = old.qos_profile
-        # Asking for more again would bring the last message twice.
-        if (
-            had.reliability != qos.reliability == ReliabilityPolicy.BEST_EFFORT
-            or had.durability != qos.durability == DurabilityPolicy.VOLATILE
-        ):
-            node.destroy_subscription(old)
-            listen(name, old.msg_type, qos)
+        subscriptions[name] = FittingSubscription(node, name, message_class, topic.see)
 
     printed = 0.0
     try:
@@ -154,8 +124,8 @@ def watch_ros2() -> None:
             for name, type_names in node.get_topic_names_and_types():
                 if name not in topics and is_shown(name) and node.count_publishers(name):
                     subscribe(name, type_names[0])
-            for name in subscriptions:
-                listen_to_all(name)
+            for each in subscriptions.values():
+                each.look()
             _print(topics, decode)
     finally:
         node.destroy_node()
@@ -166,24 +136,6 @@ def ros2_class(type_name: str) -> Any:
     """Return the class of a message's type."""
     package, name = type_name.split("/")
     return getattr(importlib.import_module(f"{package}.msg"), name)
-
-
-def ros2_qos(node: Any, topic: str) -> Any:
-    """Return a quality of service that every publisher of the topic can serve."""
-    from rclpy.qos import (
-        DurabilityPolicy,
-        QoSProfile,
-        ReliabilityPolicy,
-    )
-
-    profiles = [info.qos_profile for info in node.get_publishers_info_by_topic(topic)]
-    is_reliable = all(one.reliability == ReliabilityPolicy.RELIABLE for one in profiles)
-    is_kept = all(one.durability == DurabilityPolicy.TRANSIENT_LOCAL for one in profiles)
-    return QoSProfile(
-        depth=100,
-        reliability=ReliabilityPolicy.RELIABLE if is_reliable else ReliabilityPolicy.BEST_EFFORT,
-        durability=DurabilityPolicy.TRANSIENT_LOCAL if is_kept else DurabilityPolicy.VOLATILE,
-    )
 
 
 if __name__ == "__main__":

@@ -7,7 +7,7 @@ import math
 from collections.abc import Iterator
 from typing import NoReturn
 
-from plastron_tui.diagnostics import codes
+from plastron_tui.diagnostics import codes, counted
 from plastron_tui.model.source import EndpointKind
 
 from . import literals
@@ -97,9 +97,8 @@ def misfit(added: Addition, callback: str) -> str | None:
     if any(least <= each + len(added.handed) <= most for each in ways):
         return None
     takes = least if least > given else int(most)
-    plural = "" if takes == 1 else "s"
     name = callback.rpartition(".")[2]
-    return f"`{name}` takes {takes} argument{plural}, and would be called with {given}"
+    return f"`{name}` takes {counted(takes, 'argument')}, and would be called with {given}"
 
 
 def _function(added: Addition, callback: str) -> Scope | None:

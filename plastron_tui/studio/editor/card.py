@@ -11,6 +11,8 @@ from rich.cells import cell_len, set_cell_size
 from plastron_tui.diagnostics import Span
 from plastron_tui.diagnostics.terminal import visible
 
+from ..cells import cut
+
 _WIDEST_LABEL = 24
 _INDENT = 2
 
@@ -72,7 +74,7 @@ def lines_of(card: Card, width: int) -> list[CardLine]:
 def _title(card: Card, width: int) -> CardLine:
     title, kind = visible(card.title), visible(card.kind)
     if cell_len(title) + cell_len(kind) + _INDENT > width:
-        return (Run(_cut(title, width), "title"),)
+        return (Run(cut(title, width), "title"),)
     return (Run(title, "title"), Run(f"{' ' * _INDENT}{kind}", "quiet"))
 
 
@@ -86,7 +88,7 @@ def _laid_out(row: CardRow, column: int, width: int) -> Iterator[CardLine]:
         return
     start = column + _INDENT
     if cell_len(row.label) > column:
-        yield (Run(_cut(row.label, width), ""),)
+        yield (Run(cut(row.label, width), ""),)
         yield from _wrapped(words, start, width, (Run(" " * start, ""),))
         return
     label = set_cell_size(row.label, column) + " " * _INDENT
@@ -100,7 +102,7 @@ def _wrapped(
     line, at = list(first), start
     is_fresh = True
     for word, tone in words:
-        shown = _cut(word, max(1, width - start))
+        shown = cut(word, max(1, width - start))
         if not is_fresh and at + 1 + cell_len(shown) > width:
             yield tuple(line)
             line, at, is_fresh = [Run(" " * start, "")] if start else [], start, True
@@ -109,9 +111,3 @@ def _wrapped(
         at += cell_len(text)
         is_fresh = False
     yield tuple(line)
-
-
-def _cut(text: str, width: int) -> str:
-    if cell_len(text) <= width:
-        return text
-    return set_cell_size(text, max(0, width - 1)) + "…"

@@ -13,6 +13,7 @@ from rich.style import Style
 from textual.geometry import Offset, Region, Size
 from textual.strip import Strip
 
+from ..cells import fitted
 from .candidate import Candidate
 from .palette import Palette
 
@@ -119,9 +120,9 @@ class Popup:
         is_here = index == self._index
         style = palette.popup_here if is_here else palette.popup
         quiet = palette.popup_here if is_here else palette.popup_quiet
-        label = _fitted(candidate.text, max(1, min(self._label_width, width - 2)))
+        label = fitted(candidate.text, max(1, min(self._label_width, width - 2)))
         room = width - cell_len(label) - 4
-        detail = _fitted(self._detail(candidate), room) if room > 0 else ""
+        detail = fitted(self._detail(candidate), room) if room > 0 else ""
         text = f" {label}  " if room > 0 else f" {label} "
         room = max(0, width - cell_len(text))
         segments = [Segment(text, style)]
@@ -130,9 +131,3 @@ class Popup:
             segments.append(Segment(_SWATCH, quiet + Style(color=candidate.swatch)))
         segments.append(Segment(set_cell_size(detail, room), quiet))
         return Strip(segments).adjust_cell_length(width, style)
-
-
-def _fitted(text: str, width: int) -> str:
-    if cell_len(text) <= width:
-        return set_cell_size(text, width)
-    return set_cell_size(text, max(0, width - 1)) + "…"

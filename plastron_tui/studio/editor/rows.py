@@ -6,13 +6,14 @@ from collections.abc import Sequence
 from itertools import pairwise
 from typing import NamedTuple
 
-from rich.cells import cell_len, set_cell_size
+from rich.cells import cell_len
 from rich.segment import Segment
 from rich.style import Style
 from textual.strip import Strip
 
 from plastron_tui.diagnostics import Severity
 
+from ..cells import cut, fitted
 from .columns import Line
 from .highlights import RowPaint
 from .marks import Mark
@@ -116,26 +117,19 @@ def draw(row: Row, canvas: Canvas, start: int, end: int, *, message: Mark | None
 def below(row: Row, canvas: Canvas, message: Mark) -> Strip:
     """Draw the screen line below a row that holds its message."""
     palette = canvas.palette
-    text = f"  └ {message.message}"
-    text = _shortened(text, canvas.width)
+    text = fitted(f"  └ {message.message}", canvas.width)
     style = combined(palette.text, _style_of(message, palette))
     return Strip(
         [
             *gutter(row, canvas, is_first=False),
-            Segment(set_cell_size(text, canvas.width), style),
+            Segment(text, style),
         ]
     )
 
 
 def _beside(message: Mark, palette: Palette, base: Style, room: int) -> list[Segment]:
-    text = _shortened(f"{SIGNS[message.severity]} {message.message}", room - _GAP)
+    text = cut(f"{SIGNS[message.severity]} {message.message}", room - _GAP)
     return [Segment(" " * _GAP, base), Segment(text, combined(base, _style_of(message, palette)))]
-
-
-def _shortened(text: str, width: int) -> str:
-    if cell_len(text) <= width:
-        return text
-    return set_cell_size(text, max(0, width - 1)).rstrip() + "…"
 
 
 def _pieces(

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 from textual.screen import Screen
 
-from plastron_tui.diagnostics import Span
+from plastron_tui.diagnostics import Span, counted
 
 from ..insertion_point import is_generated_last, placed
 from ..panels.entry import Entry
@@ -115,8 +115,7 @@ class EntryActions:
         said = []
         if found.edits:
             self._program.editor.apply(found.edits)
-            count = len(found.edits)
-            said.append(f"renamed in {count} place{'' if count == 1 else 's'}")
+            said.append(f"renamed in {counted(len(found.edits), 'place')}")
         said += [f"{file} has the name in its own code: change it there" for file in found.files]
         text = "\n".join(said) or f"{old} is not written in this program"
         if found.files or not found.edits:

@@ -4,14 +4,14 @@ from __future__ import annotations
 
 import itertools
 from collections import Counter
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 from textual.screen import Screen
 
 from plastron_tui.diagnostics.terminal import visible
 from plastron_tui.regular_files import reason
-from plastron_tui.runtime.live_graph import LiveGraph
+from plastron_tui.runtime.live_graph import LiveGraph, NodeEnd
 
 from ..delay import Delay
 from ..panels.live_panel import LOOKING, NOTHING_RUNS, STARTING, LivePanel, Watching
@@ -22,6 +22,7 @@ from .workers import start_exclusive
 if TYPE_CHECKING:
     from plastron_tui.runtime.monitor import Monitor, MonitorCommand
 
+    from ..wizard.live_form import LiveForm
     from ..wizard.values import Path
 
 _SHOWN_AFTER = 0.1
@@ -43,7 +44,7 @@ class LiveActions:
         self._screen = screen
         self._tab: Tab | None = None
         self._panel = panel
-        panel.on_watched, panel.on_asked = self.watch, self.do
+        panel.on_watched, panel.on_asked = self.update_subscriptions, self.run_order
         self._delay = Delay(screen, self._show)
         self._look = Delay(screen, self._look_at_monitors)
         self._commands: Sequence[MonitorCommand] = ()
@@ -51,8 +52,10 @@ class LiveActions:
         self._graphs: dict[int, LiveGraph] = {}
         self._watching: dict[int, Watching] = {}
         self._silent: set[int] = set()
+        self._retried: set[int] = set()
+        """Those whose monitor was started again by itself."""
         self._numbers = itertools.count(1)
-        self._asked: dict[int, LiveRow] = {}
+        self._asked: dict[int, tuple[LiveRow, LiveForm | None]] = {}
         self._answers: dict[str, Answer] = {}
         self._said: Counter[str] = Counter()
         self._given: dict[str, dict[Path, str]] = {}
@@ -66,6 +69,10 @@ class LiveActions:
         self._said.clear()
         self._tell(STARTING)
 
+    def preparing(self, step: str) -> None:
+        """Say what is done before the nodes start: to compile them takes its time."""
+        self._tell(f"{visible(step)}\nthe nodes start then, and what they send is shown here")
+
     def start(self, tab: Tab, commands: Sequence[MonitorCommand]) -> None:
         """Watch nodes.
 
@@ -73,7 +80,11 @@ class LiveActions:
             tab: whose nodes they are, whichever is in front; its types are those of the forms.
             commands: what starts their monitors.
         """
+        if tab is not self._tab:
+            # A topic of that name may have another type there.
+            self._given.clear()
         self._tab, self._commands = tab, commands
+        self._retried.clear()
         self._close()
         self._tell(LOOKING)
         self._start_missing()
@@ -86,12 +97,12 @@ class LiveActions:
             if each.ros_version in self._monitors:
                 continue
             graph = self._graphs.setdefault(each.ros_version, LiveGraph(each.ros_version))
-            graph.problem = ""
+            graph.own = frozenset(itertools.chain.from_iterable(each.nodes.values()))
             try:
                 self._monitors[each.ros_version] = Monitor(each, self._news)
             except OSError as error:
                 self._fail(each.ros_version, f"the nodes cannot be watched: {reason(error)}")
-        self.watch()
+        self.update_subscriptions()
         self._look.start(_LOOK)
 
     def end(self) -> None:
@@ -113,8 +124,8 @@ class LiveActions:
         self._delay.stop()
         self._look.stop()
 
-    def watch(self) -> None:
-        """Tell the monitors what is in sight now, where that is something else."""
+    def update_subscriptions(self) -> None:
+        """Have the topics and nodes in sight listened to, and no others."""
         for version, monitor in self._monitors.items():
             wanted = self._panel.watching(version)
             if self._watching.get(version) != wanted:
@@ -146,7 +157,7 @@ class LiveActions:
                 is_new = False
         if is_new:
             self._tell(self._empty, unseen=False)
-        self.watch()
+        self.update_subscriptions()
 
     def _tell(self, empty: str, *, unseen: bool = True) -> None:
         self._empty = empty
@@ -166,60 +177,99 @@ class LiveActions:
         if self._monitors:
             self._look.start(_LOOK)
 
+    def mark_ended(self, ends: Mapping[str, NodeEnd]) -> None:
+        """Mark nodes that have ended by themselves: the middleware believes in them for longer.
+
+        Args:
+            ends: how they have ended, by what their lines are labelled with.
+        """
+        is_new = False
+        for command in self._commands:
+            graph = self._graphs[command.ros_version]
+            for label, end in ends.items():
+                is_new |= graph.mark_ended(command.nodes.get(label, ()), end)
+        if is_new:
+            self._tell(self._empty)
+
     def _lost(self, version: int, why: str) -> None:
-        """Say that a monitor is no more; the nodes run on."""
+        """Watch again, once; then say that a monitor is no more. The nodes run on."""
         monitor = self._monitors.pop(version)
         monitor.close()
         self._watching.pop(version, None)
         self._silent.discard(version)
-        self._fail(version, f"{why}; press R to watch again")
+        if version not in self._retried:
+            self._retried.add(version)
+            self._fail(version, f"not watched for the moment: {why}")
+            self._start_missing()
+            return
+        self._fail(version, f"not watched, press R to watch again: {why}")
         text = f"the nodes run on, but are not watched: {visible(why)}"
         self._screen.notify(text, severity="warning", markup=False)
 
     def _fail(self, version: int, problem: str) -> None:
         graph = self._graphs[version]
         graph.problem = problem
-        for topic in graph.topics.values():
-            topic.rate = 0.0
+        graph.is_watched = False
         self._tell(self._empty)
 
-    # What is asked of nodes.
-
-    def do(self, what: str, row: LiveRow | None) -> None:
-        """Do what was asked about a row of the panel: see `LivePanel.on_asked`."""
+    def run_order(self, what: str, row: LiveRow | None) -> None:
+        """Start monitors again, or ask for what is sent about a row: see `LivePanel.on_asked`."""
         if what == "restart":
+            self._retried.clear()
             self._start_missing()
         elif row is not None:
             start_exclusive(self._screen, "live", self._ask, row)
 
     async def _ask(self, row: LiveRow) -> None:
-        monitor = self._monitors.get(row.ros_version)
-        if monitor is None or self._tab is None:
+        if row.ros_version not in self._monitors or self._tab is None:
             self._say("nothing runs that could take it")
             return
         from ..wizard.live_orders import form_for
 
-        form = form_for(row, self._tab.open.session, self._given.get(row.key, {}))
+        topic = self._graphs[row.ros_version].topics.get(row.owner)
+        seen = () if topic is None or row.kind is not Kind.TOPIC else topic.fields
+        form = form_for(row, self._tab.open.session, self._given.get(row.key, {}), seen)
         if isinstance(form, str):
             self._say(form)
             return
-        given = await self._screen.app.push_screen_wait(form.dialog)
+        dialog = form.dialog
+        if row.kind is Kind.PARAMETER:
+            # A node may refuse a value that fits: what was typed is still there then.
+            dialog.ask = lambda given: self._order(row, form.order(given), dialog)
+            await self._screen.app.push_screen_wait(dialog)
+            return
+        given = await self._screen.app.push_screen_wait(dialog)
         if given is None:
             return
-        if row.kind is not Kind.PARAMETER:
-            # A parameter has a value, which is what its form begins with.
-            self._given[row.key] = given
-        number = next(self._numbers)
-        self._asked[number] = row
-        if not monitor.order(id=number, **form.order(given)):
-            del self._asked[number]
+        # A parameter has a value, which is what its form begins with; this begins with the last.
+        self._given[row.key] = given
+        if not self._order(row, form.order(given)):
             self._say("the monitor of the nodes takes nothing any more")
 
+    def _order(self, row: LiveRow, order: Mapping[str, Any], form: LiveForm | None = None) -> bool:
+        """Tell a monitor what to do; tell whether it takes orders.
+
+        Args:
+            row: what it is about.
+            order: what to do.
+            form: the form that waits for the answer.
+        """
+        monitor = self._monitors.get(row.ros_version)
+        number = next(self._numbers)
+        if monitor is None or not monitor.order(id=number, **order):
+            return False
+        self._asked[number] = row, form
+        return True
+
     def _take_answer(self, report: Any) -> bool:
-        row = self._asked.pop(report.get("id", 0), None)
+        row, form = self._asked.pop(report.get("id", 0), (None, None))
         if row is None:
             return False
         is_failure, text = bool(report.get("is_failure")), str(report.get("text"))
+        if form is not None and form.is_current:
+            form.answered(text, is_failure=is_failure)
+            if is_failure:
+                return False
         if row.kind in (Kind.SERVICE, Kind.ANSWER):
             key = f"{row.ros_version} service {row.owner}"
             self._answers[key] = Answer(text, is_failure)

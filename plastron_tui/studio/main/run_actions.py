@@ -12,6 +12,8 @@ from textual.message import Message
 from textual.screen import Screen
 
 from plastron_tui.regular_files import reason
+from plastron_tui.runtime.labels import ended_node
+from plastron_tui.runtime.live_graph import NodeEnd
 
 from ..delay import Delay
 from ..panels.output_log import Record
@@ -160,7 +162,7 @@ class RunActions:
             return
         run.started_at = monotonic()
         self._failures.forget()
-        run.failed = {}
+        run.failed, run.ended = {}, {}
         self.watched.starting()
         self._panels.begin(run, f"plastron run {path.name}")
         self._on_change()
@@ -179,13 +181,19 @@ class RunActions:
         for tab, run in list(self._runs.items()):
             if run.running is not None:
                 self._show_run(tab, run, run.running)
+        if any(run.running is not None and run.running.has_more for run in self._runs.values()):
+            self.show_soon()
         self.watched.follow(self._runs, self._program.tab)
 
     def _show_run(self, tab: Tab, run: TabRun, running: Running) -> None:
         """Take what nodes of a tab have printed, and show it where the tab is in front."""
         is_in_front = tab is self._program.tab
         status, end = running.status, None
-        if status is not None:
+        printed = running.take()
+        self._tell_ended(tab, run, printed)
+        if not running.monitors:
+            self.watched.preparing(printed)
+        if status is not None and not running.has_more:
             run.running = None
             words = "stopped" if running.was_stopped else f"ended with status {status}"
             tone = "quiet" if running.was_stopped else "success" if status == 0 else "error"
@@ -194,20 +202,20 @@ class RunActions:
             if not is_in_front:
                 self._screen.notify(f"the nodes of {tab.open.name} have ended", markup=False)
             self._on_change()
-        printed = running.take()
-        self._tell_failed(run, printed)
         if is_in_front:
             self._panels.add(run, printed, end)
         else:
             run.add(printed, end)
 
-    def _tell_failed(self, run: TabRun, printed: Iterable[str]) -> None:
-        """Say which nodes have failed, and mark them."""
-        from plastron_tui.runtime.console import ended_node
-
-        for node, how in filter(None, map(ended_node, printed)):
-            self._failures.say(f"{node} {how}", severity="error", timeout=10)
-            run.failed = {**run.failed, node: "has ended"}
+    def _tell_ended(self, tab: Tab, run: TabRun, printed: Iterable[str]) -> None:
+        """Mark the nodes that have ended, and say which have failed."""
+        for end in filter(None, map(ended_node, printed)):
+            words = end.how.partition(":")[0]
+            run.ended = {**run.ended, end.node: NodeEnd(words, end.is_failure)}
+            if end.is_failure:
+                self._failures.say(f"{end.node} {end.how}", severity="error", timeout=10)
+                run.failed = {**run.failed, end.node: "has ended"}
+        self.watched.mark_ended(tab, run)
 
     def _end_watch(self, tab: Tab) -> None:
         self.watched.end(tab, others_run=any(map(self.runs_in, self._runs)))

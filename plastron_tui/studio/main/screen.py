@@ -23,6 +23,7 @@ from ..panels.entry_keys import Asked, Chosen, Lit
 from ..panels.key_bar import KeyBar
 from ..panels.panel import Resized
 from ..panels.registry import PANELS
+from ..textual_private import tell_first_sizes
 from .active_program import ActiveProgram
 from .code_actions import CodeActions
 from .disk_watch import DiskWatch
@@ -60,6 +61,7 @@ class MainScreen(Screen[None], Paged):
 
     def __init__(self, open_: Open, profile: Profile, others: Sequence[Open] = ()) -> None:
         super().__init__()
+        tell_first_sizes(self)
         self.profile = profile
         self.program = ActiveProgram(open_, others)
         self.tab_line = TabLine(id="tabs")

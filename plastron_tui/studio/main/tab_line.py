@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import ClassVar, NamedTuple
@@ -20,7 +21,7 @@ from ..open_program import Open
 from ..panels.styles import Toned
 from .active_program import ActiveProgram, Tab
 
-_LONGEST = 24
+_WIDEST = 24
 """The most cells of a name."""
 
 
@@ -39,25 +40,53 @@ class Label(NamedTuple):
 
 
 def names_of(programs: Sequence[Open]) -> list[str]:
-    """Return what tabs call programs: files of the same name have their folder before it."""
+    """Return what tabs call programs: no two alike.
+
+    Files of the same name have folders before it, those that are alike even so a number behind it.
+    """
     short = [_short_name(open_.name) for open_ in programs]
-    return [
-        _fitted(f"{_folder(open_.path)}/{name}" if short.count(name) > 1 and open_.path else name)
+    names = [
+        _end_of(_in_folders(open_, name, programs) if short.count(name) > 1 else name)
         for open_, name in zip(programs, short, strict=True)
     ]
+    times = Counter[str]()
+    for at, name in enumerate(names):
+        times[name] += 1
+        if times[name] > 1:
+            names[at] = f"{name} {times[name]}"
+    return names
 
 
 def _short_name(name: str) -> str:
     return visible(name.removesuffix(SUFFIX) or name)
 
 
-def _folder(path: Path) -> str:
-    return visible(path.absolute().parent.name)
+def _in_folders(open_: Open, name: str, programs: Sequence[Open]) -> str:
+    """Return a name with the fewest folders before it that tell a file from others of its name."""
+    if open_.path is None:
+        return name
+    folders = _folders(open_.path)
+    rivals = [
+        _folders(other.path)
+        for other in programs
+        if other is not open_ and other.path is not None and other.path.name == open_.path.name
+    ]
+    count = 1
+    while count < len(folders) and any(rival[:count] == folders[:count] for rival in rivals):
+        count += 1
+    *inner, outer = map(visible, folders[:count])
+    shown = "/".join([outer, *reversed(inner), name])
+    return shown if cell_len(shown) <= _WIDEST or not inner else f"{outer}/…/{name}"
 
 
-def _fitted(name: str) -> str:
+def _folders(path: Path) -> tuple[str, ...]:
+    """Return the names of the folders that a file is in, the innermost first."""
+    return tuple(each.name for each in path.absolute().parents)
+
+
+def _end_of(name: str) -> str:
     """Return a name of which the end is seen, where it is too long."""
-    while cell_len(name) > _LONGEST:
+    while cell_len(name) > _WIDEST:
         name = "…" + name.lstrip("…")[1:]
     return name
 

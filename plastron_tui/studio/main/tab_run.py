@@ -8,6 +8,8 @@ from typing import TYPE_CHECKING
 
 from textual.widget import Widget
 
+from plastron_tui.runtime.live_graph import NodeEnd
+
 from ..panels.entry_list import EntryList
 from ..panels.live_panel import LivePanel
 from ..panels.output import OutputPanel
@@ -25,12 +27,14 @@ class TabRun:
     Attributes:
         log: what they have printed.
         failed: which have failed, by their names, and what is said of that.
+        ended: how nodes have ended that nobody asked to, by their names.
         running: those that run, None for none.
         started_at: when they were started, by the clock of `monotonic`.
     """
 
     log: OutputLog = field(default_factory=OutputLog)
     failed: Mapping[str, str] = field(default_factory=dict)
+    ended: Mapping[str, NodeEnd] = field(default_factory=dict)
     running: Running | None = None
     started_at: float = 0.0
 

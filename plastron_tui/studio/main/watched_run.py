@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 
 from .active_program import Tab
 from .live_actions import LiveActions
 from .tab_run import RunPanels, TabRun
+
+_BUILDING = "building `"
+"""How a line begins that says how far a build is (see `ProgressLine`)."""
 
 
 class WatchedRun:
@@ -26,6 +29,12 @@ class WatchedRun:
         """Show that nodes are about to run, unless others are watched."""
         if self._tab is None:
             self.live.starting()
+
+    def preparing(self, printed: Sequence[str]) -> None:
+        """Show what is built before nodes start, unless others are watched."""
+        steps = [line for line in printed if line.startswith(_BUILDING)]
+        if steps and self._tab is None:
+            self.live.preparing(steps[-1])
 
     def follow(self, runs: Mapping[Tab, TabRun], front: Tab) -> None:
         """Watch the nodes that were started last, of those that are ready.
@@ -49,9 +58,15 @@ class WatchedRun:
             self.live.starting()
         self._tab = tab
         self.live.start(tab, running.monitors)
+        self.mark_ended(tab, runs[tab])
         # Somebody may have gone elsewhere since the nodes were started.
         if tab is front and self._panels.layout.is_in_sight("output"):
             self._panels.layout.reveal("live")
+
+    def mark_ended(self, tab: Tab, run: TabRun) -> None:
+        """Mark the nodes of a tab that have ended by themselves, where that tab is watched."""
+        if self._tab is tab and run.ended:
+            self.live.mark_ended(run.ended)
 
     def end(self, tab: Tab, *, others_run: bool) -> None:
         """Show no more of what travels by the monitors of a tab: its nodes have ended.

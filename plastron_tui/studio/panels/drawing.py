@@ -7,8 +7,11 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import TYPE_CHECKING, NamedTuple
 
-from rich.cells import cell_len, set_cell_size
+from rich.cells import cell_len
 
+from plastron_tui.diagnostics.terminal import visible
+
+from ..cells import cut
 from .styles import Line, Lines, Piece
 from .wires import HEADS, line_characters
 
@@ -106,10 +109,11 @@ class _Box:
     def __init__(self, label: Label, detail: Detail) -> None:
         self._label = label
         self._detail = detail
-        self.name = _cut(label.name, detail.widest)
+        self.name = cut(visible(label.name), detail.widest)
         self.rows = [self.name]
         if detail.has_caption:
-            more = (_cut(label.caption, detail.widest), _cut(label.warning, detail.widest))
+            texts = (label.caption, label.warning)
+            more = (cut(visible(text), detail.widest) for text in texts)
             self.rows += [row for row in more if row]
         elif label.warning:
             self.rows = [f"{self.name} !"]
@@ -151,13 +155,6 @@ class _Box:
             return
         sheet.put(x, y, self.name, "strong")
         sheet.put(x + cell_len(self.name), y, text[len(self.name) :], "warning")
-
-
-def _cut(text: str, widest: int) -> str:
-    text = text if text.isprintable() else ascii(text)[1:-1]
-    if cell_len(text) <= widest:
-        return text
-    return f"{set_cell_size(text, widest - 1).rstrip()}…"
 
 
 class Plan:

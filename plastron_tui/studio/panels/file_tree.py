@@ -10,6 +10,7 @@ from typing import ClassVar, NamedTuple
 from textual import events
 from textual.binding import Binding, BindingType
 
+from plastron_tui.diagnostics.wording import counted
 from plastron_tui.output.plan import FileState
 
 from .entry import Entries, Entry
@@ -118,7 +119,7 @@ def _lines(folder: _Folder, before: str, depth: int) -> Iterator[Entry]:
 
 def _folder(path: str, shown: str, folder: _Folder, depth: int) -> Entry:
     states = list(folder.states())
-    said = [f"{len(states)} file{'' if len(states) == 1 else 's'}"]
+    said = [counted(len(states), "file")]
     said += [f"{states.count(each)} {word}" for each, word in _WORDS.items() if each in states]
     return Entry(path, shown, ", ".join(said), *_FOLDER, depth=depth, is_branch=True)
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import lru_cache
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING, NamedTuple, TypeVar
 
 from rich.cells import cell_len
 
@@ -19,11 +19,20 @@ if TYPE_CHECKING:
 _MOST_CELLS = 400_000
 """A picture of more cells takes seconds to draw, and shows nothing but lines."""
 
+_MOST_SIZES = 8
+"""A dock that is dragged has every width once; what is drawn for one is a whole picture."""
+_MOST_PLANS = 48
+"""So many plans are kept: a width takes one for each detail in each of four ways."""
+
 _APART = 3
 """Columns between parts that stand beside each other."""
 
 Parts = tuple[tuple["Columns", list[list[int]]], ...]
 """What hangs together: boxes in columns, and the order within the columns."""
+
+
+_Key = TypeVar("_Key")
+_Value = TypeVar("_Value")
 
 
 class Size(NamedTuple):
@@ -83,7 +92,8 @@ class Drawing:
         """
         found = self._fitted.get(size)
         if found is None:
-            found = self._fitted[size] = self._draw(size)
+            found = self._draw(size)
+            _keep(self._fitted, size, found, _MOST_SIZES)
         return found
 
     def is_fitted(self, size: Size) -> bool:
@@ -139,7 +149,7 @@ class Drawing:
     def _planned(self, detail: int, width: int, way: _Way) -> list[Plan]:
         plans = self._plans.get((detail, width, way))
         if plans is None:
-            plans = self._plans[detail, width, way] = [
+            plans = [
                 Plan(
                     self._labels,
                     columns,
@@ -150,7 +160,15 @@ class Drawing:
                 )
                 for columns, order in (self._folded if way.is_folded else self._parts)
             ]
+            _keep(self._plans, (detail, width, way), plans, _MOST_PLANS)
         return plans
+
+
+def _keep(cache: dict[_Key, _Value], key: _Key, value: _Value, most: int) -> None:
+    """Keep a value, and forget the oldest ones; the worker and the screen both draw."""
+    cache[key] = value
+    for old in list(cache)[:-most]:
+        cache.pop(old, None)
 
 
 @lru_cache(maxsize=4)

@@ -5,10 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import NamedTuple
 
-from rich.cells import cell_len, set_cell_size
+from rich.cells import cell_len
 
 from plastron_tui.diagnostics.terminal import visible
 
+from ..cells import cut, fitted
 from .live_rows import Kind, LiveRow
 from .sparkline import sparkline
 from .styles import Line, Piece
@@ -54,39 +55,32 @@ def line_of(row: LiveRow, columns: Columns, width: int) -> Line:
     if row.kind is Kind.HEADING:
         return (Piece(f" {row.name}", "dim"),)
     if row.kind is Kind.NOTE:
-        return (Piece(_cut(" " * (4 + 2 * row.depth) + row.name, width), row.tone),)
+        return (Piece(cut(" " * (4 + 2 * row.depth) + row.name, width), row.tone),)
     if row.kind is Kind.ANSWER:
-        shown = _cut(f"      {row.name} {row.value}", width)
+        shown = cut(f"      {row.name} {row.value}", width)
         return (Piece(shown, row.tone),)
     fold = " " if not row.is_branch else "▾" if row.is_open else "▸"
     sign, tone = _SIGNS.get(row.kind, ("", ""))
     before = f"{fold} " if sign else "    "
     indent = "" if sign else " " * (2 * row.depth)
-    name = _fitted(indent + row.name, columns.name)
-    pieces = [Piece(before, "dim"), Piece(f"{sign} " if sign else "", tone)]
+    name = fitted(indent + row.name, columns.name)
+    pieces = [
+        Piece(before, "dim"),
+        Piece(f"{sign} " if sign else "", "dim" if row.is_old else tone),
+    ]
     pieces += [Piece(name + " ", "strong" if row.depth == 0 else "")]
     has_rate = row.kind is Kind.TOPIC
     if has_rate:
         rate = row.rate.rjust(columns.rate)
-        pieces.append(Piece(rate + " ", "quiet" if row.rate == "silent" else "primary"))
+        is_quiet = row.is_old or row.rate == "silent"
+        pieces.append(Piece(rate + " ", "quiet" if is_quiet else "primary"))
     if columns.type and has_rate:
         pieces.append(
-            Piece(_fitted(visible(row.type.rpartition("/")[2]), columns.type) + " ", "quiet")
+            Piece(fitted(visible(row.type.rpartition("/")[2]), columns.type) + " ", "quiet")
         )
     if not row.samples or not columns.curve:
         used = sum(cell_len(piece.text) for piece in pieces)
-        return (*pieces, Piece(_cut(row.value, width - used), row.tone))
+        return (*pieces, Piece(cut(row.value, width - used), row.tone))
     used = sum(cell_len(piece.text) for piece in pieces) + columns.curve + 1
-    pieces.append(Piece(_fitted(row.value, max(0, width - used)) + " ", row.tone))
+    pieces.append(Piece(fitted(row.value, max(0, width - used)) + " ", row.tone))
     return (*pieces, Piece(sparkline(row.samples, columns.curve).rjust(columns.curve), "accent"))
-
-
-def _fitted(text: str, cells: int) -> str:
-    """Return a text in just so many cells."""
-    return set_cell_size(_cut(text, cells), cells)
-
-
-def _cut(text: str, cells: int) -> str:
-    if cell_len(text) <= cells:
-        return text
-    return set_cell_size(text, max(0, cells - 1)).rstrip() + "…" if cells > 0 else ""

@@ -8,6 +8,7 @@ from typing import ClassVar, NamedTuple
 
 from rich.segment import Segment
 from rich.style import Style
+from textual import events
 from textual.binding import Binding, BindingType
 from textual.geometry import Region
 from textual.strip import Strip
@@ -35,7 +36,8 @@ class Watching(NamedTuple):
 
     Attributes:
         topics: the topics in sight.
-        full: those of them whose fields are in sight.
+        full: those of them whose fields are in sight, and the one that the cursor is on: what is
+            sent to that begins with them.
         nodes: the nodes that are unfolded: their parameters may be in sight any moment.
     """
 
@@ -45,7 +47,11 @@ class Watching(NamedTuple):
 
 
 def watching_of(
-    rows: Sequence[LiveRow], in_sight: range, version: int, unfolded: Set[str]
+    rows: Sequence[LiveRow],
+    in_sight: range,
+    version: int,
+    unfolded: Set[str],
+    cursor: LiveRow | None = None,
 ) -> Watching:
     """Return what is looked at of one generation of ROS.
 
@@ -54,11 +60,13 @@ def watching_of(
         in_sight: the places of those that can be seen.
         version: the generation.
         unfolded: the keys of the rows that are unfolded.
+        cursor: the row that the cursor is on.
     """
+    full_keys = unfolded if cursor is None else {*unfolded, cursor.key}
     own = [row for row in rows if row.ros_version == version]
     seen = [row for row in rows[in_sight.start : in_sight.stop] if row.ros_version == version]
     topics = dict.fromkeys(row.owner for row in seen if row.kind in (Kind.TOPIC, Kind.FIELD))
-    full = [name for name in topics if f"{version} topic {name}" in unfolded]
+    full = [name for name in topics if f"{version} topic {name}" in full_keys]
     nodes = [row.owner for row in own if row.kind is Kind.NODE and row.is_open]
     return Watching(tuple(topics), tuple(full), tuple(nodes))
 
@@ -95,6 +103,8 @@ class LivePanel(EntryList):
         self._empty = NOTHING_RUNS
         self._live: list[LiveRow] = []
         self._unfolded: set[str] = set()
+        self._has_moved = False
+        """Whether somebody chose the row that the cursor is on."""
         self._columns = Columns(0, 0, 0, 0, 0)
         self._stale: set[int] = set()
         self._drawing = Delay(self, self._draw_some)
@@ -123,7 +133,7 @@ class LivePanel(EntryList):
             return Watching()
         top = int(self.scroll_offset.y)
         in_sight = range(top, top + max(1, self.size.height))
-        return watching_of(self._live, in_sight, version, self._unfolded)
+        return watching_of(self._live, in_sight, version, self._unfolded, self.row)
 
     def show_live(
         self,
@@ -154,9 +164,10 @@ class LivePanel(EntryList):
         same = [row.key for row in before] == [row.key for row in rows]
         if not same or self._empty != self.entries.empty:
             self.show(Entries(map(_entry, rows), self._empty))
-            if not before and len(rows) > 1:
-                # The first one is a heading.
-                self.index = 1
+            self._has_moved &= bool(rows)
+            if not self._has_moved:
+                # What comes later may stand above what was there.
+                self.index = 0
             self.on_watched()
             self.refresh_bindings()
         elif self._columns != old_columns:
@@ -230,9 +241,32 @@ class LivePanel(EntryList):
         if round(old_value) != round(new_value):
             self.on_watched()
 
+    def validate_index(self, index: int) -> int:
+        """Go on to the next row where one is a heading, in the direction that was taken."""
+        live = self._live
+        forward = range(index, len(live))
+        back = range(min(index, len(live) - 1), -1, -1)
+        ways = (*forward, *back) if index >= self.index else (*back, *forward)
+        return next((at for at in ways if live[at].kind is not Kind.HEADING), index)
+
+    def action_move(self, by: int) -> None:
+        """Move the cursor; what stands above the first row that it goes to is seen too."""
+        self._has_moved = True
+        super().action_move(by)
+        if all(row.kind is Kind.HEADING for row in self._live[: self.index]):
+            self._reveal(0)
+
+    def on_click(self, event: events.Click) -> None:
+        """Choose the row under the mouse; a heading is none."""
+        self._has_moved = True
+        row = event.y + self.scroll_offset.y
+        if row < len(self._live) and self._live[row].kind is not Kind.HEADING:
+            super().on_click(event)
+
     def watch_index(self, old: int, new: int) -> None:
         """Offer other actions with another row."""
         super().watch_index(old, new)
+        self.on_watched()
         if self.has_focus:
             self.refresh_bindings()
 
@@ -264,6 +298,7 @@ class LivePanel(EntryList):
 
     def action_ask(self, what: str) -> None:
         """Ask for something to be done."""
+        self._has_moved = True
         self.on_asked(what, None if what == "restart" else self._target(what))
 
     def action_choose(self) -> None:
@@ -305,8 +340,8 @@ class LivePanel(EntryList):
         return at if 0 <= at < len(self._live) and self._live[at].is_branch else None
 
     def _toggle(self, at: int) -> None:
-        key = self._live[at].key
-        self._unfolded ^= {key}
+        self._has_moved = True
+        self._unfolded ^= {self._live[at].key}
         self.index = at
         self._show_rows()
         below = takewhile(lambda row: row.depth, self._live[at + 1 :])

@@ -8,7 +8,8 @@ from enum import Enum
 from typing import NamedTuple
 
 from plastron_tui.diagnostics.terminal import visible
-from plastron_tui.runtime.live_graph import LiveGraph, LiveParameter, LiveTopic
+from plastron_tui.diagnostics.wording import counted
+from plastron_tui.runtime.live_graph import LiveGraph, LiveParameter, LiveTopic, NodeEnd
 
 WAITING = "waiting for the first message…"
 NOBODY = "nobody publishes here yet"
@@ -56,6 +57,7 @@ class LiveRow(NamedTuple):
         is_branch: whether it can be unfolded.
         is_open: whether it is.
         parameter: what is known of a parameter.
+        is_old: whether it is what was seen last, and nobody watches any more.
     """
 
     key: str
@@ -72,6 +74,7 @@ class LiveRow(NamedTuple):
     is_branch: bool = False
     is_open: bool = False
     parameter: LiveParameter | None = None
+    is_old: bool = False
 
 
 def live_rows(
@@ -87,6 +90,9 @@ def live_rows(
     rows: list[LiveRow] = []
     for graph in graphs:
         words = f"ROS {graph.ros_version} " if len(graphs) > 1 else ""
+        if graph.problem:
+            key = f"{graph.ros_version} problem"
+            rows.append(LiveRow(key, Kind.NOTE, visible(graph.problem), tone="error"))
         parts = (
             ("topics", _topics(graph, unfolded)),
             ("services", _services(graph, answers)),
@@ -97,9 +103,6 @@ def live_rows(
             if below:
                 rows.append(LiveRow(f"{graph.ros_version} {part}", Kind.HEADING, words + part))
                 rows += below
-        if graph.problem:
-            key = f"{graph.ros_version} problem"
-            rows.append(LiveRow(key, Kind.NOTE, visible(graph.problem), tone="error"))
     return rows
 
 
@@ -108,6 +111,7 @@ def _topics(graph: LiveGraph, unfolded: AbstractSet[str]) -> Iterator[LiveRow]:
         key = f"{graph.ros_version} topic {topic.name}"
         is_open = key in unfolded
         value, tone = _topic_value(topic)
+        is_old = graph.has_ended or not graph.is_watched
         yield LiveRow(
             key,
             Kind.TOPIC,
@@ -117,10 +121,11 @@ def _topics(graph: LiveGraph, unfolded: AbstractSet[str]) -> Iterator[LiveRow]:
             topic.type,
             _rate(topic),
             value,
-            tone,
+            "quiet" if is_old else tone,
             tuple(topic.samples),
             is_branch=True,
             is_open=is_open,
+            is_old=is_old,
         )
         if is_open:
             yield from _fields(key, topic, graph.ros_version)
@@ -128,7 +133,7 @@ def _topics(graph: LiveGraph, unfolded: AbstractSet[str]) -> Iterator[LiveRow]:
 
 def _fields(key: str, topic: LiveTopic, version: int) -> Iterator[LiveRow]:
     # The type has no column in a narrow panel.
-    ends = f"{_several(topic.publishers, 'publisher')}, {_several(topic.subscribers, 'subscriber')}"
+    ends = f"{counted(topic.publishers, 'publisher')}, {counted(topic.subscribers, 'subscriber')}"
     about = f"{visible(topic.type)}, {ends}"
     yield LiveRow(f"{key} about", Kind.NOTE, about, topic.name, version, depth=1, tone="quiet")
     for path, text in topic.fields:
@@ -144,10 +149,6 @@ def _fields(key: str, topic: LiveTopic, version: int) -> Iterator[LiveRow]:
         )
 
 
-def _several(count: int, word: str) -> str:
-    return f"{count or 'no'} {word}{'' if count == 1 else 's'}"
-
-
 def _rate(topic: LiveTopic) -> str:
     if topic.rate >= 1000:
         return f"{topic.rate / 1000:.1f} kHz"
@@ -159,7 +160,7 @@ def _rate(topic: LiveTopic) -> str:
 def _topic_value(topic: LiveTopic) -> tuple[str, str]:
     """Return the last message, or what there is to say before it, and its tone."""
     if topic.is_gone:
-        return "gone", "warning"
+        return "gone", "quiet"
     if topic.text:
         return _line(topic.text), "" if topic.rate > 0 or topic.count < 2 else "quiet"
     return (WAITING if topic.publishers else NOBODY), "quiet"
@@ -176,7 +177,7 @@ def _services(graph: LiveGraph, answers: Mapping[str, Answer]) -> Iterator[LiveR
             graph.ros_version,
             service.type,
             value="gone" if service.is_gone else visible(service.type),
-            tone="warning" if service.is_gone else "quiet",
+            tone="quiet",
         )
         answer = answers.get(key)
         if answer is not None:
@@ -196,17 +197,21 @@ def _services(graph: LiveGraph, answers: Mapping[str, Answer]) -> Iterator[LiveR
 def _nodes(graph: LiveGraph, unfolded: AbstractSet[str]) -> Iterator[LiveRow]:
     for name, is_there in graph.nodes.items():
         key = f"{graph.ros_version} node {name}"
-        is_open = key in unfolded and is_there
+        end = graph.ended.get(name)
+        runs = is_there and end is None
+        is_open = key in unfolded and runs
+        value, tone = _node_state(end, is_there=is_there, has_ended=graph.has_ended)
         yield LiveRow(
             key,
             Kind.NODE,
             visible(name),
             name,
             graph.ros_version,
-            value="" if is_there else "gone",
-            tone="quiet" if is_there else "warning",
-            is_branch=is_there,
+            value=value,
+            tone=tone,
+            is_branch=runs,
             is_open=is_open,
+            is_old=not graph.is_watched or not runs,
         )
         if not is_open:
             continue
@@ -226,6 +231,15 @@ def _nodes(graph: LiveGraph, unfolded: AbstractSet[str]) -> Iterator[LiveRow]:
                 depth=1,
                 parameter=each,
             )
+
+
+def _node_state(end: NodeEnd | None, *, is_there: bool, has_ended: bool) -> tuple[str, str]:
+    """Return what there is to say of a node, and its tone: what nobody wanted is loud."""
+    if end is not None:
+        return visible(end.how), "error" if end.is_failure else "quiet"
+    if is_there:
+        return "", "quiet"
+    return "gone", "quiet" if has_ended else "warning"
 
 
 def _parameter_value(parameter: LiveParameter) -> str:

@@ -2,19 +2,27 @@
 
 from __future__ import annotations
 
-from functools import lru_cache
+import re
+from collections.abc import Iterable
 
 from rich.cells import cell_len, get_character_cell_size
 from textual.geometry import Size
 
+from plastron_tui.runtime.labels import split_label
+
 from .styles import Line, Lines, Piece
 from .text_view import TextView
 
-_SIGN = " | "
-"""What `plastron run` puts between the node and what it printed."""
-
+_CLOCK = re.compile(r"\d\d:\d\d:\d\d\.\d ")
+"""When a line came, where that is shown."""
 _STOPS = " ,("
 """The characters behind which a line may be broken."""
+_MOST_KEPT = 6000
+"""So many lines are kept as they were broken: a filter shows most of them again."""
+
+
+Broken = tuple[int, dict[Line, Lines]]
+"""A width, and lines as they are broken for it."""
 
 
 class LogView(TextView):
@@ -24,6 +32,7 @@ class LogView(TextView):
     _room = (0, 0)
     _heights: tuple[int, ...] = ()
     """How many rows each line takes; empty as long as nobody knows."""
+    _broken: Broken = (0, {})
 
     @property
     def rows(self) -> Lines:
@@ -43,10 +52,23 @@ class LogView(TextView):
         width, height = self.outer_size
         self._room = width, height
         if width > 1:
-            broken = [wrapped(line, width - 1) for line in self.lines]
+            broken = self._wrapped(self.lines, width - 1)
             self._heights = tuple(map(len, broken))
             self._rows = tuple(row for rows in broken for row in rows)
             self.virtual_size = Size(width - 1, len(self._rows))
+
+    def _wrapped(self, lines: Iterable[Line], width: int) -> list[Lines]:
+        """Break lines for a width, each one once."""
+        if self._broken[0] != width or len(self._broken[1]) > _MOST_KEPT:
+            self._broken = (width, {})
+        known = self._broken[1]
+        found = []
+        for line in lines:
+            rows = known.get(line)
+            if rows is None:
+                rows = known[line] = wrapped(line, width)
+            found.append(rows)
+        return found
 
     def splice(self, dropped: int, start: int, lines: Lines) -> None:
         """Replace the lines from one on, and drop the first ones.
@@ -67,7 +89,7 @@ class LogView(TextView):
             return
         above = sum(self._heights[:dropped])
         below = above + sum(self._heights[dropped:start])
-        broken = [wrapped(line, width - 1) for line in lines]
+        broken = self._wrapped(lines, width - 1)
         self.lines = (*kept, *lines)
         self._heights = (*self._heights[dropped:start], *map(len, broken))
         self._rows = (*self._rows[above:below], *(row for rows in broken for row in rows))
@@ -80,7 +102,6 @@ class LogView(TextView):
         self.refresh()
 
 
-@lru_cache(maxsize=10_000)
 def wrapped(line: Line, width: int) -> Lines:
     """Break a line into rows of at most so many cells, where it has a stop.
 
@@ -89,8 +110,10 @@ def wrapped(line: Line, width: int) -> Lines:
     text = "".join(piece.text for piece in line)
     if cell_len(text) <= width:
         return (line,)
-    name, sign, _ = text.partition(_SIGN)
-    indent = cell_len(name) + len(_SIGN) if sign else 2
+    clock = _CLOCK.match(text)
+    start = 0 if clock is None else clock.end()
+    label, _ = split_label(text[start:])
+    indent = start + (cell_len(label) or 2)
     if indent > width // 2:
         indent = min(2, width // 2)
     rows: list[Line] = []

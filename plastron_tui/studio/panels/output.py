@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable
+from itertools import compress
 from typing import TYPE_CHECKING, ClassVar
 
 from textual import on
@@ -62,6 +63,8 @@ class OutputPanel(Vertical):
     BINDINGS: ClassVar[list[BindingType]] = [
         Binding("slash", "filter", "Filter", id="output.filter",
                 tooltip="Show only the lines with certain words in them"),
+        Binding("t", "times", "Times", id="output.times",
+                tooltip="Show when each line came, or do not"),
     ]  # fmt: skip
 
     def __init__(self, *, id: str | None = None) -> None:  # noqa: A002 - Textual's word
@@ -70,6 +73,8 @@ class OutputPanel(Vertical):
         self._bar: FilterBar | None = None
         self.printed = OutputLog()
         self._words: tuple[str, ...] = ()
+        self._is_shown: list[bool] = []
+        self._has_times = False
 
     def compose(self) -> ComposeResult:
         """Make the lines; the filter is made when somebody asks for it."""
@@ -107,26 +112,41 @@ class OutputPanel(Vertical):
         records = [*map(printed_record, printed)]
         if end is not None:
             records.append(end)
-        change = self.printed.add(records)
-        if self._words:
-            self._show_all()
-        else:
-            self._show_changed(change)
+        self._show_changed(self.printed.add(records))
 
     def _show_changed(self, change: Change) -> None:
-        new = self.printed.records[change.start - change.dropped :]
-        self.view.splice(change.dropped, change.start, tuple(map(self.printed.line, new)))
+        """Show the records that are other ones; keep the lines of those that are not."""
+        dropped, start = change
+        new = self.printed.records[start - dropped :]
+        before, found = self._is_shown, [record.matches(self._words) for record in new]
+        lines = self._lines(compress(new, found))
+        self.view.splice(sum(before[:dropped]), sum(before[:start]), lines)
+        self._is_shown = [*before[dropped:start], *found]
+        self._say_count()
 
     def _show_all(self) -> None:
         records = self.printed.records
-        found = [record for record in records if record.matches(self._words)]
-        self.view.show(tuple(map(self.printed.line, found)), follow=True)
+        self._is_shown = [record.matches(self._words) for record in records]
+        self.view.show(self._lines(compress(records, self._is_shown)), follow=True)
+        self._say_count()
+
+    def _say_count(self) -> None:
         if self._bar is not None:
-            self._bar.say(len(found), len(records))
+            self._bar.say(sum(self._is_shown), len(self._is_shown))
+
+    def _lines(self, records: Iterable[Record]) -> Lines:
+        return tuple(self.printed.line(each, with_time=self._has_times) for each in records)
+
+    def action_times(self) -> None:
+        """Show when each line came, or do not."""
+        self._has_times = not self._has_times
+        self._show_all()
 
     def check_action(self, action: str, parameters: tuple[object, ...]) -> bool | None:
-        """Offer to filter where the words are not being typed already."""
-        return action != "filter" or self._bar is None or not self._bar.field.has_focus
+        """Offer what letters do where no words are being typed."""
+        return (
+            action not in ("filter", "times") or self._bar is None or not self._bar.field.has_focus
+        )
 
     async def action_filter(self) -> None:
         """Ask for the words that lines have to have."""
@@ -160,8 +180,9 @@ OUTPUT = Panel(
     summary="What the nodes print while they run.",
     about=(
         "What the nodes print that F5 started, each in its colour. A line that comes again is "
-        "counted: ×37. / shows only the lines with certain words; Esc in that field shows all. "
-        "Scroll up to read: the lines stay where they are until you go to the end."
+        "counted: ×37. T shows when each came; / shows only the lines with certain words, Esc in "
+        "that field shows all. Scroll up to read: the lines stay where they are until you go to "
+        "the end."
     ),
     widget=OutputPanel,
     is_kept=False,

@@ -3,22 +3,26 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable
-from dataclasses import dataclass, replace
+import time
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass, field, replace
 from typing import NamedTuple
 
 from plastron_tui.diagnostics.terminal import visible
+from plastron_tui.runtime.labels import OWN_NAME, SIGN, split_label
 
 from .styles import Line, Piece
 
 MOST_RECORDS = 5000
+MOST_TEXT = 1_000_000
+"""So many characters are kept of all records: what is broken anew at once for another width."""
 _NEAR = 8
 """So many records above the last one a repeated line is still counted, and not shown again."""
-_LONGEST = 4000
+_MOST_CHARACTERS = 4000
 """The most characters of a line that are shown."""
-_SIGN = " | "
-"""What `plastron run` puts between the node and what it printed."""
-_OWN_NAME = "plastron"
+_NUMBER = r"(?:-?\d[\d.e+-]*|-?inf|nan)"
+_NUMBERS = re.compile(rf"\[((?:{_NUMBER}, ){{4}})((?:{_NUMBER}, ){{8,}}){_NUMBER}(\]|$)")
+"""A list of many numbers, as the ranges of a scan: the first ones tell enough of it."""
 _NODE_TONES = ("primary", "accent", "success", "secondary")
 """Yellow and red are for what is wrong."""
 _LEVEL = re.compile(r"\[(DEBUG|INFO|WARN|WARNING|ERROR|FATAL)\]", re.IGNORECASE)
@@ -34,20 +38,24 @@ class Record:
         text: what it printed, with nothing in it that a terminal obeys.
         tone: the colour of the text.
         times: how often it was printed.
+        at: when it came, the last time, in seconds since the epoch.
     """
 
     label: str
     text: str
     tone: str = ""
     times: int = 1
+    at: float = field(default_factory=time.time, compare=False)
 
     @property
     def node(self) -> str:
         """The name of the node."""
-        return self.label.removesuffix(_SIGN).rstrip()
+        return self.label.removesuffix(SIGN).rstrip()
 
-    def matches(self, words: Iterable[str]) -> bool:
+    def matches(self, words: Sequence[str]) -> bool:
         """Tell whether all words are in it, whatever their case; they are lower case."""
+        if not words:
+            return True
         whole = f"{self.label}{self.text}".lower()
         return all(word in whole for word in words)
 
@@ -74,10 +82,12 @@ class OutputLog:
     def __init__(self) -> None:
         self.records: list[Record] = []
         self._tones: dict[str, str] = {}
+        self._length = 0
 
     def clear(self) -> None:
         """Forget all records; nodes keep their colours."""
         self.records.clear()
+        self._length = 0
 
     def add(self, printed: Iterable[Record]) -> Change:
         """Take records; count those that were there just before."""
@@ -87,27 +97,40 @@ class OutputLog:
             at = _repeated(records, record)
             if at is None:
                 records.append(record)
+                self._length += len(record.text)
             else:
-                records[at] = replace(records[at], times=records[at].times + record.times)
+                times = records[at].times + record.times
+                records[at] = replace(records[at], times=times, at=record.at)
                 start = min(start, at)
         excess = max(0, len(records) - MOST_RECORDS)
+        self._length -= sum(len(record.text) for record in records[:excess])
+        while self._length > MOST_TEXT:
+            self._length -= len(records[excess].text)
+            excess += 1
         del records[:excess]
         dropped = min(excess, before)
         return Change(dropped, max(start, dropped))
 
-    def line(self, record: Record) -> Line:
+    def line(self, record: Record, *, with_time: bool = False) -> Line:
         """Return a record as it is shown."""
         pieces = [Piece(record.text, record.tone)]
         if record.label:
             pieces.insert(0, Piece(record.label, self._tone(record.node)))
         if record.times > 1:
             pieces.append(Piece(f"  ×{record.times:,}", "quiet"))
+        if with_time:
+            pieces.insert(0, Piece(f"{clock_time(record.at)} ", "quiet"))
         return tuple(pieces)
 
     def _tone(self, node: str) -> str:
-        if node == _OWN_NAME:
+        if node == OWN_NAME:
             return "quiet"
         return self._tones.setdefault(node, _NODE_TONES[len(self._tones) % len(_NODE_TONES)])
+
+
+def clock_time(at: float) -> str:
+    """Return a time of the day to a tenth of a second: lines are gathered for half of that."""
+    return f"{time.strftime('%H:%M:%S', time.localtime(at))}.{int(at * 10) % 10}"
 
 
 def _repeated(records: list[Record], record: Record) -> int | None:
@@ -121,13 +144,17 @@ def _repeated(records: list[Record], record: Record) -> int | None:
 
 def printed_record(text: str) -> Record:
     """Return the record of a line that was printed."""
-    shown = visible(text.expandtabs(4))
-    label, sign, rest = shown.partition(_SIGN)
-    if not sign:
-        label, rest = "", shown
-    if len(rest) > _LONGEST:
-        rest = f"{rest[:_LONGEST]} … and {len(rest) - _LONGEST:,} characters more"
-    return Record(label + sign, rest, _tone_of(rest))
+    label, rest = split_label(visible(text.expandtabs(4)))
+    if "[" in rest:
+        rest = _NUMBERS.sub(_few_numbers, rest)
+    if len(rest) > _MOST_CHARACTERS:
+        rest = f"{rest[:_MOST_CHARACTERS]} … and {len(rest) - _MOST_CHARACTERS:,} characters more"
+    return Record(label, rest, _tone_of(rest))
+
+
+def _few_numbers(found: re.Match[str]) -> str:
+    first, more, end = found.groups()
+    return f"[{first}… {more.count(',') + 1} more{end}"
 
 
 def _tone_of(text: str) -> str:

@@ -7,7 +7,7 @@ from collections.abc import Iterable, Iterator, Mapping
 from math import degrees
 from typing import TYPE_CHECKING
 
-from plastron_tui.diagnostics import Diagnostic, Span
+from plastron_tui.diagnostics import Diagnostic, Span, counted
 from plastron_tui.language.declaration import DECLARATIONS
 from plastron_tui.language.sentence import sentence
 from plastron_tui.language.statements import (
@@ -114,7 +114,7 @@ class _Tree:
         parts = ["" if robot.variable == robot.name else robot.variable]
         parts.append("" if source is None else source.path.name)
         count = len(description.links)
-        parts.append(f"{count} link{'' if count == 1 else 's'}" if count else "")
+        parts.append(counted(count, "link") if count else "")
         fault = self._faults.within(robot.span)
         warning = "" if is_written or source is not None else "not written"
         yield Entry(

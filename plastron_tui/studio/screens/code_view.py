@@ -14,6 +14,7 @@ from textual.widgets import Input, Label, OptionList
 from textual.widgets.option_list import Option
 
 from plastron_tui.diagnostics.terminal import visible
+from plastron_tui.diagnostics.wording import counted
 from plastron_tui.regular_files import read_regular, reason, stamp_of
 
 from ..code_places import LARGEST, Place
@@ -212,9 +213,8 @@ class CodeView(Dialog[None]):
         self._count()
 
     def _count(self) -> None:
-        count = self._view.count
         wanted = self.query_one(Input).value
-        said = f" {count} place{'' if count == 1 else 's'}" if wanted else ""
+        said = f" {counted(self._view.count, 'place')}" if wanted else ""
         self.query_one("#code-count", Label).update(said)
         self._head()
 

@@ -12,7 +12,7 @@ from textual.binding import Binding, BindingType
 from textual.containers import Horizontal, Vertical
 from textual.widgets import Button, Label
 
-from plastron_tui.diagnostics import has_errors
+from plastron_tui.diagnostics import counted, has_errors
 from plastron_tui.generating.node_files import name_of
 from plastron_tui.generating.nothing import nothing_to_generate
 from plastron_tui.output.diff import file_diff, visible_patch
@@ -90,8 +90,7 @@ class GenerateDialog(Dialog[bool]):
         return f"Generate into {_short(self.plan.folder)}"
 
     def _write_words(self) -> str:
-        count = len(self._waiting())
-        return f"Write {count} file{'' if count == 1 else 's'}"
+        return f"Write {counted(len(self._waiting()), 'file')}"
 
     def _waiting(self) -> list[PlannedFile]:
         return [file for file in self.plan.files

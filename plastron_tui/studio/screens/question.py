@@ -14,16 +14,13 @@ from textual.widgets import Button, Input, Label
 
 from plastron_tui.diagnostics.terminal import visible, visible_text
 
-from ..key_order import Unasked
+from ..key_order import Unread
 from ..panels.styles import Lines
 from ..panels.text_view import TextView
 from .dialog import Dialog
 
-REST = 0.5
-"""Seconds without a key after which a letter is an answer."""
 
-
-class Question(Dialog[str], Unasked):
+class Question(Dialog[str], Unread):
     """Asks; the result is the id of the answer, "" for none."""
 
     takes_bursts = True
@@ -59,9 +56,7 @@ class Question(Dialog[str], Unasked):
         self._answers = list(answers)
         self._text = text
         self._lines = lines
-        self._is_unasked = is_unasked
-        self._last_key = 0.0
-        self._is_seen = False
+        self.is_unasked = is_unasked
 
     def compose(self) -> ComposeResult:
         """Make the question and its answers."""
@@ -78,9 +73,7 @@ class Question(Dialog[str], Unasked):
 
     def on_mount(self) -> None:
         """Let Enter give the first answer."""
-        self._last_key = monotonic()
-        if self._is_unasked:
-            self.appeared = self._last_key
+        self.appeared = monotonic()
         self.query(Button).first().focus()
 
     @on(Button.Pressed)
@@ -89,16 +82,8 @@ class Question(Dialog[str], Unasked):
         self.dismiss(event.button.id or "")
 
     def on_key(self, event: events.Key) -> None:
-        """Take the first letter of an answer for the answer, if it was pressed for that.
-
-        Who has gone on typing does not see the question yet: letters count after a rest, or once
-        an answer was chosen with the arrows or Tab.
-        """
-        now = monotonic()
-        has_rested, self._last_key = now - self._last_key >= REST, now
-        if not event.is_printable:
-            self._is_seen = self._is_seen or event.key in ("left", "right", "tab", "shift+tab")
-        elif has_rested or self._is_seen:
+        """Take the first letter of an answer for the answer."""
+        if event.is_printable:
             for id_, words in self._answers:
                 if event.character and event.character.lower() == words[0].lower():
                     self.dismiss(id_)

@@ -29,6 +29,8 @@ class LiveForm(Dialog["dict[Path, str] | None"]):
 
     Attributes:
         given: what was entered, by field.
+        ask: sends what was entered while the form stays, and tells whether that could be done;
+            `answered` ends it then. None where it ends at once, and gives what was entered.
     """
 
     BINDINGS: ClassVar[list[BindingType]] = [
@@ -58,6 +60,7 @@ class LiveForm(Dialog["dict[Path, str] | None"]):
         """
         super().__init__()
         self.given = dict(given)
+        self.ask: Callable[[dict[Path, str]], bool] | None = None
         self._title, self._verb, self._about = title, verb, about
         self._form = form
         self._check = check
@@ -131,12 +134,24 @@ class LiveForm(Dialog["dict[Path, str] | None"]):
     def _send(self) -> None:
         found = self._check(self.given)
         if not isinstance(found, Wrong):
-            self.dismiss(self.given)
+            if self.ask is None:
+                self.dismiss(self.given)
+            elif self.ask(self.given):
+                self.query_one("#wizard-help", Label).update("waiting for the node's answer…")
+            else:
+                self._say(Wrong("nothing runs that could take it"))
             return
         self._say(found)
         row = next((each for each in self.query(Row) if each.path == found.path), None)
         if row is not None:
             row.box.focus()
+
+    def answered(self, text: str, *, is_failure: bool) -> None:
+        """End, or say why what was sent was not taken."""
+        if is_failure:
+            self._say(Wrong(text, next(iter(self.given), None)))
+        else:
+            self.dismiss(None)
 
     def _say(self, wrong: Wrong | None) -> None:
         label = self.query_one("#wizard-help", Label)

@@ -2,19 +2,22 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import Any, NamedTuple
 
 from plastron_tui.ros.interfaces import InterfaceKind, InterfaceName
 from plastron_tui.ros.parameters import ParameterType
+from plastron_tui.runtime.live_graph import LiveField
 from plastron_tui.session import Session
 
 from ..panels.live_rows import Kind, LiveRow
 from .live_form import LiveForm
 from .parameter_kinds import parameter_entry
 from .sent_values import Wrong, sent_setting, sent_values, shown_setting
-from .values import Path, entries_of
+from .values import Entry, Heading, Path, entries_of
 
+_NOTHING = ("0", "0.0", "-0", "False")
+"""Values that a field has by itself."""
 _LONGEST = 20_000
 """Characters of a value that a field takes without keeping keys waiting."""
 
@@ -26,17 +29,21 @@ class LiveOrder(NamedTuple):
     order: Callable[[Mapping[Path, str]], dict[str, Any]]
 
 
-def form_for(row: LiveRow, session: Session, given: Mapping[Path, str]) -> LiveOrder | str:
+def form_for(
+    row: LiveRow, session: Session, given: Mapping[Path, str], seen: Iterable[LiveField] = ()
+) -> LiveOrder | str:
     """Return the form for what can be sent to a topic, a service or a parameter, or why not.
 
     Args:
         row: what it is for.
         session: the program, with its own types.
         given: what was entered the last time.
+        seen: the fields of the last message that came, which a form begins with that was never
+            filled in.
     """
     match row.kind:
         case Kind.TOPIC:
-            return _sending(row, session, given, InterfaceKind.MESSAGE)
+            return _sending(row, session, given, InterfaceKind.MESSAGE, seen)
         case Kind.SERVICE | Kind.ANSWER:
             return _sending(row, session, given, InterfaceKind.SERVICE)
         case Kind.PARAMETER:
@@ -46,7 +53,11 @@ def form_for(row: LiveRow, session: Session, given: Mapping[Path, str]) -> LiveO
 
 
 def _sending(
-    row: LiveRow, session: Session, given: Mapping[Path, str], kind: InterfaceKind
+    row: LiveRow,
+    session: Session,
+    given: Mapping[Path, str],
+    kind: InterfaceKind,
+    seen: Iterable[LiveField] = (),
 ) -> LiveOrder | str:
     package, _, name = row.type.partition("/")
     catalog = session.catalog(row.ros_version)
@@ -62,9 +73,25 @@ def _sending(
     title = f"{'send to' if is_topic else 'call'} {row.owner}"
     verb = "Send" if is_topic else "Call"
     about = f"{interface.name}: {interface.comment}" if interface.comment else str(interface.name)
+    if not given:
+        given = _entered(form, seen)
+        given = {} if isinstance(check(given), Wrong) else given
     dialog = LiveForm(title, verb, form, check, given, about)
     order = {"do": "publish" if is_topic else "call", "name": row.owner, "type": row.type}
     return LiveOrder(dialog, lambda entered: {**order, "values": check(entered)})
+
+
+def _entered(form: Sequence[Entry | Heading], seen: Iterable[LiveField]) -> dict[Path, str]:
+    """Return the fields of a message as they are entered: its numbers, and switches."""
+    texts = {field.path: field.text for field in seen if field.text not in _NOTHING}
+    return {
+        each.path: texts[each.name]
+        for each in form
+        if isinstance(each, Entry)
+        and each.python in (bool, int, float)
+        and not (each.is_time or each.type.is_array)
+        and each.name in texts
+    }
 
 
 def _setting(row: LiveRow) -> LiveOrder | str:
@@ -83,12 +110,23 @@ def _setting(row: LiveRow) -> LiveOrder | str:
         return f"its value is too long to be changed here: {len(shown):,} characters"
     given = {entry.path: shown}
 
-    def check(entered: Mapping[Path, str]) -> Any:
-        return sent_setting(entry, type_, entered.get(entry.path, ""), row.ros_version)
-
     limits = "" if parameter.range is None else "from {:g} to {:g}".format(*parameter.range)
+
+    def check(entered: Mapping[Path, str]) -> Any:
+        found = sent_setting(entry, type_, entered.get(entry.path, ""), row.ros_version)
+        if isinstance(found, Wrong) or _is_within(found, parameter.range):
+            return found
+        return Wrong(f"{parameter.name} takes a number {limits}", entry.path)
+
     about = ". ".join(filter(None, (parameter.about, limits)))
     dialog = LiveForm(f"set {parameter.name} of {row.owner}", "Set", [entry], check,
                       given, about)  # fmt: skip
     order = {"do": "set", "node": row.owner, "name": parameter.name, "type": type_.value}
     return LiveOrder(dialog, lambda entered: {**order, "value": check(entered)})
+
+
+def _is_within(value: Any, limits: tuple[float, float] | None) -> bool:
+    """Tell whether a parameter's value is within its range; only a number can be outside."""
+    if limits is None or isinstance(value, bool) or not isinstance(value, (int, float)):
+        return True
+    return limits[0] <= value <= limits[1]

@@ -31,6 +31,8 @@ _AFTER_PURPOSE: dict[type[Statement], str] = {
 
 _DRIVES = frozenset({"cmd_vel", "Twist", "TwistStamped"})
 """The topics and the types by which robots are driven."""
+_DISTANCES = frozenset({"scan", "LaserScan", "Range"})
+"""The topics and the types that say how far away things are."""
 
 
 class NodeNameKind(Kind):
@@ -56,8 +58,12 @@ def _names(purpose: Form | None) -> Iterator[str]:
     if purpose is None or not name:
         yield from _NAMES
         return
-    if name == "talker" and _DRIVES & {_last(purpose, *INTERFACES), _last(purpose, *MEETINGS)}:
+    about = {_last(purpose, *INTERFACES), _last(purpose, *MEETINGS)}
+    if name == "talker" and _DRIVES & about:
         yield "driver"
+    if name == "listener" and _DISTANCES & about:
+        # It may drive as well: most robots are driven by what they see.
+        yield "watcher"
     yield name
 
 

@@ -21,6 +21,7 @@ from plastron_tui.session import Session
 
 from ..panels.text_view import TextView
 from ..screens.question import Question
+from ..textual_private import tell_first_sizes
 from . import pasted, strings
 from .ask import Choice
 from .flow import Course, Heard, Look, PageKind
@@ -67,6 +68,7 @@ class Wizard(Frame):
             enter: puts edits into the program as one step, and returns the program then.
         """
         super().__init__()
+        tell_first_sizes(self)
         self.course = Course(session)
         self.look = Look()
         self.is_done = False

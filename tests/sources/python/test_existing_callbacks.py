@@ -101,11 +101,19 @@ def test_a_function_that_takes_a_message_is_called(library: str, name: str) -> N
 @pytest.mark.parametrize(
     ("library", "change", "text"),
     [
-        ("rospy", subscribe("x", callback="none"), "takes 0 arguments, and would be called with 1"),
+        (
+            "rospy",
+            subscribe("x", callback="none"),
+            "takes no arguments, and would be called with 1",
+        ),
         ("rospy", subscribe("x", callback="two"), "takes 2 arguments, and would be called with 1"),
         ("rospy", provide("x", handler="two"), "takes 2 arguments, and would be called with 1"),
-        ("rospy", subscribe("x", callback="module_none"), "takes 0 arguments"),
-        ("rclpy", subscribe("x", callback="none"), "takes 0 arguments, and would be called with 1"),
+        ("rospy", subscribe("x", callback="module_none"), "takes no arguments"),
+        (
+            "rclpy",
+            subscribe("x", callback="none"),
+            "takes no arguments, and would be called with 1",
+        ),
         ("rclpy", provide("x", handler="one"), "takes 1 argument, and would be called with 2"),
         ("rclpy", provide("x", handler="module_one"), "takes 1 argument"),
         *(

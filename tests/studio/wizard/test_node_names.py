@@ -15,6 +15,8 @@ TALKING = "create_node 'talker' as talker\ncreate_node 'asker' as ears\n"
         (SEND, {"topic": "cmd_vel"}, "driver"),
         (SEND, {"type": "geometry_msgs/Twist"}, "driver"),
         (REACT, {}, "listener"),
+        (REACT, {"topic": "front/scan"}, "watcher"),
+        (REACT, {"type": "sensor_msgs/Range"}, "watcher"),
         (ASK, {}, "asker"),
         (ANSWER, {}, "answerer"),
         (DO, {}, "worker"),

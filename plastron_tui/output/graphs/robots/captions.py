@@ -5,6 +5,7 @@ from __future__ import annotations
 from math import degrees, hypot
 
 from plastron_tui.diagnostics.terminal import visible
+from plastron_tui.diagnostics.wording import counted
 from plastron_tui.ros.robots.description import (
     Body,
     Box,
@@ -104,6 +105,4 @@ def limits_text(joint: Joint) -> str:
 
 def robot_text(name: str, links: int, joints: int) -> str:
     """Return what a robot is in a line."""
-    parts = [f"{count} {word}{'' if count == 1 else 's'}" for count, word in
-             ((links, "link"), (joints, "joint"))]  # fmt: skip
-    return f"{visible(name)}: {parts[0]}, {parts[1]}"
+    return f"{visible(name)}: {counted(links, 'link')}, {counted(joints, 'joint')}"

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import NamedTuple
 
+from plastron_tui.diagnostics.wording import counted
 from plastron_tui.output.graphs.style import number
 from plastron_tui.output.graphs.widths import text_width
 from plastron_tui.ros.robots.description import JointType
@@ -124,6 +125,5 @@ def _corner(scene: Scene, notes: list[str], left: float, scale: float) -> Iterat
         yield from _signs(left, baseline)
         baseline += _LINE
     if scene.missing:
-        count = len(scene.missing)
-        words = f"{count} link{'' if count == 1 else 's'} cannot be drawn"
+        words = f"{counted(len(scene.missing), 'link')} cannot be drawn"
         yield text("alarm", left, baseline, words)

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import re
 
-from plastron_tui.diagnostics import Span, codes
+from plastron_tui.diagnostics import Span, codes, counted
 from plastron_tui.model.source import EndpointKind
 from plastron_tui.ros.interfaces import InterfaceName
 
@@ -89,8 +89,7 @@ def misfit(
     count = len(function.parameters)
     name = f"`{function.name}`"
     if count not in ways:
-        plural = "" if count == 1 else "s"
-        return f"{name} takes {count} argument{plural}, and would be called with {ways[0]}"
+        return f"{name} takes {counted(count, 'argument')}, and would be called with {ways[0]}"
     if type_ is None or kind not in (K.SUBSCRIPTION, K.SERVICE):
         return None
     taken = function.parameters[0]

@@ -27,7 +27,10 @@ def tell_guessed_names(analysis: Analysis, changes: Sequence[Change]) -> Iterato
             if each.endpoint.label is None or each.endpoint.is_guess
         ]
         if lines:
-            said = listed(dict.fromkeys(lines))
-            message = f"the name `{change.name}` in line{'' if len(set(lines)) == 1 else 's'} "
-            message += f"{said} is a default, for which others may give another name"
+            found = dict.fromkeys(lines)
+            where = f"{'line' if len(found) == 1 else 'lines'} {listed(found)}"
+            message = (
+                f"the name `{change.name}` in {where} is a default, for which others may give "
+                "another name"
+            )
             yield Diagnostic(codes.GUESSED_NAME, message, change.span)

@@ -1,0 +1,17 @@
+"""Texts in the cells of the studio's screen, as Textual counts them."""
+
+from __future__ import annotations
+
+from rich.cells import cell_len, set_cell_size
+
+
+def cut(text: str, cells: int) -> str:
+    """Return as much of a text as so many cells take; one that is longer ends in `…`."""
+    if cell_len(text) <= cells:
+        return text
+    return set_cell_size(text, cells - 1).rstrip() + "…" if cells > 0 else ""
+
+
+def fitted(text: str, cells: int) -> str:
+    """Return a text in just so many cells, with blanks behind it where it is shorter."""
+    return set_cell_size(cut(text, cells), cells)
