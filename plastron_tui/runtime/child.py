@@ -13,6 +13,7 @@ from enum import Enum
 from pathlib import Path
 
 from . import guard
+from .stop_traceback import StopTracebacks
 
 _CHUNK = 1 << 16
 _LONGEST_LINE = 1 << 16
@@ -157,6 +158,7 @@ class Child:
         self._guard = guard
         self._partial = bytearray()
         self._tail: deque[str] = deque(maxlen=_TAIL)
+        self._tracebacks = StopTracebacks()
         try:
             self._popen = subprocess.Popen(
                 process.argv,
@@ -216,6 +218,7 @@ class Child:
             yield from self._lines(chunk)
         if self._partial:
             yield from self._lines(b"\n")
+        yield from self._tracebacks.rest()
         self._popen.stdout.close()
         self._guard.forget(self.pid)
         self._popen.wait()
@@ -240,7 +243,7 @@ class Child:
             lines.append(rest)
             rest = b""
         self._partial = bytearray(rest)
-        for line in lines:
-            text = line.decode("utf-8", "replace").rstrip("\r")
+        texts = (line.decode("utf-8", "replace").rstrip("\r") for line in lines)
+        for text in self._tracebacks.without(texts) if self.was_asked else texts:
             self._tail.append(text)
             yield text
