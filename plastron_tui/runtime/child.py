@@ -83,14 +83,18 @@ class Exit:
         if self.status is None:
             return f"never started: {self.reason}"
         if self.status < 0:
-            try:
-                name = signal.Signals(-self.status).name
-            except ValueError:
-                name = f"signal {-self.status}"
-            return f"was ended by {name}"
+            return f"was ended by {signal_name(-self.status)}"
         if self.status:
             return f"died with exit status {self.status}"
         return "finished"
+
+
+def signal_name(number: int) -> str:
+    """Return what a signal is called."""
+    try:
+        return signal.Signals(number).name
+    except ValueError:
+        return f"signal {number}"
 
 
 class Guard:
