@@ -12,7 +12,6 @@ from tempfile import mkdtemp
 
 from plastron_tui.project.program_file import LARGEST_PROGRAM
 from plastron_tui.regular_files import read_regular, reason
-from plastron_tui.runtime.child import signal_name
 
 
 def external_editor(environ: Mapping[str, str]) -> list[str] | None:
@@ -63,6 +62,8 @@ def run_editor(
     except OSError as error:
         return f"`{command[0]}` cannot be started: {reason(error)}"
     if done.returncode < 0:
+        from plastron_tui.runtime.child import signal_name
+
         return f"`{command[0]}` was ended by {signal_name(-done.returncode)}{and_so}"
     if done.returncode:
         return f"`{command[0]}` ended with status {done.returncode}{and_so}"
