@@ -19,9 +19,9 @@ from plastron_tui.session import Options
 
 _MOST_LINES = 5000
 """So many lines are kept of those that nobody has taken yet."""
-_MOST_WAITING = 1_000_000
+MOST_WAITING = 1_000_000
 """So many bytes wait at most: what takes longer to show than two or three seconds."""
-_AT_ONCE = 20_000
+AT_ONCE = 20_000
 """So many bytes are taken at once: what is shown between two keys, and nobody notices."""
 _MOST_BYTES = 65536
 """So many bytes of a line are kept; a node may print without ever ending one."""
@@ -57,7 +57,7 @@ class Running:
         self.monitors: tuple[MonitorCommand, ...] = ()
         self._news = News(on_news)
         self._lines = Backlog(
-            most_lines=_MOST_LINES, most_bytes=_MOST_WAITING, at_once=_AT_ONCE, is_kept=_is_own
+            most_lines=_MOST_LINES, most_bytes=MOST_WAITING, at_once=AT_ONCE, is_kept=_is_own
         )
         self._is_asked_to_stop = False
         announcing, told = os.pipe()
