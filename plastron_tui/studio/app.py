@@ -78,6 +78,9 @@ class StudioApp(InOrder, inherit_bindings=False):
     CSS_PATH = "studio.tcss"
     # The studio's own menu knows groups and what was done of late.
     ENABLE_COMMAND_PALETTE = False
+    # The editor selects its text itself. Textual's selecting takes it that whatever the mouse is
+    # pressed on has a parent, also where it was removed a moment ago.
+    ALLOW_SELECT = False
     BINDINGS: ClassVar[list[BindingType]] = []
 
     def __init__(

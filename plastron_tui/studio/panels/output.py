@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
+from itertools import compress
 from typing import TYPE_CHECKING, ClassVar
 
 from textual.app import ComposeResult
@@ -34,6 +35,7 @@ class OutputPanel(Vertical):
         self._bar: FilterBar | None = None
         self.printed = OutputLog()
         self._words: tuple[str, ...] = ()
+        self._is_shown: list[bool] = []
         self._has_times = False
 
     def compose(self) -> ComposeResult:
@@ -72,22 +74,27 @@ class OutputPanel(Vertical):
         records = [*map(printed_record, printed)]
         if end is not None:
             records.append(end)
-        change = self.printed.add(records)
-        if self._words:
-            self._show_all()
-        else:
-            self._show_changed(change)
+        self._show_changed(self.printed.add(records))
 
     def _show_changed(self, change: Change) -> None:
-        new = self.printed.records[change.start - change.dropped :]
-        self.view.splice(change.dropped, change.start, self._lines(new))
+        """Show the records that are other ones; keep the lines of those that are not."""
+        dropped, start = change
+        new = self.printed.records[start - dropped :]
+        before, found = self._is_shown, [record.matches(self._words) for record in new]
+        lines = self._lines(compress(new, found))
+        self.view.splice(sum(before[:dropped]), sum(before[:start]), lines)
+        self._is_shown = [*before[dropped:start], *found]
+        self._say_count()
 
     def _show_all(self) -> None:
         records = self.printed.records
-        found = [record for record in records if record.matches(self._words)]
-        self.view.show(self._lines(found), follow=True)
+        self._is_shown = [record.matches(self._words) for record in records]
+        self.view.show(self._lines(compress(records, self._is_shown)), follow=True)
+        self._say_count()
+
+    def _say_count(self) -> None:
         if self._bar is not None:
-            self._bar.say(len(found), len(records))
+            self._bar.say(sum(self._is_shown), len(self._is_shown))
 
     def _lines(self, records: Iterable[Record]) -> Lines:
         return tuple(self.printed.line(each, with_time=self._has_times) for each in records)
