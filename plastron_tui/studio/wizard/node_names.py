@@ -56,7 +56,8 @@ def _names(purpose: Form | None) -> Iterator[str]:
     if purpose is None or not name:
         yield from _NAMES
         return
-    if name == "talker" and _DRIVES & {_last(purpose, *INTERFACES), _last(purpose, *MEETINGS)}:
+    entered = {_last(purpose, *INTERFACES), _last(purpose, *MEETINGS)}
+    if purpose.drives or (name == "talker" and _DRIVES & entered):
         yield "driver"
     yield name
 
