@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 
+from plastron_tui.diagnostics import Span
 from plastron_tui.language import Slot, SlotKind
 from plastron_tui.language.declaration import Form as Written
 from plastron_tui.model.kinds import INTERFACES
@@ -17,6 +18,7 @@ from .definition_rows import fields_text, filled_rows, row_path, row_problems, r
 from .form import NEW, Cell, Cells, Form, excluded_by, laid_out
 from .goals import maker_of
 from .kinds import KINDS
+from .obstacles import driven
 from .part_rows import FilledPart, filled_parts, part_problems, parts_text, used_paths
 from .program_trial import Finding, Placed, check
 from .values import Entry, Heading, Path, entries_of, first_value, input_text
@@ -80,8 +82,18 @@ class Filled:
         paths.update((name, used_paths(each)) for name, each in self.parts.items())
         return [
             *before,
-            Placed(self.form, self.text, tuple(self.used), node, paths, self._text(SlotKind.ROBOT)),
-        ]
+            Placed(self.form, self.text, tuple(self.used), node, paths, self._text(SlotKind.ROBOT),
+                   self._replaced),
+        ]  # fmt: skip
+
+    @property
+    def _replaced(self) -> tuple[Span, ...]:
+        """What drives a robot whatever arrives, where it is to drive under a condition."""
+        if not self._text(SlotKind.CONDITION):
+            return ()
+        node = self.base.workspace.nodes.get(self._text(SlotKind.NODE))
+        found = driven(node, self._text(SlotKind.TOPIC))
+        return tuple(each.span for each in found if each.span is not None)
 
     @property
     def robot(self) -> str | None:
@@ -195,9 +207,13 @@ class Filler:
             if declaration is None:
                 return
             maker = form.makers[slot.name] = Form(declaration, parent=(form, slot.name))
+        own, node = maker.slot_of(SlotKind.NODE), form.slot_of(SlotKind.NODE)
+        if own is not None and node is not None:
+            maker.given[own.name] = filled.cells[node.name].text
         made = self.fill(maker, filled.scene, filled, depth)
         filled.makers.append(made)
-        name = maker.made
+        # Where something is to arrive, a topic is what is made.
+        name = maker.made or maker.slot_of(SlotKind.TOPIC)
         text = made.cells[name.name].text if name is not None else ""
         filled.cells[slot.name] = Cell(text, is_new=True)
         if not _needs(form, slot):
@@ -282,6 +298,7 @@ class Filler:
             tuple(form.values.items()),
             slot.name,
             depth,
+            form.drives,
             tuple(form.given.items()),
             tuple(
                 (name, tuple(each.entered.items()), tuple(each.values.items()))
@@ -337,7 +354,7 @@ def _clause_problems(filled: Filled) -> Iterator[Finding]:
 def _needs(form: Form, slot: Slot) -> bool:
     """Tell whether what a slot names is made to fit the rest of the form: it has a type, too."""
     declaration = maker_of(slot.kind)
-    if declaration is None:
+    if declaration is None or slot.kind is SlotKind.TRIGGER:
         return False
     own = {(each.name, each.kind) for each in form.declaration.slots}
     typed = (each for each in declaration.slots if each.kind in INTERFACES)

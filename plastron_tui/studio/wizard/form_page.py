@@ -22,8 +22,8 @@ from plastron_tui.model.workspace import Workspace
 from .ask import Choice
 from .definition_rows import field_slots, row_path
 from .filling import Filled
-from .form import NEW, Form
-from .form_rows import Key, Spec, matters, new_words, specs
+from .form import NEW, Form, new_words
+from .form_rows import Key, Spec, matters, specs
 from .goals import told
 from .program_trial import Finding
 from .rows import Entered, Reached, Row

@@ -125,6 +125,8 @@ def maker_of(kind: SlotKind) -> Declaration | None:
     """Return the statement that makes, from nothing, what fills a kind of slot."""
     if kind is SlotKind.LINK:
         return DECLARATIONS[st.HasLink]
+    if kind is SlotKind.TRIGGER:
+        return DECLARATIONS[st.Subscribe]
     for declaration in DECLARATIONS.values():
         kinds = [slot.kind for slot in declaration.slots]
         if SlotKind.FILE not in kinds and any(each.makes is kind for each in kinds):

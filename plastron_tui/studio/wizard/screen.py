@@ -16,7 +16,6 @@ from plastron_tui.diagnostics import Edit
 from plastron_tui.language import DECLARATIONS, Declaration
 from plastron_tui.language import statements as st
 from plastron_tui.language.declaration import Statement
-from plastron_tui.model.workspace import Workspace
 from plastron_tui.session import Session
 
 from ..panels.text_view import TextView
@@ -29,8 +28,7 @@ from .form import Form
 from .form_page import Looked, Put
 from .form_rows import Key
 from .frame import MENUS, Frame, View
-from .goals import generating
-from .menu import Offer, recipe_offers
+from .menu import Offer, recipe_offers, writes_at_once
 from .menu_page import Menu, Picked, Wanted
 from .program_trial import Finding
 from .result_view import ResultView
@@ -53,7 +51,7 @@ class Wizard(Frame):
     """Builds statements; the result is an action of the main screen to go on with, or ""."""
 
     BINDINGS: ClassVar[list[BindingType]] = [
-        Binding("escape", "leave", "Leave"),
+        Binding("escape", "step_back", "Back"),
         Binding("f2,alt+left", "back", "Back", priority=True),
         Binding("f1", "explain", "Help", priority=True),
         Binding("f3", "turn", "Code and graph", priority=True),
@@ -213,7 +211,7 @@ class Wizard(Frame):
             self._finish_with(self._actions[message.number])
             return
         offer = self._offers[message.number]
-        if _writes_at_once(offer, self.course.session.workspace):
+        if writes_at_once(offer, self.course.session.workspace):
             self.dismiss("screen.generate")
             return
         if offer.recipe is not None:
@@ -352,6 +350,7 @@ class Wizard(Frame):
         async with self._lock:
             session = self._enter(look.outcome.edits)
             self._heard = self.course.heard(look)
+            self._unanswered = strings.unanswered(look)
             self.course = Course(session, self.course.surroundings)
             self.is_done = True
         self._turn()
@@ -368,6 +367,13 @@ class Wizard(Frame):
         if self.has_class("-narrow"):
             self.toggle_class("-turned")
 
+    def action_step_back(self) -> None:
+        """Go back a page; from the first one, and from the end, leave."""
+        if self.is_done or self.course.at == 0:
+            self.action_leave()
+        else:
+            self.action_back()
+
     def action_explain(self) -> None:
         """Explain the page, and the keys of the wizard."""
         if self.app.screen is self:
@@ -376,13 +382,14 @@ class Wizard(Frame):
 
     @on(Button.Pressed, "#wizard-leave")
     def action_leave(self) -> None:
-        """Leave without a trace of what was not finished."""
-        self.dismiss("")
+        """Leave without a trace of what was not finished; ask where somebody filled it in."""
+        if self.course.is_filled_in and self.app.screen is self:
+            self.run_worker(self._ask_to_leave(), group="leave", exclusive=True)
+        else:
+            self.dismiss("")
 
-
-def _writes_at_once(offer: Offer, workspace: Workspace) -> bool:
-    """Tell whether all that could be generated is: then the files can be written."""
-    if offer.declaration is None or offer.declaration is not generating():
-        return False
-    generated = {made.node.variable for made in workspace.generations}
-    return all(node.is_idle or name in generated for name, node in workspace.nodes.items())
+    async def _ask_to_leave(self) -> None:
+        answers = [("stay", "Stay"), ("leave", "Leave")]
+        dialog = Question(strings.leaving(self.look), answers)
+        if await self.app.push_screen_wait(dialog) == "leave":
+            self.dismiss("")

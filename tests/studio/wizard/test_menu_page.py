@@ -26,3 +26,22 @@ async def test_the_cursor_is_where_it_was_and_the_menu_has_the_keys() -> None:
         await pilot.pause()
         menu = app.query_one(Menu)
         assert (menu.option_count, menu.highlighted, menu.has_focus) == (3, 2, True)
+
+
+async def test_pages_of_a_menu_lead_to_entries() -> None:
+    app: App[None] = App()
+    async with app.run_test(size=(60, 9)) as pilot:
+        items = [Item(str(number), closed="no" if number > 5 else "") for number in range(9)]
+        await app.mount(MenuPage("what now?", items))
+        menu = app.query_one(Menu)
+        await pilot.pause()
+        seen = [menu.highlighted]
+        for key in ("pagedown", "pagedown", "pagedown", "pageup", "pageup", "pageup"):
+            await pilot.press(key)
+            seen.append(menu.highlighted)
+        assert None not in seen
+        assert (seen[0], seen[3], seen[6]) == (0, 5, 0)
+        assert seen[1] not in (0, 5)
+        menu.highlighted = None
+        await pilot.press("enter")
+        assert menu.highlighted == 0

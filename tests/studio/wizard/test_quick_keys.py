@@ -32,7 +32,7 @@ WAYS = {
     "back": ["enter", *"horn", "enter", "f2", "end", "s"],
     "a choice": ["down", "enter", "down", "enter", "down"],
     "to the end": ["enter", *"horn", *["enter"] * 6],
-    "away and on": ["down", "enter", "escape", "x"],
+    "away and on": ["down", "enter", "escape", "escape", "x"],
     "away at once": ["escape", "y"],
     "from the end": ["enter", *["enter"] * 6, "escape", "z"],
 }
@@ -164,7 +164,7 @@ async def test_leaving_while_a_page_is_on_its_way(
         await it.settle()
         monkeypatch.setattr(Wizard, "_view", slow)
         monkeypatch.setattr(Button, "on_unmount", go_slowly, raising=False)
-        await quickly(it, ["enter", "escape", "z"])
+        await quickly(it, ["enter", "escape", "escape", "z"])
         await driver.until(lambda: driver.text == "z" and not it.is_open)
         await driver.app.workers.wait_for_complete()
         await driver.pilot.pause()
