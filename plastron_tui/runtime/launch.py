@@ -335,10 +335,8 @@ class _Run:
     def _names(self, ros_version: int) -> dict[str, tuple[str, ...]]:
         """Return the full names of the nodes of a generation, by the labels of their lines."""
         return {
-            node.title: (
-                *(node.starts or (node.full_name,)),
-                *(f"{node.namespace}/{each.name}" for each in node.loads),
-            )
+            node.title: tuple(node.starts or (node.full_name,))
+            + tuple(f"{node.namespace}/{each.name}" for each in node.loads)
             for node in self._nodes
             if node.environment.ros_version == ros_version
         }

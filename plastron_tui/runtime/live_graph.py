@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections import deque
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
@@ -10,6 +11,7 @@ from typing import Any, NamedTuple
 MOST_SAMPLES = 60
 """So many of the latest numbers are kept of a topic, and of each field that is looked at."""
 _MOST_NAMES = 5000
+_ANONYMOUS = re.compile(r"(_\d+)+$")
 
 
 class LiveField(NamedTuple):
@@ -28,6 +30,7 @@ class LiveTopic:
         type: its type, such as `std_msgs/String`.
         publishers: how many publish to it.
         subscribers: how many listen.
+        nodes: the nodes that publish or listen; nothing where nobody said.
         count: how many messages were seen while it was looked at.
         rate: messages a second.
         text: the last message in a line, "" before the first one.
@@ -41,6 +44,7 @@ class LiveTopic:
     type: str
     publishers: int = 0
     subscribers: int = 0
+    nodes: frozenset[str] = frozenset()
     count: int = 0
     rate: float = 0.0
     text: str = ""
@@ -121,6 +125,7 @@ class LiveGraph:
         is_watched: whether a monitor says what is the case now; else all is what was seen last.
         has_ended: whether the nodes were ended, all of them.
         own: the nodes of the run that is watched; nothing where nobody said.
+        domain: the domain of ROS 2.
         ended: how nodes of the run have ended that nobody asked to, by their names.
     """
 
@@ -134,6 +139,7 @@ class LiveGraph:
     is_watched: bool = True
     has_ended: bool = False
     own: frozenset[str] = frozenset()
+    domain: str = "0"
     ended: dict[str, NodeEnd] = field(default_factory=dict)
     _marked: set[str] = field(default_factory=set)
 
@@ -162,11 +168,12 @@ class LiveGraph:
         self.problem = ""
         self.is_known = self.is_watched = True
         found: dict[str, LiveTopic] = {}
-        for name, type_, publishers, subscribers in report["topics"][:_MOST_NAMES]:
+        for name, type_, publishers, subscribers, *nodes in report["topics"][:_MOST_NAMES]:
             topic = self.topics.get(name)
             if topic is None or topic.type != type_:
                 topic = LiveTopic(str(name), str(type_))
             topic.publishers, topic.subscribers = int(publishers), int(subscribers)
+            topic.nodes = frozenset(map(str, nodes[0])) if nodes else frozenset()
             topic.is_gone = False
             found[topic.name] = topic
         for name, topic in self.topics.items():
@@ -184,6 +191,15 @@ class LiveGraph:
                 # Somebody has started it again.
                 self.ended.pop(name, None)
         self.nodes = {name: name in there for name in sorted({*self.nodes, *there})[:_MOST_NAMES]}
+
+    def is_own(self, nodes: Iterable[str]) -> bool:
+        """Tell whether one of some nodes is of the run; all are where nobody said which."""
+        named = frozenset(nodes)
+        return not self.own or not named or any(map(self._is_of_run, named))
+
+    def _is_of_run(self, node: str) -> bool:
+        # A node of ROS 1 may ask for a number behind its name ("anonymous").
+        return node in self.own or (self.ros_version == 1 and _ANONYMOUS.sub("", node) in self.own)
 
     def mark_ended(self, names: Iterable[str], end: NodeEnd) -> bool:
         """Note how nodes of the run have ended; tell whether that is new."""

@@ -16,8 +16,17 @@ from plastron_tui.runtime.live_graph import LiveField, LiveGraph, LiveParameter,
 from plastron_tui.runtime.observers import ros1_parameters
 from plastron_tui.session import Session
 from plastron_tui.studio.panels.live_columns import columns_of, line_of
-from plastron_tui.studio.panels.live_panel import Watching, watching_of
-from plastron_tui.studio.panels.live_rows import NOBODY, WAITING, Answer, Kind, LiveRow, live_rows
+from plastron_tui.studio.panels.live_rows import (
+    FOREIGN,
+    NOBODY,
+    WAITING,
+    Answer,
+    Kind,
+    LiveRow,
+    found_rows,
+    live_rows,
+)
+from plastron_tui.studio.panels.live_watching import Watching, watching_of
 from plastron_tui.studio.panels.sparkline import sparkline
 from plastron_tui.studio.wizard.live_orders import form_for
 from plastron_tui.studio.wizard.parameter_kinds import parameter_entry
@@ -27,7 +36,7 @@ from plastron_tui.studio.wizard.values import entries_of
 
 @pytest.mark.parametrize(
     ("samples", "cells", "curve"),
-    [([], 5, ""), ([1.0], 5, "─"), ([2, 2, 2], 5, "───"), ([0, 1], 5, "▁█"), ([0, 1, 2], 2, "▁█"),
+    [([], 5, ""), ([1.0], 5, ""), ([2, 2, 2], 5, ""), ([0, 1], 5, "▁█"), ([0, 1, 2], 2, "▁█"),
      (range(8), 8, "▁▂▃▄▅▆▇█"), ([-1.7e308, 1.7e308], 4, "▁█"), ([1, 2], 0, "")],
 )  # fmt: skip
 def test_a_curve_is_between_the_least_and_the_greatest(
@@ -46,8 +55,8 @@ def graph() -> LiveGraph:
         "services": [["/add", "example_interfaces/AddTwoInts"]],
         "nodes": ["/talker"],
     })  # fmt: skip
-    fields = [["data", "0.5", 0.5]]
     for count, number in enumerate((0.25, 0.5), 1):
+        fields = [["data", f"{number}", number]]
         row = {"count": count, "rate": 2.0, "text": f"{number}", "number": number, "fields": fields}
         graph.feed({"tell": "topics", "rows": {"/speed": row}})
     return graph
@@ -68,17 +77,17 @@ def test_the_rows_say_what_runs(graph: LiveGraph) -> None:
     unfolded = {"2 topic /speed", "2 node /talker"}
     assert drawn(graph, 90, unfolded, answer=Answer("sum: 3")) == [
         " topics",
-        f"▸ ≈ /a\\x1b[2J           {WAITING}",
-        f"▸ ≈ /cmd_vel            {NOBODY}",
-        f"▾ ≈ /speed       2.0 Hz 0.5{'▁█':>63}",
-        "      std_msgs/Float64, 1 publisher, 1 subscriber",
-        f"      data    0.5{'──':>73}",
+        f" ▸ ≈ /a\\x1b[2J           {WAITING}",
+        f" ▸ ≈ /cmd_vel            {NOBODY}",
+        f" ▾ ≈ /speed       2.0 Hz 0.5{'▁█':>61}",
+        "       std_msgs/Float64, 1 publisher, 1 subscriber",
+        f"       data              0.5{'▁█':>61}",
         " services",
-        "  ◆ /add      example_interfaces/AddTwoInts",
-        "      → sum: 3",
+        "   ◆ /add                example_interfaces/AddTwoInts",
+        "       → sum: 3",
         " nodes",
-        "▾ ● /talker",
-        "      asking for its parameters…",
+        " ▾ ● /talker",
+        "       asking for its parameters…",
     ]
 
 
@@ -123,6 +132,56 @@ def test_a_node_that_has_done_its_work_is_not_one_that_is_gone(
         # Somebody has started it by hand.
         graph.feed({"tell": "graph", "topics": [], "services": [], "nodes": ["/talker"]})
         assert live_rows([graph], set(), {})[-1].value == ""
+
+
+@pytest.mark.parametrize(
+    ("own", "version", "topics", "nodes"),
+    [((), 2, ["/a", "/b", "/c"], ["/x", "/y"]),
+     (("/y",), 2, ["/b", "/c", "-/a"], ["/y", "-/x"]),
+     (("/x",), 2, ["/a", "/c", "-/b"], ["/x", "-/y"]),
+     # Of a topic nobody said whose it is, and a node of ROS 1 has a number behind its name.
+     (("/n",), 1, ["/a", "/b", "/c"], ["/n_12_345"])],
+)  # fmt: skip
+def test_what_the_program_does_not_have_comes_behind_and_is_marked(
+    own: tuple[str, ...], version: int, topics: list[str], nodes: list[str]
+) -> None:
+    graph = LiveGraph(version, own=frozenset(own), domain="7")
+    there = ["/x", "/y"] if version == 2 else ["/n_12_345"]
+    at = [[node] for node in there] if version == 2 else [there, there]
+    graph.feed({"tell": "graph", "topics": [["/a", "p/T", 1, 0, at[0]], ["/b", "p/T", 1, 0, at[1]],
+                                            ["/c", "p/T", 1, 0]],
+                "services": [], "nodes": there})  # fmt: skip
+    rows = live_rows([graph], set(), {})
+    for kind, wanted in ((Kind.TOPIC, topics), (Kind.NODE, nodes)):
+        shown = [f"{'-' * row.is_foreign}{row.name}" for row in rows if row.kind is kind]
+        assert shown == wanted
+    assert {row.value for row in rows if row.kind is Kind.NODE and row.is_foreign} <= {FOREIGN}
+    assert [row.name for row in rows if row.kind is Kind.HEADING] == ["topics, domain 7", "nodes"]
+
+
+@pytest.mark.parametrize(
+    ("words", "names", "count"),
+    [((), ["problem", "topics", "/a\\x1b[2J", "/cmd_vel", "/speed", "type", "data", "services",
+           "/add", "nodes", "/talker"], 5),
+     (("float64",), ["problem", "topics", "/speed", "type", "data"], 1),
+     (("add",), ["problem", "services", "/add"], 1),
+     (("nowhere",), ["problem"], 0)],
+)  # fmt: skip
+def test_words_find_what_has_them_in_its_name_or_type(
+    graph: LiveGraph, words: tuple[str, ...], names: list[str], count: int
+) -> None:
+    graph.problem = "problem"
+    rows, found = found_rows(live_rows([graph], {"2 topic /speed"}, {}), words)
+    shown = ["type" if row.kind is Kind.NOTE and row.depth else row.name for row in rows]
+    assert (shown, found) == (names, count)
+
+
+def test_a_long_name_is_cut_before_the_part_that_tells() -> None:
+    name = "/very/long/namespace/of/the/robot/wheel_ticks"
+    rows = [LiveRow("k", Kind.TOPIC, name, name)]
+    for width in (50, 80):
+        line = "".join(piece.text for piece in line_of(rows[0], columns_of(rows, width), width))
+        assert "wheel_ticks " in line and "…" in line and cell_len(line) <= width
 
 
 def test_what_nobody_watches_is_what_was_seen_last(graph: LiveGraph) -> None:

@@ -132,8 +132,11 @@ class _Monitor:
             for name, owners in known:
                 count = sum(not _is_hidden(owner) for owner in owners)
                 counts.setdefault(name, [0, 0])[side] += count
+        at: dict[str, set[str]] = {}
+        for name, owners in (*publishers, *subscribers):
+            at.setdefault(name, set()).update(owners)
         topics = [
-            (name, types.get(name, ""), *count)
+            (name, types.get(name, ""), *count, sorted(at[name]))
             for name, count in sorted(counts.items())
             if is_shown(name) and any(count)
         ]

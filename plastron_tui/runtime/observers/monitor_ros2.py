@@ -89,6 +89,7 @@ class _Monitor:
         self._publishers: Counter[str] = Counter()
         self._pending: list[tuple[dict[str, Any], float, Callable[[bool], bool]]] = []
         self._parameters = Parameters(self._caller)
+        self._nodes_at: dict[str, tuple[tuple[int, int], list[str]]] = {}
         self._graph: dict[str, Any] = {}
         self._looked = self._reported = 0.0
 
@@ -156,10 +157,10 @@ class _Monitor:
             self._topics.types[name] = type_name = types[0].replace("/msg/", "/")
             own = self._publishers[name]
             heard = self._topics.hears(name)
-            publishers = node.count_publishers(name) - own
-            subscribers = node.count_subscribers(name) - heard
+            ends = node.count_publishers(name), node.count_subscribers(name)
+            publishers, subscribers = ends[0] - own, ends[1] - heard
             if publishers + subscribers > 0:
-                topics.append((name, type_name, publishers, subscribers))
+                topics.append((name, type_name, publishers, subscribers, self._at(name, ends)))
         services = [
             (name, types[0].replace("/srv/", "/"))
             for name, types in node.get_service_names_and_types()
@@ -171,6 +172,18 @@ class _Monitor:
             if not name.startswith("_")
         )
         return {"topics": topics, "services": services, "nodes": nodes}
+
+    def _at(self, name: str, ends: tuple[int, int]) -> list[str]:
+        """Return the nodes at a topic; they are looked up where their number is another one."""
+        known = self._nodes_at.get(name)
+        if known is None or known[0] != ends:
+            infos = [
+                *self._node.get_publishers_info_by_topic(name),
+                *self._node.get_subscriptions_info_by_topic(name),
+            ]
+            names = {f"{each.node_namespace.rstrip('/')}/{each.node_name}" for each in infos}
+            known = self._nodes_at[name] = ends, sorted(names)
+        return known[1]
 
     def _later(
         self, order: dict[str, Any], step: Callable[[bool], bool], limit: float = _ANSWER

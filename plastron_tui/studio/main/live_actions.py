@@ -14,8 +14,9 @@ from plastron_tui.regular_files import reason
 from plastron_tui.runtime.live_graph import LiveGraph, NodeEnd
 
 from ..delay import Delay
-from ..panels.live_panel import LOOKING, NOTHING_RUNS, STARTING, LivePanel, Watching
+from ..panels.live_panel import LOOKING, NOTHING_RUNS, STARTING, LivePanel
 from ..panels.live_rows import Answer, Kind, LiveRow
+from ..panels.live_watching import Watching
 from .active_program import Tab
 from .workers import start_exclusive
 
@@ -97,6 +98,7 @@ class LiveActions:
             if each.ros_version in self._monitors:
                 continue
             graph = self._graphs.setdefault(each.ros_version, LiveGraph(each.ros_version))
+            graph.domain = each.environ.get("ROS_DOMAIN_ID", "0") if each.ros_version == 2 else "0"
             graph.own = frozenset(itertools.chain.from_iterable(each.nodes.values()))
             try:
                 self._monitors[each.ros_version] = Monitor(each, self._news)

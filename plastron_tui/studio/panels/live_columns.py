@@ -15,8 +15,12 @@ from .sparkline import sparkline
 from .styles import Line, Piece
 
 _RATE, _CURVE, _TYPE = 9, 16, 20
+_WIDE_CURVE, _WIDE_TYPE = 32, 32
 _LEAST_NAME, _LEAST_VALUE = 8, 12
-_WITH_CURVE, _WITH_TYPE = 56, 100
+_WITH_CURVE, _WITH_TYPE, _WIDE = 56, 100, 150
+"""The widths of a panel from which on it has these columns, and has them wide."""
+_BEFORE = 5
+"""The cells before a name: one that is empty, the sign to unfold it, what kind of thing it is."""
 _SIGNS = {
     Kind.TOPIC: ("≈", "success"),
     Kind.SERVICE: ("◆", "warning"),
@@ -41,10 +45,10 @@ def columns_of(rows: Iterable[LiveRow], width: int) -> Columns:
         for row in rows
         if row.kind in (Kind.TOPIC, Kind.FIELD, Kind.SERVICE, Kind.NODE, Kind.PARAMETER)
     ]
-    curve = _CURVE if width >= _WITH_CURVE else 0
-    type_ = _TYPE if width >= _WITH_TYPE else 0
-    # What is before the name takes four cells, and each column has one behind it.
-    left = width - 4 - (_RATE + 1) - (curve + bool(curve)) - (type_ + bool(type_)) - 1
+    curve = 0 if width < _WITH_CURVE else _CURVE if width < _WIDE else _WIDE_CURVE
+    type_ = 0 if width < _WITH_TYPE else _TYPE if width < _WIDE else _WIDE_TYPE
+    # Each column has an empty cell behind it.
+    left = width - _BEFORE - (_RATE + 1) - (curve + bool(curve)) - (type_ + bool(type_)) - 1
     most = max(_LEAST_NAME, left - max(_LEAST_VALUE, left // 2))
     name = max(_LEAST_NAME, min(max(names, default=0), most))
     return Columns(name, _RATE, type_, max(0, left - name), curve)
@@ -55,32 +59,41 @@ def line_of(row: LiveRow, columns: Columns, width: int) -> Line:
     if row.kind is Kind.HEADING:
         return (Piece(f" {row.name}", "dim"),)
     if row.kind is Kind.NOTE:
-        return (Piece(cut(" " * (4 + 2 * row.depth) + row.name, width), row.tone),)
+        return (Piece(cut(" " * (_BEFORE + 2 * row.depth) + row.name, width), row.tone),)
     if row.kind is Kind.ANSWER:
-        shown = cut(f"      {row.name} {row.value}", width)
+        shown = cut(f"{' ' * (_BEFORE + 2)}{row.name} {row.value}", width)
         return (Piece(shown, row.tone),)
     fold = " " if not row.is_branch else "▾" if row.is_open else "▸"
     sign, tone = _SIGNS.get(row.kind, ("", ""))
-    before = f"{fold} " if sign else "    "
+    before = f" {fold} " if sign else " " * _BEFORE
     indent = "" if sign else " " * (2 * row.depth)
-    name = fitted(indent + row.name, columns.name)
-    pieces = [
-        Piece(before, "dim"),
-        Piece(f"{sign} " if sign else "", "dim" if row.is_old else tone),
-    ]
-    pieces += [Piece(name + " ", "strong" if row.depth == 0 else "")]
-    has_rate = row.kind is Kind.TOPIC
-    if has_rate:
-        rate = row.rate.rjust(columns.rate)
-        is_quiet = row.is_old or row.rate == "silent"
-        pieces.append(Piece(rate + " ", "quiet" if is_quiet else "primary"))
-    if columns.type and has_rate:
-        pieces.append(
-            Piece(fitted(visible(row.type.rpartition("/")[2]), columns.type) + " ", "quiet")
-        )
+    name = fitted(indent + _cut_before(row.name, columns.name - len(indent)), columns.name)
+    is_dim = row.is_old or row.is_foreign
+    pieces = [Piece(before, "dim"), Piece(f"{sign} " if sign else "", "dim" if is_dim else tone)]
+    strength = "strong" if row.depth == 0 else ""
+    pieces += [Piece(name + " ", "quiet" if row.is_foreign else strength)]
+    # Values stand below each other, whether there is a rate before them or not.
+    is_quiet = is_dim or row.rate in ("silent", "")
+    pieces.append(Piece(row.rate.rjust(columns.rate) + " ", "quiet" if is_quiet else "primary"))
+    if columns.type:
+        type_ = visible(row.type.rpartition("/")[2]) if row.kind is Kind.TOPIC else ""
+        pieces.append(Piece(fitted(type_, columns.type) + " ", "quiet"))
     if not row.samples or not columns.curve:
         used = sum(cell_len(piece.text) for piece in pieces)
         return (*pieces, Piece(cut(row.value, width - used), row.tone))
     used = sum(cell_len(piece.text) for piece in pieces) + columns.curve + 1
     pieces.append(Piece(fitted(row.value, max(0, width - used)) + " ", row.tone))
-    return (*pieces, Piece(sparkline(row.samples, columns.curve).rjust(columns.curve), "accent"))
+    # The last cell is the frame's distance.
+    curve = sparkline(row.samples, columns.curve - 1).rjust(columns.curve - 1)
+    return (*pieces, Piece(f"{curve} ", "accent"))
+
+
+def _cut_before(name: str, cells: int) -> str:
+    """Return the end of a name that is too long: its last part is the one that tells."""
+    if cell_len(name) <= cells:
+        return name
+    # At least one cell each.
+    name = name[-max(1, cells) :]
+    while name and cell_len(name) >= cells:
+        name = name[1:]
+    return f"…{name}"

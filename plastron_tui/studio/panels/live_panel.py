@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping, Sequence, Set
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from itertools import takewhile
-from typing import ClassVar, NamedTuple
+from typing import ClassVar
 
 from rich.segment import Segment
 from rich.style import Style
@@ -12,63 +12,27 @@ from textual import events
 from textual.binding import Binding, BindingType
 from textual.geometry import Region
 from textual.strip import Strip
+from textual.widget import Widget
 
 from plastron_tui.runtime.live_graph import LiveGraph
 
 from ..delay import Delay
 from .entry import Entries, Entry
 from .entry_list import EntryList
+from .filter_bar import FilterBar
 from .live_columns import Columns, columns_of, line_of
-from .live_rows import Answer, Kind, LiveRow, live_rows
+from .live_rows import UNCOUNTED, Answer, Kind, LiveRow, found_rows, live_rows
+from .live_watching import Watching, watching_of
 from .panel import Panel
 
 NOTHING_RUNS = "nothing runs\nF5 starts the nodes; here is then what they send"
 STARTING = "the nodes start…\nwhat they send is shown here"
 LOOKING = "looking for topics…\nwhat the nodes send is shown here"
+NOTHING_FOUND = "nothing has these words in its name or type\n/ and Esc show all again"
 _ROWS_AT_ONCE = 16
 _BETWEEN = 0.03
 """Seconds between the rows that are drawn at once and the next ones."""
 _KINDS = {"publish": Kind.TOPIC, "call": Kind.SERVICE, "set": Kind.PARAMETER}
-
-
-class Watching(NamedTuple):
-    """What is looked at, of one generation of ROS.
-
-    Attributes:
-        topics: the topics in sight.
-        full: those of them whose fields are in sight, and the one that the cursor is on: what is
-            sent to that begins with them.
-        nodes: the nodes that are unfolded: their parameters may be in sight any moment.
-    """
-
-    topics: tuple[str, ...] = ()
-    full: tuple[str, ...] = ()
-    nodes: tuple[str, ...] = ()
-
-
-def watching_of(
-    rows: Sequence[LiveRow],
-    in_sight: range,
-    version: int,
-    unfolded: Set[str],
-    cursor: LiveRow | None = None,
-) -> Watching:
-    """Return what is looked at of one generation of ROS.
-
-    Args:
-        rows: the panel's rows, of all generations.
-        in_sight: the places of those that can be seen.
-        version: the generation.
-        unfolded: the keys of the rows that are unfolded.
-        cursor: the row that the cursor is on.
-    """
-    full_keys = unfolded if cursor is None else {*unfolded, cursor.key}
-    own = [row for row in rows if row.ros_version == version]
-    seen = [row for row in rows[in_sight.start : in_sight.stop] if row.ros_version == version]
-    topics = dict.fromkeys(row.owner for row in seen if row.kind in (Kind.TOPIC, Kind.FIELD))
-    full = [name for name in topics if f"{version} topic {name}" in full_keys]
-    nodes = [row.owner for row in own if row.kind is Kind.NODE and row.is_open]
-    return Watching(tuple(topics), tuple(full), tuple(nodes))
 
 
 def _asking(what: str, keys: str, title: str, tooltip: str) -> Binding:
@@ -92,6 +56,13 @@ class LivePanel(EntryList):
         _asking("call", "c", "Call", "Call the service"),
         _asking("set", "s", "Set", "Give the parameter another value"),
         _asking("restart", "r", "Watch again", "Start the monitor of the nodes again"),
+        Binding(
+            "slash",
+            "filter",
+            "Filter",
+            id="live.filter",
+            tooltip="Show only what has certain words in its name or type",
+        ),
     ]
 
     def __init__(self, *, id: str | None = None) -> None:  # noqa: A002 - Textual's word
@@ -103,6 +74,8 @@ class LivePanel(EntryList):
         self._empty = NOTHING_RUNS
         self._live: list[LiveRow] = []
         self._unfolded: set[str] = set()
+        self._words: tuple[str, ...] = ()
+        self._bar: FilterBar | None = None
         self._has_moved = False
         """Whether somebody chose the row that the cursor is on."""
         self._columns = Columns(0, 0, 0, 0, 0)
@@ -158,12 +131,17 @@ class LivePanel(EntryList):
 
     def _show_rows(self) -> None:
         rows = live_rows(self._graphs, self._unfolded, self._answers)
+        empty = NOTHING_FOUND if rows and self._words else self._empty
+        if self._bar is not None:
+            there = sum(row.depth == 0 and row.kind not in UNCOUNTED for row in rows)
+            rows, found = found_rows(rows, self._words)
+            self._bar.say(found, there)
         before, self._live = self._live, rows
         old_columns = self._columns
         self._columns = columns_of(rows, self.scrollable_content_region.width)
         same = [row.key for row in before] == [row.key for row in rows]
-        if not same or self._empty != self.entries.empty:
-            self.show(Entries(map(_entry, rows), self._empty))
+        if not same or empty != self.entries.empty:
+            self.show(Entries(map(_entry, rows), empty))
             self._has_moved &= bool(rows)
             if not self._has_moved:
                 # What comes later may stand above what was there.
@@ -212,8 +190,23 @@ class LivePanel(EntryList):
         finally:
             self._base = None
 
+    async def action_filter(self) -> None:
+        """Ask for the words that names or types have to have."""
+        if self._bar is None:
+            self._bar = FilterBar("live", "a name, or a type", self._find, self.focus)
+            assert isinstance(self.parent, Widget)
+            await self.parent.mount(self._bar)
+        self._bar.ask()
+        self._show_rows()
+
+    def _find(self, words: tuple[str, ...]) -> None:
+        self._words = words
+        self._show_rows()
+
     def on_show(self) -> None:
         """Show what came meanwhile."""
+        if self._bar is not None:
+            self._bar.display = bool(self._words)
         self._look()
 
     def on_focus(self) -> None:
@@ -222,6 +215,8 @@ class LivePanel(EntryList):
 
     def on_hide(self) -> None:
         """Tell that nobody looks any more."""
+        if self._bar is not None and not self.display:
+            self._bar.display = False
         self._look()
 
     def _look(self) -> None:
@@ -371,7 +366,7 @@ LIVE = Panel(
         "Each topic ≈ of the nodes that run, with how often a message comes and what is in the "
         "last one; Enter unfolds its fields, P sends a message to it. Enter on a service ◆ calls "
         "it. Enter on a node ● shows its parameters, and on a parameter sets it. What is not in "
-        "sight is not listened to."
+        "sight is not listened to. / shows only what has certain words in its name or type."
     ),
     widget=LivePanel,
 )

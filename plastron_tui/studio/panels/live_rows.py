@@ -13,6 +13,8 @@ from plastron_tui.runtime.live_graph import LiveGraph, LiveParameter, LiveTopic,
 
 WAITING = "waiting for the first message…"
 NOBODY = "nobody publishes here yet"
+FOREIGN = "not in this program"
+_USUAL_DOMAIN = ("", "0")
 
 
 _WIDEST = 500
@@ -30,6 +32,10 @@ class Kind(Enum):
     NODE = "node"
     PARAMETER = "parameter"
     NOTE = "note"
+
+
+UNCOUNTED = (Kind.HEADING, Kind.NOTE)
+"""What is there besides topics, services and nodes."""
 
 
 class Answer(NamedTuple):
@@ -57,6 +63,7 @@ class LiveRow(NamedTuple):
         is_branch: whether it can be unfolded.
         is_open: whether it is.
         parameter: what is known of a parameter.
+        is_foreign: whether the program that is watched does not have it.
         is_old: whether it is what was seen last, and nobody watches any more.
     """
 
@@ -74,6 +81,7 @@ class LiveRow(NamedTuple):
     is_branch: bool = False
     is_open: bool = False
     parameter: LiveParameter | None = None
+    is_foreign: bool = False
     is_old: bool = False
 
 
@@ -90,6 +98,7 @@ def live_rows(
     rows: list[LiveRow] = []
     for graph in graphs:
         words = f"ROS {graph.ros_version} " if len(graphs) > 1 else ""
+        domain = f", domain {visible(graph.domain)}" if graph.domain not in _USUAL_DOMAIN else ""
         if graph.problem:
             key = f"{graph.ros_version} problem"
             rows.append(LiveRow(key, Kind.NOTE, visible(graph.problem), tone="error"))
@@ -101,13 +110,42 @@ def live_rows(
         for part, found in parts:
             below = list(found)
             if below:
-                rows.append(LiveRow(f"{graph.ros_version} {part}", Kind.HEADING, words + part))
+                rows.append(
+                    LiveRow(f"{graph.ros_version} {part}", Kind.HEADING, words + part + domain)
+                )
+                domain = ""
                 rows += below
     return rows
 
 
+def found_rows(rows: Sequence[LiveRow], words: Sequence[str]) -> tuple[list[LiveRow], int]:
+    """Return the rows of what has all words in its name or type, and how much that is.
+
+    What is said of the whole panel stays, and headings with something below them.
+    """
+    found: list[LiveRow] = []
+    count = 0
+    heading: LiveRow | None = None
+    is_found = True
+    for row in rows:
+        if row.kind is Kind.HEADING:
+            heading = row
+            continue
+        if row.depth == 0 and row.kind is not Kind.NOTE:
+            text = f"{row.owner} {row.type}".lower()
+            is_found = all(word in text for word in words)
+            count += is_found
+        if is_found or (row.kind is Kind.NOTE and row.depth == 0):
+            if heading is not None and row.kind is not Kind.NOTE:
+                found.append(heading)
+                heading = None
+            found.append(row)
+    return found, count
+
+
 def _topics(graph: LiveGraph, unfolded: AbstractSet[str]) -> Iterator[LiveRow]:
-    for topic in graph.topics.values():
+    # What others have besides comes behind.
+    for topic in sorted(graph.topics.values(), key=lambda each: not graph.is_own(each.nodes)):
         key = f"{graph.ros_version} topic {topic.name}"
         is_open = key in unfolded
         value, tone = _topic_value(topic)
@@ -125,6 +163,7 @@ def _topics(graph: LiveGraph, unfolded: AbstractSet[str]) -> Iterator[LiveRow]:
             tuple(topic.samples),
             is_branch=True,
             is_open=is_open,
+            is_foreign=not graph.is_own(topic.nodes),
             is_old=is_old,
         )
         if is_open:
@@ -195,12 +234,16 @@ def _services(graph: LiveGraph, answers: Mapping[str, Answer]) -> Iterator[LiveR
 
 
 def _nodes(graph: LiveGraph, unfolded: AbstractSet[str]) -> Iterator[LiveRow]:
-    for name, is_there in graph.nodes.items():
+    nodes = sorted(graph.nodes.items(), key=lambda each: not graph.is_own([each[0]]))
+    for name, is_there in nodes:
+        is_foreign = not graph.is_own([name])
         key = f"{graph.ros_version} node {name}"
         end = graph.ended.get(name)
         runs = is_there and end is None
         is_open = key in unfolded and runs
         value, tone = _node_state(end, is_there=is_there, has_ended=graph.has_ended)
+        if is_foreign:
+            value, tone = FOREIGN if is_there else f"gone, {FOREIGN}", "quiet"
         yield LiveRow(
             key,
             Kind.NODE,
@@ -211,6 +254,7 @@ def _nodes(graph: LiveGraph, unfolded: AbstractSet[str]) -> Iterator[LiveRow]:
             tone=tone,
             is_branch=runs,
             is_open=is_open,
+            is_foreign=is_foreign,
             is_old=not graph.is_watched or not runs,
         )
         if not is_open:

@@ -5,20 +5,19 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 _BARS = "▁▂▃▄▅▆▇█"
-_LINE = "─"
 
 
 def sparkline(samples: Sequence[float], cells: int) -> str:
     """Return the latest numbers as bars, between the least and the greatest of them.
 
-    Numbers that are all the same are a thin line.
+    Numbers that are all the same have none.
     """
     shown = list(samples)[-cells:] if cells > 0 else []
     if not shown:
         return ""
     low, high = min(shown), max(shown)
     if high == low:
-        return _LINE * len(shown)
+        return ""
     top = len(_BARS) - 1
     # Halves, so that the span of the greatest floats does not overflow.
     span = high / 2 - low / 2
