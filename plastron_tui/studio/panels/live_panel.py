@@ -21,6 +21,7 @@ from .entry import Entries, Entry
 from .entry_list import EntryList
 from .filter_bar import FilterBar
 from .live_columns import Columns, columns_of, line_of
+from .live_row_places import branch_at, stop_near, target_at
 from .live_rows import UNCOUNTED, Answer, Kind, LiveRow, found_rows, live_rows
 from .live_watching import Watching, watching_of
 from .panel import Panel
@@ -37,6 +38,15 @@ _KINDS = {"publish": Kind.TOPIC, "call": Kind.SERVICE, "set": Kind.PARAMETER}
 
 def _asking(what: str, keys: str, title: str, tooltip: str) -> Binding:
     return Binding(keys, f"ask('{what}')", title, id=f"live.{what}", tooltip=tooltip)
+
+
+_FILTER = Binding(
+    "slash",
+    "filter",
+    "Filter",
+    id="live.filter",
+    tooltip="Show only what has certain words in its name or type",
+)
 
 
 class LivePanel(EntryList):
@@ -56,13 +66,7 @@ class LivePanel(EntryList):
         _asking("call", "c", "Call", "Call the service"),
         _asking("set", "s", "Set", "Give the parameter another value"),
         _asking("restart", "r", "Watch again", "Start the monitor of the nodes again"),
-        Binding(
-            "slash",
-            "filter",
-            "Filter",
-            id="live.filter",
-            tooltip="Show only what has certain words in its name or type",
-        ),
+        _FILTER,
     ]
 
     def __init__(self, *, id: str | None = None) -> None:  # noqa: A002 - Textual's word
@@ -205,8 +209,6 @@ class LivePanel(EntryList):
 
     def on_show(self) -> None:
         """Show what came meanwhile."""
-        if self._bar is not None:
-            self._bar.display = bool(self._words)
         self._look()
 
     def on_focus(self) -> None:
@@ -215,11 +217,11 @@ class LivePanel(EntryList):
 
     def on_hide(self) -> None:
         """Tell that nobody looks any more."""
-        if self._bar is not None and not self.display:
-            self._bar.display = False
         self._look()
 
     def _look(self) -> None:
+        if self._bar is not None:
+            self._bar.display = self.display and bool(self._words)
         if self.is_in_sight:
             self._show_rows()
         self.on_watched()
@@ -238,11 +240,7 @@ class LivePanel(EntryList):
 
     def validate_index(self, index: int) -> int:
         """Go on to the next row where one is a heading, in the direction that was taken."""
-        live = self._live
-        forward = range(index, len(live))
-        back = range(min(index, len(live) - 1), -1, -1)
-        ways = (*forward, *back) if index >= self.index else (*back, *forward)
-        return next((at for at in ways if live[at].kind is not Kind.HEADING), index)
+        return stop_near(self._live, index, self.index)
 
     def action_move(self, by: int) -> None:
         """Move the cursor; what stands above the first row that it goes to is seen too."""
@@ -270,31 +268,18 @@ class LivePanel(EntryList):
         if action == "choose":
             row = self.row
             is_sent_to = row is not None and row.kind in (Kind.SERVICE, Kind.ANSWER, Kind.PARAMETER)
-            return is_sent_to or self._branch() is not None
+            return is_sent_to or branch_at(self._live, self.index) is not None
         if action != "ask":
             return True
         if parameters[0] == "restart":
             return any(graph.problem for graph in self._graphs)
-        return self._target(str(parameters[0])) is not None
-
-    def _target(self, what: str) -> LiveRow | None:
-        """Return the row that something can be done about: the cursor's, or that it is below."""
-        row, kind = self.row, _KINDS[what]
-        if row is None or row.kind is kind:
-            return row
-        if row.kind is Kind.ANSWER:
-            above = self._live[self.index - 1]
-        else:
-            at = self._branch()
-            if at is None:
-                return None
-            above = self._live[at]
-        return above if above.kind is kind else None
+        return target_at(self._live, self.index, _KINDS[str(parameters[0])]) is not None
 
     def action_ask(self, what: str) -> None:
         """Ask for something to be done."""
         self._has_moved = True
-        self.on_asked(what, None if what == "restart" else self._target(what))
+        kind = _KINDS.get(what)
+        self.on_asked(what, None if kind is None else target_at(self._live, self.index, kind))
 
     def action_choose(self) -> None:
         """Unfold the row, or fold it; call a service; set a parameter."""
@@ -311,7 +296,7 @@ class LivePanel(EntryList):
 
     def action_fold(self) -> None:
         """Fold or unfold the row, or the one that it belongs to."""
-        at = self._branch()
+        at = branch_at(self._live, self.index)
         if at is not None:
             self._toggle(at)
 
@@ -323,16 +308,9 @@ class LivePanel(EntryList):
 
     def action_fold_back(self) -> None:
         """Fold the row, or the one that it belongs to."""
-        at = self._branch()
+        at = branch_at(self._live, self.index)
         if at is not None and self._live[at].is_open:
             self._toggle(at)
-
-    def _branch(self) -> int | None:
-        """Return the row under the cursor, or the one that it belongs to, if it can be folded."""
-        at = self.index
-        while 0 < at < len(self._live) and self._live[at].depth:
-            at -= 1
-        return at if 0 <= at < len(self._live) and self._live[at].is_branch else None
 
     def _toggle(self, at: int) -> None:
         self._has_moved = True
