@@ -30,6 +30,7 @@ class Nodes:
     """Nodes that are said to run until they are stopped."""
 
     monitors: tuple[MonitorCommand, ...] = ()
+    has_more = False
 
     def __init__(self, path: Path, options: object, news: Any) -> None:
         self.status: int | None = None
