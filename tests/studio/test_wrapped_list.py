@@ -52,8 +52,19 @@ async def test_a_problem_is_walked_to_and_clicked_on_whatever_rows_it_takes(prog
         assert panel.virtual_size.height > len(panel._shown)
         await driver.press("end")
         assert panel.scroll_offset.y == panel.virtual_size.height - panel.size.height
+        # The help is a part of the problem: it is lit with it, and passed with it.
+        part = len(panel._shown) - 1
+        assert panel._shown[part].part_of and panel.index == part - 1
+        assert panel._style_of(part) == panel._style_of(part - 1) != panel._style_of(part - 2)
+        await driver.press("home")
+        await driver.press("down")
+        assert not panel.current.part_of and panel.index > 1
         await driver.press("home")
         ends = panel._ends
         number = next(at for at in range(len(ends)) if ends[at] - panel._start_of(at) > 1)
         await driver.pilot.click("#problems", offset=(12, ends[number] - 1))
-        assert panel.index == number
+        assert panel.index == panel._whole_at(number)
+        panel.follow(panel.current.span.start)
+        await driver.press("escape")
+        here = panel._style_of(panel.index)
+        assert not panel.has_focus and here == panel._style_of(panel.index + 1)

@@ -71,6 +71,7 @@ class Entry(NamedTuple):
         place: where it is written, where that is another file.
         file: of a problem in another file that file.
         line: the line there, from 1; 0 where none is known.
+        part_of: the key of the entry before it that it is a part of: the keys are for both.
     """
 
     key: str
@@ -91,6 +92,12 @@ class Entry(NamedTuple):
     place: str = ""
     file: Path | None = None
     line: int = 0
+    part_of: str = ""
+
+    @property
+    def whole(self) -> str:
+        """The key of the entry that is lit along with it, or its own."""
+        return self.part_of or self.key
 
     @property
     def owner(self) -> str | None:

@@ -66,7 +66,7 @@ class EntryList(Pointing, Toned, ScrollView, can_focus=True):
     def follow(self, offset: int) -> Entry | None:
         """Light the entry of the statement at an offset, and return it."""
         entry = self.entries.at(offset)
-        key = None if entry is None else entry.key
+        key = None if entry is None else entry.whole
         if key == self._here:
             return entry
         self._here = key
@@ -117,9 +117,21 @@ class EntryList(Pointing, Toned, ScrollView, can_focus=True):
     def action_move(self, by: int) -> None:
         """Move the cursor."""
         if self._shown:
-            self.index = max(0, min(len(self._shown) - 1, self.index + by))
+            last = len(self._shown) - 1
+            at = max(0, min(last, self.index + by))
+            if by > 0 and at < last and self._whole_at(at) == self._whole_at(self.index):
+                at += 1
+            self._reveal(at)
+            # What belongs together is passed in one step.
+            self.index = self._whole_at(at)
             self._reveal(self.index)
             self.tell_current()
+
+    def _whole_at(self, row: int) -> int:
+        """Return the number of the entry that the one at a row is a part of, or its own."""
+        while 0 < row < len(self._shown) and self._shown[row].part_of:
+            row -= 1
+        return row
 
     def action_page(self, by: int) -> None:
         """Move the cursor by a page."""
@@ -141,7 +153,7 @@ class EntryList(Pointing, Toned, ScrollView, can_focus=True):
         row = self._number_at(event.y + self.scroll_offset.y)
         if not 0 <= row < len(self._shown):
             return
-        self.index = row
+        self.index = self._whole_at(row)
         entry = self._shown[row]
         if entry.is_branch and event.x <= 2 * entry.depth + 1:
             self.action_fold()
@@ -163,10 +175,9 @@ class EntryList(Pointing, Toned, ScrollView, can_focus=True):
 
     def _style_of(self, number: int) -> tuple[Style, bool]:
         """Return what an entry is drawn on, and whether it is the one that the keys are for."""
-        is_lit = number == self.index and self.has_focus
-        if is_lit:
+        if self.has_focus and self._whole_at(number) == self._whole_at(self.index):
             return self.rich_style + self.tone("cursor", "entry-list"), True
-        if self._shown[number].key == self._here:
+        if self._shown[number].whole == self._here:
             return self.rich_style + self.tone("here", "entry-list"), False
         return self.rich_style, False
 

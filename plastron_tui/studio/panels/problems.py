@@ -75,6 +75,7 @@ def _problem(
             name=None if own else where,
             file=found.file,
             line=line,
+            part_of=key,
         )
 
 

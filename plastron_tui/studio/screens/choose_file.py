@@ -7,7 +7,7 @@ from contextlib import suppress
 from pathlib import Path
 from typing import ClassVar
 
-from textual import on
+from textual import events, on
 from textual.app import ComposeResult
 from textual.binding import Binding, BindingType
 from textual.containers import Vertical
@@ -19,6 +19,8 @@ from plastron_tui.diagnostics.terminal import visible
 from .dialog import Dialog
 
 _MOST = 2000
+_ROOM = 9
+"""Rows around the list: the frame, the title, the line, the folder, the keys, gaps."""
 
 
 class ChooseFile(Dialog["Path | None"]):
@@ -46,12 +48,17 @@ class ChooseFile(Dialog["Path | None"]):
 
     def compose(self) -> ComposeResult:
         """Make the line and the list."""
-        with Vertical(id="dialog", classes="-tall"):
+        with Vertical(id="dialog"):
             yield Label(self._title, id="dialog-title", markup=False)
             yield Input(self._first, id="dialog-input", compact=True,
                         placeholder="a name, a path, or part of one")  # fmt: skip
             yield Label("", id="dialog-folder", markup=False)
             yield OptionList(id="dialog-list", compact=True, markup=False)
+            yield Label("↓ files   Enter takes it   Esc cancels", id="dialog-keys")
+
+    def on_resize(self, event: events.Resize) -> None:
+        """Give the list the rows that there are; it takes those that it needs."""
+        self.query_one(OptionList).styles.max_height = max(event.size.height - _ROOM, 1)
 
     def on_mount(self) -> None:
         """Show the first folder."""

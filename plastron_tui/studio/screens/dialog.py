@@ -5,8 +5,10 @@ from __future__ import annotations
 from pathlib import Path
 from typing import ClassVar
 
+from rich.cells import cell_len
 from textual import events
 from textual.await_complete import AwaitComplete
+from textual.geometry import Size
 from textual.screen import ModalScreen, ScreenResultType
 from textual.types import CSSPathType
 
@@ -15,6 +17,8 @@ from ..textual_private import forget_removed_widgets
 DIALOG_STYLES = Path(__file__).with_name("dialogs.tcss")
 """The colours and places of dialogs, which the app reads when the first one is opened."""
 
+_ROOM = 9
+"""Rows of a dialog besides its text and what it shows: frame, title, gaps, bar, answers, margin."""
 _LOW = 18
 """With fewer rows dialogs have no gaps, and take the whole window if they need it."""
 
@@ -28,6 +32,16 @@ class Dialog(ModalScreen[ScreenResultType]):
         """Spend nothing on gaps where the window is low."""
         self.set_class(event.size.height < _LOW, "-low")
 
+    def take_height(self, rows: int, text: str, size: Size) -> None:
+        """Be as high as what is shown in it, or nearly as high as the window.
+
+        Args:
+            rows: how many rows are shown.
+            text: the text above them.
+            size: the window.
+        """
+        self.query_one("#dialog").set_class(is_tall(rows, text, size), "-tall")
+
     def dismiss(self, result: ScreenResultType | None = None) -> AwaitComplete:
         """Leave with an answer; Textual would take what lies on top, the main screen too."""
         if self.app.screen is not self:
@@ -37,3 +51,10 @@ class Dialog(ModalScreen[ScreenResultType]):
     def on_unmount(self) -> None:
         """Let go of its widgets."""
         forget_removed_widgets()
+
+
+def is_tall(rows: int, text: str, size: Size) -> bool:
+    """Tell whether a dialog needs all the height that there is for a text and for some rows."""
+    width = max(1, min(size.width * 9 // 10, 100) - 8)
+    said = sum(1 + max(0, cell_len(line) - 1) // width for line in text.splitlines())
+    return rows + said + _ROOM > size.height

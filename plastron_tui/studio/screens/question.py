@@ -60,7 +60,7 @@ class Question(Dialog[str], Unread):
 
     def compose(self) -> ComposeResult:
         """Make the question and its answers."""
-        with Vertical(id="dialog", classes="-tall" if self._lines else ""):
+        with Vertical(id="dialog"):
             yield Label(visible(self._title), id="dialog-title", markup=False)
             if self._text:
                 yield Label(visible_text(self._text), id="dialog-text", markup=False)
@@ -75,6 +75,11 @@ class Question(Dialog[str], Unread):
         """Let Enter give the first answer."""
         self.appeared = monotonic()
         self.query(Button).first().focus()
+
+    def on_resize(self, event: events.Resize) -> None:
+        """Take the height of what there is to look at."""
+        if self._lines is not None:
+            self.take_height(len(self._lines), self._text, event.size)
 
     @on(Button.Pressed)
     def pressed(self, event: Button.Pressed) -> None:
