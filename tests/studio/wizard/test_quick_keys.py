@@ -179,7 +179,12 @@ def test_keys_of_a_terminal_that_come_at_once(terminal: Terminal, tmp_path: Path
     terminal.wait(lambda screen: "no nodes yet" in screen)
     terminal.keys("C-u", "Enter", "h", "o", "r", "n", "Enter", "Down", "Up")
     terminal.wait(lambda screen: "create_node 'horn' as horn" in screen and "step 2" in screen)
+    for title in ("Make a node", "What do you want?"):
+        terminal.keys("Escape")
+        terminal.wait(lambda screen: f" {title}" in screen.splitlines()[0])  # noqa: B023
     terminal.keys("Escape")
+    terminal.wait(lambda screen: "and forget" in screen)
+    terminal.keys("Right", "Enter")
     terminal.wait(lambda screen: "no nodes yet" in screen)
     terminal.keys("C-s")
     terminal.wait(lambda screen: "saved mine.plastron" in screen)
