@@ -19,10 +19,10 @@ from wizard_courses import TWO_NODES
 from wizard_driver import SMALL, WizardDriver
 
 from plastron_tui.studio.wizard.form_page import FormPage
-from plastron_tui.studio.wizard.frame import View
 from plastron_tui.studio.wizard.menu_page import Menu
 from plastron_tui.studio.wizard.rows import Row
 from plastron_tui.studio.wizard.screen import Wizard
+from plastron_tui.studio.wizard.view import View
 
 WAYS = {
     "the first menu": ["down", "down"],
