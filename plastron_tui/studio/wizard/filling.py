@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 
-from plastron_tui.diagnostics import Span
 from plastron_tui.language import Slot, SlotKind
 from plastron_tui.language.declaration import Form as Written
 from plastron_tui.model.kinds import INTERFACES
@@ -16,9 +15,9 @@ from .context import Scene
 from .definition_kinds import field_choices
 from .definition_rows import fields_text, filled_rows, row_path, row_problems, rows_of
 from .form import NEW, Cell, Cells, Form, excluded_by, laid_out
+from .given_up import given_up
 from .goals import maker_of
 from .kinds import KINDS
-from .obstacles import driven
 from .part_rows import FilledPart, filled_parts, part_problems, parts_text, used_paths
 from .program_trial import Finding, Placed, check
 from .values import Entry, Heading, Path, entries_of, first_value, input_text
@@ -80,20 +79,15 @@ class Filled:
             if (rows := self.rows.get(slot.name)) is not None
         }
         paths.update((name, used_paths(each)) for name, each in self.parts.items())
+        texts = {slot.kind: self.cells[slot.name].text for slot in self.form.declaration.slots}
+        gives_way = given_up(self.base, self.form.declaration, texts)
+        if gives_way.line:
+            before.append(Placed(None, gives_way.line, node=node))
         return [
             *before,
             Placed(self.form, self.text, tuple(self.used), node, paths, self._text(SlotKind.ROBOT),
-                   self._replaced),
+                   gives_way.spans),
         ]  # fmt: skip
-
-    @property
-    def _replaced(self) -> tuple[Span, ...]:
-        """What drives a robot whatever arrives, where it is to drive under a condition."""
-        if not self._text(SlotKind.CONDITION):
-            return ()
-        node = self.base.workspace.nodes.get(self._text(SlotKind.NODE))
-        found = driven(node, self._text(SlotKind.TOPIC))
-        return tuple(each.span for each in found if each.span is not None)
 
     @property
     def robot(self) -> str | None:

@@ -74,6 +74,13 @@ class Form:
             for other in excluded_by(self.declaration, slot):
                 self.entered.pop(other, None)
 
+    def put(self, slot: str, path: Path | None, text: str) -> None:
+        """Take what the user wrote in a slot, or in a field of its values."""
+        if path is None:
+            self.enter(slot, text)
+        else:
+            self.values[path] = text
+
     def has_entered(self, slot: str) -> bool:
         """Tell whether something was entered in a slot, in its values or in the form it needs."""
         values_slot = self.slot_of(*VALUES)

@@ -3,8 +3,6 @@
 from __future__ import annotations
 
 import asyncio
-from dataclasses import dataclass
-from typing import ClassVar
 
 from textual import events
 from textual.app import ComposeResult
@@ -16,7 +14,6 @@ from textual.widgets import Button, Label
 from ..key_order import Paged
 from ..screens.dialog import Dialog
 from . import strings
-from .ask import Choice
 from .flow import Course, Heard, Look, Page, PageKind
 from .form import Form
 from .form_page import FormPage
@@ -26,6 +23,7 @@ from .menu_page import Item, MenuPage, ReviewPage
 from .result_view import ResultView
 from .statement_view import StatementView
 from .style_sheets import STYLES
+from .view import View
 
 NARROW = 76
 """With fewer columns the code and the graph have a page of their own."""
@@ -35,16 +33,6 @@ SPACIOUS = 110
 """From so many columns on the page has the width of a text, and the code all the rest."""
 LOW = 22
 """With fewer rows the form does without the sentence above it."""
-
-
-@dataclass(frozen=True, slots=True)
-class View:
-    """What was found out, in a thread."""
-
-    look: Look
-    helps: dict[Key, str]
-    choices: list[Choice]
-    offers: list[Offer]
 
 
 class Frame(Paged, Dialog[str]):

@@ -73,6 +73,13 @@ GROUPS = {
 }
 """The aims that have a menu of their own."""
 
+DRIVE = (
+    "drive until something is near",
+    "subscriber and publisher",
+    "Goes ahead as long as a laser says that nothing is near, and stops else.",
+)
+"""The entry that drives a robot by its laser: its words, the word of ROS, a sentence."""
+
 _ABOUT_TYPES = frozenset({SlotKind.TYPE_NAME, SlotKind.NEW_TYPE, SlotKind.OWN_TYPE})
 _ABOUT_PACKAGES = frozenset({SlotKind.NEW_PACKAGE, SlotKind.PACKAGE})
 _ABOUT_ROBOTS = frozenset({SlotKind.NEW_ROBOT, SlotKind.ROBOT})

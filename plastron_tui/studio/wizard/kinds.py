@@ -293,8 +293,11 @@ class TimerKind(FunctionKind):
         return free_name("tick", ask.scene.ended_by(ask.node, st.StopRepeating))
 
     def choices(self, ask: Ask, query: str) -> list[Choice]:
-        """Return those that are called already, for one that is to end."""
-        return taken_back(ask) if ask.form.declaration.undoes is not None else []
+        """Return those that are called already: to end one, or to call it at another rate."""
+        if ask.form.declaration.undoes is not None:
+            return taken_back(ask)
+        names = ask.scene.ended_by(ask.node, st.StopRepeating)
+        return [Choice(name, "is called already: change how often") for name in names]
 
     def problem(self, ask: Ask, text: str) -> str | None:
         """Tell why a text cannot stand there."""

@@ -10,16 +10,9 @@ from .context import Scene
 from .filling import Filled, Filler
 from .followers import followed
 from .form import Form
-from .goals import GROUPS, Aim, answering, declarations_of, told
+from .goals import DRIVE, GROUPS, Aim, answering, declarations_of, told
 from .menu import RECIPES, Offer
 from .program_trial import Finding, check
-
-DRIVE = (
-    "drive until something is near",
-    "subscriber and publisher",
-    "Goes ahead as long as a laser says that nothing is near, and stops else.",
-)
-"""The entry that drives a robot by its laser: its words, the word of ROS, a sentence."""
 
 _DRIVE_AT = 2
 """Where that stands in its menu: behind to send, and to listen."""

@@ -22,24 +22,18 @@ from ..panels.text_view import TextView
 from ..screens.question import Question
 from ..textual_private import tell_first_sizes
 from . import pasted, strings
-from .ask import Choice
 from .flow import Course, Heard, Look, PageKind
-from .form import Form
 from .form_page import Looked, Put
-from .form_rows import Key
-from .frame import MENUS, Frame, View
-from .menu import Offer, recipe_offers, writes_at_once
+from .frame import MENUS, Frame
+from .menu import writes_at_once
 from .menu_page import Menu, Picked, Wanted
 from .program_trial import Finding
 from .result_view import ResultView
 from .rows import REST_OF_PASTE, Confirmed
-from .values import Path
+from .view import Asked, View, view_of
 
 _PAUSE = 0.02
 """Seconds that keys are waited for before anything is looked up."""
-
-_Asked = tuple[Form, str, "Path | None", str]
-"""The row that choices are wanted for: its form, its slot, its field, and what was written."""
 
 _STATEMENTS: dict[str, type[Statement]] = {"part": st.HasLink, "package": st.CreatePackage}
 """The statements that some answers to what is to be done next lead to."""
@@ -144,52 +138,24 @@ class Wizard(Frame):
             await self._once()
         return self.look
 
-    def _asked(self) -> _Asked | None:
+    def _asked(self) -> Asked | None:
         """Return what choices are wanted for."""
         if (page := self._form_page) is None or (row := page.row_here) is None:
             return None
         return page.form, row.slot.name, row.path, row.query_text
 
-    def _view(self, waiting: Sequence[Callable[[], object]], asked: _Asked | None) -> View:
+    def _view(self, waiting: Sequence[Callable[[], object]], asked: Asked | None) -> View:
         """Find out, in a thread."""
-        course = self.course
         for do in waiting:
             do()
-        look = course.look()
-        page = course.page
-        offers: list[Offer] = []
-        helps: dict[Key, str] = {}
-        choices: list[Choice] = []
-        if self.is_done:
-            pass
-        elif page.kind is PageKind.START:
-            offers = course.start_offers()
-        elif page.kind is PageKind.PURPOSE:
-            offers = course.purpose_offers()
-        elif page.kind is PageKind.RECIPES:
-            offers = recipe_offers()
-        elif page.form is not None:
-            filled = look.of(page.form)
-            if filled is not None:
-                helps = course.helps(filled)
-                if asked is not None and asked[0] is page.form:
-                    choices = course.choices(filled, *asked[1:])
-        return View(look, helps, choices, offers)
+        return view_of(self.course, asked, is_done=self.is_done)
 
     # What comes from the pages.
 
     @on(Put)
     def put(self, message: Put) -> None:
         """Take what was entered."""
-        form, slot, path, text = message.form, message.slot, message.path, message.text
-
-        def do() -> None:
-            if path is None:
-                form.enter(slot.name, text)
-            else:
-                form.values[path] = text
-
-        self.changed(do)
+        self.changed(lambda: message.form.put(message.slot.name, message.path, message.text))
 
     @on(Looked)
     def looked(self) -> None:
@@ -278,10 +244,6 @@ class Wizard(Frame):
     # Going on.
 
     @on(Confirmed)
-    def confirmed(self) -> None:
-        """Go on."""
-        self.action_next()
-
     @on(Button.Pressed, "#wizard-next")
     def action_next(self) -> None:
         """Go to the next page, or say why not."""

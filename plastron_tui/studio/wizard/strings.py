@@ -12,7 +12,7 @@ from plastron_tui.session import Session
 
 from .context import Scene
 from .flow import Look, Page, PageKind
-from .goals import GROUPS, Aim
+from .goals import DRIVE, GROUPS, Aim
 from .menu_page import Item
 from .obstacles import measures_distance
 
@@ -98,6 +98,8 @@ def title(page: Page, is_done: bool, group: Aim | None = None) -> str:
     if page.form is None:
         return "This is what will be written"
     declaration = page.form.declaration
+    if page.form.drives:
+        return DRIVE[0][:1].upper() + DRIVE[0][1:]
     words = declaration.purpose[:1].upper() + declaration.purpose[1:]
     return f"{words} · {declaration.ros_term}" if declaration.ros_term else words
 
@@ -124,18 +126,20 @@ def review(look: Look) -> str:
     words = (
         f"{count} {what} into the program as one step. Finish writes {it} there; Back changes {it}."
     )
-    return words + _replaced(() if outcome is None else outcome.replaced)
+    numbers = () if outcome is None else outcome.replaced
+    is_driving = bool(look.filled) and look.filled[-1].form.declaration.type is st.Publish
+    return words + _replaced(numbers, is_driving=is_driving)
 
 
-def _replaced(numbers: Sequence[int]) -> str:
+def _replaced(numbers: Sequence[int], *, is_driving: bool) -> str:
     """Return what is said of the lines that give way, "" for none."""
     if not numbers:
         return ""
-    those, send = ("lines", "drive") if len(numbers) > 1 else ("line", "drives")
-    return (
-        f" That takes the place of {those} {listed([str(each) for each in numbers])}, which {send} "
-        "whatever arrives: with both, the robot would not stop."
-    )
+    those, drive = ("lines", "drive") if len(numbers) > 1 else ("line", "drives")
+    words = f" That takes the place of {those} {listed([str(each) for each in numbers])}"
+    if not is_driving:
+        return f"{words}."
+    return f"{words}, which {drive} whatever arrives: with both, the robot would not stop."
 
 
 def leaving(look: Look) -> str:
