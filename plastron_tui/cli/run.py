@@ -221,6 +221,11 @@ def _checked(
     return setup
 
 
+_WHY_BUILT = (
+    "types that are not installed with this ROS are built first: it takes a minute or so, once"
+)
+
+
 def _environments(
     session: Session, chosen: Sequence[Generated], found: Found, report: Report
 ) -> dict[str, Environment]:
@@ -236,7 +241,7 @@ def _environments(
             environments[library] = environment
         elif environment is not None:
             nodes = [each.generation.node for each in chosen if each.generation.library == library]
-            with ProgressLine(drawn_on(sys.stderr)) as line:
+            with ProgressLine(drawn_on(sys.stderr), _WHY_BUILT) as line:
                 environments[library], missing = _complete(session, nodes, environment, line)
             diagnostics += missing
         report.add(diagnostics, session.lines, session.path)

@@ -40,6 +40,7 @@ from .type_statements import (
     load_type,
     no_longer_has_field,
 )
+from .unconditional_motion import check_motion
 from .value_check import Fitter
 from .workspace import Node, Workspace
 
@@ -87,6 +88,7 @@ def interpret(
         diagnostics += tuple(late_changes(program, workspace))
         diagnostics += tuple(check_meetings(program, workspace, version_of))
         diagnostics += tuple(check_circles(workspace, version_of))
+        diagnostics += tuple(check_motion(workspace, version_of))
         diagnostics += tuple(late_changes_of_parts(program, workspace))
         diagnostics += tuple(check_launches(workspace, setting.ros_version, setting.libraries))
         diagnostics += tuple(check_robots(program, workspace))

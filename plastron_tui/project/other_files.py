@@ -5,9 +5,10 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable
 from pathlib import Path
-from typing import NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
-from plastron_tui.diagnostics import Code, Diagnostic, codes
+if TYPE_CHECKING:
+    from plastron_tui.diagnostics import Code, Diagnostic
 
 PROGRAM = "a program"
 _MANIFEST = "package.xml"
@@ -29,24 +30,24 @@ class OtherKind(NamedTuple):
     generate: str
 
 
-def other_file(
-    file: Path, wanted: str = PROGRAM, code: Code = codes.UNREADABLE_FILE
-) -> Diagnostic | None:
+def other_file(file: Path, wanted: str = PROGRAM, code: Code | None = None) -> Diagnostic | None:
     """Say that a file is of another kind than a command reads, None where it is not.
 
     Args:
         file: the file, whose name tells.
         wanted: what the command reads; unless that is a program, a node's or a robot's file is
             no mistake.
-        code: what the mistake is called.
+        code: what the mistake is called; None for a file that cannot be read.
     """
     if not file.is_file():
         return None
     found = other_kind(file)
     if found is None or (wanted != PROGRAM and found.load in ("load", "load_robot")):
         return None
+    from plastron_tui.diagnostics import Diagnostic, codes
+
     message = f"`{file.name}` is {found.title}, not {wanted}"
-    return Diagnostic(code, message, file=file, help=found.remedy)
+    return Diagnostic(code or codes.UNREADABLE_FILE, message, file=file, help=found.remedy)
 
 
 def other_kind(file: Path) -> OtherKind | None:

@@ -16,9 +16,15 @@ _EACH = 25
 class ProgressLine:
     """Shows how far a build is; a context, which leaves the cursor in a line of its own."""
 
-    def __init__(self, stream: TextIO) -> None:
-        """Set where it is written."""
+    def __init__(self, stream: TextIO, why: str = "") -> None:
+        """Prepare to show something.
+
+        Args:
+            stream: where it is written.
+            why: why something is built, in a line of its own before the first; "" for none.
+        """
         self._stream = stream
+        self._why = why
         self._is_terminal = stream.isatty()
         self._told: tuple[str, str, int] | None = None
         self._width = 0
@@ -33,6 +39,9 @@ class ProgressLine:
 
     def tell(self, now: Progress) -> None:
         """Show how far a build is."""
+        if self._why:
+            self._write(f"{self._why}\n")
+            self._why = ""
         if self._is_terminal:
             text = _words(now)[: max(shutil.get_terminal_size().columns - 1, 1)]
             self._write(f"\r{text}{' ' * (self._width - width(text))}")

@@ -13,6 +13,7 @@ from enum import Enum
 from pathlib import Path
 
 from . import guard
+from .stop_traceback import StopTracebacks
 
 _CHUNK = 1 << 16
 _LONGEST_LINE = 1 << 16
@@ -82,14 +83,18 @@ class Exit:
         if self.status is None:
             return f"never started: {self.reason}"
         if self.status < 0:
-            try:
-                name = signal.Signals(-self.status).name
-            except ValueError:
-                name = f"signal {-self.status}"
-            return f"was ended by {name}"
+            return f"was ended by {signal_name(-self.status)}"
         if self.status:
             return f"died with exit status {self.status}"
         return "finished"
+
+
+def signal_name(number: int) -> str:
+    """Return what a signal is called."""
+    try:
+        return signal.Signals(number).name
+    except ValueError:
+        return f"signal {number}"
 
 
 class Guard:
@@ -157,6 +162,7 @@ class Child:
         self._guard = guard
         self._partial = bytearray()
         self._tail: deque[str] = deque(maxlen=_TAIL)
+        self._tracebacks = StopTracebacks()
         try:
             self._popen = subprocess.Popen(
                 process.argv,
@@ -216,6 +222,7 @@ class Child:
             yield from self._lines(chunk)
         if self._partial:
             yield from self._lines(b"\n")
+        yield from self._tracebacks.rest()
         self._popen.stdout.close()
         self._guard.forget(self.pid)
         self._popen.wait()
@@ -240,7 +247,7 @@ class Child:
             lines.append(rest)
             rest = b""
         self._partial = bytearray(rest)
-        for line in lines:
-            text = line.decode("utf-8", "replace").rstrip("\r")
+        texts = (line.decode("utf-8", "replace").rstrip("\r") for line in lines)
+        for text in self._tracebacks.without(texts) if self.was_asked else texts:
             self._tail.append(text)
             yield text

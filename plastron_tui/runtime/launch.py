@@ -90,6 +90,12 @@ class NodeFile:
         """The name that it has in the graph, as far as its arguments say it."""
         return f"{self.namespace}/{self.name}"
 
+    @property
+    def graph_names(self) -> tuple[str, ...]:
+        """The full names of all nodes that it has in the graph."""
+        loaded = (f"{self.namespace}/{each.name}" for each in self.loads)
+        return (*(self.starts or (self.full_name,)), *loaded)
+
 
 class Activation(NamedTuple):
     """How the activation of a managed node, or the loading of a component, ended.
@@ -328,20 +334,10 @@ class _Run:
             [(node.environment, node.folders) for node in self._nodes],
             lambda environment: self._node_environ(environment, master),
         )
-        named = [replace(each, nodes=self._names(each.ros_version)) for each in commands]
+        nodes = {node.title: node.graph_names for node in self._nodes}
+        named = [replace(each, nodes=nodes) for each in commands]
         with contextlib.suppress(OSError), os.fdopen(self._options.announce, "w") as pipe:
             pipe.write(announcement(named))
-
-    def _names(self, ros_version: int) -> dict[str, tuple[str, ...]]:
-        """Return the full names of the nodes of a generation, by the labels of their lines."""
-        return {
-            node.title: (
-                *(node.starts or (node.full_name,)),
-                *(f"{node.namespace}/{each.name}" for each in node.loads),
-            )
-            for node in self._nodes
-            if node.environment.ros_version == ros_version
-        }
 
     def _start_observers(self, master: Master | None) -> None:
         for environment in dict.fromkeys(node.environment for node in self._nodes):

@@ -78,6 +78,9 @@ class StudioApp(InOrder, inherit_bindings=False):
     CSS_PATH = "studio.tcss"
     # The studio's own menu knows groups and what was done of late.
     ENABLE_COMMAND_PALETTE = False
+    # The editor selects its text itself. Textual's selecting takes it that whatever the mouse is
+    # pressed on has a parent, also where it was removed a moment ago.
+    ALLOW_SELECT = False
     BINDINGS: ClassVar[list[BindingType]] = []
 
     def __init__(
@@ -99,6 +102,7 @@ class StudioApp(InOrder, inherit_bindings=False):
         super().__init__()
         folder = state_folder()
         config, self._messages = _configured(self.available_themes)
+        self._has_wrong_settings = bool(self._messages)
         self.profile = Profile(config, load_remembered(folder), folder)
         self._begin_with(self._first_theme())
         self._paths = [] if path is None else _different([path, *others])
@@ -143,7 +147,8 @@ class StudioApp(InOrder, inherit_bindings=False):
         if keys:
             self.set_keymap(keys)
         sweep(self.profile.folder)
-        for message in shown_at_once(self._messages):
+        where = f"{self.main.key_of('config')} lists those of the settings"
+        for message in shown_at_once(self._messages, where if self._has_wrong_settings else ""):
             self.notify(message, severity="warning", timeout=10, markup=False)
         if not self.is_headless:
             for number in (signal.SIGTERM, signal.SIGHUP):
@@ -190,6 +195,13 @@ class StudioApp(InOrder, inherit_bindings=False):
     def _themed(self, name: str, first: str) -> None:
         if name != first or self.profile.remembered.theme is not None:
             self.profile.remembered.theme = name
+
+    def action_change_theme(self) -> None:
+        """Choose other colours, and see them meanwhile."""
+        from .screens.themes import choose_theme
+
+        remembered = self.profile.remembered
+        choose_theme(self, remembered.theme, partial(setattr, remembered, "theme"))
 
     async def run_call(self, call: str) -> None:
         """Do an action by its call."""
@@ -365,10 +377,15 @@ def run_served() -> None:
     sys.exit(run(Path(sys.argv[1]) if len(sys.argv) > 1 else None))
 
 
-def shown_at_once(messages: Sequence[str]) -> list[str]:
-    """Return messages so that they leave room on the screen: the first of them in one."""
+def shown_at_once(messages: Sequence[str], where: str = "") -> list[str]:
+    """Return messages so that they leave room on the screen: the first of them in one.
+
+    Args:
+        messages: what there is to say.
+        where: where the rest is to be read.
+    """
     first, more = messages[:_AT_ONCE], len(messages) - _AT_ONCE
-    last = [f"… and {more} more"] if more > 0 else []
+    last = [f"… and {more} more{f': {where}' if where else ''}"] if more > 0 else []
     return ["\n".join([*first, *last])] if first else []
 
 

@@ -9,7 +9,7 @@ from pathlib import Path
 from plastron_tui.diagnostics import Diagnostic, Severity
 from plastron_tui.output.own_files import settled
 from plastron_tui.project.program_file import LARGEST_PROGRAM, read_program
-from plastron_tui.regular_files import Stamp, is_same_file, read_regular, stamp_of
+from plastron_tui.regular_files import Stamp, is_same_file, read_regular, reason, stamp_of
 
 SUFFIX = ".plastron"
 
@@ -139,6 +139,22 @@ def _gone(path: Path) -> Diagnostic:
 def read_again(disk: OnDisk) -> OnDisk:
     """Return what the file holds now."""
     return OnDisk(disk.path, _present(disk.path), stamp_of(disk.path))
+
+
+def lost(path: Path) -> str:
+    """Say why a program's file has no text any more, and what to do."""
+    if not os.path.lexists(path):
+        return f"{path.name} is no longer on the disk; save it to keep it"
+    why = "it is being written"
+    try:
+        read_regular(path, LARGEST_PROGRAM)
+    except FileNotFoundError:
+        why = "it is a link to nothing"
+    except IsADirectoryError:
+        why = "it is a folder now"
+    except (OSError, ValueError) as error:
+        why = reason(error)
+    return f"{path.name} can no longer be read: {why}; save your text under another name"
 
 
 def meant_by(path: Path) -> Path:

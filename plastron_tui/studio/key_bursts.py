@@ -2,7 +2,8 @@
 
 A terminal, tmux or a robot that types sends no more than characters, and each would be a key: 500
 lines are 20,000 keys, with what follows from each. What a person types comes one by one. So what
-is read at once from a terminal is looked at before it is taken apart into keys.
+is read at once from a terminal is looked at before it is taken apart into keys. What comes with
+brackets is taken out before that.
 """
 
 from __future__ import annotations
@@ -12,7 +13,6 @@ from collections.abc import Iterator
 from enum import Enum
 from typing import NamedTuple
 
-_START, _STOP = "\x1b[200~", "\x1b[201~"
 _TEXT = re.compile(r"[^\x00-\x08\x0b\x0c\x0e-\x1f\x7f-\x9f]+")
 _STRING = re.compile(r"\x1b[\]PX^_]")
 _SEQUENCE = re.compile(r"\x1b(?:\[[0-?]*[ -/]*[@-~]|O.|[^\x1b\[O])?", re.DOTALL)
@@ -53,7 +53,6 @@ class Bursts:
     """
 
     def __init__(self) -> None:
-        self._is_bracketed = False
         self._before = ""
         self._time = -1.0
         self._burst_time = -1.0
@@ -64,8 +63,7 @@ class Bursts:
         before, since = self._before, now - self._time
         self._before, self._time = (before + data)[-_LONGEST_SEQUENCE:], now
         recent = before if since < _SOON else ""
-        if self._is_textuals(before, recent, data):
-            self._follow_brackets(before[1 - len(_START) :] + data)
+        if _TORN.search(recent) or _STRING.search(recent + data):
             return [Part(data)]
         if recent.endswith("\r"):
             data = data.removeprefix("\n")
@@ -77,13 +75,6 @@ class Bursts:
             at = sequence.end()
         return _joined([*found, *self._parts_of_text(data[at:], now)])
 
-    def _is_textuals(self, before: str, recent: str, data: str) -> bool:
-        """Tell whether what was read is in brackets or in a sequence that was torn apart."""
-        if self._is_bracketed or _TORN.search(recent) or _STRING.search(recent + data):
-            return True
-        both = before[1 - len(_START) :] + data
-        return _START in both or _STOP in both
-
     def _parts_of_text(self, data: str, now: float) -> Iterator[Part]:
         """Yield what is in a text without sequences."""
         at = 0
@@ -94,11 +85,6 @@ class Bursts:
             at = found.end()
         if at < len(data):
             yield Part(data[at:])
-
-    def _follow_brackets(self, data: str) -> None:
-        start, stop = data.rfind(_START), data.rfind(_STOP)
-        if start != stop:
-            self._is_bracketed = start > stop
 
     def _told_apart(self, text: str, now: float) -> list[Part]:
         is_going_on = now - self._burst_time < _SOON

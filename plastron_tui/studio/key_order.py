@@ -162,7 +162,12 @@ class InOrder(Failing, inherit_bindings=False):
             self._kept.append(event)
 
     def pop_screen(self) -> AwaitComplete:
-        """Go back to the screen below, and let in what was kept for it."""
+        """Go back to the screen below, if there is one, and let in what was kept for it.
+
+        A screen of Textual's own that is pressed on as it closes would close once more.
+        """
+        if len(self.screen_stack) < 2:
+            return AwaitComplete()
         popped = super().pop_screen()
         if self._kept and not isinstance(self.screen, Unread):
             self._waiting.extend(self._kept)

@@ -6,19 +6,23 @@ import os
 import signal
 import subprocess
 import threading
-from collections import deque
 from collections.abc import Callable
 from contextlib import suppress
 from pathlib import Path
 
 from plastron_tui import import_path
 from plastron_tui.runtime.child import Guard
+from plastron_tui.runtime.labels import OWN_NAME
 from plastron_tui.runtime.monitor import MonitorCommand, announced
-from plastron_tui.runtime.process_lines import News, lines_of
+from plastron_tui.runtime.process_lines import Backlog, News, lines_of
 from plastron_tui.session import Options
 
 _MOST_LINES = 5000
 """So many lines are kept of those that nobody has taken yet."""
+MOST_WAITING = 1_000_000
+"""So many bytes wait at most: what takes longer to show than two or three seconds."""
+AT_ONCE = 20_000
+"""So many bytes are taken at once: what is shown between two keys, and nobody notices."""
 _MOST_BYTES = 65536
 """So many bytes of a line are kept; a node may print without ever ending one."""
 # The panel is narrow, and names the node before each line: the time and the name can go.
@@ -52,7 +56,10 @@ class Running:
         self.status: int | None = None
         self.monitors: tuple[MonitorCommand, ...] = ()
         self._news = News(on_news)
-        self._lines: deque[str] = deque(maxlen=_MOST_LINES)
+        self._lines = Backlog(
+            most_lines=_MOST_LINES, most_bytes=MOST_WAITING, at_once=AT_ONCE, is_kept=_is_own
+        )
+        self._is_asked_to_stop = False
         announcing, told = os.pipe()
         try:
             self._process = subprocess.Popen(
@@ -81,17 +88,20 @@ class Running:
         """Whether the nodes ended because they were asked to."""
         return self.status in _STOPPED
 
+    @property
+    def has_more(self) -> bool:
+        """Whether there are lines that `take` has not returned yet."""
+        return len(self._lines) > 0
+
     def take(self) -> list[str]:
-        """Return the lines that were printed since this was called last."""
+        """Return the first of the lines that were printed since this was called last."""
         self._news.taking()
-        lines = []
-        with suppress(IndexError):
-            while True:
-                lines.append(self._lines.popleft())
-        return lines
+        return [line.decode("utf-8", "replace") for line in self._lines.take()]
 
     def stop(self) -> None:
-        """Interrupt the nodes, as Ctrl-C does."""
+        """Interrupt the nodes, as Ctrl-C does; leave out what would be shown long after that."""
+        self._is_asked_to_stop = True
+        self._lines.skip()
         if self.status is None:
             with suppress(ProcessLookupError, PermissionError):
                 self._process.send_signal(signal.SIGINT)
@@ -107,8 +117,10 @@ class Running:
         assert self._process.stdout is not None
         with self._process.stdout as stream:
             for line in lines_of(stream, _MOST_BYTES):
-                self._lines.append(line.decode("utf-8", "replace"))
+                self._lines.add(line)
                 self._news.tell()
+        if self._is_asked_to_stop:
+            self._lines.skip()
         self.status = self._process.wait()
         self._news.tell_anew()
         if self._guard is not None:
@@ -121,6 +133,11 @@ class Running:
             self.monitors = announced(pipe.readline())
         if self.monitors:
             self._news.tell_anew()
+
+
+def _is_own(line: bytes) -> bool:
+    """Tell whether the run itself says something: how a node has ended, say."""
+    return line.startswith(OWN_NAME.encode())
 
 
 def _command(path: Path, options: Options, told: int) -> list[str]:

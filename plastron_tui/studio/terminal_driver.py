@@ -8,10 +8,12 @@ from time import monotonic
 from typing import IO, TYPE_CHECKING, cast
 
 from textual import events
+from textual.constants import ESCAPE_DELAY
 from textual.driver import Driver
 from textual.message import Message
 
-from .key_bursts import Bursts, Kind
+from .bracketed_paste import ESCAPE, PasteBrackets
+from .key_bursts import Bursts, Kind, Part
 from .terminal_output import ShownScreen
 from .textual_private import linux_driver, output_of, parse_input_with, take_any_bytes
 
@@ -87,6 +89,7 @@ def _with_bursts(parser: type[XTermParser]) -> type[XTermParser]:
 
         def __init__(self, debug: bool = False) -> None:
             super().__init__(debug)
+            self._brackets = PasteBrackets(ESCAPE_DELAY)
             self._bursts = Bursts()
 
         def feed(self, data: str) -> Iterable[Message]:
@@ -94,7 +97,27 @@ def _with_bursts(parser: type[XTermParser]) -> type[XTermParser]:
             if not data:
                 yield from super().feed(data)
                 return
-            for part in self._bursts.parts(data, monotonic()):
+            now = monotonic()
+            yield from self._taken(self._brackets.parts(data, now), now)
+
+        def tick(self) -> Iterable[Message]:
+            """Take note that time goes by."""
+            yield from super().tick()
+            now = monotonic()
+            yield from self._taken(self._brackets.waited(now), now)
+
+        def _taken(self, parts: Iterable[Part], now: float) -> Iterable[Message]:
+            for part in parts:
+                if part.kind is Kind.PASTE:
+                    yield events.Paste(part.text)
+                elif part.text == ESCAPE:
+                    # Nothing follows; Textual would wait for it as long again.
+                    yield events.Key("escape", ESCAPE)
+                else:
+                    yield from self._typed(part.text, now)
+
+        def _typed(self, data: str, now: float) -> Iterable[Message]:
+            for part in self._bursts.parts(data, now):
                 match part.kind:
                     case Kind.KEYS:
                         yield from super().feed(part.text)

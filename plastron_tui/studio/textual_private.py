@@ -93,7 +93,7 @@ def _takes_keys(parser: type[XTermParser]) -> bool:
     """Tell whether a parser that is made and fed as it is now returns a key for a letter."""
     try:
         made = parser(False)
-        keys = [getattr(each, "key", None) for each in made.feed("a")]
+        keys = [getattr(each, "key", None) for each in [*made.feed("a"), *made.tick()]]
         list(made.feed(""))
     except Exception:
         return False

@@ -217,10 +217,12 @@ STEPS = [
 
 def test_progress_in_lines() -> None:
     stream = io.StringIO()
-    with ProgressLine(stream) as line:
+    with ProgressLine(stream, "once") as line:
+        assert not stream.getvalue()
         for each in STEPS:
             line.tell(each)
     assert stream.getvalue().splitlines() == [
+        "once",
         "building `demo`: configure",
         "building `demo`: build, 10 %",
         "building `demo`: build, 30 %",

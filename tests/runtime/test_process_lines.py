@@ -9,9 +9,11 @@ import subprocess
 import sys
 
 import pytest
+from hypothesis import given
+from hypothesis import strategies as some
 
 from plastron_tui.runtime.child import Guard
-from plastron_tui.runtime.process_lines import News, lines_of
+from plastron_tui.runtime.process_lines import Backlog, News, lines_of
 
 
 @pytest.mark.parametrize(
@@ -41,6 +43,44 @@ def test_somebody_is_told_once_until_he_takes() -> None:
     news.taking()
     news.tell()
     assert len(told) == 3
+
+
+def backlog() -> Backlog:
+    return Backlog(
+        most_lines=6, most_bytes=60, at_once=50, is_kept=lambda line: line.startswith(b"own")
+    )
+
+
+def test_what_comes_too_fast_is_left_out_but_for_what_the_run_says() -> None:
+    waiting = backlog()
+    for number in range(4):
+        waiting.add(b"own %d" % number)
+        waiting.add(b"a%d" % number)
+    # Each is as long as some bytes more: few are taken at once.
+    assert waiting.take() == ["… 1 line left out".encode(), b"own 0", b"own 1", b"a1", b"own 2"]
+    waiting.add(b"x" * 49)
+    waiting.skip()
+    assert waiting.take() == ["… 2 lines left out".encode(), b"own 3", b"x" * 49]
+    assert waiting.take() == []
+
+
+@given(some.lists(some.sampled_from([b"", b"a", b"a" * 20, b"own", b"own" * 5, None])))
+def test_each_line_is_taken_or_counted(steps: list[bytes | None]) -> None:
+    waiting, taken = backlog(), list[bytes]()
+    for step in steps:
+        if step is None:
+            taken += waiting.take()
+        else:
+            waiting.add(step)
+        assert len(waiting) <= 6
+    while found := waiting.take():
+        taken += found
+    lines = [step for step in steps if step is not None]
+    left_out = sum(int(line.split()[1]) for line in taken if line.startswith("…".encode()))
+    shown = [line for line in taken if not line.startswith("…".encode())]
+    assert len(shown) + left_out == len(lines)
+    own = [line for line in lines if line.startswith(b"own")]
+    assert len(own) > 6 or [line for line in shown if line.startswith(b"own")] == own
 
 
 def test_a_guard_is_ended_more_than_once_and_ends_what_is_noted() -> None:

@@ -85,6 +85,20 @@ async def test_a_broken_configuration_is_said_and_defaults_count(program: Path, 
         assert driver.text == PROGRAM
 
 
+async def test_all_mistakes_in_the_settings_can_be_read(program: Path) -> None:
+    config_file().parent.mkdir(parents=True)
+    config_file().write_text("".join(f"wrong_{number}: 1\n" for number in range(7)))
+    async with studio(program) as driver:
+        assert "no setting `wrong_4`" in driver.notes()
+        assert "… and 2 more: Alt-O lists those of the settings" in driver.notes()
+        await driver.pilot.press("alt+o")
+        dialog = await driver.dialog("Question")
+        assert "line 7: no setting `wrong_6`" in dialog.query_one("TextView").text
+        config_file().write_text("numbers: maybe\n")
+        await driver.pilot.press("enter")
+        await driver.until(lambda: "settings count from the next start" in driver.notes())
+
+
 async def test_the_theme_and_the_layout_are_remembered(program: Path) -> None:
     async with studio(program) as driver:
         driver.app.theme = "gruvbox"

@@ -8,6 +8,7 @@ import pytest
 from machine import mostly_long
 from studio_driver import PROGRAM, SIZES, leave_behind, studio
 
+from plastron_tui.studio.files import lost
 from plastron_tui.studio.journal import kept_texts
 from plastron_tui.studio.main.screen import MainScreen
 from plastron_tui.user_folders import state_folder
@@ -326,3 +327,19 @@ def test_a_journal_of_no_time_is_an_old_one(tmp_path: Path) -> None:
     file.write_bytes(head.replace(b'"when": ' + when, b'"when": NaN') + newline + text)
     (kept,) = kept_texts(file.parent)
     assert kept.when == 0
+
+
+def test_what_has_become_of_a_file_is_said_as_it_is(tmp_path: Path) -> None:
+    folder, pipe, loop, link = (tmp_path / name for name in ("folder", "pipe", "loop", "link"))
+    folder.mkdir()
+    os.mkfifo(pipe)
+    loop.symlink_to(loop)
+    link.symlink_to(tmp_path / "nothing")
+    found = {path.name: lost(path).partition(";")[0] for path in (folder, pipe, loop, link)}
+    assert found == {
+        "folder": "folder can no longer be read: it is a folder now",
+        "pipe": "pipe can no longer be read: it is not a regular file",
+        "loop": "loop can no longer be read: too many levels of symbolic links",
+        "link": "link can no longer be read: it is a link to nothing",
+    }
+    assert lost(tmp_path / "gone") == "gone is no longer on the disk; save it to keep it"

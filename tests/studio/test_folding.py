@@ -43,6 +43,13 @@ def test_a_line_is_split_at_a_space_and_goes_on_further_in() -> None:
         "short",
     ]
     assert folded((code,), 16)[0][1] == Piece("ready", "name")
+    far = (Piece("            self.create_publisher(String, 'chatter', 10)"),)
+    assert [text_of(row) for row in folded((far,), 31)] == [
+        "            self.",
+        "               create_publisher",
+        "               (String, ",
+        "               'chatter', 10)",
+    ]
     assert [text_of(row) for row in folded(((Piece("self.create_service(SetBool)"),),), 24)] == [
         "self.create_service(",
         "    SetBool)",

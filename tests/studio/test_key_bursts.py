@@ -65,10 +65,6 @@ def paste(text: str) -> Part:
         # What a terminal answers is a string, however long.
         ([(0, "\x1bP>|" + "x" * 80)], [key("\x1bP>|" + "x" * 80)]),
         ([(0, "\x1b]11;"), (0.01, "y" * 80)], [key("\x1b]11;"), key("y" * 80)]),
-        # With brackets it is Textual's, wherever it is torn apart.
-        ([(0, "\x1b[200~"), (0.2, LINES)], [key("\x1b[200~"), key(LINES)]),
-        ([(0, "\x1b[20"), (0.05, "0~a"), (3, LINES)], [key("\x1b[20"), key("0~a"), key(LINES)]),
-        ([(0, "\x1b[200~a\x1b[201~"), (3, LINES)], [key("\x1b[200~a\x1b[201~"), burst(LINES)]),
         ([(0, "\x1b["), (0.01, LINES)], [key("\x1b["), key(LINES)]),
     ],
 )

@@ -20,7 +20,8 @@ from plastron_tui.studio import running
 from plastron_tui.studio.main.live_actions import LiveActions
 from plastron_tui.studio.main.watched_run import WatchedRun
 from plastron_tui.studio.panels.key_bar import KeyBar
-from plastron_tui.studio.panels.live_panel import LivePanel, Watching
+from plastron_tui.studio.panels.live_panel import LivePanel
+from plastron_tui.studio.panels.live_watching import Watching
 
 STAND_IN = Path(__file__).with_name("monitor_stand_in.py")
 
@@ -29,6 +30,7 @@ class Nodes:
     """Nodes that are said to run until they are stopped."""
 
     monitors: tuple[MonitorCommand, ...] = ()
+    has_more = False
 
     def __init__(self, path: Path, options: object, news: Any) -> None:
         self.status: int | None = None
@@ -143,6 +145,24 @@ async def test_what_travels_is_shown_and_nodes_are_spoken_to(program: Path, orde
         await driver.pilot.press("1", "enter")
         await driver.back()
         await wait_shown(driver, "→ done: call")
+        # With a filter only what it finds is there, and listened to.
+        await driver.press("slash", *"040", "space", *"FLOAT")
+        await driver.until(lambda: asked(orders, "watch")[-1]["topics"] == ["/topic_040"])
+        bar = driver.main.query_one("#live-filter")
+        assert [row.name for row in live(driver)._live] == ["topics", "/topic_040"]
+        assert "1 of 53" in str(bar.query_one("#live-count", Label).content)
+        await driver.press("enter")
+        assert live(driver).has_focus and live(driver).row.name == "/topic_040"
+        await driver.show("graph")
+        await driver.until(lambda: not bar.display)
+        await driver.press("alt+v")
+        await driver.until(lambda: bar.display)
+        await driver.press("slash", *"none")
+        assert "nothing has these words" in live(driver).entries.empty and not live(driver).lines
+        await driver.press("escape")
+        assert live(driver).has_focus and len(live(driver).lines) > 50 and not bar.display
+        await driver.press("end", "up", "up", "up")
+        assert live(driver).row.name == "/add"
         # Out of sight nothing is listened to; back in sight it is again.
         await driver.press("alt+1")
         await driver.until(lambda: not asked(orders, "watch")[-1]["topics"])

@@ -16,7 +16,6 @@ from plastron_tui.runtime.live_graph import LiveField, LiveGraph, LiveParameter,
 from plastron_tui.runtime.observers import ros1_parameters
 from plastron_tui.session import Session
 from plastron_tui.studio.panels.live_columns import columns_of, line_of
-from plastron_tui.studio.panels.live_panel import Watching, watching_of
 from plastron_tui.studio.panels.live_rows import (
     FOREIGN,
     NOBODY,
@@ -24,8 +23,10 @@ from plastron_tui.studio.panels.live_rows import (
     Answer,
     Kind,
     LiveRow,
+    found_rows,
     live_rows,
 )
+from plastron_tui.studio.panels.live_watching import Watching, watching_of
 from plastron_tui.studio.panels.sparkline import sparkline
 from plastron_tui.studio.wizard.live_orders import form_for
 from plastron_tui.studio.wizard.parameter_kinds import parameter_entry
@@ -156,6 +157,23 @@ def test_what_the_program_does_not_have_comes_behind_and_is_marked(
         assert shown == wanted
     assert {row.value for row in rows if row.kind is Kind.NODE and row.is_foreign} <= {FOREIGN}
     assert [row.name for row in rows if row.kind is Kind.HEADING] == ["topics, domain 7", "nodes"]
+
+
+@pytest.mark.parametrize(
+    ("words", "names", "count"),
+    [((), ["problem", "topics", "/a\\x1b[2J", "/cmd_vel", "/speed", "type", "data", "services",
+           "/add", "nodes", "/talker"], 5),
+     (("float64",), ["problem", "topics", "/speed", "type", "data"], 1),
+     (("add",), ["problem", "services", "/add"], 1),
+     (("nowhere",), ["problem"], 0)],
+)  # fmt: skip
+def test_words_find_what_has_them_in_its_name_or_type(
+    graph: LiveGraph, words: tuple[str, ...], names: list[str], count: int
+) -> None:
+    graph.problem = "problem"
+    rows, found = found_rows(live_rows([graph], {"2 topic /speed"}, {}), words)
+    shown = ["type" if row.kind is Kind.NOTE and row.depth else row.name for row in rows]
+    assert (shown, found) == (names, count)
 
 
 def test_a_long_name_is_cut_before_the_part_that_tells() -> None:

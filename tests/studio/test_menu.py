@@ -5,11 +5,13 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
+from rich.cells import cell_len
 from studio_driver import SIZES, studio
 from textual.widgets import OptionList
 
 from plastron_tui.studio.actions import ACTIONS, BY_ID, grouped
 from plastron_tui.studio.config import load_remembered
+from plastron_tui.studio.panels.key_list import KeyList
 from plastron_tui.studio.screens.menu_search import RECENT, WORDS, found, listed
 
 
@@ -98,3 +100,29 @@ async def test_what_is_said_of_a_row_that_has_gone_is_no_error(program: Path) ->
         options.post_message(OptionList.OptionHighlighted(options, last, len(menu.entries)))
         await driver.pilot.press(*"xyzzy")
         assert driver.app.screen is menu
+
+
+async def test_the_keys_are_at_the_side_of_a_text_that_is_read_whole(program: Path) -> None:
+    async with studio(program, (120, 40)) as driver:
+        main = driver.main
+        await driver.press("alt+k")
+        listed = main.query_one(KeyList)
+        assert listed.has_focus
+        assert listed.text.startswith("Studio\n")
+        assert not {"Super", "Ctrl-Shift-Z"} & set(listed.text.replace("-C", "").split())
+        widest = max(sum(cell_len(piece.text) for piece in row) for row in listed.rows)
+        assert widest <= listed.size.width
+        view = main.editor.view
+        assert view.region.right <= listed.region.x
+        assert view.size.width >= 70
+        await driver.press("end")
+        assert listed.is_vertical_scroll_end
+        # They follow the focus.
+        await driver.show("nodes")
+        assert listed.text.startswith("Here\n")
+        assert "F2" in listed.text.split("Studio")[0]
+        await driver.press("alt+k")
+        assert not main.query(KeyList)
+        await driver.press("alt+k", "escape")
+        assert not main.query(KeyList)
+        assert main.panels["nodes"].has_focus

@@ -99,6 +99,13 @@ def test_what_a_run_says_of_a_node_that_fails_is_understood() -> None:
     assert ended_node("other | talker died with exit status 1") is None
 
 
+def test_so_much_text_is_kept() -> None:
+    log = log_of(*(f"a | {number:04}{'x' * 3000}" for number in range(400)))
+    assert sum(len(record.text) for record in log.records) > 0.99 * output_log.MOST_TEXT
+    assert sum(len(record.text) for record in log.records) <= output_log.MOST_TEXT
+    assert log.records[-1].text.startswith("0399")
+
+
 @given(some.lists(some.lists(some.integers(0, 3), max_size=12)))
 def test_a_change_tells_which_records_are_other_ones(steps: list[list[int]]) -> None:
     log = OutputLog()

@@ -18,6 +18,7 @@ class Nodes:
 
     made: list[Nodes]
     monitors = ()
+    has_more = False
 
     def __init__(self, path: Path, options: object, news: object) -> None:
         self.status: int | None = None
@@ -52,3 +53,35 @@ async def test_running_nodes_are_started_anew(
         await driver.until(lambda: Nodes.made[0].status is not None)
         await driver.until(lambda: runner.is_running == (count == 2))
         assert [each.status for each in Nodes.made] == [130, None][:count]
+
+
+class Talkative(Nodes):
+    """Nodes that have ended with more lines than are shown at once."""
+
+    def __init__(self, path: Path, options: object, news: object) -> None:
+        super().__init__(path, options, news)
+        self.status = 0
+        self.left = ["n | a", "n | b", "n | c"]
+
+    @property
+    def has_more(self) -> bool:  # type: ignore[override]
+        return bool(self.left)
+
+    def take(self) -> list[str]:
+        return [self.left.pop(0)] if self.left else []
+
+
+async def test_all_that_nodes_have_printed_is_shown_before_their_end(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(Nodes, "made", [], raising=False)
+    monkeypatch.setattr(running, "Running", Talkative)
+    path = tmp_path / "a.plastron"
+    path.write_text(PROGRAM)
+    async with studio(path) as driver:
+        await driver.press("f5")
+        await driver.until(lambda: len(Nodes.made) == 1)
+        Nodes.made[0]._news()  # type: ignore[operator]
+        output = driver.main.panels["output"]
+        await driver.until(lambda: "ended" in output.text)
+        assert output.text.splitlines()[1:] == ["n | a", "n | b", "n | c", "ended with status 0"]

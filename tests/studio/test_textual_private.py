@@ -14,15 +14,17 @@ from textual._context import message_hook
 from textual._styles_cache import StylesCache
 from textual._xterm_parser import XTermParser
 from textual.app import App
+from textual.command import CommandPalette
 from textual.driver import Driver
 from textual.drivers import linux_driver as textual_driver
 from textual.drivers.linux_driver import LinuxDriver
-from textual.geometry import Size
+from textual.geometry import Offset, Size
 from textual.message import Message
 from textual.screen import Screen
 from textual.widgets import Static
 from textual.worker import WorkerFailed
 
+from plastron_tui.studio import terminal_driver
 from plastron_tui.studio.app import StudioApp
 from plastron_tui.studio.terminal_driver import Burst, for_terminal
 from plastron_tui.studio.terminal_keys import teach
@@ -69,6 +71,28 @@ def test_a_text_that_comes_at_once_is_one_event() -> None:
     (burst,) = parser().feed("x" * 80)
     assert isinstance(burst, Burst)
     assert (burst.text, len(burst.keys)) == ("x" * 80, 80)
+
+
+def test_nothing_between_the_marks_of_a_paste_is_a_key(monkeypatch: pytest.MonkeyPatch) -> None:
+    now = [0.0]
+    monkeypatch.setattr(terminal_driver, "monotonic", lambda: now[0])
+    assert StudioApp().driver_class is not LinuxDriver
+    parser = vars(textual_driver)["XTermParser"]()
+    text = "one \x1b[31mred \x1b]0;t\x07 two\x11"
+    (event,) = parser.feed(f"\x1b[200~{text}\x1b[201~")
+    assert isinstance(event, events.Paste)
+    assert event.text == text
+    assert [*parser.feed("\x1b"), *parser.tick()] == []
+    now[0] = 0.2
+    (event,) = parser.tick()
+    assert (event.key, event.character) == ("escape", "\x1b")
+    # The end of this one is lost.
+    assert [*parser.feed("\x1b[200~lost\x1b"), *parser.tick()] == []
+    now[0] = 2
+    (event,) = parser.tick()
+    assert event.text == "lost"
+    now[0] = 5
+    assert [getattr(event, "key", "") for event in parser.feed("\x11")] == ["", "ctrl+q"]
 
 
 def test_what_is_no_utf_8_ends_nothing() -> None:
@@ -204,6 +228,27 @@ async def test_without_a_word_of_errors_the_studio_starts(monkeypatch: pytest.Mo
         await pilot.pause()
         assert app.survives(WorkerFailed(RuntimeError("a deliberate error")))
     assert len(shown) == 1
+
+
+async def test_the_mouse_closes_nothing_twice_and_may_be_pressed_on_what_was_removed(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    assert App.ALLOW_SELECT
+    app = StudioApp()
+    async with app.run_test(size=(80, 24)) as pilot:
+        app.push_screen(palette := CommandPalette(providers=[]))
+        await pilot.pause()
+        while len(app.screen_stack) > 1:
+            app.pop_screen()
+        palette.dismiss()
+        await pilot.pause()
+        main = app.screen
+        assert main is app.main
+        removed = Static(), Offset(0, 0)
+        monkeypatch.setattr(main, "get_widget_and_offset_at", lambda x, y: removed)
+        await pilot.mouse_down(offset=(3, 3))
+        await pilot.pause()
+        assert app.screen is main
 
 
 async def test_a_dialog_that_was_left_is_freed() -> None:

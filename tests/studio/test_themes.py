@@ -11,6 +11,7 @@ from rich.style import Style
 from studio_driver import PROGRAM, Driver, studio
 from textual.color import Color
 from textual.widget import Widget
+from textual.widgets import OptionList
 
 from plastron_tui.studio.config import config_file
 
@@ -98,3 +99,25 @@ async def test_the_footer_shows_the_few_keys_that_matter(program: Path) -> None:
         await driver.until(lambda: "Rename" in bar.render_line(0).text)
         await driver.press("down")
         await driver.until(lambda: "End it" in bar.render_line(0).text)
+
+
+async def test_a_theme_is_seen_while_it_is_marked_and_goes_with_escape(program: Path) -> None:
+    async with studio(program, (80, 24)) as driver:
+        app, remembered = driver.app, driver.app.profile.remembered
+        before = app.theme
+        await driver.pilot.press("alt+t")
+        dialog = await driver.dialog("ThemeMenu")
+        listed = dialog.query_one(OptionList)
+        present = str(listed.get_option_at_index(listed.highlighted).prompt)
+        assert present == f"● {before}"
+        await driver.pilot.press("n")
+        await driver.until(lambda: app.theme == "nord")
+        await driver.pilot.press("escape")
+        await driver.back()
+        assert (app.theme, remembered.theme) == (before, None)
+        # Enter takes what is marked, at rest or not.
+        await driver.pilot.press("alt+t")
+        await driver.dialog("ThemeMenu")
+        await driver.pilot.press("n", "enter")
+        await driver.back()
+        assert (app.theme, remembered.theme) == ("nord", "nord")

@@ -20,6 +20,8 @@ def test_the_wizard_is_in_front_and_writes_into_the_file(
     terminal.keys("Enter")
     terminal.wait(lambda screen: "create_node 'talker' as talker" in screen)
     terminal.keys("Escape")
+    terminal.wait(lambda screen: "What do you want?" in screen)
+    terminal.keys("Escape")
     terminal.wait(lambda screen: "no nodes yet" in screen)
     terminal.keys("C-q")
     terminal.wait_end()

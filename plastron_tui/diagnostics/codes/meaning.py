@@ -22,6 +22,17 @@ _LISTENING = (
     "subscribe listener to 'chatter' of message_type String "
 )
 
+_GUARD = (
+    "create_node 'guard' as guard\n"
+    "subscribe guard to 'scan' of message_type sensor_msgs/LaserScan\n"
+    "create_message ahead of message_type Twist and input linear.x=0.2\n"
+    "create_message halt of message_type Twist and input linear.x=0\n"
+)
+_HALTING = (
+    "guard publish halt to 'cmd_vel' of message_type Twist for_each 'scan' "
+    "when any received.ranges < 0.5\n"
+)
+
 ALREADY_SUBSCRIBED = Code(
     "already-subscribed",
     "A node subscribes to a topic twice. Each subscription has a callback of its own, and one "
@@ -281,6 +292,19 @@ MISSPELT_NAME = Code(
     "subscribe listener to 'chater' of message_type String\n",
     good=f"{TALKING}create_node 'listener' as listener\n"
     "subscribe listener to 'chatter' of message_type String\n",
+)
+
+UNCONDITIONAL_MOTION = Code(
+    "unconditional-motion",
+    "A warning: a robot is told to move at a rate, and on the same topic to move or to stop as a "
+    "sensor says. No topic gives one message precedence over another: the robot does what it was "
+    "told last, and drives on. Send each such message under a condition, as the recipe *Emergency "
+    "stop* does. A message that stops the robot may be sent at a rate. What a loaded file sends is "
+    "not known.",
+    severity=Severity.WARNING,
+    bad=f"{_GUARD}guard publish ahead to 'cmd_vel' of message_type Twist at 10 hz\n{_HALTING}",
+    good=f"{_GUARD}guard publish ahead to 'cmd_vel' of message_type Twist for_each 'scan' "
+    f"when all received.ranges > 0.5\n{_HALTING}",
 )
 
 SERVICE_PROVIDED_TWICE = Code(

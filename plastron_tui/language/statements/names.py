@@ -10,7 +10,7 @@ from ..declaration import SlotKind, Statement, slot, statement
     "{node} renames {what} {old} to {new}",
     summary="Give something of a node another name.",
     example="driver renames topic 'scan' to 'front/scan'",
-    purpose="give something another name",
+    purpose="use another topic, or rename something",
     ros_term="name",
     about="Nodes meet by names; everything else about what is renamed stays as it is.",
 )

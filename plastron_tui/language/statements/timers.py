@@ -14,8 +14,8 @@ from .shared import CALLBACK_HELP
     example="blinker repeats blink at 2 hz",
     purpose="do something, again and again",
     ros_term="timer",
-    about="A function of the node is called so many times a second. One that a loaded file calls "
-    "already is then called at this rate.",
+    about="A function of the node is called so many times a second: a new one, or one that a "
+    "loaded file calls at another rate.",
 )
 class Repeats(Statement):
     """Let a node call a function of its own, again and again."""

@@ -70,6 +70,10 @@ def run_editor(
         done = subprocess.run(command_at(command, file, line), check=False)
     except OSError as error:
         return f"`{command[0]}` cannot be started: {reason(error)}"
+    if done.returncode < 0:
+        from plastron_tui.runtime.child import signal_name
+
+        return f"`{command[0]}` was ended by {signal_name(-done.returncode)}{and_so}"
     if done.returncode:
         return f"`{command[0]}` ended with status {done.returncode}{and_so}"
     return None

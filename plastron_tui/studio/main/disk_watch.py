@@ -9,7 +9,7 @@ from textual.screen import Screen
 
 from plastron_tui.regular_files import stamp_of
 
-from ..files import OnDisk, read_again
+from ..files import OnDisk, lost, read_again
 from ..open_program import Open
 from .active_program import ActiveProgram
 from .file_actions import FileActions
@@ -65,8 +65,7 @@ class DiskWatch:
         elif now.text is None:
             if open_.told is None or open_.told.text is not None:
                 open_.told = now
-                message = f"{disk.path.name} is no longer on the disk; save it to keep it"
-                self._screen.notify(message, severity="warning", markup=False)
+                self._screen.notify(lost(disk.path), severity="warning", markup=False)
         elif open_.told is None or open_.told.stamp != now.stamp:
             open_.told = now
             if open_.is_changed:

@@ -26,6 +26,8 @@ LOW = 14
 """With fewer rows the text has the window, as long as no panel has the focus."""
 
 _OUTLINE_COLUMNS = 34
+SIDE_COLUMNS = 40
+"""The columns of what is put at the side of all docks."""
 _LEAST = 3
 _EDITOR_COLUMNS, _EDITOR_ROWS = 30, 4
 
@@ -74,6 +76,10 @@ class DockLayout(Horizontal):
         self._hides_panels = False
         self._is_zoomed = False
         self._fitted = Size()
+        self._left: Widget | None = None
+        """What had the focus before that."""
+        self.side: Widget | None = None
+        """What is at the right of all docks, if anything is."""
 
     def compose(self) -> ComposeResult:
         """Make the docks, and of their panels those that are in sight at first."""
@@ -115,7 +121,7 @@ class DockLayout(Horizontal):
     @property
     def shape(self) -> str:
         """How the window is divided: `wide`, `medium` or `narrow`."""
-        width = self.app.size.width
+        width = self._window.width
         return "wide" if width >= WIDE else "medium" if width >= MEDIUM else "narrow"
 
     @property
@@ -149,6 +155,25 @@ class DockLayout(Horizontal):
             self._fitted = self.app.size
             self.lay_out()
 
+    @property
+    def _window(self) -> Size:
+        """The window, without what is at its side."""
+        width, height = self.app.size
+        return Size(width if self.side is None else max(1, width - SIDE_COLUMNS), height)
+
+    def put_at_side(self, side: Widget | None) -> None:
+        """Put something at the right, beside all docks; it has the focus until it goes."""
+        if self.side is not None:
+            if self.side.has_focus and self._left is not None:
+                self._left.focus()
+            self.side.remove()
+        self.side, self._left = side, self.screen.focused
+        if side is not None:
+            side.styles.width = SIDE_COLUMNS
+            self.mount(side)
+            side.focus()
+        self.lay_out()
+
     def lay_out(self) -> None:
         """Lay the docks out."""
         self._arrange()
@@ -175,7 +200,7 @@ class DockLayout(Horizontal):
         self._show_tabs()
 
     def _place(self, dock: Dock, place: str) -> None:
-        width, height = self.app.size
+        width, height = self._window
         dock.styles.dock = "none"
         # What is not mounted yet is styled when it is.
         dock.set_class(place in ("below", "all"), "-below", update=dock.is_attached)
@@ -328,7 +353,7 @@ class DockLayout(Horizontal):
         if message.edge.id == "outline-edge":
             self.sizes["outline"] = max(_LEAST * 4, message.column)
         else:
-            self.sizes["result"] = max(_LEAST * 4, self.app.size.width - message.column - 1)
+            self.sizes["result"] = max(_LEAST * 4, self._window.width - message.column - 1)
         self.lay_out()
 
     @on(TabStrip.Dragged)

@@ -6,9 +6,11 @@ from collections.abc import Callable, Collection
 
 from textual.screen import Screen
 
-from ..actions import ACTIONS, Action
+from ..actions import ACTIONS, Action, grouped
 from ..config import Remembered
 from ..panels.dock import Dock
+from ..panels.styles import Lines
+from .dock_layout import DockLayout
 
 
 def show_help(screen: Screen[None], panels: Collection[str], key_of: Callable[[str], str]) -> None:
@@ -38,12 +40,19 @@ def _panel_keys(screen: Screen[None]) -> list[tuple[str, str]]:
     return [(" ".join(keys), what) for what, keys in rows.items()]
 
 
-def toggle_keys(screen: Screen[None]) -> None:
+def toggle_keys(screen: Screen[None], layout: DockLayout, key_of: Callable[[str], str]) -> None:
     """Show the keys of what has the focus at the side, or take them away."""
-    if screen.query("HelpPanel"):
-        screen.app.action_hide_help_panel()
-    else:
-        screen.app.action_show_help_panel()
+    if layout.side is not None:
+        layout.put_at_side(None)
+        return
+    from ..panels.key_list import KeyList, key_lines
+
+    def lines() -> Lines:
+        groups = [(group, [(key_of(each.id), each.title) for each in actions])
+                  for group, actions in grouped()]  # fmt: skip
+        return key_lines([("Here", _panel_keys(screen)), *groups])
+
+    layout.put_at_side(KeyList(lines, key_of("keys")))
 
 
 async def choose_action(

@@ -14,8 +14,9 @@ from plastron_tui.regular_files import reason
 from plastron_tui.runtime.live_graph import LiveGraph, NodeEnd
 
 from ..delay import Delay
-from ..panels.live_panel import LOOKING, NOTHING_RUNS, STARTING, LivePanel, Watching
+from ..panels.live_panel import LOOKING, NOTHING_RUNS, STARTING, LivePanel
 from ..panels.live_rows import Answer, Kind, LiveRow
+from ..panels.live_watching import Watching
 from .active_program import Tab
 from .workers import start_exclusive
 

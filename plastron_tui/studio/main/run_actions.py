@@ -181,6 +181,8 @@ class RunActions:
         for tab, run in list(self._runs.items()):
             if run.running is not None:
                 self._show_run(tab, run, run.running)
+        if any(run.running is not None and run.running.has_more for run in self._runs.values()):
+            self.show_soon()
         self.watched.follow(self._runs, self._program.tab)
 
     def _show_run(self, tab: Tab, run: TabRun, running: Running) -> None:
@@ -191,7 +193,7 @@ class RunActions:
         self._tell_ended(tab, run, printed)
         if not running.monitors:
             self.watched.preparing(printed)
-        if status is not None:
+        if status is not None and not running.has_more:
             run.running = None
             words = "stopped" if running.was_stopped else f"ended with status {status}"
             tone = "quiet" if running.was_stopped else "success" if status == 0 else "error"

@@ -379,7 +379,7 @@ class MainScreen(FirstScreen, Paged):
 
     def action_keys(self) -> None:
         """Show the keys of what has the focus, at the side."""
-        toggle_keys(self)
+        toggle_keys(self, self.dock_layout, self.key_of)
 
     @work(exclusive=True, group="tour")
     async def action_tour(self) -> None:
@@ -394,4 +394,4 @@ class MainScreen(FirstScreen, Paged):
         """Open the configuration file in $EDITOR, and take what it says at the next start."""
         from .edit_config import edit_config
 
-        edit_config(self)
+        await edit_config(self)

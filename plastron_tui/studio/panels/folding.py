@@ -14,6 +14,12 @@ _MARKS = frozenset("([{,.=/")
 _MORE = 4
 """Columns by which the rest of a line stands further in than its start."""
 
+_EMPTY = 4
+"""A row of which less than this part is used would be nearly empty."""
+
+_ROOMY = 16
+"""With fewer columns the rest of a line that is far in begins at the left."""
+
 Cell = tuple[str, str]
 """A character and its tone."""
 
@@ -21,7 +27,8 @@ Cell = tuple[str, str]
 def folded(lines: Lines, width: int) -> Lines:
     """Return lines, of those that are too long the rest below them, further in.
 
-    A line is split behind a space, or else a mark, where it has one in its second half.
+    A line is split behind a space, or else a mark, where that does not leave a row nearly empty.
+    The rest of a line that begins far to the right begins at the middle, at most.
 
     Args:
         lines: coloured lines.
@@ -37,7 +44,8 @@ def _rows(line: Line, width: int) -> Iterator[Line]:
     cells = [(character, piece.tone) for piece in line for character in piece.text]
     text = "".join(character for character, _ in cells)
     indent = len(text) - len(text.lstrip(" ")) + _MORE
-    before = " " * (indent if indent <= width // 2 else 0)
+    at_most = width // 2
+    before = " " * (min(indent, at_most) if width >= _ROOMY or indent <= at_most else 0)
     end = _end(cells, width)
     yield _joined(cells[:end]) if end < len(cells) else line
     while end < len(cells):
@@ -48,13 +56,14 @@ def _rows(line: Line, width: int) -> Iterator[Line]:
 
 def _end(cells: list[Cell], width: int) -> int:
     """Return how many characters fit into a row, one at least."""
-    used, after_space, after_mark = 0, 0, 0
+    used, after_space, after_mark, begins = 0, 0, 0, False
     for number, (character, _) in enumerate(cells):
         used += get_character_cell_size(character)
         if used > width and number:
-            good = (end for end in (after_space, after_mark) if end * 2 > number)
+            good = (end for end in (after_space, after_mark) if end * _EMPTY > number)
             return next(good, number)
-        if character == " ":
+        begins = begins or character != " "
+        if character == " " and begins:
             after_space = number + 1
         elif character in _MARKS:
             after_mark = number + 1

@@ -72,11 +72,14 @@ def line_of(row: LiveRow, columns: Columns, width: int) -> Line:
     pieces = [Piece(before, "dim"), Piece(f"{sign} " if sign else "", "dim" if is_dim else tone)]
     strength = "strong" if row.depth == 0 else ""
     pieces += [Piece(name + " ", "quiet" if row.is_foreign else strength)]
-    # Values stand below each other, whether there is a rate before them or not.
+    # Values stand below each other, where those without a rate before them have room for that.
     is_quiet = is_dim or row.rate in ("silent", "")
-    pieces.append(Piece(row.rate.rjust(columns.rate) + " ", "quiet" if is_quiet else "primary"))
-    if columns.type:
-        type_ = visible(row.type.rpartition("/")[2]) if row.kind is Kind.TOPIC else ""
+    is_topic = row.kind is Kind.TOPIC
+    has_room = row.samples or cell_len(row.value) <= columns.value
+    if is_topic or has_room:
+        pieces.append(Piece(row.rate.rjust(columns.rate) + " ", "quiet" if is_quiet else "primary"))
+    if columns.type and (is_topic or has_room):
+        type_ = visible(row.type.rpartition("/")[2]) if is_topic else ""
         pieces.append(Piece(fitted(type_, columns.type) + " ", "quiet"))
     if not row.samples or not columns.curve:
         used = sum(cell_len(piece.text) for piece in pieces)

@@ -2,75 +2,49 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping, Sequence, Set
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from itertools import takewhile
-from typing import ClassVar, NamedTuple
+from typing import ClassVar
 
 from rich.segment import Segment
 from rich.style import Style
 from textual import events
 from textual.binding import Binding, BindingType
 from textual.geometry import Region
+from textual.widget import Widget
 
 from plastron_tui.runtime.live_graph import LiveGraph
 
 from ..delay import Delay
 from .entry import Entries, Entry
 from .entry_list import EntryList
+from .filter_bar import FilterBar
 from .live_columns import Columns, columns_of, line_of
-from .live_rows import Answer, Kind, LiveRow, live_rows
+from .live_row_places import branch_at, stop_near, target_at
+from .live_rows import UNCOUNTED, Answer, Kind, LiveRow, found_rows, live_rows
+from .live_watching import Watching, watching_of
 
 NOTHING_RUNS = "nothing runs\nF5 starts the nodes; here is then what they send"
 STARTING = "the nodes start…\nwhat they send is shown here"
 LOOKING = "looking for topics…\nwhat the nodes send is shown here"
+NOTHING_FOUND = "nothing has these words in its name or type\n/ and Esc show all again"
 _ROWS_AT_ONCE = 16
 _BETWEEN = 0.03
 """Seconds between the rows that are drawn at once and the next ones."""
 _KINDS = {"publish": Kind.TOPIC, "call": Kind.SERVICE, "set": Kind.PARAMETER}
 
 
-class Watching(NamedTuple):
-    """What is looked at, of one generation of ROS.
-
-    Attributes:
-        topics: the topics in sight.
-        full: those of them whose fields are in sight, and the one that the cursor is on: what is
-            sent to that begins with them.
-        nodes: the nodes that are unfolded: their parameters may be in sight any moment.
-    """
-
-    topics: tuple[str, ...] = ()
-    full: tuple[str, ...] = ()
-    nodes: tuple[str, ...] = ()
-
-
-def watching_of(
-    rows: Sequence[LiveRow],
-    in_sight: range,
-    version: int,
-    unfolded: Set[str],
-    cursor: LiveRow | None = None,
-) -> Watching:
-    """Return what is looked at of one generation of ROS.
-
-    Args:
-        rows: the panel's rows, of all generations.
-        in_sight: the places of those that can be seen.
-        version: the generation.
-        unfolded: the keys of the rows that are unfolded.
-        cursor: the row that the cursor is on.
-    """
-    full_keys = unfolded if cursor is None else {*unfolded, cursor.key}
-    own = [row for row in rows if row.ros_version == version]
-    seen = [row for row in rows[in_sight.start : in_sight.stop] if row.ros_version == version]
-    topics = dict.fromkeys(row.owner for row in seen if row.kind in (Kind.TOPIC, Kind.FIELD))
-    full = [name for name in topics if f"{version} topic {name}" in full_keys]
-    nodes = [row.owner for row in own if row.kind is Kind.NODE and row.is_open]
-    return Watching(tuple(topics), tuple(full), tuple(nodes))
-
-
 def _asking(what: str, keys: str, title: str, tooltip: str) -> Binding:
     return Binding(keys, f"ask('{what}')", title, id=f"live.{what}", tooltip=tooltip)
+
+
+_FILTER = Binding(
+    "slash",
+    "filter",
+    "Filter",
+    id="live.filter",
+    tooltip="Show only what has certain words in its name or type",
+)
 
 
 class LivePanel(EntryList):
@@ -90,6 +64,7 @@ class LivePanel(EntryList):
         _asking("call", "c", "Call", "Call the service"),
         _asking("set", "s", "Set", "Give the parameter another value"),
         _asking("restart", "r", "Watch again", "Start the monitor of the nodes again"),
+        _FILTER,
     ]
 
     def __init__(self, *, id: str | None = None) -> None:  # noqa: A002 - Textual's word
@@ -101,6 +76,8 @@ class LivePanel(EntryList):
         self._empty = NOTHING_RUNS
         self._live: list[LiveRow] = []
         self._unfolded: set[str] = set()
+        self._words: tuple[str, ...] = ()
+        self._bar: FilterBar | None = None
         self._has_moved = False
         """Whether somebody chose the row that the cursor is on."""
         self._columns = Columns(0, 0, 0, 0, 0)
@@ -155,12 +132,17 @@ class LivePanel(EntryList):
 
     def _show_rows(self) -> None:
         rows = live_rows(self._graphs, self._unfolded, self._answers)
+        empty = NOTHING_FOUND if rows and self._words else self._empty
+        if self._bar is not None:
+            there = sum(row.depth == 0 and row.kind not in UNCOUNTED for row in rows)
+            rows, found = found_rows(rows, self._words)
+            self._bar.say(found, there)
         before, self._live = self._live, rows
         old_columns = self._columns
         self._columns = columns_of(rows, self.scrollable_content_region.width)
         same = [row.key for row in before] == [row.key for row in rows]
-        if not same or self._empty != self.entries.empty:
-            self.show(Entries(map(_entry, rows), self._empty))
+        if not same or empty != self.entries.empty:
+            self.show(Entries(map(_entry, rows), empty))
             self._has_moved &= bool(rows)
             if not self._has_moved:
                 # What comes later may stand above what was there.
@@ -194,6 +176,19 @@ class LivePanel(EntryList):
         self.refresh(Region(0, first - top, self.size.width, len(drawn)))
         self._drawing.start(_BETWEEN)
 
+    async def action_filter(self) -> None:
+        """Ask for the words that names or types have to have."""
+        if self._bar is None:
+            self._bar = FilterBar("live", "a name, or a type", self._find, self.focus)
+            assert isinstance(self.parent, Widget)
+            await self.parent.mount(self._bar)
+        self._bar.ask()
+        self._show_rows()
+
+    def _find(self, words: tuple[str, ...]) -> None:
+        self._words = words
+        self._show_rows()
+
     def on_show(self) -> None:
         """Show what came meanwhile."""
         self._look()
@@ -207,6 +202,8 @@ class LivePanel(EntryList):
         self._look()
 
     def _look(self) -> None:
+        if self._bar is not None:
+            self._bar.display = self.display and bool(self._words)
         if self.is_in_sight:
             self._show_rows()
         self.on_watched()
@@ -225,11 +222,7 @@ class LivePanel(EntryList):
 
     def validate_index(self, index: int) -> int:
         """Go on to the next row where one is a heading, in the direction that was taken."""
-        live = self._live
-        forward = range(index, len(live))
-        back = range(min(index, len(live) - 1), -1, -1)
-        ways = (*forward, *back) if index >= self.index else (*back, *forward)
-        return next((at for at in ways if live[at].kind is not Kind.HEADING), index)
+        return stop_near(self._live, index, self.index)
 
     def action_move(self, by: int) -> None:
         """Move the cursor; what stands above the first row that it goes to is seen too."""
@@ -257,31 +250,18 @@ class LivePanel(EntryList):
         if action == "choose":
             row = self.row
             is_sent_to = row is not None and row.kind in (Kind.SERVICE, Kind.ANSWER, Kind.PARAMETER)
-            return is_sent_to or self._branch() is not None
+            return is_sent_to or branch_at(self._live, self.index) is not None
         if action != "ask":
             return True
         if parameters[0] == "restart":
             return any(graph.problem for graph in self._graphs)
-        return self._target(str(parameters[0])) is not None
-
-    def _target(self, what: str) -> LiveRow | None:
-        """Return the row that something can be done about: the cursor's, or that it is below."""
-        row, kind = self.row, _KINDS[what]
-        if row is None or row.kind is kind:
-            return row
-        if row.kind is Kind.ANSWER:
-            above = self._live[self.index - 1]
-        else:
-            at = self._branch()
-            if at is None:
-                return None
-            above = self._live[at]
-        return above if above.kind is kind else None
+        return target_at(self._live, self.index, _KINDS[str(parameters[0])]) is not None
 
     def action_ask(self, what: str) -> None:
         """Ask for something to be done."""
         self._has_moved = True
-        self.on_asked(what, None if what == "restart" else self._target(what))
+        kind = _KINDS.get(what)
+        self.on_asked(what, None if kind is None else target_at(self._live, self.index, kind))
 
     def action_choose(self) -> None:
         """Unfold the row, or fold it; call a service; set a parameter."""
@@ -298,7 +278,7 @@ class LivePanel(EntryList):
 
     def action_fold(self) -> None:
         """Fold or unfold the row, or the one that it belongs to."""
-        at = self._branch()
+        at = branch_at(self._live, self.index)
         if at is not None:
             self._toggle(at)
 
@@ -310,16 +290,9 @@ class LivePanel(EntryList):
 
     def action_fold_back(self) -> None:
         """Fold the row, or the one that it belongs to."""
-        at = self._branch()
+        at = branch_at(self._live, self.index)
         if at is not None and self._live[at].is_open:
             self._toggle(at)
-
-    def _branch(self) -> int | None:
-        """Return the row under the cursor, or the one that it belongs to, if it can be folded."""
-        at = self.index
-        while 0 < at < len(self._live) and self._live[at].depth:
-            at -= 1
-        return at if 0 <= at < len(self._live) and self._live[at].is_branch else None
 
     def _toggle(self, at: int) -> None:
         self._has_moved = True

@@ -34,6 +34,10 @@ class Kind(Enum):
     NOTE = "note"
 
 
+UNCOUNTED = (Kind.HEADING, Kind.NOTE)
+"""What is there besides topics, services and nodes."""
+
+
 class Answer(NamedTuple):
     """What a service answered."""
 
@@ -112,6 +116,31 @@ def live_rows(
                 domain = ""
                 rows += below
     return rows
+
+
+def found_rows(rows: Sequence[LiveRow], words: Sequence[str]) -> tuple[list[LiveRow], int]:
+    """Return the rows of what has all words in its name or type, and how much that is.
+
+    What is said of the whole panel stays, and headings with something below them.
+    """
+    found: list[LiveRow] = []
+    count = 0
+    heading: LiveRow | None = None
+    is_found = True
+    for row in rows:
+        if row.kind is Kind.HEADING:
+            heading = row
+            continue
+        if row.depth == 0 and row.kind is not Kind.NOTE:
+            text = f"{row.owner} {row.type}".lower()
+            is_found = all(word in text for word in words)
+            count += is_found
+        if is_found or (row.kind is Kind.NOTE and row.depth == 0):
+            if heading is not None and row.kind is not Kind.NOTE:
+                found.append(heading)
+                heading = None
+            found.append(row)
+    return found, count
 
 
 def _topics(graph: LiveGraph, unfolded: AbstractSet[str]) -> Iterator[LiveRow]:

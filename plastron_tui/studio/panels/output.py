@@ -2,57 +2,21 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Iterable
+from itertools import compress
 from typing import TYPE_CHECKING, ClassVar
 
-from textual import on
 from textual.app import ComposeResult
 from textual.binding import Binding, BindingType
-from textual.containers import Horizontal, Vertical
-from textual.widgets import Input, Label
+from textual.containers import Vertical
 
+from .filter_bar import FilterBar
 from .log_view import LogView
 from .output_log import Change, OutputLog, Record, printed_record
 from .styles import Lines
 
 if TYPE_CHECKING:
     from typing_extensions import Self
-
-
-class FilterBar(Horizontal):
-    """The line below the output in which words are typed that lines have to have."""
-
-    BINDINGS: ClassVar[list[BindingType]] = [
-        Binding("escape", "close", "Show all", id="output.show_all"),
-        Binding("enter,down,up", "keep", "Back to the lines", id="output.keep_filter"),
-    ]
-
-    def __init__(self, leave: Callable[[], object]) -> None:
-        """Make the line; `leave` gives the focus back to the lines."""
-        super().__init__(id="output-filter")
-        self._leave = leave
-        self.field = Input(id="output-words", compact=True, placeholder="a node, or words")
-        self._count = Label("", id="output-count")
-
-    def compose(self) -> ComposeResult:
-        """Make the field, and what it found."""
-        yield Label("filter")
-        yield self.field
-        yield self._count
-
-    def say(self, shown: int, there: int) -> None:
-        """Say how many lines are shown of how many."""
-        self._count.update(f"{shown:,} of {there:,}")
-
-    def action_close(self) -> None:
-        """Show all lines again."""
-        self.field.value = ""
-        self.display = False
-        self.action_keep()
-
-    def action_keep(self) -> None:
-        """Go back to the lines."""
-        self._leave()
 
 
 class OutputPanel(Vertical):
@@ -71,6 +35,7 @@ class OutputPanel(Vertical):
         self._bar: FilterBar | None = None
         self.printed = OutputLog()
         self._words: tuple[str, ...] = ()
+        self._is_shown: list[bool] = []
         self._has_times = False
 
     def compose(self) -> ComposeResult:
@@ -109,22 +74,27 @@ class OutputPanel(Vertical):
         records = [*map(printed_record, printed)]
         if end is not None:
             records.append(end)
-        change = self.printed.add(records)
-        if self._words:
-            self._show_all()
-        else:
-            self._show_changed(change)
+        self._show_changed(self.printed.add(records))
 
     def _show_changed(self, change: Change) -> None:
-        new = self.printed.records[change.start - change.dropped :]
-        self.view.splice(change.dropped, change.start, self._lines(new))
+        """Show the records that are other ones; keep the lines of those that are not."""
+        dropped, start = change
+        new = self.printed.records[start - dropped :]
+        before, found = self._is_shown, [record.matches(self._words) for record in new]
+        lines = self._lines(compress(new, found))
+        self.view.splice(sum(before[:dropped]), sum(before[:start]), lines)
+        self._is_shown = [*before[dropped:start], *found]
+        self._say_count()
 
     def _show_all(self) -> None:
         records = self.printed.records
-        found = [record for record in records if record.matches(self._words)]
-        self.view.show(self._lines(found), follow=True)
+        self._is_shown = [record.matches(self._words) for record in records]
+        self.view.show(self._lines(compress(records, self._is_shown)), follow=True)
+        self._say_count()
+
+    def _say_count(self) -> None:
         if self._bar is not None:
-            self._bar.say(len(found), len(records))
+            self._bar.say(sum(self._is_shown), len(self._is_shown))
 
     def _lines(self, records: Iterable[Record]) -> Lines:
         return tuple(self.printed.line(each, with_time=self._has_times) for each in records)
@@ -143,22 +113,12 @@ class OutputPanel(Vertical):
     async def action_filter(self) -> None:
         """Ask for the words that lines have to have."""
         if self._bar is None:
-            self._bar = FilterBar(self.focus)
+            self._bar = FilterBar("output", "a node, or words", self.show_found, self.focus)
             await self.mount(self._bar)
-        self._bar.display = True
-        self.screen.set_focus(self._bar.field)
-        self._bar.field.select_all()
+        self._bar.ask()
         self._show_all()
 
-    @on(Input.Changed, "#output-words")
-    def words_changed(self, message: Input.Changed) -> None:
+    def show_found(self, words: tuple[str, ...]) -> None:
         """Show the lines with these words."""
-        message.stop()
-        self._words = tuple(message.value.lower().split())
+        self._words = words
         self._show_all()
-
-    @on(Input.Submitted, "#output-words")
-    def words_taken(self, message: Input.Submitted) -> None:
-        """Go back to the lines that were found."""
-        message.stop()
-        self.focus()

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 import time
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field, replace
 from typing import NamedTuple
 
@@ -14,6 +14,8 @@ from plastron_tui.runtime.labels import OWN_NAME, SIGN, split_label
 from .styles import Line, Piece
 
 MOST_RECORDS = 5000
+MOST_TEXT = 1_000_000
+"""So many characters are kept of all records: what is broken anew at once for another width."""
 _NEAR = 8
 """So many records above the last one a repeated line is still counted, and not shown again."""
 _MOST_CHARACTERS = 4000
@@ -50,8 +52,10 @@ class Record:
         """The name of the node."""
         return self.label.removesuffix(SIGN).rstrip()
 
-    def matches(self, words: Iterable[str]) -> bool:
+    def matches(self, words: Sequence[str]) -> bool:
         """Tell whether all words are in it, whatever their case; they are lower case."""
+        if not words:
+            return True
         whole = f"{self.label}{self.text}".lower()
         return all(word in whole for word in words)
 
@@ -78,10 +82,12 @@ class OutputLog:
     def __init__(self) -> None:
         self.records: list[Record] = []
         self._tones: dict[str, str] = {}
+        self._length = 0
 
     def clear(self) -> None:
         """Forget all records; nodes keep their colours."""
         self.records.clear()
+        self._length = 0
 
     def add(self, printed: Iterable[Record]) -> Change:
         """Take records; count those that were there just before."""
@@ -91,11 +97,16 @@ class OutputLog:
             at = _repeated(records, record)
             if at is None:
                 records.append(record)
+                self._length += len(record.text)
             else:
                 times = records[at].times + record.times
                 records[at] = replace(records[at], times=times, at=record.at)
                 start = min(start, at)
         excess = max(0, len(records) - MOST_RECORDS)
+        self._length -= sum(len(record.text) for record in records[:excess])
+        while self._length > MOST_TEXT:
+            self._length -= len(records[excess].text)
+            excess += 1
         del records[:excess]
         dropped = min(excess, before)
         return Change(dropped, max(start, dropped))

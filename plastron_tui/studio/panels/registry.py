@@ -136,7 +136,7 @@ LIVE = Panel(
         "Each topic ≈ of the nodes that run, with how often a message comes and what is in the "
         "last one; Enter unfolds its fields, P sends a message to it. Enter on a service ◆ calls "
         "it. Enter on a node ● shows its parameters, and on a parameter sets it. What is not in "
-        "sight is not listened to."
+        "sight is not listened to. / shows only what has certain words in its name or type."
     ),
     widget="live_panel:LivePanel",
 )

@@ -10,8 +10,8 @@ from rich.style import Style
 from textual.geometry import Region, Size
 from textual.strip import Strip
 
+from .broken_lines import broken
 from .entry import Entry
-from .log_view import broken
 from .program_panel import ProgramPanel
 from .styles import Line, Lines, Piece
 

@@ -22,6 +22,10 @@ _NAME = re.compile(
     re.ASCII,
 )
 _OPERATOR = re.compile("[-+*/]")
+_TWO = (
+    "two values are put together in the node's code: leave this empty; after Finish, Alt-C opens "
+    "the code"
+)
 _NO_BRACKETS = "what is calculated has no brackets: a value, and numbers behind it"
 
 
@@ -71,7 +75,7 @@ class Sources:
         parts = (part.strip("() ") for part in _OPERATOR.split(text))
         meant_parts = [part for part in parts if is_computed(part) or self.mended(part)]
         if len(meant_parts) > 1:
-            return "one value is calculated with plain numbers; two need code in the node"
+            return _TWO
         return _NO_BRACKETS if meant_parts and "(" in text else problem
 
     def mended(self, text: str) -> str | None:

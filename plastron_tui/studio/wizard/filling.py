@@ -15,6 +15,7 @@ from .context import Scene
 from .definition_kinds import field_choices
 from .definition_rows import fields_text, filled_rows, row_path, row_problems, rows_of
 from .form import NEW, Cell, Cells, Form, excluded_by, laid_out
+from .given_up import given_up
 from .goals import maker_of
 from .kinds import KINDS
 from .part_rows import FilledPart, filled_parts, part_problems, parts_text, used_paths
@@ -78,10 +79,15 @@ class Filled:
             if (rows := self.rows.get(slot.name)) is not None
         }
         paths.update((name, used_paths(each)) for name, each in self.parts.items())
+        texts = {slot.kind: self.cells[slot.name].text for slot in self.form.declaration.slots}
+        gives_way = given_up(self.base, self.form.declaration, texts)
+        if gives_way.line:
+            before.append(Placed(None, gives_way.line, node=node))
         return [
             *before,
-            Placed(self.form, self.text, tuple(self.used), node, paths, self._text(SlotKind.ROBOT)),
-        ]
+            Placed(self.form, self.text, tuple(self.used), node, paths, self._text(SlotKind.ROBOT),
+                   gives_way.spans),
+        ]  # fmt: skip
 
     @property
     def robot(self) -> str | None:
@@ -195,9 +201,13 @@ class Filler:
             if declaration is None:
                 return
             maker = form.makers[slot.name] = Form(declaration, parent=(form, slot.name))
+        own, node = maker.slot_of(SlotKind.NODE), form.slot_of(SlotKind.NODE)
+        if own is not None and node is not None:
+            maker.given[own.name] = filled.cells[node.name].text
         made = self.fill(maker, filled.scene, filled, depth)
         filled.makers.append(made)
-        name = maker.made
+        # Where something is to arrive, a topic is what is made.
+        name = maker.made or maker.slot_of(SlotKind.TOPIC)
         text = made.cells[name.name].text if name is not None else ""
         filled.cells[slot.name] = Cell(text, is_new=True)
         if not _needs(form, slot):
@@ -282,6 +292,7 @@ class Filler:
             tuple(form.values.items()),
             slot.name,
             depth,
+            form.drives,
             tuple(form.given.items()),
             tuple(
                 (name, tuple(each.entered.items()), tuple(each.values.items()))
@@ -337,7 +348,7 @@ def _clause_problems(filled: Filled) -> Iterator[Finding]:
 def _needs(form: Form, slot: Slot) -> bool:
     """Tell whether what a slot names is made to fit the rest of the form: it has a type, too."""
     declaration = maker_of(slot.kind)
-    if declaration is None:
+    if declaration is None or slot.kind is SlotKind.TRIGGER:
         return False
     own = {(each.name, each.kind) for each in form.declaration.slots}
     typed = (each for each in declaration.slots if each.kind in INTERFACES)

@@ -97,6 +97,7 @@ class Course:
         at: the number of the page that is shown.
         generates: whether the node is to be generated along with it.
         wanted: by key, whether what may follow a statement is wanted; what is not there is.
+        drives: whether what was chosen drives a robot until something is near.
     """
 
     def __init__(self, session: Session, surroundings: Surroundings | None = None) -> None:
@@ -109,7 +110,8 @@ class Course:
         self.purpose: Declaration | None = None
         self.group: Aim | None = None
         self._is_recipes = False
-        self._forms: dict[tuple[Declaration | None, Declaration], Form] = {}
+        self.drives = False
+        self._forms: dict[tuple[Declaration | None, Declaration, bool], Form] = {}
         self._filler = Filler()
 
     @property
@@ -124,12 +126,12 @@ class Course:
         if offer.group is not None:
             self.choose_group(offer.group)
         elif offer.declaration is not None:
-            self.choose(offer.declaration)
+            self.choose(offer.declaration, drives=offer.drives)
         else:
             self.choose_recipes()
 
-    def choose(self, declaration: Declaration) -> None:
-        """Go on with a statement."""
+    def choose(self, declaration: Declaration, *, drives: bool = False) -> None:
+        """Go on with a statement; `drives` for one that drives until something is near."""
         if self.page.kind is PageKind.START:
             self._is_recipes = False
             self.group = None
@@ -138,6 +140,7 @@ class Course:
             self.head = declaration
         else:
             self.purpose = declaration
+            self.drives = drives
         self.at += 1
 
     def choose_group(self, group: Aim) -> None:
@@ -180,12 +183,17 @@ class Course:
     def is_chosen(self, offer: Offer) -> bool:
         """Tell whether an entry of the menu that is shown was taken before."""
         if self.page.kind is PageKind.PURPOSE:
-            return offer.declaration is self.purpose
+            return offer.declaration is self.purpose and offer.drives == self.drives
         if offer is RECIPES:
             return self._is_recipes
         if offer.group is not None:
             return offer.group is self.group
         return offer.declaration is self.head
+
+    @property
+    def is_filled_in(self) -> bool:
+        """Whether somebody wrote or chose something in a form."""
+        return any(form.is_filled_in for form in self._forms.values())
 
     def back(self) -> bool:
         """Go back a page; False on the first one."""
@@ -201,10 +209,12 @@ class Course:
             return self.group is not None
         return any(slot.kind is SlotKind.NEW_NODE for slot in self.head.slots)
 
-    def _form(self, around: Declaration | None, declaration: Declaration) -> Form:
-        key = (around, declaration)
+    def _form(
+        self, around: Declaration | None, declaration: Declaration, *, drives: bool = False
+    ) -> Form:
+        key = (around, declaration, drives)
         if key not in self._forms:
-            self._forms[key] = Form(declaration)
+            self._forms[key] = Form(declaration, drives=drives)
         return self._forms[key]
 
     @property
@@ -217,7 +227,7 @@ class Course:
         """The form of what a node shall do."""
         if self.purpose is None or not self._has_purpose:
             return None
-        return self._form(self.head, self.purpose)
+        return self._form(self.head, self.purpose, drives=self.drives)
 
     # The pages.
 

@@ -80,7 +80,7 @@ def _stopping(filled: Filled) -> Iterator[Extra]:
         _line(st.Publish, node=texts["node"], message=halt, topic=texts["topic"],
               type=texts["type"], trigger=texts["trigger"], condition=condition),
     )  # fmt: skip
-    words = f"stop as soon as something is nearer than {metres} m"
+    words = f"stop when something is within {metres} m"
     yield Extra("stop", words, lines, texts["node"])
 
 

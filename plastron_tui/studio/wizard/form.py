@@ -16,6 +16,13 @@ from .values import Path
 NEW = "\0new"
 """What is entered in a slot for: one that does not exist yet."""
 
+
+def new_words(slot: Slot) -> str:
+    """Return what stands for one that does not exist yet."""
+    kind = SlotKind.TOPIC if slot.kind is SlotKind.TRIGGER else slot.kind
+    return f"a new {kind.name.lower()}"
+
+
 VALUES = tuple(kind for kind in SlotKind if kind.form is Written.VALUES)
 """The slots whose values have a form of their own."""
 
@@ -32,6 +39,7 @@ class Form:
         given: by slot, what stands in it because the wizard has made it before.
         makers: by slot, the form that makes what the slot names, once `NEW` was chosen.
         purpose: of a node that it makes, the form of what that shall do, once that is known.
+        drives: whether it is to drive a robot until something is near.
     """
 
     declaration: Declaration
@@ -41,6 +49,7 @@ class Form:
     given: dict[str, str] = field(default_factory=dict)
     makers: dict[str, Form] = field(default_factory=dict)
     purpose: Form | None = None
+    drives: bool = False
 
     def slot_of(self, *kinds: SlotKind) -> Slot | None:
         """Return the first slot of one of some kinds."""
@@ -65,11 +74,24 @@ class Form:
             for other in excluded_by(self.declaration, slot):
                 self.entered.pop(other, None)
 
+    def put(self, slot: str, path: Path | None, text: str) -> None:
+        """Take what the user wrote in a slot, or in a field of its values."""
+        if path is None:
+            self.enter(slot, text)
+        else:
+            self.values[path] = text
+
     def has_entered(self, slot: str) -> bool:
         """Tell whether something was entered in a slot, in its values or in the form it needs."""
         values_slot = self.slot_of(*VALUES)
         is_values = values_slot is not None and values_slot.name == slot
         return slot in self.entered or slot in self.makers or (is_values and bool(self.values))
+
+    @property
+    def is_filled_in(self) -> bool:
+        """Whether something was entered in it, or in the forms that it needs."""
+        own = bool(self.entered or self.values)
+        return own or any(maker.is_filled_in for maker in self.makers.values())
 
     def trial(self, slot: str, text: str, cells: Cells, without: frozenset[str]) -> Form:
         """Return a form in which something else was entered; this one stays as it is.
@@ -90,6 +112,7 @@ class Form:
             dict(self.values) if has_values else {},
             self.parent,
             dict(self.given),
+            drives=self.drives,
         )
         other.enter(slot, text)
         for name in without:
@@ -99,6 +122,7 @@ class Form:
             if name in without:
                 continue
             copy = Form(maker.declaration, dict(maker.entered), dict(maker.values), (other, name))
+            copy.given.update(maker.given)
             other.makers[name] = copy
         return other
 

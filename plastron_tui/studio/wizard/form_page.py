@@ -22,9 +22,9 @@ from plastron_tui.model.workspace import Workspace
 from .ask import Choice
 from .definition_rows import field_slots, row_path
 from .filling import Filled
-from .form import NEW, Form
-from .form_rows import Key, Spec, matters, new_words, specs
-from .goals import told
+from .form import NEW, Form, new_words
+from .form_rows import Key, Spec, matters, specs
+from .goals import DRIVE, told
 from .program_trial import Finding
 from .rows import Entered, Reached, Row
 from .values import Path
@@ -73,7 +73,8 @@ class FormPage(Vertical):
 
     def compose(self) -> ComposeResult:
         """Make the parts; the rows come with what is known of them."""
-        yield Label(told(self.form.declaration), id="wizard-about", markup=False)
+        about = DRIVE[2] if self.form.drives else told(self.form.declaration)
+        yield Label(about, id="wizard-about", markup=False)
         yield Rows(id="wizard-rows", can_focus=False)
         yield Label("", id="wizard-help", markup=False)
         choices = OptionList(id="wizard-choices", compact=True, markup=False)

@@ -11,6 +11,7 @@ from plastron_tui.model.workspace import Workspace
 
 from .definition_rows import field_slots, row_path
 from .filling import Filled
+from .form import new_words
 from .libraries import ros_of
 from .rows import Row
 from .values import Entry, Heading, Path
@@ -18,7 +19,7 @@ from .values import Entry, Heading, Path
 Key = tuple[str, "Path | None"]
 
 _LEFT_OUT = {
-    SlotKind.TRIGGER: "or for each of a topic",
+    SlotKind.TRIGGER: "or when something arrives",
     SlotKind.CONDITION: "always",
 }
 """What is shown in a slot that is left out, where there is more to say of it."""
@@ -41,11 +42,6 @@ class Spec(NamedTuple):
         """What must be the same for a row to be kept."""
         note = self.note if self.key is None else ""
         return self.key, self.is_fixed, self.label, self.entry, note
-
-
-def new_words(slot: Slot) -> str:
-    """Return what stands for one that does not exist yet."""
-    return f"a new {slot.kind.name.lower()}"
 
 
 def specs(filled: Filled) -> list[Spec]:

@@ -3,8 +3,6 @@
 from __future__ import annotations
 
 import asyncio
-from dataclasses import dataclass
-from typing import ClassVar
 
 from textual import events
 from textual.app import ComposeResult
@@ -16,7 +14,6 @@ from textual.widgets import Button, Label
 from ..key_order import Paged
 from ..screens.dialog import Dialog
 from . import strings
-from .ask import Choice
 from .flow import Course, Heard, Look, Page, PageKind
 from .form import Form
 from .form_page import FormPage
@@ -26,6 +23,7 @@ from .menu_page import Item, MenuPage, ReviewPage
 from .result_view import ResultView
 from .statement_view import StatementView
 from .style_sheets import STYLES
+from .view import View
 
 NARROW = 76
 """With fewer columns the code and the graph have a page of their own."""
@@ -35,16 +33,6 @@ SPACIOUS = 110
 """From so many columns on the page has the width of a text, and the code all the rest."""
 LOW = 22
 """With fewer rows the form does without the sentence above it."""
-
-
-@dataclass(frozen=True, slots=True)
-class View:
-    """What was found out, in a thread."""
-
-    look: Look
-    helps: dict[Key, str]
-    choices: list[Choice]
-    offers: list[Offer]
 
 
 class Frame(Paged, Dialog[str]):
@@ -71,6 +59,7 @@ class Frame(Paged, Dialog[str]):
         self._items: list[Item] = []
         self._actions: list[str] = []
         self._heard: Heard | None = None
+        self._unanswered = ""
         # By form, the row that had the focus last.
         self._places: dict[Form, Key] = {}
         self._shown: tuple[bool, Page] | None = None
@@ -94,7 +83,10 @@ class Frame(Paged, Dialog[str]):
             yield back
             yield Button("Next", id="wizard-next", variant="primary", compact=True)
             yield Button("Code", id="wizard-turn", compact=True)
-            yield Button("Leave", id="wizard-leave", compact=True)
+            leave = Button("Leave", id="wizard-leave", compact=True)
+            # Tab goes round the fields: one too many, and Enter, would forget them all.
+            leave.can_focus = False
+            yield leave
             yield Label("", id="wizard-keys", markup=False)
 
     @property
@@ -129,7 +121,8 @@ class Frame(Paged, Dialog[str]):
     def _page_widget(self, page: Page, view: View) -> Widget:
         course = self.course
         if self.is_done:
-            items = strings.done_items(course.session, self._heard.topic if self._heard else "")
+            heard = self._heard.topic if self._heard else ""
+            items = strings.done_items(course.session, heard, self._unanswered)
             self._items, self._actions = list(items.values()), list(items)
             return MenuPage(strings.DONE, self._items)
         if page.kind is PageKind.FORM and page.form is not None:
@@ -159,7 +152,7 @@ class Frame(Paged, Dialog[str]):
         turn = self.query_one("#wizard-turn", Button)
         turn.display = self.has_class("-narrow") and look.outcome is not None
         self.query_one("#wizard-leave", Button).label = "Close" if self.is_done else "Leave"
-        self.query_one("#wizard-keys", Label).update(strings.keys(page, self.is_done))
+        self._show_keys()
         outcome = look.outcome
         self.set_class(outcome is None, "-empty")
         shown = self.query_one("#wizard-statements", StatementView)
@@ -175,6 +168,15 @@ class Frame(Paged, Dialog[str]):
             if review:
                 problem = look.problems[0].words if look.problems else ""
                 review.first().say(problem)
+
+    def on_descendant_focus(self) -> None:
+        """Say what the keys do where the focus is."""
+        self._show_keys()
+
+    def _show_keys(self) -> None:
+        is_turn = self.focused is not None and self.focused.id == "wizard-turn"
+        words = strings.keys(self.course.page, self.is_done, is_turn=is_turn)
+        self.query_one("#wizard-keys", Label).update(words)
 
     def _text_of(self, form: Form, look: Look) -> str:
         filled = look.of(form)

@@ -73,6 +73,13 @@ GROUPS = {
 }
 """The aims that have a menu of their own."""
 
+DRIVE = (
+    "drive until something is near",
+    "subscriber and publisher",
+    "Goes ahead as long as a laser says that nothing is near, and stops else.",
+)
+"""The entry that drives a robot by its laser: its words, the word of ROS, a sentence."""
+
 _ABOUT_TYPES = frozenset({SlotKind.TYPE_NAME, SlotKind.NEW_TYPE, SlotKind.OWN_TYPE})
 _ABOUT_PACKAGES = frozenset({SlotKind.NEW_PACKAGE, SlotKind.PACKAGE})
 _ABOUT_ROBOTS = frozenset({SlotKind.NEW_ROBOT, SlotKind.ROBOT})
@@ -125,6 +132,8 @@ def maker_of(kind: SlotKind) -> Declaration | None:
     """Return the statement that makes, from nothing, what fills a kind of slot."""
     if kind is SlotKind.LINK:
         return DECLARATIONS[st.HasLink]
+    if kind is SlotKind.TRIGGER:
+        return DECLARATIONS[st.Subscribe]
     for declaration in DECLARATIONS.values():
         kinds = [slot.kind for slot in declaration.slots]
         if SlotKind.FILE not in kinds and any(each.makes is kind for each in kinds):

@@ -15,6 +15,17 @@ from .kinds import unanswered
 from .libraries import explained
 from .values import Entry, Path
 
+_WORDS = {
+    SlotKind.NEW_NODE: "what this text calls the node; it follows the name",
+    SlotKind.NODE_NAME: "what other programs see the node by",
+    SlotKind.MANAGED: "it waits until another program switches it on (ROS 2)",
+    SlotKind.FUNCTION: "the function of the node's code that is called; made for you",
+    SlotKind.TRIGGER: "instead of a rate: it is sent when something arrives on this topic",
+    SlotKind.CONDITION: "only where this holds of what arrives; without it, each time",
+    SlotKind.QOS: "delivery (quality of service): how messages are to arrive; empty is as usual",
+}
+"""What is said of slots to who meets them for the first time."""
+
 FIELD_HELP = "a type and a name: `float64 left`, `string[] names`, `uint8 OK = 1`"
 
 
@@ -22,7 +33,9 @@ def helps_of(filled: Filled, ask: Callable[[Slot], Ask]) -> dict[tuple[str, Path
     """Return what is said about the slots of a form, and about the fields of its values."""
     said: dict[tuple[str, Path | None], str] = {}
     for slot in filled.form.declaration.slots:
-        said[slot.name, None] = slot.help
+        said[slot.name, None] = _WORDS.get(slot.kind, slot.help)
+        if slot.kind is SlotKind.RATE:
+            said[slot.name, None] = _rate(filled, slot)
         if slot.kind in (SlotKind.SERVICE, SlotKind.ACTION):
             said[slot.name, None] += unanswered(ask(slot))
         if slot.kind is SlotKind.LIBRARY:
@@ -41,3 +54,17 @@ def helps_of(filled: Filled, ask: Callable[[Slot], Ask]) -> dict[tuple[str, Path
                     others = f", or {others}" if others else ""
                     said[slot.name, each.path] = f"{each.name} ({each.note}){others}{about}"
     return said
+
+
+def _rate(filled: Filled, slot: Slot) -> str:
+    """Return what is said of how often something is sent, or done."""
+    if slot.name not in filled.form.optional:
+        return "how many times a second"
+    if filled.form.slot_of(SlotKind.INPUT) is not None:
+        return "how many times a second; without it once"
+    node = filled.form.slot_of(SlotKind.NODE)
+    name = "" if node is None else filled.cells[node.name].text
+    found = filled.scene.workspace.nodes.get(name)
+    if found is None or found.source is None:
+        return "how many times a second; without it 10"
+    return "how many times a second; without it as often as the file's loop, or 10"

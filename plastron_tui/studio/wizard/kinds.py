@@ -41,7 +41,14 @@ from .launch_kinds import (
 from .libraries import LibraryKind
 from .node_files import FileKind, NodeOfFileKind
 from .node_names import NodeNameKind
-from .obstacles import VELOCITY_TOPIC, is_to_drive
+from .obstacles import (
+    LASER_TOPIC,
+    VELOCITY_TOPIC,
+    driven,
+    is_laser_wanted,
+    is_to_drive,
+    measures_distance,
+)
 from .package_kinds import (
     HeldKind,
     ItemKind,
@@ -149,8 +156,12 @@ class MessageKind(Kind):
             for publisher in node.of(Publisher).values()
             for publication in publisher.publications
         }
-        unsent = [name for name in reversed(workspace.messages) if name not in sent]
-        return first_that_works(ask, unsent[:3]) or NEW
+        wanted = [name for name in reversed(workspace.messages) if name not in sent]
+        if is_to_drive(ask):
+            # By the same message as before: that line of the program then gives way.
+            moving = driven(workspace.nodes.get(ask.node), VELOCITY_TOPIC)
+            wanted = [*(each.message.variable for each in moving), *wanted]
+        return first_that_works(ask, wanted[:3]) or NEW
 
     def choices(self, ask: Ask, query: str) -> list[Choice]:
         """Return what there is, and what is closed."""
@@ -186,6 +197,9 @@ class MeetingKind(Kind):
         """Return what fits the rest of the form and of the program."""
         if ask.form.declaration.undoes is not None:
             return next((each.text for each in taken_back(ask) if not each.closed), "")
+        if ask.slot.kind is SlotKind.TOPIC and is_laser_wanted(ask):
+            lasers = (x.name for x in self._names(ask) if measures_distance(x.type))
+            return next(lasers, LASER_TOPIC)
         if ask.slot.kind is SlotKind.TOPIC and is_to_drive(ask):
             return VELOCITY_TOPIC
         # Who sends something of its own seeks who lacks it; who takes it, what there is.
@@ -279,8 +293,11 @@ class TimerKind(FunctionKind):
         return free_name("tick", ask.scene.ended_by(ask.node, st.StopRepeating))
 
     def choices(self, ask: Ask, query: str) -> list[Choice]:
-        """Return those that are called already, for one that is to end."""
-        return taken_back(ask) if ask.form.declaration.undoes is not None else []
+        """Return those that are called already: to end one, or to call it at another rate."""
+        if ask.form.declaration.undoes is not None:
+            return taken_back(ask)
+        names = ask.scene.ended_by(ask.node, st.StopRepeating)
+        return [Choice(name, "is called already: change how often") for name in names]
 
     def problem(self, ask: Ask, text: str) -> str | None:
         """Tell why a text cannot stand there."""

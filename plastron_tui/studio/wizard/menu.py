@@ -7,9 +7,10 @@ from pathlib import Path
 from typing import NamedTuple
 
 from plastron_tui.language import Declaration
+from plastron_tui.model.workspace import Workspace
 
 from ..recipes import recipes
-from .goals import Aim
+from .goals import Aim, generating
 
 
 @dataclass(frozen=True, slots=True)
@@ -25,6 +26,7 @@ class Offer:
         is_advised: whether it is what most would do next.
         recipe: the program that it starts from.
         group: the menu of its own that it leads to.
+        drives: whether it drives a robot until something is near.
     """
 
     declaration: Declaration | None
@@ -35,6 +37,7 @@ class Offer:
     is_advised: bool = False
     recipe: Path | None = None
     group: Aim | None = None
+    drives: bool = False
 
 
 class Option(NamedTuple):
@@ -59,3 +62,11 @@ def recipe_offers() -> list[Offer]:
     return [
         Offer(None, each.title, "", f"{each.description}.", recipe=each.path) for each in recipes()
     ]
+
+
+def writes_at_once(offer: Offer, workspace: Workspace) -> bool:
+    """Tell whether all that could be generated is: then the files can be written."""
+    if offer.declaration is None or offer.declaration is not generating():
+        return False
+    generated = {made.node.variable for made in workspace.generations}
+    return all(node.is_idle or name in generated for name, node in workspace.nodes.items())

@@ -28,6 +28,10 @@ class Item:
     is_advised: bool = False
 
 
+_LINES = 2
+"""The lines of an entry: its words, and the sentence about it."""
+
+
 class Picked(Message):
     """An entry was chosen, by its number."""
 
@@ -58,6 +62,34 @@ class Menu(OptionList):
         self.highlighted = self._here
         self.focus()
 
+    @property
+    def _free(self) -> list[int]:
+        """The entries that can be chosen."""
+        return [n for n, option in enumerate(self.options) if not option.disabled]
+
+    def _page(self, by: int) -> None:
+        """Go on by as many entries as are seen at once, and always to one of them."""
+        free, here = self._free, self.highlighted
+        if not free:
+            return
+        at = free.index(here) if here in free else 0
+        step = max(1, self.scrollable_content_region.height // _LINES)
+        self.highlighted = free[min(max(at + by * step, 0), len(free) - 1)]
+
+    def action_page_down(self) -> None:
+        """Go a page on."""
+        self._page(1)
+
+    def action_page_up(self) -> None:
+        """Go a page back."""
+        self._page(-1)
+
+    def action_select(self) -> None:
+        """Choose the entry with the cursor, or else the first one."""
+        if self.highlighted is None:
+            self.highlighted = next(iter(self._free), None)
+        super().action_select()
+
     def on_option_list_option_selected(self, event: OptionList.OptionSelected) -> None:
         """Tell what was chosen."""
         event.stop()
@@ -67,6 +99,8 @@ class Menu(OptionList):
 def _words(item: Item) -> Content:
     title = item.title[:1].upper() + item.title[1:]
     parts: list[str | tuple[str, str]] = [(title, "$foreground 50%" if item.closed else "bold")]
+    if item.is_advised and not item.closed:
+        parts.insert(0, ("next: ", "$text-success"))
     if item.term:
         parts.append((f"  {item.term}", "$text-secondary"))
     # What cannot be chosen is no louder than what can.
@@ -115,7 +149,10 @@ class ReviewPage(Vertical):
         """Make the words, and the questions what is to be written along."""
         yield Label(self._words, id="wizard-about", markup=False)
         for each in self._options:
-            yield Turn(each.words, each.is_wanted, compact=True, id=f"{_PREFIX}{each.key}")
+            turn = Turn(each.words, each.is_wanted, compact=True, id=f"{_PREFIX}{each.key}")
+            # What would be written is said whole, on as many lines as it takes.
+            turn.styles.width, turn.styles.text_wrap = "100%", "wrap"
+            yield turn
         yield Label("", id="wizard-help", markup=False)
 
     @on(Checkbox.Changed)

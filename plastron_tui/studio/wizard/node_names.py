@@ -59,7 +59,7 @@ def _names(purpose: Form | None) -> Iterator[str]:
         yield from _NAMES
         return
     about = {_last(purpose, *INTERFACES), _last(purpose, *MEETINGS)}
-    if name == "talker" and _DRIVES & about:
+    if purpose.drives or (name == "talker" and _DRIVES & about):
         yield "driver"
     if name == "listener" and _DISTANCES & about:
         # It may drive as well: most robots are driven by what they see.

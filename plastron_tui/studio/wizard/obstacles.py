@@ -5,9 +5,16 @@ from __future__ import annotations
 import re
 
 from plastron_tui.language import SlotKind
+from plastron_tui.model.kinds import Publication, Publisher
+from plastron_tui.model.unconditional_motion import moves
+from plastron_tui.model.workspace import Node
 from plastron_tui.ros.interfaces import InterfaceName
+from plastron_tui.ros.names import spelled
 
 from .ask import Ask
+
+LASER_TOPIC = "scan"
+"""The topic to which most lasers send."""
 
 VELOCITY_TOPIC = "cmd_vel"
 """The topic by which most robots are driven."""
@@ -35,9 +42,39 @@ def way_is_free(ask: Ask) -> str:
 
 def is_to_drive(ask: Ask) -> bool:
     """Tell whether something is sent for each reading of distances: most drive a robot then."""
+    if ask.form.drives:
+        return True
     slot = ask.form.slot_of(SlotKind.TRIGGER)
     trigger = "" if slot is None else ask.form.entered.get(slot.name, "")
     return measures_distance(ask.scene.heard(ask.node).get(trigger))
+
+
+def distances_heard(ask: Ask) -> list[str]:
+    """Return the topics with distances that a node listens to."""
+    heard = ask.scene.heard(ask.node).items()
+    return [name for name, type_ in heard if measures_distance(type_)]
+
+
+def is_laser_wanted(ask: Ask) -> bool:
+    """Tell whether a form makes a node listen to what another form drives a robot by."""
+    if ask.form.parent is None:
+        return False
+    other, name = ask.form.parent
+    trigger = other.slot_of(SlotKind.TRIGGER)
+    return trigger is not None and trigger.name == name
+
+
+def driven(node: Node | None, topic: str) -> list[Publication]:
+    """Return what drives a robot whatever its sensors say, of what a node sends to a topic."""
+    publisher = None if node is None else node.of(Publisher).get(spelled(topic))
+    if publisher is None or not _is_velocity(str(publisher.type)):
+        return []
+    return [
+        each
+        for each in publisher.publications
+        if each.span is not None and each.reaction is None and not each.is_once
+        if moves(each.message.value)
+    ]
 
 
 def is_near(type_: str, condition: str) -> tuple[str, str] | None:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from plastron_tui.language import Declaration, SlotKind
 
@@ -10,9 +10,12 @@ from .context import Scene
 from .filling import Filled, Filler
 from .followers import followed
 from .form import Form
-from .goals import GROUPS, Aim, declarations_of, told
+from .goals import DRIVE, GROUPS, Aim, answering, declarations_of, told
 from .menu import RECIPES, Offer
 from .program_trial import Finding, check
+
+_DRIVE_AT = 2
+"""Where that stands in its menu: behind to send, and to listen."""
 
 
 def give(main: Form, filled: list[Filled]) -> None:
@@ -63,7 +66,21 @@ class Offering:
             for each in declarations_of(group)
             if not (each.undoes is not None and is_new)
         ]
+        if group is Aim.MORE:
+            offers.insert(_DRIVE_AT, self._drive(scene, filled))
+        # What most would do next stands first, and all others as they always do.
+        first = next((each for each in offers if each.is_advised), None)
+        if first is not None:
+            offers = [
+                first,
+                *(replace(each, is_advised=False) for each in offers if each is not first),
+            ]
         return sorted(offers, key=lambda each: bool(each.closed))
+
+    def _drive(self, scene: Scene, filled: list[Filled]) -> Offer:
+        """Return the entry that brings the laser along by which a robot is driven."""
+        closed = self._closed(answering(), scene, filled, drives=True)
+        return Offer(answering(), *DRIVE, closed, drives=True)
 
     def _offer(
         self, declaration: Declaration, scene: Scene | None, filled: list[Filled] | None = None
@@ -79,14 +96,18 @@ class Offering:
         advised = not closed and self._completes(declaration, scene, filled or [])
         return Offer(declaration, title, term, about, closed, advised)
 
-    def _filled_anew(self, declaration: Declaration, scene: Scene, filled: list[Filled]) -> Filled:
-        form = Form(declaration)
+    def _filled_anew(
+        self, declaration: Declaration, scene: Scene, filled: list[Filled], *, drives: bool = False
+    ) -> Filled:
+        form = Form(declaration, drives=drives)
         give(form, filled)
         return self.filler.fill(form, scene)
 
-    def _closed(self, declaration: Declaration, scene: Scene, filled: list[Filled]) -> str:
+    def _closed(
+        self, declaration: Declaration, scene: Scene, filled: list[Filled], *, drives: bool = False
+    ) -> str:
         """Tell why a statement cannot be had, whatever is entered, as far as that is known."""
-        anew = self._filled_anew(declaration, scene, filled)
+        anew = self._filled_anew(declaration, scene, filled, drives=drives)
         if anew.all_problems:
             first = anew.all_problems[0]
             return "" if _is_for_user(first, declaration) else first.message

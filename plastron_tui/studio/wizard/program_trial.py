@@ -18,6 +18,7 @@ from ..insertion_point import Ground, Placing
 from ..insertion_point import placed as where
 from .form import Form, is_variable, laid_out
 from .goals import generating
+from .replaced_lines import line_of, moved, whole_edit, without
 from .values import Entry, Path
 
 
@@ -26,7 +27,8 @@ class Placed:
     """A statement for the program: its form (None for one that follows), text, and values.
 
     `node` is what stands where it names its node, "" where it names none, `robot` likewise.
-    `rows` has, by slot, the rows of a form that the parts of what is in it come from.
+    `rows` has, by slot, the rows of a form that the parts of what is in it come from. `replaces`
+    has the statements of the program whose place it takes.
     """
 
     form: Form | None
@@ -35,6 +37,7 @@ class Placed:
     node: str = ""
     rows: Mapping[str, tuple[Path, ...]] = field(default_factory=dict)
     robot: str = ""
+    replaces: tuple[Span, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)
@@ -71,6 +74,7 @@ class Outcome:
         span: where the statements stand in the new text.
         findings: what is wrong with them.
         lines: the statements.
+        replaced: the numbers of the lines whose place they take, from 1.
     """
 
     session: Session
@@ -78,6 +82,7 @@ class Outcome:
     span: Span
     findings: tuple[Finding, ...]
     lines: tuple[str, ...]
+    replaced: tuple[int, ...] = ()
 
 
 def check(session: Session, placed: Sequence[Placed], *, generates: bool = False) -> Outcome:
@@ -96,6 +101,7 @@ def check(session: Session, placed: Sequence[Placed], *, generates: bool = False
         slot = next(s for s in declaration.slots if s.kind is SlotKind.NODE)
         late = (Placed(None, laid_out(declaration, {slot.name: node or ""})),)
     robot = next((each.robot for each in reversed(placed) if each.robot), None)
+    replaced = sorted({span for each in placed for span in each.replaces})
     place = where(
         Ground(session.document, session.program, session.workspace),
         None if _generates(placed) else node or robot,
@@ -103,7 +109,7 @@ def check(session: Session, placed: Sequence[Placed], *, generates: bool = False
         late=[each.text for each in late],
         is_apart=_opens_block(placed),
     )
-    return _checked(session, (*placed, *late)[: len(place.lines)], place)
+    return _checked(session, (*placed, *late)[: len(place.lines)], place, replaced)
 
 
 def node_of(placed: Sequence[Placed]) -> str | None:
@@ -120,15 +126,27 @@ def _is_generated(session: Session, node: str) -> bool:
     return any(made.node.variable == node for made in session.workspace.generations)
 
 
-def _checked(session: Session, placed: Sequence[Placed], place: Placing) -> Outcome:
+def _checked(
+    session: Session, placed: Sequence[Placed], place: Placing, replaced: Sequence[Span]
+) -> Outcome:
     start, end = place.edit.span
+    written = place.edit.text.encode("utf-8", "surrogatepass")
     candidate = session.snapshot()
     candidate.learn_from(session)
-    candidate.edit(start, end, place.edit.text.encode("utf-8", "surrogatepass"))
-    spans = place.spans
+    candidate.edit(start, end, written)
+    edits, spans = (place.edit,), place.spans
+    text = session.document.text
+    if replaced:
+        grown = len(written) - (end - start)
+        gone = [moved(line_of(text, each), start, grown) for each in replaced]
+        for line in reversed(gone):
+            candidate.edit(line.start, line.end, b"")
+        spans = tuple(without(each, gone) for each in spans)
+        edits = (whole_edit(text, candidate.document.text),)
     findings = tuple(_findings(session, candidate, placed, spans))
     block = Span(spans[0].start, spans[-1].end)
-    return Outcome(candidate, (place.edit,), block, findings, place.lines)
+    numbers = tuple(text.count(b"\n", 0, each.start) + 1 for each in replaced)
+    return Outcome(candidate, edits, block, findings, place.lines, numbers)
 
 
 _BLOCKS = (SlotKind.NEW_NODE, SlotKind.NEW_PACKAGE, SlotKind.NEW_LAUNCH, SlotKind.NEW_ROBOT)

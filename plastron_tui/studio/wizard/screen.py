@@ -16,32 +16,24 @@ from plastron_tui.diagnostics import Edit
 from plastron_tui.language import DECLARATIONS, Declaration
 from plastron_tui.language import statements as st
 from plastron_tui.language.declaration import Statement
-from plastron_tui.model.workspace import Workspace
 from plastron_tui.session import Session
 
 from ..panels.text_view import TextView
 from ..screens.question import Question
 from ..textual_private import tell_first_sizes
 from . import pasted, strings
-from .ask import Choice
 from .flow import Course, Heard, Look, PageKind
-from .form import Form
 from .form_page import Looked, Put
-from .form_rows import Key
-from .frame import MENUS, Frame, View
-from .goals import generating
-from .menu import Offer, recipe_offers
+from .frame import MENUS, Frame
+from .menu import writes_at_once
 from .menu_page import Menu, Picked, Wanted
 from .program_trial import Finding
 from .result_view import ResultView
 from .rows import REST_OF_PASTE, Confirmed
-from .values import Path
+from .view import Asked, View, view_of
 
 _PAUSE = 0.02
 """Seconds that keys are waited for before anything is looked up."""
-
-_Asked = tuple[Form, str, "Path | None", str]
-"""The row that choices are wanted for: its form, its slot, its field, and what was written."""
 
 _STATEMENTS: dict[str, type[Statement]] = {"part": st.HasLink, "package": st.CreatePackage}
 """The statements that some answers to what is to be done next lead to."""
@@ -53,7 +45,7 @@ class Wizard(Frame):
     """Builds statements; the result is an action of the main screen to go on with, or ""."""
 
     BINDINGS: ClassVar[list[BindingType]] = [
-        Binding("escape", "leave", "Leave"),
+        Binding("escape", "step_back", "Back"),
         Binding("f2,alt+left", "back", "Back", priority=True),
         Binding("f1", "explain", "Help", priority=True),
         Binding("f3", "turn", "Code and graph", priority=True),
@@ -146,52 +138,24 @@ class Wizard(Frame):
             await self._once()
         return self.look
 
-    def _asked(self) -> _Asked | None:
+    def _asked(self) -> Asked | None:
         """Return what choices are wanted for."""
         if (page := self._form_page) is None or (row := page.row_here) is None:
             return None
         return page.form, row.slot.name, row.path, row.query_text
 
-    def _view(self, waiting: Sequence[Callable[[], object]], asked: _Asked | None) -> View:
+    def _view(self, waiting: Sequence[Callable[[], object]], asked: Asked | None) -> View:
         """Find out, in a thread."""
-        course = self.course
         for do in waiting:
             do()
-        look = course.look()
-        page = course.page
-        offers: list[Offer] = []
-        helps: dict[Key, str] = {}
-        choices: list[Choice] = []
-        if self.is_done:
-            pass
-        elif page.kind is PageKind.START:
-            offers = course.start_offers()
-        elif page.kind is PageKind.PURPOSE:
-            offers = course.purpose_offers()
-        elif page.kind is PageKind.RECIPES:
-            offers = recipe_offers()
-        elif page.form is not None:
-            filled = look.of(page.form)
-            if filled is not None:
-                helps = course.helps(filled)
-                if asked is not None and asked[0] is page.form:
-                    choices = course.choices(filled, *asked[1:])
-        return View(look, helps, choices, offers)
+        return view_of(self.course, asked, is_done=self.is_done)
 
     # What comes from the pages.
 
     @on(Put)
     def put(self, message: Put) -> None:
         """Take what was entered."""
-        form, slot, path, text = message.form, message.slot, message.path, message.text
-
-        def do() -> None:
-            if path is None:
-                form.enter(slot.name, text)
-            else:
-                form.values[path] = text
-
-        self.changed(do)
+        self.changed(lambda: message.form.put(message.slot.name, message.path, message.text))
 
     @on(Looked)
     def looked(self) -> None:
@@ -213,7 +177,7 @@ class Wizard(Frame):
             self._finish_with(self._actions[message.number])
             return
         offer = self._offers[message.number]
-        if _writes_at_once(offer, self.course.session.workspace):
+        if writes_at_once(offer, self.course.session.workspace):
             self.dismiss("screen.generate")
             return
         if offer.recipe is not None:
@@ -280,10 +244,6 @@ class Wizard(Frame):
     # Going on.
 
     @on(Confirmed)
-    def confirmed(self) -> None:
-        """Go on."""
-        self.action_next()
-
     @on(Button.Pressed, "#wizard-next")
     def action_next(self) -> None:
         """Go to the next page, or say why not."""
@@ -352,6 +312,7 @@ class Wizard(Frame):
         async with self._lock:
             session = self._enter(look.outcome.edits)
             self._heard = self.course.heard(look)
+            self._unanswered = strings.unanswered(look)
             self.course = Course(session, self.course.surroundings)
             self.is_done = True
         self._turn()
@@ -368,6 +329,13 @@ class Wizard(Frame):
         if self.has_class("-narrow"):
             self.toggle_class("-turned")
 
+    def action_step_back(self) -> None:
+        """Go back a page; from the first one, and from the end, leave."""
+        if self.is_done or self.course.at == 0:
+            self.action_leave()
+        else:
+            self.action_back()
+
     def action_explain(self) -> None:
         """Explain the page, and the keys of the wizard."""
         if self.app.screen is self:
@@ -376,13 +344,14 @@ class Wizard(Frame):
 
     @on(Button.Pressed, "#wizard-leave")
     def action_leave(self) -> None:
-        """Leave without a trace of what was not finished."""
-        self.dismiss("")
+        """Leave without a trace of what was not finished; ask where somebody filled it in."""
+        if self.course.is_filled_in and self.app.screen is self:
+            self.run_worker(self._ask_to_leave(), group="leave", exclusive=True)
+        else:
+            self.dismiss("")
 
-
-def _writes_at_once(offer: Offer, workspace: Workspace) -> bool:
-    """Tell whether all that could be generated is: then the files can be written."""
-    if offer.declaration is None or offer.declaration is not generating():
-        return False
-    generated = {made.node.variable for made in workspace.generations}
-    return all(node.is_idle or name in generated for name, node in workspace.nodes.items())
+    async def _ask_to_leave(self) -> None:
+        answers = [("stay", "Stay"), ("leave", "Leave")]
+        dialog = Question(strings.leaving(self.look), answers)
+        if await self.app.push_screen_wait(dialog) == "leave":
+            self.dismiss("")

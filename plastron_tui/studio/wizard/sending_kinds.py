@@ -15,9 +15,9 @@ from plastron_tui.ros.qos_words import Said, is_sensor_type, offered_words, pars
 
 from ..editor.value_completion import Part, all_received
 from .ask import Ask, Choice
-from .form import Cell
+from .form import NEW, Cell, new_words
 from .kind import Kind
-from .obstacles import way_is_free
+from .obstacles import distances_heard, way_is_free
 from .trials import first_that_works
 
 _CONDITION = re.compile(
@@ -37,6 +37,8 @@ class RateKind(Kind):
 
     def suggest(self, ask: Ask) -> str:
         """Return a rate, or nothing for what is usually done once: a request."""
+        if ask.form.drives:
+            return ""
         is_request = ask.form.slot_of(SlotKind.INPUT) is not None
         return "" if is_request and ask.slot.name in ask.form.optional else "10"
 
@@ -81,13 +83,22 @@ class TriggerKind(Kind):
 
     def fixed(self, ask: Ask) -> Cell | None:
         """Return that there is none where the node listens to nothing."""
-        is_open = ask.scene.heard(ask.node) or ask.form.entered.get(ask.slot.name)
+        is_entered = ask.form.entered.get(ask.slot.name)
+        is_open = ask.scene.heard(ask.node) or is_entered or ask.form.drives
         return None if is_open else Cell("", "it listens to nothing yet")
+
+    def suggest(self, ask: Ask) -> str:
+        """Return what says how near things are, where a robot is to drive by that."""
+        return next(iter(distances_heard(ask)), NEW) if ask.form.drives else ""
 
     def choices(self, ask: Ask, query: str) -> list[Choice]:
         """Return what the node listens to."""
         heard = ask.scene.heard(ask.node).items()
-        return [Choice(name, "" if type_ is None else str(type_)) for name, type_ in heard]
+        found = [Choice(name, "" if type_ is None else str(type_)) for name, type_ in heard]
+        if ask.form.drives:
+            about = "a later screen asks for its name"
+            found.append(Choice(NEW, "", about, label=new_words(ask.slot)))
+        return found
 
     def problem(self, ask: Ask, text: str) -> str | None:
         """Tell why a text cannot stand there."""

@@ -2,22 +2,39 @@
 
 from __future__ import annotations
 
-from plastron_tui.diagnostics import has_errors
+from collections.abc import Sequence
+from dataclasses import replace
+
+from plastron_tui.diagnostics import has_errors, listed
+from plastron_tui.language import SlotKind
+from plastron_tui.language import statements as st
 from plastron_tui.session import Session
 
 from .context import Scene
 from .flow import Look, Page, PageKind
-from .goals import GROUPS, Aim
+from .goals import DRIVE, GROUPS, Aim
 from .menu_page import Item
 from .obstacles import measures_distance
 
 DONE = "It is in the program now. One undo (Ctrl-Z in the editor) takes it out again."
 
 
-def done_items(session: Session, heard: str) -> dict[str, Item]:
+def unanswered(look: Look) -> str:
+    """Return the service whose answer nobody has said, of what is written; "" for none."""
+    last = look.filled[-1] if look.filled else None
+    if last is None or last.form.declaration.type is not st.ProvidesService:
+        return ""
+    cells = {slot.kind: last.cells[slot.name].text for slot in last.form.declaration.slots}
+    return "" if cells.get(SlotKind.ANSWER) else cells.get(SlotKind.SERVICE, "")
+
+
+def done_items(session: Session, heard: str, service: str = "") -> dict[str, Item]:
     """Return what can be done once the statements are in the program, by the actions.
 
-    `heard` is the topic to which a node listens since then, "" for none.
+    Args:
+        session: the program.
+        heard: the topic to which a node listens since then, "" for none.
+        service: the service whose answer is still to be written, "" for none.
     """
     workspace = session.workspace
     closed = ""
@@ -34,14 +51,15 @@ def done_items(session: Session, heard: str) -> dict[str, Item]:
     )
     is_robot = bool(workspace.robots) and not workspace.nodes
     held = {name for each in workspace.packages.values() for name in each.contents}
-    items = {
+    items: dict[str, Item] = {
         "more": Item("something more", "",
                      "Another node or robot, or something more for one that is there.",
                      is_advised=not (is_whole or is_robot or is_far)),
         "screen.generate": Item("write the files", "", "Shows each file before it is written.",
-                                closed, is_whole and not is_robot),
+                                closed, is_whole and bool(idle) and not is_robot),
         "screen.run(True)": Item("run the nodes", "",
-                           "Writes the files, starts the nodes and shows what they say.", idle),
+                           "Writes the files, starts the nodes and shows what they say.", idle,
+                           is_whole and not idle and not is_robot),
     }  # fmt: skip
     if workspace.robots:
         about = "Its links and joints as a tree, and how it looks from three sides."
@@ -53,11 +71,18 @@ def done_items(session: Session, heard: str) -> dict[str, Item]:
         items["package"] = Item("make the robot a package", "package", about)
     if is_far:
         about = f"It drives as long as `{heard}` says that nothing is near, and stops where it is."
+        items = {key: replace(each, is_advised=False) for key, each in items.items()}
         items["answer"] = Item("drive until something is near", "", about, "", is_advised=True)
     elif heard:
         about = "A message that answers each of them, or those for which a condition holds."
         items["answer"] = Item(f"send something for each message of `{heard}`", "", about)
-    return {**items, "": Item("back to the text", "", "Go on in the editor.")}
+    if service:
+        about = f"The answer of `{service}` is empty: its function is where you fill it in."
+        items["screen.code"] = Item(f"write the answer of `{service}`", "", about)
+    items[""] = Item("back to the text", "", "Go on in the editor.")
+    # What most would do next stands first, and all others as they always do.
+    first = {key: each for key, each in items.items() if each.is_advised}
+    return {**first, **items}
 
 
 def title(page: Page, is_done: bool, group: Aim | None = None) -> str:
@@ -73,6 +98,8 @@ def title(page: Page, is_done: bool, group: Aim | None = None) -> str:
     if page.form is None:
         return "This is what will be written"
     declaration = page.form.declaration
+    if page.form.drives:
+        return DRIVE[0][:1].upper() + DRIVE[0][1:]
     words = declaration.purpose[:1].upper() + declaration.purpose[1:]
     return f"{words} · {declaration.ros_term}" if declaration.ros_term else words
 
@@ -93,33 +120,59 @@ def question(page: Page, look: Look, group: Aim | None = None) -> str:
 
 def review(look: Look) -> str:
     """Return what is said on the last page."""
-    count = 0 if look.outcome is None else len(look.outcome.lines)
+    outcome = look.outcome
+    count = 0 if outcome is None else len(outcome.lines)
     what, it = ("statement goes", "it") if count == 1 else ("statements go", "them")
-    return (
+    words = (
         f"{count} {what} into the program as one step. Finish writes {it} there; Back changes {it}."
     )
+    numbers = () if outcome is None else outcome.replaced
+    is_driving = bool(look.filled) and look.filled[-1].form.declaration.type is st.Publish
+    return words + _replaced(numbers, is_driving=is_driving)
 
 
-def keys(page: Page, is_done: bool) -> str:
-    """Return the keys that matter on a page."""
+def _replaced(numbers: Sequence[int], *, is_driving: bool) -> str:
+    """Return what is said of the lines that give way, "" for none."""
+    if not numbers:
+        return ""
+    those, drive = ("lines", "drive") if len(numbers) > 1 else ("line", "drives")
+    words = f" That takes the place of {those} {listed([str(each) for each in numbers])}"
+    if not is_driving:
+        return f"{words}."
+    return f"{words}, which {drive} whatever arrives: with both, the robot would not stop."
+
+
+def leaving(look: Look) -> str:
+    """Return what is asked of who leaves what was filled in."""
+    count = 0 if look.outcome is None else len(look.outcome.lines)
+    what = "what was entered"
+    if count:
+        what = "1 statement" if count == 1 else f"{count} statements"
+    return f"Leave the wizard and forget {what}?"
+
+
+def keys(page: Page, is_done: bool, *, is_turn: bool = False) -> str:
+    """Return the keys that matter on a page; `is_turn` where the button of the code has them."""
     if is_done:
-        return "↑↓ Enter choose"
+        return "↑↓ Enter choose  Esc leave"
+    if is_turn:
+        return "Enter code and graph  Esc back"
     if page.kind is PageKind.START:
         return "↑↓ Enter choose  Esc leave"
     if page.kind in (PageKind.PURPOSE, PageKind.RECIPES):
-        return "↑↓ Enter choose  F2 back"
+        return "↑↓ Enter choose  Esc back"
     if page.kind is PageKind.REVIEW:
-        return "Enter finish  F2 back"
-    return "Enter next  Tab field  ↑↓ choice  F2 back"
+        return "Enter finish  Esc back"
+    return "Enter next  Tab field  ↑↓ choice  Esc back"
 
 
 _KEYS = """\
 Enter           the next page
 Tab, Shift-Tab  the next field, the one before
 Up, Down        the choices of a field
-F2, Alt-Left    the page before; nothing is lost
+Esc, F2         the page before; nothing is lost
 F3              code and graph, in a narrow window
-Esc             leave; what was not finished leaves no trace"""
+Esc at first    leave; what was not finished leaves no trace"""
 
 
 def explanation(page: Page, is_done: bool) -> tuple[str, str]:

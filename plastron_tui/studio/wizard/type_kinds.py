@@ -12,6 +12,7 @@ from .ask import MEETINGS, Ask, Choice
 from .definition_kinds import own_type_to_send
 from .form import Cell
 from .kind import OF_THE_LIST, Kind
+from .obstacles import is_laser_wanted
 
 MOST_TYPES = 80
 """The most types that a search lists."""
@@ -102,7 +103,7 @@ class TypeKind(Kind):
 
     def fixed(self, ask: Ask) -> Cell | None:
         """Return the type that a message, a topic or a service has already."""
-        if ask.form.parent is not None:
+        if ask.form.parent is not None and not is_laser_wanted(ask):
             text = ask.parent_text(ask.slot.kind)
             name = ask.parent_text(SlotKind.TOPIC)
             return Cell(text, f"what `{name}` carries") if text else None

@@ -149,6 +149,10 @@ def _entries(
         yield from _entries(nested.sections[0], path, catalog, is_sent)
 
 
+_LARGE = 2**32
+"""Of what holds more than this, nobody has to know how much."""
+
+
 def _entry(field: Field, path: Path, constants: tuple[Constant, ...], ros_version: int) -> Entry:
     type_ = field.type
     if type_.package is not None:
@@ -161,6 +165,8 @@ def _entry(field: Field, path: Path, constants: tuple[Constant, ...], ros_versio
     parts = [str(type_) + (", in seconds" if known.parts else "")]
     if type_.is_array:
         parts.append("values with commas between")
+    elif known.low is not None and known.high is not None and known.high > _LARGE:
+        parts.append("a whole number")
     elif known.low is not None:
         parts[0] += f" {known.low}…{known.high}"
     if field.default is not None:

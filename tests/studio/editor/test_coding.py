@@ -61,7 +61,7 @@ class TestCoding:
             ("echo oops > $1; exit 3", PROGRAM, "the text is as it was; what you wrote is"),
             ("rm $1; exit 3", PROGRAM, "ended with status 3; the text is as it was"),
             ("rm $1", PROGRAM, "`program.plastron` is gone; the text is as it was"),
-            ("kill -9 $$", PROGRAM, "ended with status -9; the text is as it was"),
+            ("kill -9 $$", PROGRAM, "was ended by SIGKILL; the text is as it was"),
             (
                 "printf 'caf\\351' > $1",
                 PROGRAM,

@@ -95,7 +95,10 @@ MEANT = [
     ("0.5 * received.axes[1] + 1", "write `received.axes[1] * 0.5 + 1`"),
     ("-axes[1]", "write `received.axes[1] * -1`"),
     ("2 - axes[1] * 3", "write `received.axes[1] * -1 * 3 + 2`"),
-    ("received.axes[1] * parameter 'speed'", "two need code in the node"),
+    (
+        "received.axes[1] * parameter 'speed'",
+        "leave this empty; after Finish, Alt-C opens the code",
+    ),
     ("(received.axes[1] + 1) * 2", "what is calculated has no brackets"),
     ("fast", f"x takes a number, such as 0.5, {EXAMPLE}"),
     ("parameter", f"x takes a number, such as 0.5, {EXAMPLE}"),

@@ -33,3 +33,22 @@ def test_what_cannot_be_chosen_is_no_louder_than_what_can() -> None:
     assert closed.plain == "Go\n  Not now: no"
     assert closed.spans[-1].style == free.spans[-1].style
     assert closed.spans[0].style != free.spans[0].style
+
+
+async def test_pages_of_a_menu_lead_to_entries() -> None:
+    app: App[None] = App()
+    async with app.run_test(size=(60, 9)) as pilot:
+        items = [Item(str(number), closed="no" if number > 5 else "") for number in range(9)]
+        await app.mount(MenuPage("what now?", items))
+        menu = app.query_one(Menu)
+        await pilot.pause()
+        seen = [menu.highlighted]
+        for key in ("pagedown", "pagedown", "pagedown", "pageup", "pageup", "pageup"):
+            await pilot.press(key)
+            seen.append(menu.highlighted)
+        assert None not in seen
+        assert (seen[0], seen[3], seen[6]) == (0, 5, 0)
+        assert seen[1] not in (0, 5)
+        menu.highlighted = None
+        await pilot.press("enter")
+        assert menu.highlighted == 0

@@ -325,6 +325,6 @@ def test_what_cannot_be_entered_says_why(
 @pytest.mark.parametrize("library", ["rclpy", "rospy"])
 def test_a_parameter_is_renamed_by_the_name_that_a_program_writes(library: str) -> None:
     it = course(ROBOT.replace("rclpy", library))
-    form = form_after(it, MORE, "give something another name")
+    form = form_after(it, MORE, "use another topic, or rename something")
     form.enter("what", "parameter")
     assert written(it) == "robot renames parameter 'speed' to 'speed_2'"

@@ -19,10 +19,10 @@ from wizard_courses import TWO_NODES
 from wizard_driver import SMALL, WizardDriver
 
 from plastron_tui.studio.wizard.form_page import FormPage
-from plastron_tui.studio.wizard.frame import View
 from plastron_tui.studio.wizard.menu_page import Menu
 from plastron_tui.studio.wizard.rows import Row
 from plastron_tui.studio.wizard.screen import Wizard
+from plastron_tui.studio.wizard.view import View
 
 WAYS = {
     "the first menu": ["down", "down"],
@@ -32,7 +32,7 @@ WAYS = {
     "back": ["enter", *"horn", "enter", "f2", "end", "s"],
     "a choice": ["down", "enter", "down", "enter", "down"],
     "to the end": ["enter", *"horn", *["enter"] * 6],
-    "away and on": ["down", "enter", "escape", "x"],
+    "away and on": ["down", "enter", "escape", "escape", "x"],
     "away at once": ["escape", "y"],
     "from the end": ["enter", *["enter"] * 6, "escape", "z"],
 }
@@ -164,7 +164,7 @@ async def test_leaving_while_a_page_is_on_its_way(
         await it.settle()
         monkeypatch.setattr(Wizard, "_view", slow)
         monkeypatch.setattr(Button, "on_unmount", go_slowly, raising=False)
-        await quickly(it, ["enter", "escape", "z"])
+        await quickly(it, ["enter", "escape", "escape", "z"])
         await driver.until(lambda: driver.text == "z" and not it.is_open)
         await driver.app.workers.wait_for_complete()
         await driver.pilot.pause()
@@ -186,7 +186,12 @@ def test_keys_of_a_terminal_that_come_at_once(terminal: Terminal, tmp_path: Path
     terminal.wait(lambda screen: "no nodes yet" in screen)
     terminal.keys("C-u", "Enter", "h", "o", "r", "n", "Enter", "Down", "Up")
     terminal.wait(lambda screen: "create_node 'horn' as horn" in screen and "step 2" in screen)
+    for title in ("Make a node", "What do you want?"):
+        terminal.keys("Escape")
+        terminal.wait(lambda screen: f" {title}" in screen.splitlines()[0])  # noqa: B023
     terminal.keys("Escape")
+    terminal.wait(lambda screen: "and forget" in screen)
+    terminal.keys("Right", "Enter")
     terminal.wait(lambda screen: "no nodes yet" in screen)
     terminal.keys("C-s")
     terminal.wait(lambda screen: "saved mine.plastron" in screen)

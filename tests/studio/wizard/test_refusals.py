@@ -288,7 +288,7 @@ async def test_next_is_refused_on_the_screen_and_says_why(here: Path) -> None:
         await it.write("name", "1st")
         assert it.help == "✗ a name starts with a letter: write node_1st"
         await it.go_to("variable")
-        assert "what the program calls the node" in it.help
+        assert "what this text calls the node" in it.help
         await it.press("enter")
         assert it.kind is PageKind.FORM and it.form.row_here is it.row("name")
         assert it.help.startswith("✗ a name starts with a letter")
