@@ -18,6 +18,7 @@ from .flow import Course, Heard, Look, Page, PageKind
 from .form import Form
 from .form_page import FormPage
 from .form_rows import Key
+from .key_hints import drawn_keys
 from .menu import Offer
 from .menu_page import Item, MenuPage, ReviewPage
 from .result_view import ResultView
@@ -33,6 +34,8 @@ SPACIOUS = 110
 """From so many columns on the page has the width of a text, and the code all the rest."""
 LOW = 22
 """With fewer rows the form does without the sentence above it."""
+HIGH = 32
+"""From so many rows on there are empty ones around what is asked."""
 
 
 class Frame(Paged, Dialog[str]):
@@ -176,7 +179,7 @@ class Frame(Paged, Dialog[str]):
     def _show_keys(self) -> None:
         is_turn = self.focused is not None and self.focused.id == "wizard-turn"
         words = strings.keys(self.course.page, self.is_done, is_turn=is_turn)
-        self.query_one("#wizard-keys", Label).update(words)
+        self.query_one("#wizard-keys", Label).update(drawn_keys(words))
 
     def _text_of(self, form: Form, look: Look) -> str:
         filled = look.of(form)
@@ -187,6 +190,7 @@ class Frame(Paged, Dialog[str]):
         self.set_class(event.size.width < NARROW, "-narrow")
         self.set_class(event.size.width >= SPACIOUS, "-spacious")
         self.set_class(event.size.height < LOW, "-low")
+        self.set_class(event.size.height >= HIGH, "-high")
         if event.size.width >= NARROW:
             self.remove_class("-turned")
         self.changed()
