@@ -288,8 +288,6 @@ def _shown(choice: Choice) -> Content:
     parts.append((label, "$foreground 50%" if choice.closed else "bold"))
     if choice.note:
         parts.append((f"  {choice.note}", quiet))
-    if choice.closed:
-        parts.append((f"\n  {choice.closed}", "$text-warning"))
-    elif choice.about:
-        parts.append((f"\n  {choice.about}", quiet))
+    if said := choice.closed or choice.about:
+        parts.append((f"\n  {said}", quiet))
     return Content.assemble(*parts)

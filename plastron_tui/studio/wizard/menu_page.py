@@ -103,10 +103,9 @@ def _words(item: Item) -> Content:
         parts.insert(0, ("next: ", "$text-success"))
     if item.term:
         parts.append((f"  {item.term}", "$text-secondary"))
-    if item.closed:
-        parts.append((f"\n  Not now: {item.closed}", "$text-warning"))
-    else:
-        parts.append((f"\n  {item.about}", "$foreground 60%"))
+    # What cannot be chosen is no louder than what can.
+    said = f"Not now: {item.closed}" if item.closed else item.about
+    parts.append((f"\n  {said}", "$foreground 60%"))
     return Content.assemble(*parts)
 
 

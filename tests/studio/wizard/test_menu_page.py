@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from textual.app import App
 
-from plastron_tui.studio.wizard.menu_page import Item, Menu, MenuPage
+from plastron_tui.studio.wizard.menu_page import Item, Menu, MenuPage, _words
 
 
 async def test_a_page_that_is_left_before_it_is_there_is_no_failure() -> None:
@@ -26,6 +26,13 @@ async def test_the_cursor_is_where_it_was_and_the_menu_has_the_keys() -> None:
         await pilot.pause()
         menu = app.query_one(Menu)
         assert (menu.option_count, menu.highlighted, menu.has_focus) == (3, 2, True)
+
+
+def test_what_cannot_be_chosen_is_no_louder_than_what_can() -> None:
+    free, closed = _words(Item("go", about="far")), _words(Item("go", about="far", closed="no"))
+    assert closed.plain == "Go\n  Not now: no"
+    assert closed.spans[-1].style == free.spans[-1].style
+    assert closed.spans[0].style != free.spans[0].style
 
 
 async def test_pages_of_a_menu_lead_to_entries() -> None:

@@ -8,10 +8,12 @@ import pytest
 from machine import mostly_long
 from rich.cells import cell_len
 from studio_driver import studio
+from textual.widgets import OptionList
 from wizard_courses import CHANGE, MAKE, MORE, NODE_FILE, REACT, SEND
 from wizard_driver import WizardDriver, wizard
 
 from plastron_tui.studio.panels.text_view import TextView
+from plastron_tui.studio.wizard.ask import Choice
 from plastron_tui.studio.wizard.flow import PageKind
 
 SIZES = [(60, 20), (80, 24), (120, 40), (200, 60)]
@@ -68,6 +70,12 @@ async def test_the_view_goes_to_the_code_that_changed(here: Path) -> None:
         rows = code.text.split("\n")
         wanted = next(number for number, row in enumerate(rows) if "def publish_" in row)
         assert code.scroll_offset.y <= wanted < code.scroll_offset.y + code.size.height
+        # The field is lit, and what it has of the list only marked.
+        it.form.show_choices([Choice("a"), Choice("b", closed="it is taken")])
+        choices = it.screen.query_one("#wizard-choices", OptionList)
+        mark = choices.get_component_styles("option-list--option-highlighted").background
+        assert it.form.row_here is not None
+        assert mark.rgb != it.form.row_here.box.styles.background.rgb
 
 
 async def test_of_a_file_that_exists_the_change_is_shown(here: Path) -> None:
