@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from itertools import takewhile
 from typing import ClassVar
 
@@ -10,12 +10,10 @@ from rich.segment import Segment
 from rich.style import Style
 from textual import events
 from textual.binding import Binding, BindingType
-from textual.geometry import Region
 from textual.widget import Widget
 
 from plastron_tui.runtime.live_graph import LiveGraph
 
-from ..delay import Delay
 from .entry import Entries, Entry
 from .entry_list import EntryList
 from .filter_bar import FilterBar
@@ -23,14 +21,12 @@ from .live_columns import Columns, columns_of, line_of
 from .live_row_places import branch_at, stop_near, target_at
 from .live_rows import UNCOUNTED, Answer, Kind, LiveRow, found_rows, live_rows
 from .live_watching import Watching, watching_of
+from .row_drawing import RowDrawing
 
 NOTHING_RUNS = "nothing runs\nF5 starts the nodes; here is then what they send"
 STARTING = "the nodes start…\nwhat they send is shown here"
 LOOKING = "looking for topics…\nwhat the nodes send is shown here"
 NOTHING_FOUND = "nothing has these words in its name or type\n/ and Esc show all again"
-_ROWS_AT_ONCE = 16
-_BETWEEN = 0.03
-"""Seconds between the rows that are drawn at once and the next ones."""
 _KINDS = {"publish": Kind.TOPIC, "call": Kind.SERVICE, "set": Kind.PARAMETER}
 
 
@@ -81,8 +77,7 @@ class LivePanel(EntryList):
         self._has_moved = False
         """Whether somebody chose the row that the cursor is on."""
         self._columns = Columns(0, 0, 0, 0, 0)
-        self._stale: set[int] = set()
-        self._drawing = Delay(self, self._draw_some)
+        self._drawing = RowDrawing(self)
 
     @property
     def row(self) -> LiveRow | None:
@@ -152,29 +147,8 @@ class LivePanel(EntryList):
         elif self._columns != old_columns:
             self.refresh()
         else:
-            self._refresh_rows(at for at, pair in enumerate(zip(before, rows, strict=True))
-                               if pair[0] != pair[1])  # fmt: skip
-
-    def _refresh_rows(self, rows: Iterable[int]) -> None:
-        """Draw rows again, some at a time: a key that comes meanwhile waits for no more of them.
-
-        Who is on a slow line gets no more than what is new.
-        """
-        self._stale.update(rows)
-        if not self._drawing.is_waiting:
-            self._draw_some()
-
-    def _draw_some(self) -> None:
-        top, height = int(self.scroll_offset.y), self.size.height
-        in_sight = sorted(row for row in self._stale if top <= row < top + height)
-        if not in_sight:
-            self._stale.clear()
-            return
-        first = in_sight[0]
-        drawn = range(first, min(first + _ROWS_AT_ONCE, in_sight[-1] + 1))
-        self._stale.difference_update(drawn)
-        self.refresh(Region(0, first - top, self.size.width, len(drawn)))
-        self._drawing.start(_BETWEEN)
+            pairs = enumerate(zip(before, rows, strict=True))
+            self._drawing.refresh(at for at, (old, new) in pairs if old != new)
 
     async def action_filter(self) -> None:
         """Ask for the words that names or types have to have."""
@@ -305,11 +279,9 @@ class LivePanel(EntryList):
 
     def _segments(self, entry: Entry, width: int, base: Style, is_lit: bool) -> list[Segment]:
         row = self._live[self._rows[entry.key]]
-        return [
-            Segment(text, base + (Style.null() if is_lit else self.tone(tone)))
-            for text, tone in line_of(row, self._columns, width)
-            if text
-        ]
+        line = line_of(row, self._columns, width)
+        lit = Style.null()
+        return [Segment(text, base + (lit if is_lit else self.tone(tone))) for text, tone in line]
 
 
 def _entry(row: LiveRow) -> Entry:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import asyncio
+from typing import ClassVar
 
 from textual import events
 from textual.app import ComposeResult
@@ -36,6 +37,24 @@ LOW = 22
 """With fewer rows the form does without the sentence above it."""
 HIGH = 32
 """From so many rows on there are empty ones around what is asked."""
+
+
+class Buttons(Horizontal):
+    """The line at the bottom: where one can go, and the keys."""
+
+    def compose(self) -> ComposeResult:
+        """Make the buttons."""
+        back = Button("Back", id="wizard-back", compact=True)
+        # Tab leads from the last field on, and F2 back.
+        back.can_focus = False
+        yield back
+        yield Button("Next", id="wizard-next", variant="primary", compact=True)
+        yield Button("Code", id="wizard-turn", compact=True)
+        leave = Button("Leave", id="wizard-leave", compact=True)
+        # Tab goes round the fields: one too many, and Enter, would forget them all.
+        leave.can_focus = False
+        yield leave
+        yield Label("", id="wizard-keys", markup=False)
 
 
 class Frame(Paged, Dialog[str]):
@@ -79,18 +98,7 @@ class Frame(Paged, Dialog[str]):
             yield Vertical(id="wizard-page")
             yield ResultView(id="wizard-side")
         yield StatementView(id="wizard-statements")
-        with Horizontal(id="wizard-buttons"):
-            back = Button("Back", id="wizard-back", compact=True)
-            # Tab leads from the last field on, and F2 back.
-            back.can_focus = False
-            yield back
-            yield Button("Next", id="wizard-next", variant="primary", compact=True)
-            yield Button("Code", id="wizard-turn", compact=True)
-            leave = Button("Leave", id="wizard-leave", compact=True)
-            # Tab goes round the fields: one too many, and Enter, would forget them all.
-            leave.can_focus = False
-            yield leave
-            yield Label("", id="wizard-keys", markup=False)
+        yield Buttons(id="wizard-buttons")
 
     @property
     def _form_page(self) -> FormPage | None:

@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 import pytest
-from wizard_courses import MAKE, MORE, applied, choose, course, to_menu_or_review
+from wizard_courses import MAKE, MORE, SEND, applied, choose, course, form_after, to_menu_or_review
 
 from plastron_tui.session import Session
 from plastron_tui.studio.wizard import strings
+from plastron_tui.studio.wizard.flow import Heard
 
 DRIVE = "drive until something is near"
 NODE = "create_node 'driver' as driver\n"
@@ -52,3 +53,25 @@ def test_a_robot_stops_whatever_it_was_told_before(before: str, line: int) -> No
     ] * 2
     said = f"That takes the place of line {line}, which drives whatever arrives"
     assert (said in strings.review(look)) == bool(line)
+
+
+def test_the_proposal_after_the_laser_takes_the_place_of_what_drove() -> None:
+    it = course(NODE + DRIVING + HEARING + END)
+    it.answer(Heard("driver", "scan"))
+    look = to_menu_or_review(it)
+    assert look.problems == () and look.outcome is not None
+    assert look.outcome.replaced == (3,)
+    assert b" hz" not in look.outcome.session.document.text
+
+
+def test_to_drive_at_a_rate_beside_what_stops_is_refused() -> None:
+    it = course(NODE + HEARING + END)
+    choose(it, MORE, DRIVE)
+    outcome = to_menu_or_review(it).outcome
+    assert outcome is not None
+    it = course(outcome.session.document.text.decode())
+    form = form_after(it, MORE, SEND)
+    form.enter("topic", "cmd_vel")
+    form.enter("message", "cmd_vel_message")
+    (problem,) = it.blocking(it.look())
+    assert problem.message.endswith("whatever `scan` says: the robot does not stop")
