@@ -54,3 +54,11 @@ def test_a_line_is_split_at_a_space_and_goes_on_further_in() -> None:
         "self.create_service(",
         "    SetBool)",
     ]
+
+
+def test_the_ground_of_a_row_goes_on_below() -> None:
+    line = (Piece("+ready and not done", "added"), Piece("", "added"))
+    rows = folded((line,), 12)
+    assert len(rows) == 2
+    assert all({piece.tone for piece in row} == {"added"} for row in rows)
+    assert all(row[-1] == line[-1] for row in rows)

@@ -7,7 +7,7 @@ from itertools import groupby
 
 from rich.cells import get_character_cell_size
 
-from .styles import Line, Lines, Piece
+from .styles import Line, Lines, Piece, rest_of
 
 _MARKS = frozenset("([{,.=/")
 """What a line is split behind where it has no space to be split at."""
@@ -47,11 +47,13 @@ def _rows(line: Line, width: int) -> Iterator[Line]:
     at_most = width // 2
     before = " " * (min(indent, at_most) if width >= _ROOMY or indent <= at_most else 0)
     end = _end(cells, width)
-    yield _joined(cells[:end]) if end < len(cells) else line
+    rest = rest_of(line)
+    yield (*_joined(cells[:end]), *rest) if end < len(cells) else line
     while end < len(cells):
         start, room = end, width - len(before)
         end += _end(cells[start:], room)
-        yield (Piece(before), *_joined(cells[start:end])) if before else _joined(cells[start:end])
+        space = (Piece(before, *(tone for _, tone in rest)),) if before else ()
+        yield (*space, *_joined(cells[start:end]), *rest)
 
 
 def _end(cells: list[Cell], width: int) -> int:

@@ -92,16 +92,16 @@ def _tone(kind: object) -> str:
 
 def diff_lines(patch: str) -> Lines:
     """Return a patch, coloured; its header is left out."""
-    lines = []
+    lines: list[Line] = []
     for row in patch.split("\n"):
         if row.startswith(("diff --git", "index ", "--- ", "+++ ")):
             continue
         if row.startswith("@@"):
             lines.append((Piece(row, "quiet"),))
         elif row.startswith("+"):
-            lines.append((Piece(row, "added"),))
+            lines.append((Piece(row, "added"), Piece("", "added")))
         elif row.startswith("-"):
-            lines.append((Piece(row, "removed"),))
+            lines.append((Piece(row, "removed"), Piece("", "removed")))
         else:
             lines.append((Piece(row),))
     while lines and not "".join(piece.text for piece in lines[-1]):

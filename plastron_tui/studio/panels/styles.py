@@ -47,7 +47,13 @@ class Piece(NamedTuple):
 
 
 Line = tuple[Piece, ...]
+"""A last piece without characters gives its tone to the rest of the row, to the edge."""
 Lines = tuple[Line, ...]
+
+
+def rest_of(line: Line) -> Line:
+    """Return what the rest of a row has its tone of; nothing where it has none."""
+    return line[-1:] if line and not line[-1].text else ()
 
 
 def tone_style(widget: Widget, tone: str, prefix: str = "tone") -> Style:

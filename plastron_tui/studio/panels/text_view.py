@@ -11,7 +11,7 @@ from textual.geometry import Size
 from textual.scroll_view import ScrollView
 from textual.strip import Strip
 
-from .styles import COMPONENTS, Lines, Piece, Toned
+from .styles import COMPONENTS, Lines, Piece, Toned, rest_of
 
 
 class TextView(Toned, ScrollView, can_focus=True):
@@ -85,7 +85,8 @@ class TextView(Toned, ScrollView, can_focus=True):
         margin = self._margin
         pieces = rows[row] or (Piece(""),)
         line = Strip([Segment(text, base + self.tone(tone)) for text, tone in pieces])
-        line = line.crop(x, x + width - margin).extend_cell_length(width - margin, base)
+        rest = base + self.tone(next((tone for _, tone in rest_of(pieces)), ""))
+        line = line.crop(x, x + width - margin).extend_cell_length(width - margin, rest)
         if not margin:
             return line
         style = base + self.tone("number", "text-view")
