@@ -8,7 +8,7 @@ import pytest
 from studio_driver import studio
 from textual.color import Color
 from textual.geometry import Size
-from textual.widgets import Button
+from textual.widgets import Button, OptionList
 
 from plastron_tui.studio.panels.source_lines import difference
 from plastron_tui.studio.panels.styles import Piece
@@ -66,3 +66,16 @@ async def test_what_is_looked_at_leaves_the_answers_in_sight(program: Path) -> N
             assert len(set(grounds)) == 1, line
             is_changed = line[0].text[:1] in ("+", "-")
             assert (grounds[0] != view.rich_style.bgcolor) is is_changed
+
+
+@pytest.mark.parametrize(("rows", "is_roomy"), [(50, True), (24, False)])
+async def test_empty_rows_of_the_welcome_push_nothing_out(rows: int, is_roomy: bool) -> None:
+    async with studio(None, (100, rows), welcome=True) as driver:
+        welcome = await driver.dialog("Welcome")
+        options = welcome.query_one(OptionList)
+        [*_, heading] = (str(each.prompt) for each in options.options if each.disabled)
+        assert heading == ("\n" if is_roomy else "") + " Examples that work"
+        top = welcome.query_one("#welcome-title").region.bottom
+        assert options.region.y - top == int(is_roomy)
+        if is_roomy:
+            assert not options.show_vertical_scrollbar

@@ -64,6 +64,9 @@ async def test_the_menu_finds_does_and_remembers(program: Path, size: tuple[int,
 
         await driver.until(lambda: len(row()) == options.scrollable_content_region.width)
         assert row().rstrip().endswith(driver.main.key_of("help"))
+        # The status and the keys below stay in sight, and the help is read whole.
+        assert menu.query_one("#menu").region.bottom <= size[1] - 2
+        assert menu.query_one("#menu-help").size.height == 2
         await driver.pilot.press("down", "down", "up")
         await driver.until(lambda: menu.entries[options.highlighted].action is BY_ID["run"])
         await driver.pilot.press("escape")

@@ -9,7 +9,7 @@ import pytest
 from studio_driver import studio
 from test_packages_panel import analysis_of
 
-from plastron_tui.studio.panels.nodes import _entries as _nodes
+from plastron_tui.studio.panels.nodes import make as _nodes
 from plastron_tui.studio.panels.preview import previews_of
 from plastron_tui.studio.panels.source_lines import coloured
 from plastron_tui.studio.wizard.node_files import _node_files

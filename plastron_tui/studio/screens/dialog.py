@@ -30,7 +30,7 @@ class Dialog(ModalScreen[ScreenResultType]):
 
     def on_resize(self, event: events.Resize) -> None:
         """Spend nothing on gaps where the window is low."""
-        self.set_class(event.size.height < _LOW, "-low")
+        self.set_class(is_low(event.size), "-low")
 
     def take_height(self, rows: int, text: str, size: Size) -> None:
         """Be as high as what is shown in it, or nearly as high as the window.
@@ -51,6 +51,11 @@ class Dialog(ModalScreen[ScreenResultType]):
     def on_unmount(self) -> None:
         """Let go of its widgets."""
         forget_removed_widgets()
+
+
+def is_low(size: Size) -> bool:
+    """Tell whether a window has no rows for gaps."""
+    return size.height < _LOW
 
 
 def is_tall(rows: int, text: str, size: Size) -> bool:

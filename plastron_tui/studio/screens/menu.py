@@ -15,11 +15,13 @@ from textual.widgets import Input, Label, OptionList
 from textual.widgets.option_list import Option
 
 from ..actions import ACTIONS, Action, grouped
-from .dialog import Dialog
+from .dialog import Dialog, is_low
 from .menu_search import Entry, found, listed
 
-_ROOM = 6
-"""Rows around the list: the frame, the line to type in, the help, the keys."""
+_ROOM = 9
+"""Rows around the list: the frame, the line to type in, the help, the keys, the studio's lines."""
+_LOW_ROOM = 6
+"""Rows around it in a low window, where the help has one row and the studio's lines none."""
 
 
 class ActionMenu(Dialog[Action | None]):
@@ -63,7 +65,8 @@ class ActionMenu(Dialog[Action | None]):
     def on_resize(self, event: events.Resize) -> None:
         """Give the list the rows and the columns that there are."""
         options = self.query_one(OptionList)
-        options.styles.max_height = max(event.size.height - _ROOM, 1)
+        room = _LOW_ROOM if is_low(event.size) else _ROOM
+        options.styles.max_height = max(event.size.height - room, 1)
         self.call_after_refresh(self._fit)
 
     def _fit(self) -> None:

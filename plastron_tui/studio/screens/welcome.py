@@ -26,6 +26,8 @@ _TITLE = "Plastron"
 _ABOUT = "ROS nodes and robots, described in sentences"
 _FRAME = 4
 """Rows around the list: the border, the title, and the line with the keys."""
+_GAPS = 2
+"""Empty rows below the title and above the keys, where nothing has to be scrolled for them."""
 _LOW = 16
 """With fewer rows there is no title."""
 
@@ -35,7 +37,7 @@ START = (
     ("action", "screen.wizard", "Build nodes with the wizard", key_name("ctrl+u")),
     ("action", "screen.new", "Write a new program", key_name("ctrl+n")),
     ("action", "screen.open", "Open a program", key_name("ctrl+o")),
-    ("action", "screen.tour", "Take the two-minute tour", ""),
+    ("action", "screen.tour", "Take the two-minute tour", key_name("alt+i")),
 )
 """What can be started: the kind of answer, its value, its words, its key."""
 
@@ -49,6 +51,7 @@ class Welcome(Dialog["Answer | None"]):
         Binding("ctrl+u,alt+w", "answer('screen.wizard')", "Wizard", show=False),
         Binding("ctrl+n", "answer('screen.new')", "New", show=False),
         Binding("ctrl+o", "answer('screen.open')", "Open", show=False),
+        Binding("alt+i", "answer('screen.tour')", "Tour", show=False),
         Binding("f1", "answer('screen.help(False)')", "Help", show=False),
     ]
     AUTO_FOCUS = "#welcome-list"
@@ -64,6 +67,7 @@ class Welcome(Dialog["Answer | None"]):
         self._kept = kept[:6]
         self._recent = [name for name in recent if Path(name).is_file()][:6]
         self._answers: list[Answer] = []
+        self._heads: dict[int, str] = {}
         self._rows = self._options()
 
     def compose(self) -> ComposeResult:
@@ -78,7 +82,8 @@ class Welcome(Dialog["Answer | None"]):
         options: list[Option] = []
 
         def head(words: str) -> None:
-            options.append(Option(Content.styled(words, "$text-muted bold"), disabled=True))
+            self._heads[len(options)] = words
+            options.append(Option(_heading(words), disabled=True))
 
         def add(kind: str, value: str, words: str, note: str) -> None:
             self._answers.append((kind, value))
@@ -109,7 +114,13 @@ class Welcome(Dialog["Answer | None"]):
         title = self.query_one("#welcome-title")
         title.display = event.size.height >= _LOW
         room = event.size.height - _FRAME + (not title.display)
-        self.query_one(OptionList).styles.max_height = max(room, 1)
+        options = self.query_one(OptionList)
+        options.styles.max_height = max(room, 1)
+        is_roomy = len(self._rows) + len(self._heads) + _GAPS <= room
+        if is_roomy != self.has_class("-roomy"):
+            self.set_class(is_roomy, "-roomy")
+            for number, words in self._heads.items():
+                options.replace_option_prompt_at_index(number, _heading(words, is_roomy))
 
     @on(OptionList.OptionSelected)
     def selected(self, event: OptionList.OptionSelected) -> None:
@@ -123,3 +134,8 @@ class Welcome(Dialog["Answer | None"]):
     def action_close(self) -> None:
         """Begin to write."""
         self.dismiss(None)
+
+
+def _heading(words: str, is_roomy: bool = False) -> Content:
+    """Return a heading; with an empty row above it where there is room."""
+    return Content.styled(("\n " if is_roomy else " ") + words, "$text-muted bold")
