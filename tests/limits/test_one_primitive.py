@@ -24,6 +24,7 @@ _OTHERS = {
     "output/locks.py": "it opens folders",
     "ros/catalog/data.py": "it reads Plastron's own data",
     "targets/templates.py": "it reads Plastron's own templates",
+    "studio/app.py": "it reads the studio's own style sheets",
     "sources/grammars.py": "it reads Plastron's own queries",
     "studio/main/screen.py": "it opens the wizard",
     "studio/editor/hover.py": "it opens a card",

@@ -33,7 +33,7 @@ def test_macros_as_rows() -> None:
         ("argument", "sim", "false"),
         ("property", "width", "0.3"),
         ("property", "place", "elements"),
-        ("macro", "wheel prefix radius:=0.1 *origin", "1 link, 0 joints and more"),
+        ("macro", "wheel prefix radius:=0.1 *origin", "1 link, no joints and more"),
         ("macro", "axle", "1 link, 1 joint"),
         ("call", "wheel", 'prefix="left" radius="${x < 1}"'),
     ]

@@ -269,7 +269,7 @@ def test_it_works_with_few_colours(
 
 
 def test_another_editor_has_the_terminal_meanwhile(terminal: Terminal, tmp_path: Path) -> None:
-    editor = tmp_path / "editor"
+    editor = tmp_path / "own_editor"
     editor.write_text('#!/bin/sh\necho what now; read answer; echo "// $answer" >>"$1"\n')
     editor.chmod(0o755)
     terminal._environ["EDITOR"] = str(editor)

@@ -10,7 +10,7 @@ from textual.binding import Binding, BindingType
 from textual.containers import Container, Vertical
 from textual.widgets import Static
 
-from plastron_tui.diagnostics import Severity
+from plastron_tui.diagnostics import Severity, counted
 
 from .entry_keys import Chosen, Lit
 from .file_tree import FileTree, TreeFile, is_tree
@@ -196,7 +196,7 @@ class PreviewPanel(Vertical):
                 self._view.show(current.lines, numbers=True)
             self.refresh_bindings()
         if self._errors:
-            count = f"{self._errors} problem{'' if self._errors == 1 else 's'}"
+            count = counted(self._errors, "problem")
             pieces.append(Piece(f"mend {count} first", "$text-error"))
         parts = [part for text, style in pieces for part in ("  ", (text, style))]
         self._head.update(Content.assemble(*parts[1:]))
