@@ -46,7 +46,7 @@ from .open_program import Open, opened
 from .terminal_driver import for_terminal
 from .terminal_keys import teach
 from .terminal_output import ShownScreen
-from .textual_private import notes_in_sight
+from .textual_private import notes_in_sight, translate_colours
 
 _SAME_NOTE = 0.3
 """Seconds within which the same note again is the same one."""
@@ -191,6 +191,7 @@ class StudioApp(InOrder, inherit_bindings=False):
         is_dark = self.current_theme.dark
         self.set_class(is_dark, "-dark-mode", update=False)
         self.set_class(not is_dark, "-light-mode", update=False)
+        translate_colours(self)
 
     def _themed(self, name: str, first: str) -> None:
         if name != first or self.profile.remembered.theme is not None:

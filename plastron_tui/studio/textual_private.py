@@ -151,6 +151,16 @@ def forget_removed_widgets() -> None:
         clear()
 
 
+def translate_colours(app: App[Any]) -> None:
+    """Have the sixteen colours of a terminal translated, or left alone, as the theme wants it.
+
+    For a theme that is on before anything is drawn. Without it they are translated in any case.
+    """
+    refresh = getattr(app, "_refresh_truecolor_filter", None)
+    if callable(refresh):
+        refresh(app.ansi_theme)
+
+
 def notes_in_sight(app: App[Any]) -> list[Notification]:
     """Return what is said in the corner. Without it the same may stand there twice."""
     return list(getattr(app, "_notifications", ()))

@@ -32,6 +32,20 @@ async def test_the_editor_follows_every_theme(program: Path) -> None:
             await follows(driver, name)
 
 
+@pytest.mark.parametrize("name", ["ansi-light", "solarized-light"])
+async def test_a_theme_is_drawn_from_the_start_as_after_a_change(program: Path, name: str) -> None:
+    config_file().parent.mkdir(parents=True)
+    config_file().write_text(f"theme: {name}\n")
+    async with studio(program) as driver:
+        shown = driver.app.export_screenshot()
+        for theme in ("dracula", name):
+            driver.app.theme = theme
+            await driver.settle()
+        assert driver.app.export_screenshot() == shown
+        await driver.press("f1", "f1")
+        await driver.dialog("Help")
+
+
 async def follows(driver: Driver, name: str) -> None:
     """See that the editor is dark in a dark theme and light in a light one."""
     theme = driver.app.get_theme(name)
