@@ -9,10 +9,10 @@ from pathlib import Path
 import pytest
 
 
-# A key that keeps half a kilobyte is found, as in 1,200 keys with a bound of 1.2 from the 750th.
+# The resident memory grows in steps of some 7 MB, of which two may come in the half that counts.
 @pytest.mark.long(5)
 @pytest.mark.parametrize(
-    ("work", "steps", "most"), [("rounds", 500, 1.1), ("keys", 600, 1.12)], ids=["rounds", "keys"]
+    ("work", "steps", "most"), [("rounds", 500, 1.1), ("keys", 600, 1.16)], ids=["rounds", "keys"]
 )
 def test_the_memory_stays(work: str, steps: int, most: float) -> None:
     command = [sys.executable, "-m", "benchmarks.memory", work, str(steps)]

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import asyncio
 import gc
 import sys
 import weakref
@@ -116,8 +117,12 @@ async def test_the_studio_ends_with_its_own_words_where_no_key_can_be_read(
     app = StudioApp()
     async with app.run_test(size=(80, 24)) as pilot:
         app.driver_class(app).run_input_thread()  # type: ignore[attr-defined]
-        while not app.last_words:
-            await pilot.pause()
+
+        async def ended() -> None:
+            while not app.last_words:
+                await pilot.pause()
+
+        await asyncio.wait_for(ended(), 60)
     assert "no terminal any more" in app.last_words
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from dataclasses import dataclass
 from functools import cached_property
 from typing import TYPE_CHECKING
 
@@ -20,37 +21,27 @@ if TYPE_CHECKING:
     from .run_actions import RunActions
 
 
+@dataclass(eq=False)
 class NodeRuns:
-    """Tells of the nodes that run in each tab; as long as nothing was run, there are none."""
+    """Tells of the nodes that run in each tab; as long as nothing was run, there are none.
 
-    def __init__(
-        self,
-        screen: Screen[None],
-        program: ActiveProgram,
-        files: FileActions,
-        layout: DockLayout,
-        panels: PanelWidgets,
-        trust: TrustPrompt,
-        on_change: Callable[[], object],
-    ) -> None:
-        """Prepare to make it.
+    Attributes:
+        screen: shows dialogs, and gets what nodes print.
+        program: whose nodes they are.
+        files: saves the program first.
+        layout: brings panels in sight.
+        panels: the widgets of panels, of which some show nodes that run.
+        trust: says where only trust is missing.
+        on_change: called when nodes start, or have ended.
+    """
 
-        Args:
-            screen: shows dialogs, and gets what nodes print.
-            program: whose nodes they are.
-            files: saves the program first.
-            layout: brings panels in sight.
-            panels: the widgets of panels, of which some show nodes that run.
-            trust: says where only trust is missing.
-            on_change: called when nodes start, or have ended.
-        """
-        self._screen = screen
-        self._program = program
-        self._files = files
-        self._layout = layout
-        self._panels = panels
-        self._trust = trust
-        self._on_change = on_change
+    screen: Screen[None]
+    program: ActiveProgram
+    files: FileActions
+    layout: DockLayout
+    panels: PanelWidgets
+    trust: TrustPrompt
+    on_change: Callable[[], object]
 
     @cached_property
     def actions(self) -> RunActions:
@@ -59,9 +50,9 @@ class NodeRuns:
         from .run_actions import RunActions
         from .tab_run import RunPanels
 
-        ready = Readiness(self._screen, self._program, self._files, self._layout, self._trust)
-        shown = RunPanels.of(self._panels, self._layout)
-        return RunActions(self._screen, self._program, ready, shown, self._on_change)
+        ready = Readiness(self.screen, self.program, self.files, self.layout, self.trust)
+        shown = RunPanels.of(self.panels, self.layout)
+        return RunActions(self.screen, self.program, ready, shown, self.on_change)
 
     @property
     def _made(self) -> RunActions | None:
@@ -74,7 +65,7 @@ class NodeRuns:
     @property
     def is_running(self) -> bool:
         """Whether nodes of the program in front run."""
-        return self.runs_in(self._program.tab)
+        return self.runs_in(self.program.tab)
 
     def known(self, diagnostics: Sequence[Diagnostic]) -> None:
         """Take away what was said of mistakes, where there are none any more."""

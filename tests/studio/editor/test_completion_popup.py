@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import pytest
 from editor_host import editing
 from test_completion import PROGRAM
 from textual.geometry import Offset
@@ -86,18 +87,10 @@ async def test_a_half_typed_type_is_no_type_of_the_topic() -> None:
             assert "message_type Str\n" not in at.editor.text.decode()
 
 
-async def test_within_quotes_only_the_name_is_replaced() -> None:
-    text = PROGRAM + "subscribe talker to 'cha' of message_type Point\n"
-    async with editing(text, cursor=text.index("cha'") + 3) as at:
-        await at.understand()
-        await at.press("ctrl+@", "tab")
-        last = at.editor.text.decode().splitlines()[-1]
-        assert last == "subscribe talker to 'chatter' of message_type Point"
-
-
-async def test_an_open_quote_keeps_what_follows() -> None:
-    text = PROGRAM + "subscribe talker to 'cha of message_type Point\n"
-    async with editing(text, cursor=text.index("cha of") + 3) as at:
+@pytest.mark.parametrize("quote", ["'", ""], ids=["closed", "open"])
+async def test_within_quotes_only_the_name_is_replaced(quote: str) -> None:
+    text = PROGRAM + f"subscribe talker to 'cha{quote} of message_type Point\n"
+    async with editing(text, cursor=text.rindex("'cha") + 4) as at:
         await at.understand()
         await at.press("ctrl+@", "tab")
         last = at.editor.text.decode().splitlines()[-1]
