@@ -254,7 +254,7 @@ async def test_a_smaller_window_keeps_the_cursor_in_sight_but_does_not_go_to_it(
     async with editing(text, cursor=text.index("// 20"), size=(80, 30)) as at:
         for height in (12, 6, 20):
             await at.pilot.resize_terminal(60, height)
-            await at.until(lambda: any("// 20" in line for line in at.lines))  # noqa: B023
+            await at.until(lambda: any("// 20" in line for line in at.lines))
         at.editor.view.scroll_to(0, 60, animate=False, immediate=True)
         await at.pilot.resize_terminal(60, 10)
         await at.pilot.pause()
