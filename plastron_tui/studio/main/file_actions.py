@@ -289,7 +289,7 @@ class FileActions:
         return f"{nodes[0].name}.plastron" if nodes else "program.plastron"
 
     async def _may_overwrite(self, path: Path, found: bytes, text: bytes) -> bool:
-        from ..panels.source_lines import difference
+        from ..panels.diff_lines import difference
         from ..screens.question import Question
 
         answer = await self.screen.app.push_screen_wait(
@@ -297,7 +297,7 @@ class FileActions:
                 f"{path.name} holds something else on the disk",
                 [("cancel", "Cancel"), ("overwrite", "Overwrite it")],
                 text="This is what saving would change there:",
-                lines=difference(found, text),
+                lines=difference(found, text, path),
             )
         )
         return answer == "overwrite"
