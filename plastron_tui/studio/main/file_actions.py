@@ -142,7 +142,13 @@ class FileActions:
         from ..screens.choose_file import ChooseFile
 
         start = self.program.open.session.folder
-        path = await self.screen.app.push_screen_wait(ChooseFile("Open", start, must_be=True))
+        recent = [
+            name
+            for name in self.profile.remembered.recent
+            if self.program.tab_of(Path(name)) is None
+        ]
+        dialog = ChooseFile("Open", start, must_be=True, recent=recent)
+        path = await self.screen.app.push_screen_wait(dialog)
         if path is not None:
             self.open_file(path)
 
