@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 from textual.app import SuspendNotSupported
 
-from plastron_tui.diagnostics import Edit
+from plastron_tui.diagnostics import Edit, counted
 from plastron_tui.language import format_document
 from plastron_tui.project.program_file import check_text
 from plastron_tui.regular_files import reason
@@ -65,18 +65,24 @@ def _go_to_next_use(editor: ProgramEditor, name: Name) -> None:
 
 
 async def ask_name(editor: ProgramEditor) -> None:
-    """Ask for another name of the variable under the cursor."""
+    """Ask for another name of what is under the cursor, everywhere."""
     variable = _variable(editor)
     document, offset = editor.session.document, editor.cursor_offset
+    if name_at(document, offset) is not None or function_at(document, offset) is not None:
+        # What the nodes have of the name is known to the screen.
+        await editor.run_action("screen.rename")
+        return
     part = None if variable_at(document, offset) is not None else part_at(document, offset)
     kept = None if part is None else kept_name(part, editor.completer.names.known_robot(part.robot))
     if kept is not None:
         editor.warn(kept)
     elif variable is None:
-        editor.warn("no variable, and no part of a robot, is under the cursor")
+        editor.warn("nothing under the cursor has a name of the program's own")
     else:
         name = variable.name
-        await editor.ask(f"rename {name} to", name, partial(rename, editor))
+        found = variable.places
+        where = f" ({counted(len(found), 'place')})"
+        await editor.ask(f"rename {name}{where} to", name, partial(rename, editor))
 
 
 def rename(editor: ProgramEditor, name: str) -> None:

@@ -243,6 +243,10 @@ class MainScreen(FirstScreen, Paged):
         """Show the code of an entry, or of what the cursor is on."""
         await (self._parts.code.show_here() if entry is None else self._parts.code.show(entry))
 
+    def action_rename(self) -> None:
+        """Give what the name at the cursor is about another one."""
+        self._parts.entries.rename_here()
+
     def action_wizard(self) -> None:
         """Build statements from menus and forms."""
         self._parts.wizard.open()
