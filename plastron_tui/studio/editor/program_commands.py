@@ -64,6 +64,11 @@ def _go_to_next_use(editor: ProgramEditor, name: Name) -> None:
         editor.go_to(use.start)
 
 
+async def list_uses(editor: ProgramEditor) -> None:
+    """List the lines on which what is under the cursor is used."""
+    await editor.run_action("screen.uses")
+
+
 async def ask_name(editor: ProgramEditor) -> None:
     """Ask for another name of what is under the cursor, everywhere."""
     variable = _variable(editor)

@@ -243,6 +243,13 @@ class MainScreen(FirstScreen, Paged):
         """Show the code of an entry, or of what the cursor is on."""
         await (self._parts.code.show_here() if entry is None else self._parts.code.show(entry))
 
+    @work(exclusive=True, group="uses")
+    async def action_uses(self) -> None:
+        """List where what the cursor is on is used, and go to one of the places."""
+        from .use_list import choose_use
+
+        await choose_use(self, self.editor)
+
     def action_rename(self) -> None:
         """Give what the name at the cursor is about another one."""
         self._parts.entries.rename_here()
