@@ -132,7 +132,7 @@ async def test_the_box_says_how_many_places_have_the_name(program: Path) -> None
         assert driver.text == PROGRAM.replace("chatter", "news")
         # All lines with the name, in which the cursor's is the one at hand.
         await driver.pilot.press("alt+h")
-        dialog = await driver.dialog("UseList")
+        dialog = await driver.dialog("LineList")
         rows = dialog.query_one("#dialog-places")
         assert [str(each.prompt).split()[0] for each in rows.options] == ["3", "7"]
         await driver.pilot.press("down", "enter")

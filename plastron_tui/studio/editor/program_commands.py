@@ -13,7 +13,7 @@ from plastron_tui.language import format_document
 from plastron_tui.project.program_file import check_text
 from plastron_tui.regular_files import reason
 
-from .external_editor import NO_EDITOR, EditedElsewhere, external_editor, run_editor
+from .external_editor import EditedElsewhere, external_editor, run_editor
 from .name_uses import Name, function_at, is_file_at, name_at, next_use, uses_of
 from .names import Variable, variable_at, wrong_name
 from .robot_parts import find_part, kept_name, part_at, wrong_part_name
@@ -133,8 +133,8 @@ def _go_to_line(editor: ProgramEditor, answer: str) -> None:
 def edit_elsewhere(editor: ProgramEditor) -> None:
     """Edit the text in `$VISUAL` or `$EDITOR`, and take what comes back as one step."""
     command = external_editor(os.environ)
-    if command is None:
-        editor.warn(NO_EDITOR)
+    if isinstance(command, str):
+        editor.warn(command)
         return
     path = editor.session.path
     try:

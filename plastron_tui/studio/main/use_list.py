@@ -6,8 +6,10 @@ from typing import TYPE_CHECKING
 
 from textual.screen import Screen
 
+from plastron_tui.diagnostics import counted
+
 from ..editor.uses import lines_of, uses_at
-from ..screens.uses import UseList
+from ..screens.line_list import LineList
 
 if TYPE_CHECKING:
     from ..editor import ProgramEditor
@@ -23,7 +25,9 @@ async def choose_use(screen: Screen[None], editor: ProgramEditor) -> None:
     lines = lines_of(editor.text, uses.places)
     row = editor.state.row + 1
     here = next((at for at, line in enumerate(lines) if line.number >= row), 0)
-    chosen = await screen.app.push_screen_wait(UseList(uses.name, lines, here))
+    title = f"{uses.name}: {counted(len(lines), 'line')}"
+    shown = [(line.number, line.text) for line in lines]
+    chosen = await screen.app.push_screen_wait(LineList(title, shown, here))
     if chosen >= 0:
         editor.go_to(lines[chosen].place.start)
     editor.focus()

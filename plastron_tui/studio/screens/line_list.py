@@ -1,4 +1,4 @@
-"""The lines of the program on which something is used, to go to one of them."""
+"""Lines of a text, to go to one of them."""
 
 from __future__ import annotations
 
@@ -13,40 +13,35 @@ from textual.widgets import Label, OptionList
 from textual.widgets.option_list import Option
 
 from plastron_tui.diagnostics.terminal import visible
-from plastron_tui.diagnostics.wording import counted
 
-from ..editor.uses import UseLine
 from .dialog import Dialog
 
 
-class UseList(Dialog[int]):
+class LineList(Dialog[int]):
     """Lists lines; the result is the number of the one to go to, -1 for none."""
 
     BINDINGS: ClassVar[list[BindingType]] = [Binding("escape", "cancel", "Cancel")]
 
-    def __init__(self, name: str, lines: Sequence[UseLine], here: int) -> None:
+    def __init__(self, title: str, lines: Sequence[tuple[int, str]], here: int = 0) -> None:
         """Make the list.
 
         Args:
-            name: what is used on the lines.
-            lines: the lines.
-            here: the number of the one that the cursor is on.
+            title: what the lines have in common.
+            lines: the number of each line, 0 for the text as a whole, and what is shown of it.
+            here: which of them is the one at hand.
         """
         super().__init__()
-        self._used = name
+        self._title = title
         self._rows = lines
         self._here = here
 
     def compose(self) -> ComposeResult:
         """Make the list."""
-        digits = len(str(self._rows[-1].number))
-        title = f"{visible(self._used)}: {counted(len(self._rows), 'line')}"
+        digits = len(str(max(number for number, _ in self._rows)))
         with Vertical(id="dialog"):
-            yield Label(title, id="dialog-title", markup=False)
-            yield OptionList(
-                *(Option(f"{each.number:>{digits}}  {visible(each.text)}") for each in self._rows),
-                id="dialog-places", compact=True, markup=False,
-            )  # fmt: skip
+            yield Label(visible(self._title), id="dialog-title", markup=False)
+            rows = (f"{number or '':>{digits}}  {visible(text)}" for number, text in self._rows)
+            yield OptionList(*map(Option, rows), id="dialog-places", compact=True, markup=False)
             yield Label("Enter goes there, Esc closes", id="dialog-keys")
 
     def on_mount(self) -> None:
