@@ -129,6 +129,11 @@ class InOrder(Failing, inherit_bindings=False):
         """Hear of messages from before there is anything else that handles some."""
         hear_messages(self._count)
 
+    @property
+    def since_typed(self) -> float:
+        """Seconds since a key, or a text that is pasted, came last."""
+        return monotonic() - self._last_typed
+
     def _count(self, message: Message) -> None:
         # What the time brings follows from no key.
         if not isinstance(message, events.Timer):

@@ -16,6 +16,7 @@ from textual.message import Message
 from textual.notifications import Notification
 
 if TYPE_CHECKING:
+    from textual._compositor import Compositor
     from textual._xterm_parser import XTermParser
     from textual.screen import Screen
 
@@ -149,6 +150,18 @@ def forget_removed_widgets() -> None:
     clear = getattr(getattr(StylesCache, "get_inner_outer", None), "cache_clear", None)
     if clear is not None:
         clear()
+
+
+def compositor_class(screen: Screen[Any]) -> type[Compositor] | None:
+    """Return the class of what puts a screen together; None if it is not as known.
+
+    Without it all widgets are asked to draw that are near to one that has changed.
+    """
+    compositor = getattr(screen, "_compositor", None)
+    known = ("_dirty_regions", "_get_renders", "render_partial_update", "visible_widgets")
+    if not all(hasattr(compositor, name) for name in known):
+        return None
+    return cast("type[Compositor]", type(compositor))
 
 
 def translate_colours(app: App[Any]) -> None:

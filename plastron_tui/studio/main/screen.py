@@ -22,6 +22,7 @@ from ..panels.entry import Entry
 from ..panels.entry_keys import Asked, Chosen, Lit
 from ..panels.key_bar import KeyBar
 from ..panels.panel import Resized
+from ..sparing_compositor import draw_sparingly
 from ..textual_private import tell_first_sizes
 from .active_program import ActiveProgram
 from .first_screen import FirstScreen
@@ -52,6 +53,7 @@ class MainScreen(FirstScreen, Paged):
 
     def __init__(self, open_: Open, profile: Profile, others: Sequence[Open] = ()) -> None:
         super().__init__()
+        draw_sparingly(self)
         tell_first_sizes(self)
         self.profile = profile
         self.program = ActiveProgram(open_, others)
