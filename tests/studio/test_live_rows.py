@@ -10,13 +10,11 @@ from rich.cells import cell_len
 from plastron_tui.runtime.live_graph import LiveGraph, LiveParameter, NodeEnd
 from plastron_tui.session import Session
 from plastron_tui.studio.panels.live_columns import columns_of, line_of
+from plastron_tui.studio.panels.live_row import Answer, Kind, LiveRow
 from plastron_tui.studio.panels.live_rows import (
     FOREIGN,
     NOBODY,
     WAITING,
-    Answer,
-    Kind,
-    LiveRow,
     found_rows,
     live_rows,
 )
