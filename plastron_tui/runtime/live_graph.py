@@ -258,11 +258,12 @@ class LiveGraph:
             self.sendings.pop(name, None)
 
     def lose_monitor(self) -> None:
-        """Note that the monitor is no more: what it sent is not sent, and no goal is followed."""
+        """Note that the monitor is no more: all is what was seen last."""
         self.is_watched = False
-        self._drop_orders()
+        self.drop_orders()
 
-    def _drop_orders(self) -> None:
+    def drop_orders(self) -> None:
+        """Note that who was told to send something has ended: it sends no more."""
         self.sendings.clear()
         for number, goal in self.goals.items():
             if not goal.is_over:
@@ -286,7 +287,6 @@ class LiveGraph:
 
     def end(self) -> None:
         """Note that the nodes have ended: nothing is sent any more."""
-        self._drop_orders()
         self.has_ended = True
         for topic in self.topics.values():
             topic.rate = 0.0

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import time
 from collections.abc import Iterable, Mapping
 from typing import Any
 
@@ -37,6 +38,8 @@ def is_part(name: str, actions: Iterable[str]) -> bool:
 
 # It looks once, and does not wait: a simulated clock may stand still.
 _NOW = rospy.Duration(-1)
+_LOST = 5.0
+"""Seconds without a word of the server, that says one every fifth of a second."""
 
 
 class ActionClients:
@@ -70,10 +73,18 @@ class _Sent:
         self._client = client
         self._values = values
         self._handle: Any = None
+        self._status: Any = None
+        self._seen_at = 0.0
 
     def turn(self) -> None:
-        """Send it, where that was not done yet and somebody takes it."""
-        if self._handle is None and self._client.wait_for_server(_NOW):
+        """Send it, where that was not done yet and somebody takes it; or see it lost."""
+        now, status = time.monotonic(), self._client.last_status_msg
+        if status is not self._status:
+            self._status, self._seen_at = status, now
+        if self._handle is not None:
+            if now - self._seen_at > _LOST:
+                self.goal.note("lost", "who works on it is gone", is_over=True)
+        elif self._client.wait_for_server(_NOW):
             self.goal.note("sent")
             self._handle = self._client.send_goal(self._values, self._changed, self._see)
 

@@ -122,6 +122,8 @@ class LiveActions:
     def _close(self) -> None:
         for monitor in self._monitors.values():
             monitor.close()
+        for graph in self._graphs.values():
+            graph.drop_orders()
         self._monitors, self._watching, self._silent = {}, {}, set()
         self._delay.stop()
         self._look.stop()
