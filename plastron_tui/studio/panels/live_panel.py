@@ -49,13 +49,30 @@ def _asking(what: str, keys: str, title: str, tooltip: str) -> Binding:
     return Binding(keys, f"ask('{what}')", title, id=f"live.{what}", tooltip=tooltip)
 
 
-_FILTER = Binding(
-    "slash",
-    "filter",
-    "Filter",
-    id="live.filter",
-    tooltip="Show only what has certain words in its name or type",
-)
+_BINDINGS: list[BindingType] = [
+    Binding(
+        "enter",
+        "choose",
+        "Open",
+        id="live.open",
+        tooltip="Unfold it, call it, send it a goal or set it",
+    ),
+    Binding("right,l", "unfold", "Unfold", show=False, id="live.unfold"),
+    Binding("left,h", "fold_back", "Fold", show=False, id="live.fold"),
+    _asking("publish", "p", "Publish", "Send a message to the topic"),
+    _asking("call", "c", "Call", "Call the service"),
+    _asking("goal", "g", "Goal", "Send a goal to the action"),
+    _asking("cancel", "x", "Cancel", "Send to the topic no more, or cancel the goal"),
+    _asking("set", "s", "Set", "Give the parameter another value"),
+    _asking("restart", "r", "Watch again", "Start the monitor of the nodes again"),
+    Binding(
+        "slash",
+        "filter",
+        "Filter",
+        id="live.filter",
+        tooltip="Show only what has certain words in its name or type",
+    ),
+]
 
 
 class LivePanel(EntryList):
@@ -67,24 +84,7 @@ class LivePanel(EntryList):
             `set` or `cancel`; or `restart`, whatever the row is.
     """
 
-    BINDINGS: ClassVar[list[BindingType]] = [
-        Binding(
-            "enter",
-            "choose",
-            "Open",
-            id="live.open",
-            tooltip="Unfold it, call it, send it a goal or set it",
-        ),
-        Binding("right,l", "unfold", "Unfold", show=False, id="live.unfold"),
-        Binding("left,h", "fold_back", "Fold", show=False, id="live.fold"),
-        _asking("publish", "p", "Publish", "Send a message to the topic"),
-        _asking("call", "c", "Call", "Call the service"),
-        _asking("goal", "g", "Goal", "Send a goal to the action"),
-        _asking("cancel", "x", "Cancel", "Send to the topic no more, or cancel the goal"),
-        _asking("set", "s", "Set", "Give the parameter another value"),
-        _asking("restart", "r", "Watch again", "Start the monitor of the nodes again"),
-        _FILTER,
-    ]
+    BINDINGS: ClassVar[list[BindingType]] = _BINDINGS
 
     def __init__(self, *, id: str | None = None) -> None:  # noqa: A002 - Textual's word
         super().__init__(id=id, empty=NOTHING_RUNS)
