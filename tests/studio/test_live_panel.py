@@ -239,11 +239,11 @@ async def test_messages_at_a_rate_and_goals_are_sent_and_canceled(
         await driver.until(lambda: "it needs an order" in driver.notes())
         for key, character in (("g", "g"), ("5", "5"), ("enter", None)):
             driver.app.post_message(events.Key(key, character))
-        await wait_shown(driver, "▶ order: 5: accepted: sequence: [0, 1]")
+        await wait_shown(driver, "▶ order: 5 → accepted, sequence: [0, 1]")
         await driver.until(lambda: driver.app.screen is driver.main)
         assert asked(orders, "goal")[-1]["values"] == {"order": 5}
         await driver.press("down", "x")
-        await wait_shown(driver, "→ order: 5: canceled")
+        await wait_shown(driver, "– order: 5 → canceled")
         assert asked(orders, "cancel") == [
             {"do": "cancel", "goal": asked(orders, "goal")[-1]["id"]}
         ]
@@ -259,7 +259,7 @@ async def test_messages_at_a_rate_and_goals_are_sent_and_canceled(
         await driver.press("f5")
         await driver.until(lambda: not driver.main.runner.is_running)
         await driver.show("live")
-        await wait_shown(driver, "order: 5: not watched any more")
+        await wait_shown(driver, "order: 5 → not watched any more")
 
 
 def test_what_is_built_before_nodes_start_is_said_unless_others_are_watched() -> None:
