@@ -27,6 +27,7 @@ from rclpy.executors import SingleThreadedExecutor
 from rclpy.qos import DurabilityPolicy, QoSProfile, ReliabilityPolicy
 from rclpy.serialization import deserialize_message
 from rclpy.signals import SignalHandlerOptions
+from topic_nodes import TopicNodes
 from watch import is_shown, ros2_class
 
 _TURN, _IDLE_TURN = 0.05, 0.5
@@ -89,7 +90,7 @@ class _Monitor:
         self._publishers: Counter[str] = Counter()
         self._pending: list[tuple[dict[str, Any], float, Callable[[bool], bool]]] = []
         self._parameters = Parameters(self._caller)
-        self._nodes_at: dict[str, tuple[tuple[int, int], list[str]]] = {}
+        self._topic_nodes = TopicNodes(self._node)
         self._graph: dict[str, Any] = {}
         self._looked = self._reported = 0.0
 
@@ -150,6 +151,12 @@ class _Monitor:
 
     def _found(self) -> dict[str, Any]:
         node = self._node
+        nodes = sorted(
+            f"{namespace.rstrip('/')}/{name}"
+            for name, namespace in node.get_node_names_and_namespaces()
+            if not name.startswith("_")
+        )
+        self._topic_nodes.see(nodes)
         topics = []
         for name, types in node.get_topic_names_and_types():
             if not is_shown(name):
@@ -160,30 +167,14 @@ class _Monitor:
             ends = node.count_publishers(name), node.count_subscribers(name)
             publishers, subscribers = ends[0] - own, ends[1] - heard
             if publishers + subscribers > 0:
-                topics.append((name, type_name, publishers, subscribers, self._at(name, ends)))
+                at = self._topic_nodes.at(name, ends)
+                topics.append((name, type_name, publishers, subscribers, at))
         services = [
             (name, types[0].replace("/srv/", "/"))
             for name, types in node.get_service_names_and_types()
             if is_shown(name) and not types[0].startswith(_INFRASTRUCTURE)
         ]
-        nodes = sorted(
-            f"{namespace.rstrip('/')}/{name}"
-            for name, namespace in node.get_node_names_and_namespaces()
-            if not name.startswith("_")
-        )
         return {"topics": topics, "services": services, "nodes": nodes}
-
-    def _at(self, name: str, ends: tuple[int, int]) -> list[str]:
-        """Return the nodes at a topic; they are looked up where their number is another one."""
-        known = self._nodes_at.get(name)
-        if known is None or known[0] != ends:
-            infos = [
-                *self._node.get_publishers_info_by_topic(name),
-                *self._node.get_subscriptions_info_by_topic(name),
-            ]
-            names = {f"{each.node_namespace.rstrip('/')}/{each.node_name}" for each in infos}
-            known = self._nodes_at[name] = ends, sorted(names)
-        return known[1]
 
     def _later(
         self, order: dict[str, Any], step: Callable[[bool], bool], limit: float = _ANSWER
