@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 from hypothesis import given
 from hypothesis import strategies as some
-from wizard_courses import MORE, SEND, course, form_after, to_menu_or_review
+from wizard_courses import MORE, SEND, choose, course, form_after, to_menu_or_review
 
 from plastron_tui.diagnostics import Span
 from plastron_tui.studio.wizard.replaced_lines import line_of, moved, whole_edit, without
@@ -62,16 +62,27 @@ def test_one_edit_of_whole_lines_makes_a_text_another_one(old: bytes, new: bytes
     assert start in (0, len(old)) or old[:start].endswith(b"\n")
 
 
+DRIVER = """\
+create_node 'driver' as driver
+create_message sent of message_type Twist and input linear.x={speed}
+driver publish sent to 'cmd_vel' of message_type Twist at 10 hz
+generate_node driver
+"""
+
+
 def test_what_is_sent_at_a_rate_takes_the_place_of_nothing() -> None:
-    it = course(
-        "create_node 'driver' as driver\n"
-        "create_message ahead of message_type Twist and input linear.x=0.2\n"
-        "driver publish ahead to 'cmd_vel' of message_type Twist at 10 hz\n"
-        "generate_node driver\n"
-    )
+    it = course(DRIVER.format(speed=0.2))
     form = form_after(it, MORE, SEND)
     form.enter("topic", "cmd_vel")
     outcome = to_menu_or_review(it).outcome
     assert outcome is not None
-    assert b"publish ahead to 'cmd_vel'" in outcome.session.document.text
+    assert b"publish sent to 'cmd_vel'" in outcome.session.document.text
     assert sum("publish" in line for line in outcome.lines) == 1
+
+
+@pytest.mark.parametrize(("speed", "replaced"), [(0.2, (3,)), (0, ())])
+def test_what_stops_a_robot_at_a_rate_stays(speed: float, replaced: tuple[int, ...]) -> None:
+    it = course(DRIVER.format(speed=speed))
+    choose(it, MORE, "drive until something is near")
+    outcome = to_menu_or_review(it).outcome
+    assert outcome is not None and outcome.replaced == replaced
