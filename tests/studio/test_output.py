@@ -187,7 +187,11 @@ async def test_the_output_can_be_read_and_filtered_while_nodes_print(
         assert output.view.has_focus
 
 
-async def test_notes_stand_above_the_lines_below_and_once(program: Path) -> None:
+async def test_notes_stand_above_the_lines_below_and_once(
+    program: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    # It would go by itself, and nothing be proved.
+    monkeypatch.setattr(StudioApp, "NOTIFICATION_TIMEOUT", 3600)
     program.write_text("nonsense\n")
     app = StudioApp(program)
     app.animation_level = "none"
