@@ -1,4 +1,4 @@
-"""Which nodes the live panel shows, where those of several tabs run."""
+"""Which nodes the live panel shows where those of several tabs run, and when it gives way."""
 
 from __future__ import annotations
 
@@ -9,7 +9,9 @@ import pytest
 
 from plastron_tui.studio.main.active_program import Tab
 from plastron_tui.studio.main.live_actions import LiveActions
+from plastron_tui.studio.main.tab_run import RunPanels, TabRun
 from plastron_tui.studio.main.watched_run import WatchedRun
+from plastron_tui.studio.panels.output_log import Record
 
 
 @pytest.mark.parametrize(
@@ -48,3 +50,25 @@ async def test_what_was_typed_for_a_topic_is_offered_again_to_the_same_program_o
     live.start(other, ())
     assert not live._given
     live.close()
+
+
+@pytest.mark.parametrize(
+    ("end", "in_sight", "revealed"),
+    [
+        (None, "live", []),
+        (Record("", "stopped", "quiet"), "live", []),
+        (Record("", "ended with status 0", "success"), "live", []),
+        # Why they ended is printed, and Live has nothing to say of it.
+        (Record("", "ended with status 1", "error"), "live", ["output"]),
+        (Record("", "ended with status 1", "error"), "graph", []),
+    ],
+)
+def test_nodes_that_end_badly_bring_what_they_printed_in_sight(
+    end: Record | None, in_sight: str, revealed: list[str]
+) -> None:
+    seen: list[str] = []
+    layout = SimpleNamespace(is_in_sight=in_sight.__eq__, reveal=seen.append)
+    panel = SimpleNamespace(add=lambda *_: None, remark=lambda *_: None)
+    panels = RunPanels(*(cast(Any, each) for each in (layout, panel, panel, panel)))
+    panels.add(TabRun(), ["a | x"], end)
+    assert seen == revealed
