@@ -23,6 +23,7 @@ ENTRIES = [
     Entry("c", HELP, "line 12 · syntax-error", "✖", edits=FIX, warning="write `between 0 and 1`"),
     Entry("d", "short", "line 3", "▲", edits=FIX, warning="take the statement away"),
     Entry("e", "漢字" * 40, "line 5", "✖", warning="ü"),
+    Entry("f", "漢字" * 10, "line 6", "✖"),
 ]
 
 
@@ -38,6 +39,19 @@ def test_an_entry_is_whole_at_any_width(entry: Entry, width: int) -> None:
     assert whole == "".join("".join((entry.sign, *said[:2])).split()) + (
         "".join(("⚑" if entry.edits else "⚠", *entry.warning.split())) if entry.warning else ""
     )
+
+
+@pytest.mark.parametrize(
+    ("width", "rows"),
+    [
+        (60, [" ▲ short line 3 ⚑ take the statement away"]),
+        # What can be done is not begun in the row that it does not fit in.
+        (32, [" ▲ short line 3", "   ⚑ take the statement away"]),
+    ],
+)
+def test_what_can_be_done_stands_in_one_piece(width: int, rows: list[str]) -> None:
+    found = ["".join(piece.text for piece in row) for row in rows_of(ENTRIES[3], width)]
+    assert found == rows
 
 
 async def test_a_problem_is_walked_to_and_clicked_on_whatever_rows_it_takes(program: Path) -> None:
