@@ -282,27 +282,39 @@ class SentenceErrors:
         made: list[Token] = []
         at = 0
         while at < len(tokens):
-            first, token = at, tokens[at]
-            at += 1
-            if is_received(tokens, first):
-                at = end_of_received(tokens, first)
-                mistake = self._in_received(tokens, first, at)
-            elif token.text == "parameter" and text_at(tokens, at) not in NAME_MARKS:
-                mistake = self._in_parameter(tokens[first:])
-                at += 1
-            else:
+            token = tokens[at]
+            mistake, end = self._in_origin(tokens, at)
+            if mistake is None and end == at:
                 made.append(token)
+                at += 1
                 continue
+            at = end
             while mistake is None and text_at(tokens, at) in _OPERATORS:
-                number = token_at(tokens, at + 1)
-                if number is None or number.kind != "number":
-                    mistake = self._expected("a number", number)
-                at += 2
+                mistake, at = self._in_operand(tokens, at + 1)
             if mistake is not None:
                 return mistake, tokens
-            end = tokens[min(at, len(tokens)) - 1].end
-            made.append(token._replace(kind="number", end=end))
+            made.append(token._replace(kind="number", end=tokens[at - 1].end))
         return None, made
+
+    def _in_origin(self, tokens: Sequence[Token], first: int) -> tuple[Diagnostic | None, int]:
+        """Look at a parameter, or at what is received; it ends where it begins if it is neither."""
+        if is_received(tokens, first):
+            end = end_of_received(tokens, first)
+            return self._in_received(tokens, first, end), end
+        is_parameter = text_at(tokens, first) == "parameter"
+        if not is_parameter or text_at(tokens, first + 1) in NAME_MARKS:
+            return None, first
+        return self._in_parameter(tokens[first:]), min(first + 2, len(tokens))
+
+    def _in_operand(self, tokens: Sequence[Token], first: int) -> tuple[Diagnostic | None, int]:
+        """Look at what stands behind an operator, and return where that ends."""
+        token = token_at(tokens, first)
+        if token is not None and token.kind == "number":
+            return None, first + 1
+        mistake, end = self._in_origin(tokens, first)
+        if mistake is None and end == first:
+            mistake = self._expected("a number, `received` or `parameter`", token)
+        return mistake, end
 
     def _in_value(
         self, values: OpenValues, token: Token, following: Token | None

@@ -8,7 +8,8 @@ from typing import TYPE_CHECKING
 from plastron_tui.language import SlotKind
 from plastron_tui.language.expectations import Expectation, ValuePlace
 from plastron_tui.model.kinds import INTERFACES, Parameter
-from plastron_tui.model.kinds.computed import fits, what_of
+from plastron_tui.model.kinds.computed import fits
+from plastron_tui.model.kinds.received import what_of
 from plastron_tui.ros.interfaces import Field, FieldType, Interface, InterfaceKind
 
 from .candidate import Candidate
