@@ -13,7 +13,7 @@ from .field_mistakes import without_fields
 from .keywords import KEYWORDS
 from .list_errors import first_unfit
 from .mistake_place import shown, unquoted
-from .open_values import NAME_MARKS, OpenValues, end_of_received, is_received
+from .open_values import ARITHMETIC, NAME_MARKS, OpenValues, end_of_received, is_received
 from .sentence_match import BEHIND_NUMBERS, SentenceMatch, SlotMatch
 from .token_errors import broken_text, unexpected
 from .tokens import QUOTED_KINDS, UNCLOSED_STRING, UNKNOWN, WORD_KINDS, Token, text_at, token_at
@@ -40,7 +40,6 @@ _VECTOR_PARTS = (
     "a third number",
 )
 _MOST_TYPE_PARTS = 3
-_OPERATORS = frozenset({"+", "-", "*", "/"})
 _GOING_ON = frozenset({",", "=", ".", "(", "["})
 _TRUTHS = frozenset({"True", "False"})
 _BOOLEANS = {
@@ -282,14 +281,13 @@ class SentenceErrors:
         made: list[Token] = []
         at = 0
         while at < len(tokens):
-            token = tokens[at]
-            mistake, end = self._in_origin(tokens, at)
-            if mistake is None and end == at:
+            token, first = tokens[at], at
+            mistake, at = self._in_origin(tokens, first)
+            if mistake is None and at == first:
                 made.append(token)
                 at += 1
                 continue
-            at = end
-            while mistake is None and text_at(tokens, at) in _OPERATORS:
+            while mistake is None and text_at(tokens, at) in ARITHMETIC:
                 mistake, at = self._in_operand(tokens, at + 1)
             if mistake is not None:
                 return mistake, tokens
@@ -301,8 +299,7 @@ class SentenceErrors:
         if is_received(tokens, first):
             end = end_of_received(tokens, first)
             return self._in_received(tokens, first, end), end
-        is_parameter = text_at(tokens, first) == "parameter"
-        if not is_parameter or text_at(tokens, first + 1) in NAME_MARKS:
+        if text_at(tokens, first) != "parameter" or text_at(tokens, first + 1) in NAME_MARKS:
             return None, first
         return self._in_parameter(tokens[first:]), min(first + 2, len(tokens))
 
@@ -329,7 +326,7 @@ class SentenceErrors:
         if last is not None and last.text == ".":
             what = f"expected `=` after `{shown(text)}`"
             return None if is_named else self._error(what, token.span)
-        if text in _OPERATORS and not values.wants_value:
+        if text in ARITHMETIC and not values.wants_value:
             what = "a calculation begins with `parameter` or `received`"
             return self._error(what, token.span)
         if kind in (UNKNOWN, UNCLOSED_STRING):

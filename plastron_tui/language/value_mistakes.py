@@ -12,7 +12,7 @@ from plastron_tui.diagnostics.suggest import nearest
 
 from .declaration import Form, SlotKind
 from .mistake_place import COMPUTED, Place, mended, unquoted
-from .open_values import end_of_received, is_received
+from .open_values import ARITHMETIC, end_of_received, is_received
 from .tokens import QUOTED_KINDS, WORD_KINDS, Token, is_glued
 
 _SECONDS = {
@@ -46,7 +46,6 @@ _UNITS: dict[str, tuple[str, float]] = {
 }
 """What ROS measures in instead of a unit, and how many of these the unit is (REP 103)."""
 
-_OPERATORS = frozenset({"+", "-", "*", "/"})
 _TURNED = {"<": ">", ">": "<", "=": "="}
 _VALUE_KINDS = frozenset({"number", "string", "boolean"})
 
@@ -199,7 +198,7 @@ def sign(place: Place, found: Diagnostic) -> Diagnostic | None:
 def number_first(place: Place, found: Diagnostic) -> Diagnostic | None:
     """Recognise `2 * received.x`, and other calculations that begin with something else."""
     at, before, operator = place.at, place.before, place.token.text
-    if operator not in _OPERATORS or not _is_in(place, Form.VALUES, Form.VALUE):
+    if operator not in ARITHMETIC or not _is_in(place, Form.VALUES, Form.VALUE):
         return None
     if before is None or before.kind not in (*_VALUE_KINDS, ")"):
         return None
@@ -208,7 +207,7 @@ def number_first(place: Place, found: Diagnostic) -> Diagnostic | None:
         return found._replace(help=_IN_CODE)
     first = place.written(at + 1, end)
     over = end
-    while place.text(over) in _OPERATORS and over + 1 < len(place.tokens):
+    while place.text(over) in ARITHMETIC and over + 1 < len(place.tokens):
         over = _operand(place, over + 1) or over + 2
     rest = place.written(end, over) if over > end else ""
     after = f" {rest}" if rest else ""
@@ -237,7 +236,7 @@ def more_than_said(place: Place, found: Diagnostic) -> Diagnostic | None:
         return found._replace(help="what compares two values is code in the node")
     if place.token.text in ("and", "or") and _is_in(place, Form.CONDITION):
         return found._replace(help="what compares more is code in the node")
-    if before in _OPERATORS and place.token.text == "(":
+    if before in ARITHMETIC and place.token.text == "(":
         return found._replace(help=_IN_CODE)
     return None
 
