@@ -32,7 +32,7 @@ main()
 
 TABLE_SERVICES = """\
 create_node 'adder' as adder
-adder provides_service 'add' of service_type AddTwoInts
+adder provides_service 'add' of service_type AddTwoInts answering received.a + received.b
 adder provides_service 'pull' of service_type WaypointPull
 adder provides_service 'count' of service_type WordCount
 generate_node adder
@@ -72,9 +72,9 @@ def test_types_of_the_table_that_nothing_installs(ros: Ros) -> None:
     ros.environ["XDG_CACHE_HOME"] = str(ros.folder / "cache")
 
     def is_answered(said: str) -> bool:
-        # rospy writes `sum: 0`, rclpy `AddTwoInts_Response(sum=0)`.
+        # rospy writes `sum: 11`, rclpy `AddTwoInts_Response(sum=11)`.
         answers = "\n".join(said_by(said, "caller")).replace("=", ": ")
-        return all(each in answers for each in ("sum: 0", "wp_received: 0", "count: 0"))
+        return all(each in answers for each in ("sum: 11", "wp_received: 0", "count: 0"))
 
     adder = "beginner_tutorials" if ros.library == "rospy" else "example_interfaces"
     built = [f"building `{name}`: " for name in ("basics", adder, "mavros_msgs")]
