@@ -15,13 +15,14 @@ from textual.widgets import Button, Label
 from ..key_order import Paged
 from ..screens.dialog import Dialog
 from . import strings
-from .flow import Course, Heard, Look, Page, PageKind
+from .flow import Course
 from .form import Form
 from .form_page import FormPage
 from .form_rows import Key
 from .key_hints import drawn_keys
 from .menu import Offer
 from .menu_page import Item, MenuPage, ReviewPage
+from .pages import Heard, Look, Page, PageKind
 from .result_view import ResultView
 from .statement_view import StatementView
 from .style_sheets import STYLES
@@ -29,7 +30,7 @@ from .view import View
 
 NARROW = 76
 """With fewer columns the code and the graph have a page of their own."""
-MENUS = (PageKind.START, PageKind.PURPOSE, PageKind.RECIPES)
+MENUS = (PageKind.START, PageKind.PURPOSE, PageKind.AWAY, PageKind.RECIPES)
 """The pages on which an entry is chosen."""
 SPACIOUS = 110
 """From so many columns on the page has the width of a text, and the code all the rest."""
@@ -166,6 +167,7 @@ class Frame(Paged, Dialog[str]):
         self._show_keys()
         outcome = look.outcome
         self.set_class(outcome is None, "-empty")
+        self.set_class(is_last, "-last")
         shown = self.query_one("#wizard-statements", StatementView)
         if outcome is not None:
             here = [

@@ -149,10 +149,8 @@ class ReviewPage(Vertical):
         """Make the words, and the questions what is to be written along."""
         yield Label(self._words, id="wizard-about", markup=False)
         for each in self._options:
-            turn = Turn(each.words, each.is_wanted, compact=True, id=f"{_PREFIX}{each.key}")
             # What would be written is said whole, on as many lines as it takes.
-            turn.styles.width, turn.styles.text_wrap = "100%", "wrap"
-            yield turn
+            yield Turn(each.words, each.is_wanted, compact=True, id=f"{_PREFIX}{each.key}")
         yield Label("", id="wizard-help", markup=False)
 
     @on(Checkbox.Changed)

@@ -22,11 +22,12 @@ from ..panels.text_view import TextView
 from ..screens.question import Question
 from ..textual_private import tell_first_sizes
 from . import pasted, strings
-from .flow import Course, Heard, Look, PageKind
+from .flow import Course
 from .form_page import Looked, Put
 from .frame import MENUS, Frame
 from .menu import writes_at_once
 from .menu_page import Menu, Picked, Wanted
+from .pages import Heard, Look, PageKind
 from .program_trial import Finding
 from .result_view import ResultView
 from .rows import REST_OF_PASTE, Confirmed
@@ -122,7 +123,11 @@ class Wizard(Frame):
             self.call_after_refresh(self._drawn)
         if not self._is_stale:
             await self.query_one(ResultView).show(
-                view.look, self.course.session, self._lock, lambda: view.look is self.look
+                view.look,
+                self.course.session,
+                self._lock,
+                lambda: view.look is self.look,
+                is_last=self.course.page.kind is PageKind.REVIEW,
             )
 
     def _drawn(self) -> None:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import replace
 
 from plastron_tui.diagnostics import has_errors, listed
@@ -11,10 +10,11 @@ from plastron_tui.language import statements as st
 from plastron_tui.session import Session
 
 from .context import Scene
-from .flow import Look, Page, PageKind
+from .driving_lines import explained
 from .goals import DRIVE, GROUPS, Aim
 from .menu_page import Item
 from .obstacles import measures_distance
+from .pages import Look, Page, PageKind
 
 DONE = "It is in the program now. One undo (Ctrl-Z in the editor) takes it out again."
 
@@ -93,6 +93,8 @@ def title(page: Page, is_done: bool, group: Aim | None = None) -> str:
         return "What do you want?"
     if page.kind is PageKind.PURPOSE:
         return GROUPS[group or Aim.MORE].question
+    if page.kind is PageKind.AWAY:
+        return "What shall go?"
     if page.kind is PageKind.RECIPES:
         return "Start from a program that works"
     if page.form is None:
@@ -113,6 +115,8 @@ def question(page: Page, look: Look, group: Aim | None = None) -> str:
         )
     if page.kind is PageKind.RECIPES:
         return "Each is a whole program: take one, run it, then change it."
+    if page.kind is PageKind.AWAY:
+        return "Choose what is to be there no longer."
     if group not in (None, Aim.MORE):
         return GROUPS[group].about
     return f"Choose what `{look.node}` shall do." if look.node else "Choose what shall be done."
@@ -127,19 +131,12 @@ def review(look: Look) -> str:
         f"{count} {what} into the program as one step. Finish writes {it} there; Back changes {it}."
     )
     numbers = () if outcome is None else outcome.replaced
-    is_driving = bool(look.filled) and look.filled[-1].form.declaration.type is st.Publish
-    return words + _replaced(numbers, is_driving=is_driving)
-
-
-def _replaced(numbers: Sequence[int], *, is_driving: bool) -> str:
-    """Return what is said of the lines that give way, "" for none."""
+    if look.driving:
+        return f"{words} {explained(look.driving, is_kept=not numbers)}"
     if not numbers:
-        return ""
-    those, drive = ("lines", "drive") if len(numbers) > 1 else ("line", "drives")
-    words = f" That takes the place of {those} {listed([str(each) for each in numbers])}"
-    if not is_driving:
-        return f"{words}."
-    return f"{words}, which {drive} whatever arrives: with both, the robot would not stop."
+        return words
+    those = "lines" if len(numbers) > 1 else "line"
+    return f"{words} That takes the place of {those} {listed([str(each) for each in numbers])}."
 
 
 def leaving(look: Look) -> str:
@@ -159,7 +156,7 @@ def keys(page: Page, is_done: bool, *, is_turn: bool = False) -> str:
         return "Enter code and graph  Esc back"
     if page.kind is PageKind.START:
         return "↑↓ Enter choose  Esc leave"
-    if page.kind in (PageKind.PURPOSE, PageKind.RECIPES):
+    if page.kind in (PageKind.PURPOSE, PageKind.AWAY, PageKind.RECIPES):
         return "↑↓ Enter choose  Esc back"
     if page.kind is PageKind.REVIEW:
         return "Enter finish  Esc back"

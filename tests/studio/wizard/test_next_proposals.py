@@ -39,7 +39,7 @@ def test_who_listens_is_proposed_to_who_speaks_alone() -> None:
     it = course(TALKER)
     choose(it, MAKE)
     to_menu_or_review(it)
-    offers = it.purpose_offers()
+    offers = it.offers()
     assert [each.title for each in offers if each.is_advised] == [REACT]
     assert offers[0].title == REACT
 

@@ -16,8 +16,8 @@ from plastron_tui.language import Declaration
 from plastron_tui.model.kinds import Publisher, Subscription
 from plastron_tui.session import Session
 from plastron_tui.studio.main.screen import MainScreen
-from plastron_tui.studio.wizard.flow import PageKind
 from plastron_tui.studio.wizard.goals import Aim, aim_of
+from plastron_tui.studio.wizard.pages import PageKind
 
 Step = Callable[[], Awaitable[None]]
 Pick = Callable[[str], Awaitable[None]]

@@ -12,7 +12,7 @@ from wizard_driver import wizard
 from plastron_tui.ros import installations
 from plastron_tui.ros.installations import Installation, Origin
 from plastron_tui.studio.wizard import libraries
-from plastron_tui.studio.wizard.flow import PageKind
+from plastron_tui.studio.wizard.pages import PageKind
 from plastron_tui.studio.wizard.rows import Row
 
 
