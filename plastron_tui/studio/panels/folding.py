@@ -66,7 +66,8 @@ def _end(cells: list[Cell], width: int) -> int:
         if used > width and number:
             good = (end for end in (after_space, after_mark) if end * _EMPTY > number)
             return next(good, number)
-        begins = begins or character != " "
+        # Behind the mark of a line of a diff stands its indent.
+        begins = begins or not (character == " " or (number == 0 and character in "+-"))
         if character == " " and begins:
             after_space = number + 1
         elif character in _MARKS:

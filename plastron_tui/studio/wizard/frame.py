@@ -8,6 +8,7 @@ from typing import ClassVar
 from textual import events
 from textual.app import ComposeResult
 from textual.containers import Horizontal, Vertical
+from textual.content import Content
 from textual.types import CSSPathType
 from textual.widget import Widget
 from textual.widgets import Button, Label
@@ -15,6 +16,7 @@ from textual.widgets import Button, Label
 from ..key_order import Paged
 from ..screens.dialog import Dialog
 from . import strings
+from .done_menu import DONE, done_items
 from .flow import Course
 from .form import Form
 from .form_page import FormPage
@@ -37,7 +39,7 @@ SPACIOUS = 110
 LOW = 22
 """With fewer rows the form does without the sentence above it."""
 HIGH = 32
-"""From so many rows on there are empty ones around what is asked."""
+"""From so many rows on there are empty ones around what is asked, and frames."""
 
 
 class Buttons(Horizontal):
@@ -134,9 +136,9 @@ class Frame(Paged, Dialog[str]):
         course = self.course
         if self.is_done:
             heard = self._heard.topic if self._heard else ""
-            items = strings.done_items(course.session, heard, self._unanswered)
+            items = done_items(course.session, heard, self._unanswered)
             self._items, self._actions = list(items.values()), list(items)
-            return MenuPage(strings.DONE, self._items)
+            return MenuPage(DONE, self._items)
         if page.kind is PageKind.FORM and page.form is not None:
             return FormPage(page.form, self._places.get(page.form))
         if page.kind is PageKind.REVIEW:
@@ -149,11 +151,12 @@ class Frame(Paged, Dialog[str]):
     def _show_frame(self, page: Page, look: Look) -> None:
         """Show what is around the page."""
         pages = self.course.pages(look)
-        self.query_one("#wizard-title", Label).update(
-            strings.title(page, self.is_done, self.course.group)
-        )
+        title = strings.title(page, self.is_done, self.course.group)
         step = "" if self.is_done or page.kind is PageKind.START else f"step {self.course.at}"
+        self.query_one("#wizard-title", Label).update(title)
         self.query_one("#wizard-step", Label).update(step)
+        frame = self.query_one("#wizard-page", Vertical)
+        frame.border_title, frame.border_subtitle = Content(title), Content(step)
         is_menu = self.is_done or page.kind in MENUS
         is_last = page.kind is PageKind.REVIEW
         back = self.query_one("#wizard-back", Button)
@@ -163,11 +166,13 @@ class Frame(Paged, Dialog[str]):
         following.label = "Finish" if is_last else "Next"
         turn = self.query_one("#wizard-turn", Button)
         turn.display = self.has_class("-narrow") and look.outcome is not None
-        self.query_one("#wizard-leave", Button).label = "Close" if self.is_done else "Leave"
+        # At the end the menu has an entry that leaves.
+        self.query_one("#wizard-leave", Button).display = not self.is_done
         self._show_keys()
         outcome = look.outcome
         self.set_class(outcome is None, "-empty")
         self.set_class(is_last, "-last")
+        self.set_class(is_menu, "-menu")
         shown = self.query_one("#wizard-statements", StatementView)
         if outcome is not None:
             here = [
@@ -198,7 +203,9 @@ class Frame(Paged, Dialog[str]):
     def on_resize(self, event: events.Resize) -> None:
         """Make the best of another size."""
         self.set_class(event.size.width < NARROW, "-narrow")
+        self.set_class(event.size.width < SPACIOUS, "-tight")
         self.set_class(event.size.width >= SPACIOUS, "-spacious")
+        self.set_class(event.size.width >= SPACIOUS and event.size.height >= HIGH, "-framed")
         self.set_class(event.size.height < LOW, "-low")
         self.set_class(event.size.height >= HIGH, "-high")
         if event.size.width >= NARROW:

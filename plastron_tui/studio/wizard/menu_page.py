@@ -150,7 +150,7 @@ class ReviewPage(Vertical):
         yield Label(self._words, id="wizard-about", markup=False)
         for each in self._options:
             # What would be written is said whole, on as many lines as it takes.
-            yield Turn(each.words, each.is_wanted, compact=True, id=f"{_PREFIX}{each.key}")
+            yield Turn(Content(each.words), each.is_wanted, compact=True, id=f"{_PREFIX}{each.key}")
         yield Label("", id="wizard-help", markup=False)
 
     @on(Checkbox.Changed)

@@ -7,6 +7,7 @@ from collections.abc import Callable
 
 from textual.app import ComposeResult
 from textual.containers import Vertical
+from textual.content import Content
 from textual.geometry import Region
 from textual.widgets import Label
 
@@ -70,7 +71,7 @@ class ResultView(Vertical):
         if outcome is None or (look.problems and self._code):
             return
         is_wide = self.app.size.width >= WIDE
-        room = self.size.width - 3, self.size.height // 3
+        room = self.size.width - 5, self.size.height // 3
         robot = look.robot if look.robot in outcome.session.workspace.robots else None
 
         def find() -> tuple[Code, Lines]:
@@ -86,12 +87,16 @@ class ResultView(Vertical):
         async with lock:
             code, graph = await asyncio.to_thread(find)
         if is_due() and self.is_attached:
-            self.query_one("#wizard-seen", Label).update(_GRAPH if robot is None else _LOOKS)
+            seen = _GRAPH if robot is None else _LOOKS
+            self.query_one("#wizard-seen", Label).update(seen)
             picture = self.query_one("#wizard-graph", TextView)
             picture.set_class(robot is not None, "-robot")
             picture.show(graph)
             self.call_after_refresh(_show_new, picture)
-            self.query_one("#wizard-file", Label).update(code.name or "The file of the node")
+            name = code.name or "The file of the node"
+            self.query_one("#wizard-file", Label).update(name)
+            picture.border_title = Content(seen)
+            self.query_one("#wizard-code", TextView).border_title = Content(name)
             self._show_code(code, is_last=is_last)
 
     def _show_code(self, code: Code, *, is_last: bool) -> None:

@@ -36,7 +36,11 @@ from .view import Asked, View, view_of
 _PAUSE = 0.02
 """Seconds that keys are waited for before anything is looked up."""
 
-_STATEMENTS: dict[str, type[Statement]] = {"part": st.HasLink, "package": st.CreatePackage}
+_STATEMENTS: dict[str, type[Statement]] = {
+    "another": st.CreateNode,
+    "part": st.HasLink,
+    "package": st.CreatePackage,
+}
 """The statements that some answers to what is to be done next lead to."""
 
 Enter = Callable[[Sequence[Edit]], Session]

@@ -20,6 +20,7 @@ class StatementView(Static):
 
     def __init__(self, *, id: str | None = None) -> None:  # noqa: A002 - Textual's word
         super().__init__(id=id, markup=False)
+        self.border_title = "Statements"
         self.lines: tuple[str, ...] = ()
         self._here: frozenset[int] = frozenset()
 

@@ -2,21 +2,13 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-
-from plastron_tui.diagnostics import has_errors, listed
+from plastron_tui.diagnostics import listed
 from plastron_tui.language import SlotKind
 from plastron_tui.language import statements as st
-from plastron_tui.session import Session
 
-from .context import Scene
 from .driving_lines import explained
 from .goals import DRIVE, GROUPS, Aim
-from .menu_page import Item
-from .obstacles import measures_distance
 from .pages import Look, Page, PageKind
-
-DONE = "It is in the program now. One undo (Ctrl-Z in the editor) takes it out again."
 
 
 def unanswered(look: Look) -> str:
@@ -28,65 +20,11 @@ def unanswered(look: Look) -> str:
     return "" if cells.get(SlotKind.ANSWER) else cells.get(SlotKind.SERVICE, "")
 
 
-def done_items(session: Session, heard: str, service: str = "") -> dict[str, Item]:
-    """Return what can be done once the statements are in the program, by the actions.
-
-    Args:
-        session: the program.
-        heard: the topic to which a node listens since then, "" for none.
-        service: the service whose answer is still to be written, "" for none.
-    """
-    workspace = session.workspace
-    closed = ""
-    if has_errors(session.diagnostics):
-        closed = "a problem in the program has to be fixed first"
-    elif not workspace.is_written:
-        closed = "the program writes nothing to a file yet"
-    idle = closed or ("" if workspace.may_run else "the program has no node to run yet")
-    is_whole = not closed and Scene(session).lonely == 0
-    is_far = any(
-        name == heard and measures_distance(type_)
-        for node in workspace.nodes
-        for name, type_ in Scene(session).heard(node).items()
-    )
-    is_robot = bool(workspace.robots) and not workspace.nodes
-    held = {name for each in workspace.packages.values() for name in each.contents}
-    items: dict[str, Item] = {
-        "more": Item("something more", "",
-                     "Another node or robot, or something more for one that is there.",
-                     is_advised=not (is_whole or is_robot or is_far)),
-        "screen.generate": Item("write the files", "", "Shows each file before it is written.",
-                                closed, is_whole and bool(idle) and not is_robot),
-        "screen.run(True)": Item("run the nodes", "",
-                           "Writes the files, starts the nodes and shows what they say.", idle,
-                           is_whole and not idle and not is_robot),
-    }  # fmt: skip
-    if workspace.robots:
-        about = "Its links and joints as a tree, and how it looks from three sides."
-        items["screen.show('robots')"] = Item("look at the robot", "", about, "", is_robot)
-        about = "A link, with its shape, its weight, and where it is."
-        items["part"] = Item("give the robot another part", "", about)
-    if is_robot and not held.issuperset(workspace.robots):
-        about = "With a launch file that starts it: then it can be run."
-        items["package"] = Item("make the robot a package", "package", about)
-    if is_far:
-        about = f"It drives as long as `{heard}` says that nothing is near, and stops where it is."
-        items = {key: replace(each, is_advised=False) for key, each in items.items()}
-        items["answer"] = Item("drive until something is near", "", about, "", is_advised=True)
-    elif heard:
-        about = "A message that answers each of them, or those for which a condition holds."
-        items["answer"] = Item(f"send something for each message of `{heard}`", "", about)
-    if service:
-        about = f"The answer of `{service}` is empty: its function is where you fill it in."
-        items["screen.code"] = Item(f"write the answer of `{service}`", "", about)
-    items[""] = Item("back to the text", "", "Go on in the editor.")
-    # What most would do next stands first, and all others as they always do.
-    first = {key: each for key, each in items.items() if each.is_advised}
-    return {**first, **items}
-
-
 def title(page: Page, is_done: bool, group: Aim | None = None) -> str:
-    """Return the title of a page; `group` is the menu that was taken, None for that of nodes."""
+    """Return the title of a page; `group` is the menu that was taken, None for that of nodes.
+
+    Of what somebody wants it has what stands before the first comma: the menu has said the rest.
+    """
     if is_done:
         return "Done. And now?"
     if page.kind is PageKind.START:
@@ -102,7 +40,8 @@ def title(page: Page, is_done: bool, group: Aim | None = None) -> str:
     declaration = page.form.declaration
     if page.form.drives:
         return DRIVE[0][:1].upper() + DRIVE[0][1:]
-    words = declaration.purpose[:1].upper() + declaration.purpose[1:]
+    words = declaration.purpose.partition(",")[0]
+    words = words[:1].upper() + words[1:]
     return f"{words} · {declaration.ros_term}" if declaration.ros_term else words
 
 
