@@ -46,7 +46,8 @@ def done_items(session: Session, heard: str, service: str = "") -> dict[str, Ite
         items["answer"] = Item(f"send something for each message of `{heard}`", "", about)
     if service:
         about = f"The answer of `{service}` is empty: its function is where you fill it in."
-        items["screen.code"] = Item(f"write the answer of `{service}`", "", about)
+        items = {key: replace(each, is_advised=False) for key, each in items.items()}
+        items["screen.code"] = Item(f"write the answer of `{service}`", "", about, "", True)
     items[""] = Item("back to the text", "", "Go on in the editor.")
     first = {key: each for key, each in items.items() if each.is_advised}
     return {**first, **items}
@@ -107,17 +108,28 @@ def _is_far(session: Session, heard: str) -> bool:
 
 
 def _missing(session: Session) -> str:
-    """Say which side of a topic, a service or an action is missing, "" where none is.
-
-    What a robot itself sends, or takes, needs no node of the program.
-    """
+    """Say which side of a topic, a service or an action is missing, "" where none is."""
     scene = Scene(session)
     for kind in InterfaceKind:
         for version in (1, 2):
             for each in scene.meetings(kind, version).values():
-                if each.is_lonely and not _is_of_robot(each):
+                if each.is_lonely and not _is_used_elsewhere(session, kind, each):
                     return _said(kind, each)
     return ""
+
+
+def _is_used_elsewhere(session: Session, kind: InterfaceKind, meeting: Meeting) -> bool:
+    """Tell whether the other side need not be in the program.
+
+    A robot sends and takes itself, a service can be called by hand, and a node that exists already
+    has its partners.
+    """
+    if kind is not InterfaceKind.MESSAGE and meeting.takers:
+        return True
+    nodes = session.workspace.nodes
+    if any(nodes[name].source is not None for name in (*meeting.senders, *meeting.takers)):
+        return True
+    return _is_of_robot(meeting)
 
 
 def _is_of_robot(meeting: Meeting) -> bool:
@@ -127,14 +139,7 @@ def _is_of_robot(meeting: Meeting) -> bool:
     return type_.package == _SENSORS if meeting.takers else type_.name in _COMMANDS
 
 
-_DOES = {
-    InterfaceKind.MESSAGE: ("sends", "listens to"),
-    InterfaceKind.SERVICE: ("asks", "answers"),
-    InterfaceKind.ACTION: ("starts", "does"),
-}
-"""What the two sides do with a topic, a service or an action."""
-
-
 def _said(kind: InterfaceKind, meeting: Meeting) -> str:
-    does = _DOES[kind][0 if meeting.takers else 1]
+    takes = {InterfaceKind.SERVICE: "answers", InterfaceKind.ACTION: "does"}
+    does = "sends" if meeting.takers else takes.get(kind, "listens to")
     return f"Nobody {does} the {NOUNS[kind]} `{meeting.name}` yet: make a node that does."

@@ -13,7 +13,7 @@ from .context import Scene, Surroundings
 from .filling import Filled, Filler
 from .followers import chosen, extras_of
 from .form import Form
-from .goals import GROUPS, Aim, aim_of, answering
+from .goals import Aim, aim_of, answering
 from .helps import helps_of
 from .menu import RECIPES, Offer, Option, recipe_offers
 from .offers import Offering, give
@@ -124,9 +124,8 @@ class Course:
                 form.enter(slot.name, text)
 
     def begin_with(self, declaration: Declaration) -> None:
-        """Go to the form of a statement, by way of the menu of its own that has it, if any."""
-        if aim_of(declaration) in GROUPS:
-            self.choose_group(aim_of(declaration))
+        """Go to the form of a statement, by way of the menu of its own that has it."""
+        self.choose_group(aim_of(declaration))
         self.choose(declaration)
 
     def heard(self, look: Look) -> Heard | None:
@@ -153,6 +152,10 @@ class Course:
     def is_filled_in(self) -> bool:
         """Whether somebody wrote or chose something in a form."""
         return any(form.is_filled_in for form in self._forms.values())
+
+    def go_on(self) -> None:
+        """Go on a page."""
+        self.at += 1
 
     def back(self) -> bool:
         """Go back a page; False on the first one."""

@@ -127,7 +127,7 @@ def _field_specs(slot: Slot, filled: Filled) -> list[Spec]:
 def matters(row: Row, workspace: Workspace) -> bool:
     """Tell whether somebody has to think of a row: most leave a name that is suggested."""
     kind = row.slot.kind
-    if kind is SlotKind.MESSAGE and row.text == new_words(row.slot):
+    if kind is SlotKind.NAMED or (kind is SlotKind.MESSAGE and row.text == new_words(row.slot)):
         return False
     if kind.form is Written.VARIABLE and kind.makes is not None:
         return False

@@ -248,7 +248,12 @@ class TimerKind(FunctionKind):
         """Return a name for it; of those that are to end, the first."""
         if ask.form.declaration.undoes is not None:
             return next((each.text for each in taken_back(ask) if not each.closed), "")
-        return free_name("tick", ask.scene.ended_by(ask.node, st.StopRepeating))
+        known = ask.scene.ended_by(ask.node, st.StopRepeating)
+        node = ask.scene.workspace.nodes.get(ask.node)
+        # Who changes a file that has one timer mostly wants another rate for that.
+        if node is not None and node.source is not None and len(known) == 1:
+            return known[0]
+        return free_name("tick", known)
 
     def choices(self, ask: Ask, query: str) -> list[Choice]:
         """Return those that are called already: to end one, or to call it at another rate."""
