@@ -25,6 +25,11 @@ BROKEN = {
         "  the_very_long_name_ =\n    create_publisher<some::long_type::Name>(\n"
         '    "out", 10, a, b);',
     ),
+    "a calculation": (
+        "  out.data = value(first) / value(another) * value(more) - value(number) + value(last) - 1;",
+        "  out.data = value(first) / value(another) * value(more) -\n"
+        "    value(number) + value(last) - 1;",
+    ),
     "a string": (
         '  log("words that go on and on, until there is no room for more");',
         '  log(\n    "words that go on and on, until there is no room for "\n    "more");',
