@@ -26,9 +26,9 @@ BROKEN = {
         '    "out", 10, a, b);',
     ),
     "a calculation": (
-        "  out.data = value(first) / value(another) * value(more) - value(number) + value(last) - 1;",
+        "  out.data = value(first) / value(another) * value(more) - value(last) + value(rest) - 1;",
         "  out.data = value(first) / value(another) * value(more) -\n"
-        "    value(number) + value(last) - 1;",
+        "    value(last) + value(rest) - 1;",
     ),
     "a string": (
         '  log("words that go on and on, until there is no room for more");',
