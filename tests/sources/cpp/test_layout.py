@@ -26,9 +26,13 @@ BROKEN = {
         '    "out", 10, a, b);',
     ),
     "a calculation": (
-        "  out.data = value(first) / value(another) * value(more) - value(last) + value(rest) - 1;",
-        "  out.data = value(first) / value(another) * value(more) -\n"
-        "    value(last) + value(rest) - 1;",
+        "  out.data = value(longest) / value(b) * value(more) - value(last) + value(rest) - c;",
+        "  out.data = value(longest) / value(b) * value(more) -\n    value(last) + value(rest) - c;",
+    ),
+    "a calculation in brackets": (
+        "  out.data = to(value(longest) / value(b) * value(more) - value(last) + value(rest) - c);",
+        "  out.data = to(\n    value(longest) / value(b) * value(more) - value(last) +\n"
+        "    value(rest) - c);",
     ),
     "a string": (
         '  log("words that go on and on, until there is no room for more");',
