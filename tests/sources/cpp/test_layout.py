@@ -27,7 +27,8 @@ BROKEN = {
     ),
     "a calculation": (
         "  out.data = value(longest) / value(b) * value(more) - value(last) + value(rest) - c;",
-        "  out.data = value(longest) / value(b) * value(more) -\n    value(last) + value(rest) - c;",
+        "  out.data = value(longest) / value(b) * value(more) -\n"
+        "    value(last) + value(rest) - c;",
     ),
     "a calculation in brackets": (
         "  out.data = to(value(longest) / value(b) * value(more) - value(last) + value(rest) - c);",
