@@ -57,6 +57,7 @@ class EditorView(ScrollView, can_focus=True, inherit_bindings=False):
         self._edits: list[Edited] = []
         self._shown = state.selection
         self._drag_from: int | None = None
+        self._height = 0
         state.listeners.append(self._heard)
 
     @property
@@ -157,8 +158,12 @@ class EditorView(ScrollView, can_focus=True, inherit_bindings=False):
         self.refresh()
 
     def on_resize(self) -> None:
-        """Lay out for another width."""
+        """Lay out for another width; keep the cursor in sight, if it was."""
+        line = self.geometry.place_of(self.state.cursor).y - self.scroll_offset.y
         self._place_lines()
+        if 0 <= line < self._height:
+            self.scroll_to_cursor()
+        self._height = self.scrollable_content_region.height
 
     def on_focus(self) -> None:
         """Show the cursor."""
@@ -261,13 +266,11 @@ class EditorView(ScrollView, can_focus=True, inherit_bindings=False):
         self, candidates: Sequence[Candidate], detail: Callable[[Candidate], str], offset: int
     ) -> None:
         """Show the popup below an offset."""
-        covered = self.popup.region if self.popup.is_open else None
+        covered = [self.popup.region] if self.popup.is_open else []
         self._refresh_offsets(self.state.cursor)
         size = self.scrollable_content_region.size
         self.popup.offer(candidates, detail, self.cell_of(offset), size)
-        for changed in (covered, self.popup.region):
-            if changed is not None:
-                self.refresh(changed)
+        self.refresh(self.popup.region, *covered)
 
     def choose(self, by: int) -> None:
         """Mark another entry of the popup."""
