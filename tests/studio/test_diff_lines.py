@@ -19,7 +19,7 @@ def test_rows_have_the_number_that_their_line_had_or_will_have() -> None:
     before = b"".join(b"line %d\n" % number for number in range(1, 13))
     after = before.replace(b"line 9\n", b"nine\nand more\n").replace(b"line 12\n", b"")
     assert texts(difference(before, after, Path("a.txt"))) == [
-        "@@ -6,7 +6,7 @@",
+        "  ⋯",
         *("  6  line 6", "  7  line 7", "  8  line 8"),
         *("  9 -line 9", "  9 +nine", " 10 +and more"),
         *(" 11  line 10", " 12  line 11", " 12 -line 12"),
@@ -46,11 +46,11 @@ def test_lines_have_the_colours_of_their_language(
 
 def test_what_looks_like_the_head_of_a_patch_is_a_line_as_others() -> None:
     lines = difference(b"-- a\nb\n", b"b\n++ c\n", Path("a.txt"))
-    assert texts(lines)[1:] == ["  1 --- a", "  1  b", "  2 +++ c"]
+    assert texts(lines) == ["  1 --- a", "  1  b", "  2 +++ c"]
 
 
 def test_what_a_terminal_would_obey_is_shown_escaped() -> None:
-    (row,) = texts(difference(b"", b"a \x1b[2J \xe2\x80\xae b\r\n", Path("a.py")))[1:]
+    (row,) = texts(difference(b"", b"a \x1b[2J \xe2\x80\xae b\r\n", Path("a.py")))
     assert row == r"  1 +a ^[[2J \u202e b^M"
 
 

@@ -94,7 +94,11 @@ class Painter:
         is_choosing = frame.offers and row == self._state.row
         message = None if is_choosing else worst([mark for _, _, mark in look.marks])
         if line >= len(pieces):
-            return below(look, canvas, message) if message else Strip.blank(frame.width)
+            return (
+                below(look, canvas, message)
+                if message
+                else Strip.blank(frame.width, frame.palette.text)
+            )
         if row in self._geometry.lines.extra and self._geometry.message_below(row):
             message = None
         start, end = pieces[line]

@@ -266,13 +266,11 @@ class EditorView(ScrollView, can_focus=True, inherit_bindings=False):
         self, candidates: Sequence[Candidate], detail: Callable[[Candidate], str], offset: int
     ) -> None:
         """Show the popup below an offset."""
-        covered = self.popup.region if self.popup.is_open else None
+        covered = [self.popup.region] if self.popup.is_open else []
         self._refresh_offsets(self.state.cursor)
         size = self.scrollable_content_region.size
         self.popup.offer(candidates, detail, self.cell_of(offset), size)
-        for changed in (covered, self.popup.region):
-            if changed is not None:
-                self.refresh(changed)
+        self.refresh(self.popup.region, *covered)
 
     def choose(self, by: int) -> None:
         """Mark another entry of the popup."""

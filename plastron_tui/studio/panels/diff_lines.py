@@ -56,8 +56,10 @@ def _rows(patch: str, before: Lines, after: Lines, digits: int) -> Iterator[Line
         hunk = _HUNK.match(row)
         if hunk is not None:
             old, new = int(hunk[1]), int(hunk[2])
+            if is_in_hunk or new > 1:
+                # The numbers beside the lines say which are left out.
+                yield (Piece(f"{'⋯':>{digits}}", "quiet"),)
             is_in_hunk = True
-            yield (Piece(row, "quiet"),)
         elif not is_in_hunk:
             if not row.startswith(_FILE_NAMES):
                 yield (Piece(row),)
