@@ -3,6 +3,7 @@ from __future__ import annotations
 import math
 
 import pytest
+from cases import check_each
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from lowering_cases import CASES
@@ -15,11 +16,14 @@ from plastron_tui.language.inputs import DEEPEST_NESTING, Literal
 from plastron_tui.language.statements import CreateMessage
 
 
-@pytest.mark.parametrize(("text", "expected"), CASES.items(), ids=list(CASES))
-def test_a_statement_becomes_its_slots(text: str, expected: tuple[object, ...]) -> None:
+def check_slots(text: str, expected: tuple[object, ...]) -> None:
     program = read(text + "\n")
     assert program.diagnostics == ()
     assert shape(program) == [expected]
+
+
+def test_a_statement_becomes_its_slots() -> None:
+    check_each(CASES.items(), check_slots)
 
 
 def test_the_cases_have_every_statement_with_and_without_its_clauses() -> None:
