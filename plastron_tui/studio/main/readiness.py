@@ -69,8 +69,7 @@ class Readiness:
         """Make sure that there is a folder to generate into: that of the program."""
         if self.program.path is not None:
             return True
-        self.notes.say("the files go beside the program: save it first", timeout=4)
-        return await self.files.save()
+        return await self.files.save(title="Save the program first: its files go beside it")
 
     async def _has_errors(self) -> bool:
         """Find out, as soon as that is known, whether the text has mistakes; then show them."""
