@@ -90,7 +90,6 @@ gc.set_threshold(200_000, 10, 10)
 
 
 def pytest_collection_finish() -> None:
-    gc.collect()
     gc.freeze()
 
 

@@ -172,6 +172,9 @@ SHAPES = {
         "received a - -1",
         "received a * 2 + 0.5 / 3",
     ],
+    "received.a+received.b.c[1]-parameter 'p' / -2": [
+        "received a + received b.c[1] - parameter p / -2",
+    ],
     "received /* c */ . /* d */ a /* e */ [ /* f */ 1 ] /* g */ * /* h */ 2": ["received a[1] * 2"],
     "parameter=1, received=2, received.x=3, parameter.x=4, x.received=5, x.parameter=6": [
         ("parameter", "=", "1"),

@@ -287,7 +287,7 @@ MISTAKES: list[tuple[str, str, str, str | None]] = [
         "create_message k of message_type String and input parameter 'names' * 2\n"
         "n publish k to 'd' of message_type String",
         "computed-type-mismatch",
-        "parameter 'names' * 2",
+        "parameter 'names'",
         None,
     ),
     (

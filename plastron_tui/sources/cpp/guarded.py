@@ -12,7 +12,7 @@ from dataclasses import dataclass, field
 from plastron_tui.model.kinds.ranges import EVERY_INTEGER, Interval
 from plastron_tui.model.values import Computed, OfReceived
 from plastron_tui.ros.interfaces import Field
-from plastron_tui.sources.computing import Source
+from plastron_tui.sources.computing import Formula
 
 from . import literals
 from .computed import Computing
@@ -61,17 +61,21 @@ class GuardedComputing(Computing):
             self.conditions.required[f"{text}.size() > {source.position}"] = None
         return f"{text}[{source.position}]"
 
-    def _scalar(self, value: Computed, source: Source) -> str:
-        text = self._calculated(value, source) if value.steps else source.text
-        limits = self.limits(value, source)
+    def _divisor(self, text: str) -> str:
+        self.conditions.required[f"{text} != 0"] = None
+        return text
+
+    def _scalar(self, value: Computed, formula: Formula) -> str:
+        text = self._calculated(formula) if value.steps else formula.source.text
+        limits = self.limits(value, formula)
         if limits is None:
             return text
-        self.conditions.within(text, limits, is_whole=source.is_whole and not value.is_float)
+        self.conditions.within(text, limits, is_whole=formula.is_whole)
         return f"static_cast<{self._class(value.type)}>({text})"
 
-    def _list(self, target: str, value: Computed, source: Source) -> list[str]:
+    def _list(self, target: str, value: Computed, formula: Formula) -> list[str]:
         class_ = self._class(value.type)
-        limits = self.limits(value, source)
+        source, limits = formula.source, self.limits(value, formula)
         name = source.text
         if limits is not None:
             checks = Conditions()

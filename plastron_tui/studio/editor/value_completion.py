@@ -7,8 +7,10 @@ from typing import TYPE_CHECKING
 
 from plastron_tui.language import SlotKind
 from plastron_tui.language.expectations import Expectation, ValuePlace
+from plastron_tui.language.open_values import ARITHMETIC
 from plastron_tui.model.kinds import INTERFACES, Parameter
-from plastron_tui.model.kinds.computed import fits, what_of
+from plastron_tui.model.kinds.computed import fits
+from plastron_tui.model.kinds.received import what_of
 from plastron_tui.ros.interfaces import Field, FieldType, Interface, InterfaceKind
 
 from .candidate import Candidate
@@ -179,11 +181,17 @@ def values(expected: Expectation, vocabulary: Vocabulary, catalog: Catalog) -> I
     if written and written[-1] == "parameter":
         yield from _parameters(_all_parameters(expected, vocabulary), written)
         return
-    if written and written[-1] not in _BEFORE_VALUE:
+    is_operand = _is_operand(written)
+    if written and written[-1] not in _BEFORE_VALUE and not is_operand:
         return
     heard = list(_heard_fields(expected, vocabulary, catalog))
     if expected.prefix.startswith(_RECEIVED):
         yield from (each.candidate for each in _received(heard, expected.prefix, catalog))
+        return
+    if is_operand:
+        if heard:
+            yield Candidate("received", "what arrives", ".")
+            yield from _parameters(_all_parameters(expected, vocabulary), written)
         return
     fields = _fields_at(place, _own_fields(expected, catalog), catalog)
     if fields is None:
@@ -195,6 +203,13 @@ def values(expected: Expectation, vocabulary: Vocabulary, catalog: Catalog) -> I
         yield from _parameters(_all_parameters(expected, vocabulary), written)
         if heard:
             yield Candidate("received", "what arrives", ".")
+
+
+def _is_operand(written: Sequence[str]) -> bool:
+    """Tell whether something that is calculated with comes next."""
+    *_, before, last = ("", "", *written)
+    is_origin = before.startswith(_RECEIVED) or before[:1] == "'" or before == "]"
+    return last in ARITHMETIC and (is_origin or before.replace(".", "").isdigit())
 
 
 def _all_parameters(expected: Expectation, vocabulary: Vocabulary) -> Iterable[str]:

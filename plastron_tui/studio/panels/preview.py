@@ -11,7 +11,8 @@ from plastron_tui.diagnostics import Diagnostic
 from plastron_tui.model.workspace import Generation, Home, Workspace
 from plastron_tui.output.plan import FilePlan, FileState, PlannedFile
 
-from .source_lines import coloured, diff_lines, difference
+from .diff_lines import difference, planned_diff
+from .source_lines import coloured
 from .styles import Lines
 
 if TYPE_CHECKING:
@@ -98,7 +99,7 @@ def _robot(robot: Robot) -> Preview:
     source, path = robot.source, Path(made.name)
     if made.text is None:
         return Preview(made.name, None, None, (), None, made.diagnostics)
-    diff = None if source is None else difference(source.text, made.text)
+    diff = None if source is None else difference(source.text, made.text, path)
     lines = coloured(made.text.decode("utf-8", "replace"), path)
     return Preview(made.name, path, None, lines, diff or None, made.diagnostics, len(made.text))
 
@@ -148,11 +149,9 @@ def files_meant(workspace: Workspace, variable: str) -> Callable[[PurePosixPath]
 
 
 def _disk_diff(file: PlannedFile) -> Lines | None:
-    from plastron_tui.output.diff import file_diff, visible_patch
-
     if file.before is None or file.state is FileState.IDENTICAL:
         return None
-    return diff_lines(visible_patch(file_diff(file)))
+    return planned_diff(file)
 
 
 def _preview(
@@ -183,6 +182,6 @@ def _previews(analysis: Analysis, generation: Generation, is_asked: bool) -> Ite
     for file, name in zip(plan.files, names, strict=False):
         diff = _disk_diff(file)
         if diff is None and name in loaded:
-            diff = difference(loaded[name], file.text)
+            diff = difference(loaded[name], file.text, file.path)
         state = file.state if is_asked else None
         yield _preview(file, state, diff, made.diagnostics, is_main=name == names[0])
