@@ -43,6 +43,8 @@ RIGHT = [
     f"{GOAL} order=parameter 'count'",
     f"{REQUEST} a=parameter 'count' * 2",
     f"{ANSWER} sum=received.a + 1",
+    f"{ANSWER} received.a + received.b * parameter 'count' - 2",
+    f"{ANSWER} received.a * parameter 'count'\nn renames parameter 'count' to 'number'",
     "n publish other to 'kept' of message_type String once",
     f"{NEAR} for_each 'scan'",
     f"{NEAR} for_each 'scan' when any received.ranges < 1",

@@ -132,11 +132,16 @@ class Computing(BaseComputing):
             return text
         return f"{self.functions.use(_IN_RANGE)}<{self._class(value.type)}>({text})"
 
-    def _calculated(self, formula: Formula) -> str:
-        """Write what is calculated: of whole numbers in 64 bits, or in more where they may pass."""
-        wide = "double"
-        if formula.is_whole:
+    def _calculated(self, formula: Formula, wide: str = "") -> str:
+        """Write what is calculated: of whole numbers in 64 bits, or in more where they may pass.
+
+        Args:
+            formula: what is calculated.
+            wide: the type to calculate in, "" for one that holds it.
+        """
+        if not wide and formula.is_whole:
             wide = "int64_t" if all(map(_INT64.contains, formula.ranges)) else "long double"
+        wide = wide or "double"
         text = self._as(wide, formula.source)
         for operator, operand in formula.steps:
             written = self._as(wide, operand)

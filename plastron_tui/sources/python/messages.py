@@ -38,6 +38,7 @@ class Conditions:
         self._name = name
         self._named: dict[str, str] = {}
         self._required: dict[str, bool] = {}
+        self._longest: dict[str, int] = {}
 
     def number(self, text: str, limits: Interval) -> str:
         """Require a number to be in the limits of a field; what is read for it is read once."""
@@ -69,7 +70,17 @@ class Conditions:
 
     def element(self, holder: str, position: int) -> None:
         """Require a list to have an element."""
-        self._required[f"len({holder}) > {position}"] = True
+        known = self._longest.get(holder)
+        self._longest[holder] = max(position, known or 0)
+        condition = f"len({holder}) > {self._longest[holder]}"
+        if known is None:
+            self._required[condition] = True
+            return
+        before = f"len({holder}) > {known}"
+        self._required = {
+            condition if each == before else each: is_first
+            for each, is_first in self._required.items()
+        }
 
     def divisor(self, text: str) -> str:
         """Require a number to divide by not to be 0."""
