@@ -7,10 +7,12 @@ from typing import Any, cast
 
 import pytest
 
+from plastron_tui.runtime.live_graph import LiveGraph
 from plastron_tui.studio.main.active_program import Tab
 from plastron_tui.studio.main.live_actions import LiveActions
 from plastron_tui.studio.main.tab_run import RunPanels, TabRun
 from plastron_tui.studio.main.watched_run import WatchedRun
+from plastron_tui.studio.panels.live_row import Kind, LiveRow
 from plastron_tui.studio.panels.output_log import Record
 
 
@@ -49,6 +51,31 @@ async def test_what_was_typed_for_a_topic_is_offered_again_to_the_same_program_o
     assert live._given
     live.start(other, ())
     assert not live._given
+    live.close()
+
+
+@pytest.mark.parametrize("how", ["end", "lost"])
+async def test_a_form_does_not_wait_for_who_is_gone(how: str) -> None:
+    panel = SimpleNamespace(show_live=lambda *_, **__: None)
+    screen = SimpleNamespace(notify=lambda *_, **__: None)
+    live = LiveActions(cast(Any, screen), cast(Any, panel))
+    said: list[tuple[int, bool]] = []
+    for version in (1, 2):
+        live._graphs[version] = LiveGraph(version)
+        live._monitors[version] = cast(Any, SimpleNamespace(close=lambda: None))
+        row = LiveRow("k", Kind.PARAMETER, "speed", "/a", version)
+        form = SimpleNamespace(
+            is_current=True,
+            answered=lambda _, *, is_failure, version=version: said.append((version, is_failure)),
+        )
+        live._asked[version] = row, cast(Any, form)
+    if how == "end":
+        live.end()
+        assert said == [(1, True), (2, True)] and not live._asked
+    else:
+        live._retried.add(2)
+        live._lost(2, "it was killed")
+        assert said == [(2, True)] and [*live._asked] == [1]
     live.close()
 
 

@@ -34,9 +34,6 @@ def resolver(catalog: Catalog) -> TypeResolver:
     return TypeResolver(catalog)
 
 
-# Parameters.
-
-
 def rates(expected: Expectation, vocabulary: Vocabulary) -> Iterator[Candidate]:
     """Offer the parameters of the node that say how often, which are numbers."""
     own = vocabulary.parameters(expected.filled.get("node", ""))
@@ -59,9 +56,6 @@ def default_values(expected: Expectation) -> Iterator[Candidate]:
     is_first = not expected.written or expected.written[-1] in _BEFORE_VALUE
     if is_first and expected.filled.get("type", "").startswith("bool"):
         yield from _TRUTH
-
-
-# What is received.
 
 
 def conditions(
@@ -176,9 +170,6 @@ def fields_of(found: Iterable[object]) -> Iterable[Field]:
     """Return the fields of all types among what was found, one of each name."""
     fields = [field for each in found if isinstance(each, Interface) for field in each.fields]
     return {field.name: field for field in fields}.values()
-
-
-# Values.
 
 
 def values(expected: Expectation, vocabulary: Vocabulary, catalog: Catalog) -> Iterator[Candidate]:

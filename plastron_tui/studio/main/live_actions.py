@@ -73,7 +73,6 @@ class LiveActions:
         """Show that nodes are about to run, and nothing of those before."""
         self.end()
         self._graphs, self._answers, self._commands = {}, {}, ()
-        self._asked.clear()
         self._said.clear()
         self._tell(STARTING)
 
@@ -93,6 +92,7 @@ class LiveActions:
             self._given.clear()
         self._tab, self._commands = tab, commands
         self._retried.clear()
+        self._drop_asked()
         self._close()
         self._tell(LOOKING)
         self._start_missing()
@@ -117,6 +117,7 @@ class LiveActions:
     def end(self) -> None:
         """Watch no more: the nodes have ended. What was seen last stays."""
         self._commands = ()
+        self._drop_asked()
         self._close()
         for graph in self._graphs.values():
             graph.end()
@@ -224,6 +225,7 @@ class LiveActions:
         monitor.close()
         self._watching.pop(version, None)
         self._silent.discard(version)
+        self._drop_asked(version)
         if version not in self._retried:
             self._retried.add(version)
             self._fail(version, f"not watched for the moment: {why}")
@@ -299,6 +301,14 @@ class LiveActions:
             return False
         self._asked[number] = row, form
         return True
+
+    def _drop_asked(self, version: int | None = None) -> None:
+        """Wait for no answer any more, of one generation of ROS or of all; forms are told."""
+        for number, (row, form) in list(self._asked.items()):
+            if version in (None, row.ros_version):
+                del self._asked[number]
+                if form is not None and form.is_current:
+                    form.answered("nobody answered: try again", is_failure=True)
 
     def _take_answer(self, report: Any) -> bool:
         row, form = self._asked.pop(report.get("id", 0), (None, None))

@@ -90,7 +90,7 @@ class ChooseFile(Dialog["Path | None"]):
             options.append(Option(Content.styled(visible(_shown(folder)), "$text-muted"),
                                   disabled=True))  # fmt: skip
         options.append(Option("../", id=".."))
-        names = _names(folder, self._must_be)
+        names = _names(folder)
         options += [
             Option(visible(name), id=name) for name in names if part.lower() in name.lower()
         ]
@@ -193,7 +193,7 @@ def _recent_option(path: Path) -> Option:
     return Option(text, id=os.fspath(path))
 
 
-def _names(folder: Path, only_programs: bool) -> list[str]:
+def _names(folder: Path) -> list[str]:
     folders, files = [], []
     with suppress(OSError), os.scandir(folder) as entries:
         for entry in entries:
