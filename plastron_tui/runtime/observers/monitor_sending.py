@@ -73,8 +73,8 @@ class Sendings:
             text: what is in it.
         """
         self.stop(order["name"])
-        self._running[order["name"]] = Sending(order, publish, text), close
         answer(order, f"sending to {order['name']} at {order['rate']:g} hz")
+        self._running[order["name"]] = Sending(order, publish, text), close
 
     def stop(self, name: str) -> None:
         """Send no more to a topic."""
