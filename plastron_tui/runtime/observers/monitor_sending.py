@@ -73,7 +73,8 @@ class Sendings:
             text: what is in it.
         """
         self.stop(order["name"])
-        answer(order, f"sending to {order['name']} at {order['rate']:g} hz")
+        # That it is sent is told besides.
+        answer(order, "")
         self._running[order["name"]] = Sending(order, publish, text), close
 
     def stop(self, name: str) -> None:

@@ -312,6 +312,9 @@ class LiveActions:
         if row.kind is Kind.SERVICE:
             self._answers[row.key] = Answer(text, is_failure)
             return True
+        if not text:
+            # It is shown there.
+            return False
         severity = "warning" if is_failure else "information"
         words = f"{row.name}: {visible(text)}" if row.kind is Kind.PARAMETER else visible(text)
         # Notes that are the same are shown once, and who sends twice wants to know of both.
