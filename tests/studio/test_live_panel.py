@@ -228,6 +228,10 @@ async def test_messages_at_a_rate_and_goals_are_sent_and_canceled(
         assert live(driver).row.name == "/chatter" and "x Cancel" in footer.text
         await driver.press("down", "down")
         assert live(driver).row.name == "/topic_000" and "x Cancel" not in footer.text
+        # What moves a robot goes on out of sight, and that is said.
+        await driver.show("graph")
+        await driver.until(lambda: "still sending to /chatter; x in Live" in driver.notes())
+        await driver.press("alt+v")
         await driver.press("up", "x")
         await driver.until(lambda: not any("sending" in line for line in live(driver).lines))
         assert asked(orders, "stop") == [{"do": "stop", "name": "/chatter"}]
