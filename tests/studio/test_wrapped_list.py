@@ -55,7 +55,7 @@ def test_what_can_be_done_stands_in_one_piece(width: int, rows: list[str]) -> No
 
 
 async def test_a_problem_is_walked_to_and_clicked_on_whatever_rows_it_takes(program: Path) -> None:
-    program.write_text("create_node 'a' as a\na has_parameter 'speed' of\nfoo bar\n" * 4)
+    program.write_text("create_node 'a' as a\n" + "a has_parameter 'speed' of\nfoo bar\n" * 4)
     async with studio(program, (80, 24)) as driver:
         await driver.show("problems")
         panel = driver.main.panels["problems"]
