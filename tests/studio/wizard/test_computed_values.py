@@ -72,7 +72,8 @@ def test_an_answer_offers_what_is_asked() -> None:
     filled = values_of(it, form)
     offered = [each.text for each in it.choices(filled, "answer", ("sum",), "")]
     assert offered == ["received.a + received.b", "received.a", "received.b"]
-    assert it.helps(filled)["answer", ("sum",)].endswith(", or `received.a + received.b`")
+    help_ = it.helps(filled)["answer", ("sum",)]
+    assert help_.endswith(", or `received.a + received.b`: both together")
     for text in offered:
         filled.form.values["sum",] = text
         assert it.blocking(it.look()) == (), text
