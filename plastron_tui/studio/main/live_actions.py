@@ -17,7 +17,7 @@ from plastron_tui.runtime.live_graph import LiveGraph, NodeEnd
 from ..delay import Delay
 from ..key_order import InOrder
 from ..panels.live_panel import LOOKING, NOTHING_RUNS, STARTING, LivePanel
-from ..panels.live_rows import Answer, Kind, LiveRow
+from ..panels.live_row import Answer, Kind, LiveRow
 from ..panels.live_watching import Watching
 from .active_program import Tab
 from .workers import start_exclusive
@@ -54,6 +54,7 @@ class LiveActions:
         panel.on_watched, panel.on_asked = self.update_subscriptions, self.run_order
         self._delay = Delay(screen, self._show)
         self._shown_at = 0.0
+        self._is_in_sight = False
         self._look = Delay(screen, self._look_at_monitors)
         self._commands: Sequence[MonitorCommand] = ()
         self._monitors: dict[int, Monitor] = {}
@@ -73,7 +74,6 @@ class LiveActions:
         """Show that nodes are about to run, and nothing of those before."""
         self.end()
         self._graphs, self._answers, self._commands = {}, {}, ()
-        self._asked.clear()
         self._said.clear()
         self._tell(STARTING)
 
@@ -93,6 +93,7 @@ class LiveActions:
             self._given.clear()
         self._tab, self._commands = tab, commands
         self._retried.clear()
+        self._drop_asked()
         self._close()
         self._tell(LOOKING)
         self._start_missing()
@@ -117,6 +118,7 @@ class LiveActions:
     def end(self) -> None:
         """Watch no more: the nodes have ended. What was seen last stays."""
         self._commands = ()
+        self._drop_asked()
         self._close()
         for graph in self._graphs.values():
             graph.end()
@@ -129,12 +131,15 @@ class LiveActions:
     def _close(self) -> None:
         for monitor in self._monitors.values():
             monitor.close()
+        for graph in self._graphs.values():
+            graph.drop_orders()
         self._monitors, self._watching, self._silent = {}, {}, set()
         self._delay.stop()
         self._look.stop()
 
     def update_subscriptions(self) -> None:
         """Have the topics and nodes in sight listened to, and no others."""
+        self._say_what_goes_on()
         for version, monitor in self._monitors.items():
             wanted = self._panel.watching(version)
             if self._watching.get(version) != wanted:
@@ -142,6 +147,13 @@ class LiveActions:
                 monitor.order(
                     do="watch", topics=wanted.topics, full=wanted.full, nodes=wanted.nodes
                 )
+
+    def _say_what_goes_on(self) -> None:
+        """Say once what is still sent where its row goes out of sight: it may move a robot."""
+        sent = [each for graph in self._graphs.values() for each in graph.sendings]
+        was_in_sight, self._is_in_sight = self._is_in_sight, self._panel.is_in_sight
+        if sent and was_in_sight and not self._is_in_sight:
+            self._say(f"still sending to {', '.join(sent)}; x in Live ends it")
 
     def show_soon(self) -> None:
         """Show what monitors say, soon: all that comes until then at once."""
@@ -171,6 +183,10 @@ class LiveActions:
             for report in monitor.take():
                 if report.get("tell") == "answer":
                     is_new |= self._take_answer(report)
+                elif report.get("tell") == "goal":
+                    # It is shown there, and answered only where it could not be sent.
+                    self._asked.pop(report.get("id", 0), None)
+                    is_new |= graph.feed(report)
                 else:
                     is_new |= graph.feed(report)
             if monitor.ended is not None:
@@ -218,6 +234,7 @@ class LiveActions:
         monitor.close()
         self._watching.pop(version, None)
         self._silent.discard(version)
+        self._drop_asked(version)
         if version not in self._retried:
             self._retried.add(version)
             self._fail(version, f"not watched for the moment: {why}")
@@ -230,7 +247,7 @@ class LiveActions:
     def _fail(self, version: int, problem: str) -> None:
         graph = self._graphs[version]
         graph.problem = problem
-        graph.is_watched = False
+        graph.lose_monitor()
         self._tell(self._empty)
 
     def run_order(self, what: str, row: LiveRow | None) -> None:
@@ -238,8 +255,20 @@ class LiveActions:
         if what == "restart":
             self._retried.clear()
             self._start_missing()
+        elif what == "cancel" and row is not None:
+            self._cancel(row)
         elif row is not None:
             start_exclusive(self._screen, "live", self._ask, row)
+
+    def _cancel(self, row: LiveRow) -> None:
+        """Send to a topic no more, or cancel a goal; what comes of it is shown there."""
+        monitor = self._monitors.get(row.ros_version)
+        if monitor is None:
+            return
+        if row.kind is Kind.TOPIC:
+            monitor.order(do="stop", name=row.owner)
+        else:
+            monitor.order(do="cancel", goal=row.goal)
 
     async def _ask(self, row: LiveRow) -> None:
         if row.ros_version not in self._monitors or self._tab is None:
@@ -282,6 +311,14 @@ class LiveActions:
         self._asked[number] = row, form
         return True
 
+    def _drop_asked(self, version: int | None = None) -> None:
+        """Wait for no answer any more, of one generation of ROS or of all; forms are told."""
+        for number, (row, form) in list(self._asked.items()):
+            if version in (None, row.ros_version):
+                del self._asked[number]
+                if form is not None and form.is_current:
+                    form.answered("nobody answered: try again", is_failure=True)
+
     def _take_answer(self, report: Any) -> bool:
         row, form = self._asked.pop(report.get("id", 0), (None, None))
         if row is None:
@@ -291,10 +328,12 @@ class LiveActions:
             form.answered(text, is_failure=is_failure)
             if is_failure:
                 return False
-        if row.kind in (Kind.SERVICE, Kind.ANSWER):
-            key = f"{row.ros_version} service {row.owner}"
-            self._answers[key] = Answer(text, is_failure)
+        if row.kind is Kind.SERVICE:
+            self._answers[row.key] = Answer(text, is_failure)
             return True
+        if not text:
+            # It is shown there.
+            return False
         severity = "warning" if is_failure else "information"
         words = f"{row.name}: {visible(text)}" if row.kind is Kind.PARAMETER else visible(text)
         # Notes that are the same are shown once, and who sends twice wants to know of both.

@@ -22,7 +22,7 @@ _LOOK = 0.01
 """Seconds after which is looked again whether the worker knows what the text means."""
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(eq=False)
 class Readiness:
     """Makes sure that the program in front can be written, or run.
 
@@ -43,7 +43,7 @@ class Readiness:
     notes: SaidNotes = field(init=False)
 
     def __post_init__(self) -> None:
-        object.__setattr__(self, "notes", SaidNotes(self.screen))
+        self.notes = SaidNotes(self.screen)
 
     async def to_write(self, *, to_run: bool = False) -> bool:
         """Make sure that there is a folder, no mistake, and something to write or to run."""

@@ -9,8 +9,8 @@ from rich.cells import cell_len
 
 from plastron_tui.diagnostics.terminal import visible
 
-from ..cells import cut, fitted
-from .live_rows import Kind, LiveRow
+from ..cells import cut, end_of, fitted
+from .live_row import Kind, LiveRow
 from .sparkline import sparkline
 from .styles import Line, Piece
 
@@ -24,6 +24,7 @@ _BEFORE = 5
 _SIGNS = {
     Kind.TOPIC: ("≈", "success"),
     Kind.SERVICE: ("◆", "warning"),
+    Kind.ACTION: ("★", "warning"),
     Kind.NODE: ("●", "primary"),
 }
 
@@ -43,7 +44,7 @@ def columns_of(rows: Iterable[LiveRow], width: int) -> Columns:
     names = [
         cell_len(row.name) + 2 * row.depth
         for row in rows
-        if row.kind in (Kind.TOPIC, Kind.FIELD, Kind.SERVICE, Kind.NODE, Kind.PARAMETER)
+        if row.kind in _SIGNS or row.kind in (Kind.FIELD, Kind.PARAMETER)
     ]
     curve = 0 if width < _WITH_CURVE else _CURVE if width < _WIDE else _WIDE_CURVE
     type_ = 0 if width < _WITH_TYPE else _TYPE if width < _WIDE else _WIDE_TYPE
@@ -60,14 +61,15 @@ def line_of(row: LiveRow, columns: Columns, width: int) -> Line:
         return (Piece(f" {row.name}", "dim"),)
     if row.kind is Kind.NOTE:
         return (Piece(cut(" " * (_BEFORE + 2 * row.depth) + row.name, width), row.tone),)
-    if row.kind is Kind.ANSWER:
+    if row.kind in (Kind.ANSWER, Kind.SENDING, Kind.GOAL):
         shown = cut(f"{' ' * (_BEFORE + 2)}{row.name} {row.value}", width)
         return (Piece(shown, row.tone),)
     fold = " " if not row.is_branch else "▾" if row.is_open else "▸"
     sign, tone = _SIGNS.get(row.kind, ("", ""))
     before = f" {fold} " if sign else " " * _BEFORE
     indent = "" if sign else " " * (2 * row.depth)
-    name = fitted(indent + _cut_before(row.name, columns.name - len(indent)), columns.name)
+    # The last part of a name is the one that tells.
+    name = fitted(indent + end_of(row.name, columns.name - len(indent)), columns.name)
     is_dim = row.is_old or row.is_foreign
     pieces = [Piece(before, "dim"), Piece(f"{sign} " if sign else "", "dim" if is_dim else tone)]
     strength = "strong" if row.depth == 0 else ""
@@ -89,14 +91,3 @@ def line_of(row: LiveRow, columns: Columns, width: int) -> Line:
     # The last cell is the frame's distance.
     curve = sparkline(row.samples, columns.curve - 1).rjust(columns.curve - 1)
     return (*pieces, Piece(f"{curve} ", "accent"))
-
-
-def _cut_before(name: str, cells: int) -> str:
-    """Return the end of a name that is too long: its last part is the one that tells."""
-    if cell_len(name) <= cells:
-        return name
-    # At least one cell each.
-    name = name[-max(1, cells) :]
-    while name and cell_len(name) >= cells:
-        name = name[1:]
-    return f"…{name}"
