@@ -47,8 +47,8 @@ def _rows(line: Line, width: int) -> Iterator[Line]:
         return
     cells = [(character, piece.tone) for piece in line for character in piece.text]
     text = "".join(character for character, _ in cells)
-    start = _START.match(text)
-    lead = 0 if start is None else start.end()
+    before_text = _START.match(text)
+    lead = 0 if before_text is None else before_text.end()
     indent = lead + _MORE
     at_most = width // 2
     before = " " * (min(indent, at_most) if width >= _ROOMY or indent <= at_most else 0)
