@@ -32,7 +32,7 @@ main()
 
 TABLE_SERVICES = """\
 create_node 'adder' as adder
-        return all(each in answers for each in ("sum: 11", "count: 0"))
+adder provides_service 'add' of service_type AddTwoInts answering received.a + received.b
 adder provides_service 'count' of service_type WordCount
 generate_node adder
 create_node 'caller' as caller
