@@ -23,6 +23,7 @@ from plastron_tui.studio.wizard.parameter_kinds import parameter_entry
 from plastron_tui.studio.wizard.sent_values import Wrong, sent_setting, sent_values, shown_setting
 from plastron_tui.studio.wizard.values import entries_of
 
+INF = float("inf")
 CATALOG = Catalog("kilted")
 SENT: list[tuple[str, str, dict[tuple[str, ...], str], Any]] = [
     ("msg", "std_msgs/String", {("data",): "hi, you"}, {"data": "hi, you"}),
@@ -38,6 +39,20 @@ SENT: list[tuple[str, str, dict[tuple[str, ...], str], Any]] = [
     ("msg", "std_msgs/UInt8", {("data",): "300"}, ("data",)),
     ("msg", "std_msgs/Float64", {("data",): "received.data"}, ("data",)),
     ("msg", "geometry_msgs/Polygon", {("points",): "(q=1)"}, None),
+    ("msg", "std_msgs/Float64", {("data",): "-inf"}, {"data": -INF}),
+    ("msg", "std_msgs/Float32", {("data",): "Inf"}, {"data": INF}),
+    ("msg", "geometry_msgs/Twist", {("linear", "x"): "inf", ("angular", "z"): "1"},
+     {"linear": {"x": INF}, "angular": {"z": 1.0}}),
+    ("msg", "sensor_msgs/LaserScan", {("ranges",): "2, inf, -inf, 0.3", ("range_max",): "inf"},
+     {"range_max": INF, "ranges": [2.0, INF, -INF, 0.3]}),
+    ("msg", "std_msgs/Float64", {("data",): "info"},
+     Wrong("data takes a number, such as 0.5", ("data",))),
+    ("msg", "sensor_msgs/LaserScan", {("ranges",): "inf, far"},
+     Wrong("`far`, value 2 of the list: ranges takes a number, such as 0.5", ("ranges",))),
+    ("msg", "sensor_msgs/LaserScan", {("ranges",): "inf, parameter 'inf'"}, ("ranges",)),
+    ("msg", "std_msgs/Int32", {("data",): "inf"}, ("data",)),
+    ("msg", "builtin_interfaces/Duration", {("sec",): "nan"}, ("sec",)),
+    ("msg", "std_msgs/String", {("data",): "inf"}, {"data": "inf"}),
 ]  # fmt: skip
 
 
@@ -60,7 +75,7 @@ def test_what_is_entered_is_checked_and_becomes_values(
      ("float_list", "[1, 2.5]", [1.0, 2.5]), ("string_list", '"a, b", c', ["a, b", "c"]),
      ("int", "1.5", None), ("float", "fast", None), ("int", str(2**63), None),
      ("float", "parameter 'x'", None), ("float", "1e999", None),
-     ("float_list", "1e999, inf", None),
+     ("float_list", "1e999, inf", None), ("float_list", "1, parameter 'x'", None),
      ("string", r'"a\nb"', "a\nb"), ("string", r'"C:\dir"', r"C:\dir"),
      ("string", r"C:\dir", r"C:\dir"),
      ("string", r'"\u0000"', None)],
@@ -146,7 +161,7 @@ def test_a_parameter_that_nobody_touched_stays_as_it_is(type_: str, value: Any) 
      ("std_msgs/Bool", [("data", "True")], {("data",): "True"}),
      # Of a text or a list only the beginning may be known; a stamp is when it is sent.
      ("sensor_msgs/JointState", [("header.stamp", "5.0"), ("position", "[1.0, … 9 in all]")], {}),
-     ("std_msgs/Float64", [("data", "inf")], {}),
+     ("std_msgs/Float64", [("data", "inf")], {("data",): "inf"}),
      ("std_msgs/Float64", [("other", "1")], {})],
 )  # fmt: skip
 def test_a_message_that_is_sent_begins_with_the_last_one_that_came(
