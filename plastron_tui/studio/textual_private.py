@@ -6,6 +6,7 @@ A version of Textual that has it no longer takes away what is said here, and not
 from __future__ import annotations
 
 import codecs
+import sys
 from collections.abc import Callable, MutableMapping
 from functools import partial
 from typing import IO, TYPE_CHECKING, Any, cast
@@ -54,6 +55,16 @@ def output_of(driver: Driver) -> IO[str] | None:
     """
     file = getattr(driver, "_file", None)
     return cast("IO[str]", file) if callable(getattr(file, "fileno", None)) else None
+
+
+def write_where_it_is_seen(driver: Driver) -> None:
+    """Let a driver write to standard output where standard error goes to a file.
+
+    Without it the file gets all that is drawn, and the terminal nothing.
+    """
+    output, own = sys.__stdout__, output_of(driver)
+    if own is not None and output is not None and output.isatty() and not own.isatty():
+        driver._file = output  # type: ignore[attr-defined]
 
 
 def parse_input_with(parser_of: Callable[[type[XTermParser]], type[XTermParser]]) -> None:
