@@ -4,13 +4,15 @@ from __future__ import annotations
 
 import re
 from collections import deque
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
-from typing import Any, NamedTuple
+from typing import Any, NamedTuple, TypeVar
 
 MOST_SAMPLES = 60
 """So many of the latest numbers are kept of a topic, and of each field that is looked at."""
 _MOST_NAMES = 5000
+_MOST_GOALS = 100
+NOT_WATCHED = "not watched any more"
 _ANONYMOUS = re.compile(r"(_\d+)+$")
 
 
@@ -76,11 +78,51 @@ class LiveTopic:
 
 
 class LiveService(NamedTuple):
-    """A service, its type, and whether it was there and is no more."""
+    """A service, its type, who provides it, and whether it was there and is no more."""
 
     name: str
     type: str
+    nodes: frozenset[str] = frozenset()
     is_gone: bool = False
+
+
+class LiveAction(NamedTuple):
+    """An action, as a service; `servers` says how many provide it: the others ask."""
+
+    name: str
+    type: str
+    servers: int = 0
+    nodes: frozenset[str] = frozenset()
+    is_gone: bool = False
+
+
+class LiveGoal(NamedTuple):
+    """A goal that was sent from here.
+
+    Attributes:
+        number: its number.
+        action: the name of the action.
+        sent: its values, in a line.
+        state: how far it is, in words.
+        text: the last feedback, or the result.
+        is_over: whether nothing comes of it any more.
+        is_failure: whether it ended, and was not reached.
+    """
+
+    number: int
+    action: str
+    sent: str
+    state: str
+    text: str = ""
+    is_over: bool = False
+    is_failure: bool = False
+
+
+class LiveSending(NamedTuple):
+    """A message that is sent from here again and again: how often a second, and what is in it."""
+
+    rate: float
+    text: str
 
 
 class LiveParameter(NamedTuple):
@@ -118,6 +160,9 @@ class LiveGraph:
         ros_version: the generation.
         topics: by name.
         services: by name.
+        actions: by name.
+        goals: those that were sent from here, by their numbers, the newest last.
+        sendings: what is sent from here at a rate, by topic.
         nodes: by name, each with whether it is still there.
         parameters: those of the nodes that are looked at, by node.
         is_known: whether the monitor has said what there is.
@@ -132,6 +177,9 @@ class LiveGraph:
     ros_version: int
     topics: dict[str, LiveTopic] = field(default_factory=dict)
     services: dict[str, LiveService] = field(default_factory=dict)
+    actions: dict[str, LiveAction] = field(default_factory=dict)
+    goals: dict[int, LiveGoal] = field(default_factory=dict)
+    sendings: dict[str, LiveSending] = field(default_factory=dict)
     nodes: dict[str, bool] = field(default_factory=dict)
     parameters: dict[str, tuple[LiveParameter, ...]] = field(default_factory=dict)
     is_known: bool = False
@@ -156,6 +204,13 @@ class LiveGraph:
                 case "parameters":
                     rows = tuple(_parameter(row) for row in report["rows"])
                     self.parameters[str(report["node"])] = rows
+                case "sending":
+                    self._take_sending(report)
+                case "goal":
+                    goal = _goal(report)
+                    self.goals[goal.number] = goal
+                    for number in list(self.goals)[:-_MOST_GOALS]:
+                        del self.goals[number]
                 case "problem":
                     self.problem = str(report["text"])
                 case _:
@@ -173,7 +228,7 @@ class LiveGraph:
             if topic is None or topic.type != type_:
                 topic = LiveTopic(str(name), str(type_))
             topic.publishers, topic.subscribers = int(publishers), int(subscribers)
-            topic.nodes = frozenset(map(str, nodes[0])) if nodes else frozenset()
+            topic.nodes = _names(nodes)
             topic.is_gone = False
             found[topic.name] = topic
         for name, topic in self.topics.items():
@@ -182,15 +237,37 @@ class LiveGraph:
                 topic.rate = 0.0
                 found[name] = topic
         self.topics = dict(sorted(found.items()))
-        now = {name: LiveService(str(name), str(type_)) for name, type_ in report["services"]}
-        gone = {name: each._replace(is_gone=True) for name, each in self.services.items()}
-        self.services = dict(sorted({**gone, **now}.items())[:_MOST_NAMES])
+        services = [LiveService(str(name), str(type_), _names(nodes))
+                    for name, type_, *nodes in report["services"]]  # fmt: skip
+        actions = [LiveAction(str(name), str(type_), int(servers), frozenset(map(str, nodes)))
+                   for name, type_, servers, nodes in report.get("actions", ())]  # fmt: skip
+        self.services = _with_gone(self.services, services)
+        self.actions = _with_gone(self.actions, actions)
         there = set(map(str, report["nodes"]))
         for name in there:
             if self.nodes.get(name) is False:
                 # Somebody has started it again.
                 self.ended.pop(name, None)
         self.nodes = {name: name in there for name in sorted({*self.nodes, *there})[:_MOST_NAMES]}
+
+    def _take_sending(self, report: Mapping[str, Any]) -> None:
+        name, rate = str(report["name"]), float(report["rate"])
+        if rate > 0:
+            self.sendings[name] = LiveSending(rate, str(report["text"]))
+        else:
+            self.sendings.pop(name, None)
+
+    def lose_monitor(self) -> None:
+        """Note that the monitor is no more: all is what was seen last."""
+        self.is_watched = False
+        self.drop_orders()
+
+    def drop_orders(self) -> None:
+        """Note that who was told to send something has ended: it sends no more."""
+        self.sendings.clear()
+        for number, goal in self.goals.items():
+            if not goal.is_over:
+                self.goals[number] = goal._replace(state=NOT_WATCHED, is_over=True)
 
     def is_own(self, nodes: Iterable[str]) -> bool:
         """Tell whether one of some nodes is of the run; all are where nobody said which."""
@@ -214,6 +291,33 @@ class LiveGraph:
         for topic in self.topics.values():
             topic.rate = 0.0
         self.nodes = dict.fromkeys(self.nodes, False)
+
+
+_Named = TypeVar("_Named", LiveService, LiveAction)
+
+
+def _with_gone(before: Mapping[str, _Named], now: Iterable[_Named]) -> dict[str, _Named]:
+    """Return what is there now, and what was there before and is marked as gone."""
+    gone = {name: each._replace(is_gone=True) for name, each in before.items()}
+    there = {each.name: each for each in now}
+    return dict(sorted({**gone, **there}.items())[:_MOST_NAMES])
+
+
+def _names(nodes: Sequence[Iterable[object]]) -> frozenset[str]:
+    """Return the names of nodes, of which a report has one list, or none."""
+    return frozenset(map(str, nodes[0])) if nodes else frozenset()
+
+
+def _goal(report: Mapping[str, Any]) -> LiveGoal:
+    return LiveGoal(
+        int(report["id"]),
+        str(report["name"]),
+        str(report["sent"]),
+        str(report["state"]),
+        str(report["text"]),
+        bool(report["is_over"]),
+        bool(report["is_failure"]),
+    )
 
 
 def _parameter(row: Mapping[str, Any]) -> LiveParameter:

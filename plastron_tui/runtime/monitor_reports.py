@@ -30,6 +30,8 @@ class Reports:
         self._graph: list[Report] = []
         self._rows: dict[str, Any] = {}
         self._parameters: dict[str, Report] = {}
+        self._sendings: dict[str, Report] = {}
+        self._goals: dict[int, Report] = {}
         self._answers: deque[Report] = deque(maxlen=_MOST_ANSWERS)
 
     def add(self, report: Report) -> bool:
@@ -45,6 +47,10 @@ class Reports:
                     self._rows |= rows
                 case {"tell": "parameters", "node": str(node)}:
                     self._parameters[node] = report
+                case {"tell": "sending", "name": str(name)}:
+                    self._sendings[name] = report
+                case {"tell": "goal", "id": int(number)}:
+                    self._goals[number] = report
                 case {"tell": "answer"}:
                     self._answers.append(report)
                 case _:
@@ -55,6 +61,8 @@ class Reports:
         """Return what was added since this was called last, the graph before what is in it."""
         with self._lock:
             rows: list[Report] = [{"tell": "topics", "rows": self._rows}] if self._rows else []
-            found = [*self._graph, *rows, *self._parameters.values(), *self._answers]
+            kept = (self._parameters, self._sendings, self._goals)
+            last = [report for each in kept for report in each.values()]
+            found = [*self._graph, *rows, *last, *self._answers]
             self._clear()
         return found

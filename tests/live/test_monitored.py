@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import subprocess
+import time
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
@@ -12,6 +13,7 @@ import pytest
 from graph import Graph
 from machine import wait_until
 from processes import generate_one
+from test_goals import CANCELED, ENDLESS, ORDER, TYPE, patient
 
 import plastron_tui.runtime.observers as observers
 from plastron_tui.runtime.live_graph import LiveGraph
@@ -128,3 +130,74 @@ def test_what_runs_is_seen_and_spoken_to(graph: Graph, tmp_path: Path, watched: 
     node.interrupt()
     watched.until(lambda: known.nodes["/robot"] is False, "the node is gone")
     assert known.topics["/goal"].is_gone or known.topics["/goal"].subscribers == 0
+
+
+def test_goals_are_sent_and_canceled(
+    service_graph: Graph, tmp_path: Path, request: pytest.FixtureRequest
+) -> None:
+    server = patient(service_graph, tmp_path)
+    watched: Watched = Watched(service_graph)
+    request.addfinalizer(watched.monitor.close)
+    known, type_ = watched.known, TYPE[service_graph.target]
+    watched.until(lambda: known.actions and known.actions["/count"].servers == 1, "the action")
+    assert known.actions["/count"].type == type_
+    assert len(known.actions["/count"].nodes) == 1
+    # Its topics are not there once more.
+    assert not [name for name in known.topics if "/count" in name]
+
+    def send(number: int, order: int) -> None:
+        values = {"order": order}
+        assert watched.monitor.order(do="goal", id=number, name="/count", type=type_, values=values)
+
+    send(1, ENDLESS)
+    watched.until(lambda: 1 in known.goals and "sequence" in known.goals[1].text, "feedback")
+    goal = known.goals[1]
+    assert (goal.action, goal.sent, goal.state) == ("/count", f"order: {ENDLESS}", "accepted")
+    assert not goal.is_over
+    watched.monitor.order(do="cancel", goal=1)
+    watched.until(lambda: known.goals[1].is_over, "its end")
+    assert known.goals[1].state == CANCELED[service_graph.target]
+    # The monitor's own client is none of theirs.
+    assert known.actions["/count"].servers == 1
+    send(2, ORDER)
+    watched.until(lambda: 2 in known.goals and known.goals[2].is_over, "the result")
+    assert known.goals[2].state == "succeeded" and not known.goals[2].is_failure
+    # Nobody works on it any more once the server is gone.
+    send(3, ENDLESS)
+    watched.until(lambda: 3 in known.goals and "sequence" in known.goals[3].text, "feedback")
+    server.kill()
+    watched.until(lambda: known.goals[3].is_over and known.goals[3].is_failure, "the loss")
+    said = watched.ask(4, do="goal", name="/count", type="no_such/Type", values={})
+    assert said["is_failure"]
+
+
+def test_a_message_is_sent_at_a_rate_until_it_is_stopped(
+    graph: Graph, tmp_path: Path, watched: Watched
+) -> None:
+    (program := tmp_path / "robot.plastron").write_text(PROGRAM)
+    node = graph.run_and_wait(generate_one(str(program.with_suffix("")), tmp_path, graph.target))
+    known = watched.known
+    watched.until(lambda: "/goal" in known.topics, "the topic")
+    order: dict[str, Any] = {"name": "/goal", "type": "std_msgs/Float64", "rate": 20}
+    watched.ask(1, do="publish", values={"data": 1.5}, **order)
+    node.wait_to_print("1.5", count=3)
+    assert known.sendings["/goal"] == (20, "1.5")
+    # Another one replaces it, and what was sent is not one of theirs.
+    watched.ask(2, do="publish", values={"data": 2.5}, **order)
+    node.wait_to_print("2.5", count=3)
+    assert known.topics["/goal"].publishers == 0
+    watched.monitor.order(do="stop", name="/goal")
+    watched.until(lambda: not known.sendings, "the end")
+    # What is sent now is the next that comes.
+    before = node.output.count("2.5")
+    watched.ask(3, do="publish", name="/goal", type="std_msgs/Float64", values={"data": 3.5})
+    node.wait_to_print("3.5")
+    assert node.output.count("2.5") <= before + 1
+    # It ends with whoever holds the monitor's pipe.
+    watched.ask(4, do="publish", values={"data": 4.5}, **order)
+    node.wait_to_print("4.5", count=3)
+    watched.monitor.close()
+    wait_until(lambda: watched.monitor.ended is not None, "the monitor ends", 60)
+    before = node.output.count("4.5")
+    time.sleep(1)
+    assert node.output.count("4.5") <= before + 1

@@ -20,8 +20,10 @@ def main() -> None:
         tell="graph",
         topics=[chatter, *topics],
         services=[["/add", "example_interfaces/AddTwoInts"]],
+        actions=[["/count", "example_interfaces/Fibonacci", 1, ["/talker"]]],
         nodes=["/talker"],
     )
+    goals = {}
     with Path(sys.argv[1]).open("a", encoding="utf-8") as log:
         for line in sys.stdin:
             order = json.loads(line)
@@ -36,6 +38,21 @@ def main() -> None:
                     row = {"name": "speed", "value": 0.5, "type": "float", "range": [0, 1],
                            "about": "how fast", "is_read_only": False}  # fmt: skip
                     send(tell="parameters", node=node, rows=[row])
+            elif order["do"] == "publish" and order["rate"]:
+                text = ", ".join(map(str, order["values"]))
+                send(tell="sending", name=order["name"], rate=order["rate"], text=text)
+            elif order["do"] == "stop":
+                send(tell="sending", name=order["name"], rate=0, text="")
+            elif order["do"] == "goal" and order["values"]:
+                goals[order["id"]] = goal = {
+                    "tell": "goal", "id": order["id"], "name": order["name"], "sent": "order: 5",
+                    "state": "accepted", "text": "sequence: [0, 1]", "is_over": False,
+                    "is_failure": False}  # fmt: skip
+                send(**goal)
+            elif order["do"] == "cancel":
+                send(**{**goals[order["goal"]], "state": "canceled", "is_over": True})
+            elif order["do"] == "goal":
+                send(tell="answer", id=order["id"], text="it needs an order", is_failure=True)
             elif order["do"] == "call" and not order["values"]:
                 os.kill(os.getpid(), signal.SIGKILL)
             elif order["do"] == "set" and order["value"] == 0.25:

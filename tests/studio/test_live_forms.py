@@ -14,10 +14,7 @@ from plastron_tui.ros.parameters import ParameterType
 from plastron_tui.runtime.live_graph import LiveField, LiveParameter
 from plastron_tui.runtime.observers import ros1_parameters
 from plastron_tui.session import Session
-from plastron_tui.studio.panels.live_rows import (
-    Kind,
-    LiveRow,
-)
+from plastron_tui.studio.panels.live_row import Kind, LiveRow
 from plastron_tui.studio.wizard.live_orders import form_for
 from plastron_tui.studio.wizard.parameter_kinds import parameter_entry
 from plastron_tui.studio.wizard.sent_values import Wrong, sent_setting, sent_values, shown_setting

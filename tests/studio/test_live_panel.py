@@ -139,7 +139,7 @@ async def test_what_travels_is_shown_and_nodes_are_spoken_to(program: Path, orde
         assert [each["value"] for each in asked(orders, "set")] == [0.25, 0.75]
         assert "not now" not in driver.notes()
         # A service, whose answer is shown below it.
-        await driver.press("up", "up")
+        await driver.press("up", "up", "up")
         assert live(driver).row.name == "/add"
         await driver.pilot.press("enter")
         await driver.dialog("LiveForm")
@@ -151,7 +151,7 @@ async def test_what_travels_is_shown_and_nodes_are_spoken_to(program: Path, orde
         await driver.until(lambda: asked(orders, "watch")[-1]["topics"] == ["/topic_040"])
         bar = driver.main.query_one("#live-filter")
         assert [row.name for row in live(driver)._live] == ["topics", "/topic_040"]
-        assert "1 of 53" in str(bar.query_one("#live-count", Label).content)
+        assert "1 of 54" in str(bar.query_one("#live-count", Label).content)
         await driver.press("enter")
         assert live(driver).has_focus and live(driver).row.name == "/topic_040"
         await driver.show("graph")
@@ -162,14 +162,14 @@ async def test_what_travels_is_shown_and_nodes_are_spoken_to(program: Path, orde
         assert "nothing has these words" in live(driver).entries.empty and not live(driver).lines
         await driver.press("escape")
         assert live(driver).has_focus and len(live(driver).lines) > 50 and not bar.display
-        await driver.press("end", "up", "up", "up")
+        await driver.press("end", "up", "up", "up", "up")
         assert live(driver).row.name == "/add"
         # Out of sight nothing is listened to; back in sight it is again.
         await driver.press("alt+1")
-        await driver.until(lambda: not asked(orders, "watch")[-1]["topics"])
+        await driver.until(lambda: not asked(orders, "watch")[-1]["nodes"])
         assert live(driver).watching(2) == Watching()
         await driver.press("alt+v")
-        await driver.until(lambda: asked(orders, "watch")[-1]["topics"])
+        await driver.until(lambda: asked(orders, "watch")[-1]["nodes"])
         # Another monitor takes the place of one that dies, without a word.
         await driver.press("enter")
         await driver.dialog("LiveForm")
@@ -200,6 +200,67 @@ async def test_what_travels_is_shown_and_nodes_are_spoken_to(program: Path, orde
         await driver.until(
             lambda: any("/talker" in line and "gone" in line for line in live(driver).lines)
         )
+
+
+async def test_messages_at_a_rate_and_goals_are_sent_and_canceled(
+    program: Path, orders: Path
+) -> None:
+    async with studio(program, (80, 24)) as driver:
+        await driver.show("live")
+        await driver.press("f5")
+        await wait_shown(driver, "/chatter      2.0 Hz 0.25")
+        footer = driver.main.query_one(KeyBar)
+        assert "x Cancel" not in footer.text
+        # A rate that is none is said at its field, and nothing is sent.
+        await driver.pilot.press("p")
+        form = await driver.dialog("LiveForm")
+        await driver.pilot.press("0", ".", "5", *["down"] * 6, *"often", "enter")
+        help_ = form.query_one("#wizard-help", Label)
+        await driver.until(lambda: "such as 10 hz" in str(help_.content))
+        assert not asked(orders, "publish") and form.focused.parent.path == ("how often",)
+        await driver.pilot.press(*["backspace"] * 5, *"10 hz", "enter")
+        await driver.back()
+        await wait_shown(driver, "▶ sending at 10 hz: linear")
+        (order,) = asked(orders, "publish")
+        assert (order["rate"], order["values"]) == (10, {"linear": {"x": 0.5}})
+        # Where it is sent, one key ends that; nowhere else.
+        assert live(driver).row.name == "/chatter" and "x Cancel" in footer.text
+        await driver.press("down", "down")
+        assert live(driver).row.name == "/topic_000" and "x Cancel" not in footer.text
+        await driver.press("up", "x")
+        await driver.until(lambda: not any("sending" in line for line in live(driver).lines))
+        assert asked(orders, "stop") == [{"do": "stop", "name": "/chatter"}]
+        # A goal, whose feedback and end are shown below its action.
+        await driver.press("end", "up")
+        assert live(driver).row.name == "/count" and "g Goal" in footer.text
+        await driver.press("enter")
+        await driver.dialog("LiveForm")
+        await driver.pilot.press("enter")
+        await driver.back()
+        await driver.until(lambda: "it needs an order" in driver.notes())
+        for key, character in (("g", "g"), ("5", "5"), ("enter", None)):
+            driver.app.post_message(events.Key(key, character))
+        await wait_shown(driver, "▶ order: 5 → accepted, sequence: [0, 1]")
+        await driver.until(lambda: driver.app.screen is driver.main)
+        assert asked(orders, "goal")[-1]["values"] == {"order": 5}
+        await driver.press("down", "x")
+        await wait_shown(driver, "– order: 5 → canceled")
+        assert asked(orders, "cancel") == [
+            {"do": "cancel", "goal": asked(orders, "goal")[-1]["id"]}
+        ]
+        assert "x Cancel" not in footer.text
+        # With the nodes everything ends that is sent to them.
+        await driver.press("g")
+        await driver.dialog("LiveForm")
+        await driver.pilot.press("enter")
+        await driver.back()
+        await driver.until(lambda: len(live(driver)._graphs[0].goals) == 2)
+        await driver.press("down")
+        assert "x Cancel" in footer.text
+        await driver.press("f5")
+        await driver.until(lambda: not driver.main.runner.is_running)
+        await driver.show("live")
+        await wait_shown(driver, "order: 5 → not watched any more")
 
 
 def test_what_is_built_before_nodes_start_is_said_unless_others_are_watched() -> None:

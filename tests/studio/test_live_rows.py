@@ -10,13 +10,11 @@ from rich.cells import cell_len
 from plastron_tui.runtime.live_graph import LiveGraph, LiveParameter, NodeEnd
 from plastron_tui.session import Session
 from plastron_tui.studio.panels.live_columns import columns_of, line_of
+from plastron_tui.studio.panels.live_row import Answer, Kind, LiveRow
 from plastron_tui.studio.panels.live_rows import (
     FOREIGN,
     NOBODY,
     WAITING,
-    Answer,
-    Kind,
-    LiveRow,
     found_rows,
     live_rows,
 )
@@ -44,6 +42,7 @@ def graph() -> LiveGraph:
         "topics": [["/a\x1b[2J", "std_msgs/String", 1, 0], ["/speed", "std_msgs/Float64", 1, 1],
                    ["/cmd_vel", "geometry_msgs/Twist", 0, 1]],
         "services": [["/add", "example_interfaces/AddTwoInts"]],
+        "actions": [["/count", "example_interfaces/Fibonacci", 1, ["/talker"]]],
         "nodes": ["/talker"],
     })  # fmt: skip
     for count, number in enumerate((0.25, 0.5), 1):
@@ -76,6 +75,8 @@ def test_the_rows_say_what_runs(graph: LiveGraph) -> None:
         " services",
         "   ◆ /add                example_interfaces/AddTwoInts",
         "       → sum: 3",
+        " actions",
+        "   ★ /count              example_interfaces/Fibonacci",
         " nodes",
         " ▾ ● /talker",
         "       asking for its parameters…",
@@ -96,7 +97,7 @@ def test_what_is_gone_or_silent_is_marked(graph: LiveGraph) -> None:
     assert any("/speed       silent 0.5" in line for line in drawn(graph, 60, set()))
     graph.feed({"tell": "graph", "topics": [], "services": [], "nodes": []})
     lines = drawn(graph, 60, set())
-    assert sum("gone" in line for line in lines) == 5
+    assert sum("gone" in line for line in lines) == 6
 
 
 @pytest.mark.parametrize(
@@ -153,7 +154,7 @@ def test_what_the_program_does_not_have_comes_behind_and_is_marked(
 @pytest.mark.parametrize(
     ("words", "names", "count"),
     [((), ["problem", "topics", "/a\\x1b[2J", "/cmd_vel", "/speed", "type", "data", "services",
-           "/add", "nodes", "/talker"], 5),
+           "/add", "actions", "/count", "nodes", "/talker"], 6),
      (("float64",), ["problem", "topics", "/speed", "type", "data"], 1),
      (("add",), ["problem", "services", "/add"], 1),
      (("nowhere",), ["problem"], 0)],
@@ -190,9 +191,12 @@ def test_what_the_network_says_is_only_shown() -> None:
     wild = "/x\x1b]0;y\x07\u202e"
     graph = LiveGraph(2, problem=wild)
     graph.feed({"tell": "graph", "topics": [[wild, wild, 1, 1]], "services": [[wild, wild]],
-                "nodes": [wild]})  # fmt: skip
+                "actions": [[wild, wild, 1, [wild]]], "nodes": [wild]})  # fmt: skip
     row = {"count": 1, "rate": 1, "text": wild, "number": 1, "fields": [[wild, wild, None]]}
     graph.feed({"tell": "topics", "rows": {wild: row}})
+    graph.feed({"tell": "sending", "name": wild, "rate": 1, "text": wild})
+    graph.feed({"tell": "goal", "id": 1, "name": wild, "sent": wild, "state": wild, "text": wild,
+                "is_over": False, "is_failure": False})  # fmt: skip
     parameter = {"name": wild, "value": wild, "type": "string", "range": None, "about": wild,
                  "is_read_only": True}  # fmt: skip
     graph.feed({"tell": "parameters", "node": wild, "rows": [parameter]})

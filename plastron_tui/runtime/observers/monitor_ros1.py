@@ -16,8 +16,12 @@ import rosgraph
 import roslib.message
 import rospy
 import rosservice
+from goals_ros1 import ActionClients, action_types, is_part
 from message_filling import fill, has_stamp
+from message_summary import summary_of
+from monitor_goals import Goals
 from monitor_pipes import Orders, answer, send, sent_words
+from monitor_sending import Sendings
 from monitor_services import ServiceTypes, within
 from monitor_subscriptions import NotInstalledError, Subscriptions
 from monitor_topics import WatchedTopic
@@ -67,6 +71,8 @@ class _Monitor:
         self._topics = Subscriptions(_Watching)
         self._nodes: list[str] = []
         self._service_types = ServiceTypes(_service_type)
+        self._sendings = Sendings()
+        self._goals, self._action_clients = Goals(), ActionClients()
         self._publishers: dict[str, Any] = {}
         self._graph: dict[str, Any] = {}
         self._told: dict[str, Any] = {}
@@ -79,6 +85,14 @@ class _Monitor:
                 self._nodes = order["nodes"]
                 self._told = {k: v for k, v in self._told.items() if k in self._nodes}
                 self._topics.watch(order["topics"], order["full"])
+            elif order["do"] == "publish" and order.get("rate"):
+                self._send(order)
+            elif order["do"] == "stop":
+                self._sendings.stop(order["name"])
+            elif order["do"] == "goal":
+                self._action_clients.send(order, self._goals)
+            elif order["do"] == "cancel":
+                self._goals.cancel(order["goal"])
             elif order["do"] == "publish":
                 self._aside(self._publish, order)
             elif order["do"] == "call":
@@ -112,6 +126,8 @@ class _Monitor:
                 self._graph = {}
             send(tell="beat")
         self._topics.report()
+        self._goals.turn()
+        self._goals.report()
         if self._nodes and now - self._asked >= _PARAMETERS:
             self._asked = now
             self._tell_parameters()
@@ -128,6 +144,7 @@ class _Monitor:
         found = self._master.getTopicTypes()
         types = self._topics.types = {name: kind for name, kind in found if kind != "*"}
         counts: dict[str, list[int]] = {}
+        nobody = [0, 0]
         for side, known in enumerate((publishers, subscribers)):
             for name, owners in known:
                 count = sum(not _is_hidden(owner) for owner in owners)
@@ -135,40 +152,63 @@ class _Monitor:
         at: dict[str, set[str]] = {}
         for name, owners in (*publishers, *subscribers):
             at.setdefault(name, set()).update(owners)
+        # An action is one thing, and not the five topics that it consists of.
+        actions = action_types(types)
         topics = [
             (name, types.get(name, ""), *count, sorted(at[name]))
             for name, count in sorted(counts.items())
-            if is_shown(name) and any(count)
+            if is_shown(name) and any(count) and not is_part(name, actions)
         ]
-        shown = [name for name, owners in services if self._is_offered(name, owners)]
+        shown = {name: own for name, own in services if self._is_offered(name, own)}
         nodes = {owner for kind in (publishers, subscribers, services) for _, own in kind
                  for owner in own if not _is_hidden(owner)}  # fmt: skip
         return {
             "topics": topics,
-            "services": [(name, self._service_types.of(name)) for name in sorted(shown)],
+            "services": [
+                (name, self._service_types.of(name), own) for name, own in sorted(shown.items())
+            ],
+            "actions": [
+                (name, type_, counts.get(f"{name}/status", nobody)[0], sorted(at[f"{name}/goal"]))
+                for name, type_ in sorted(actions.items())
+                # The master knows the types of what is gone as well.
+                if any(counts.get(f"{name}/goal", nobody))
+            ],
             "nodes": sorted(nodes),
         }
 
     def _is_offered(self, name: str, owners: list[str]) -> bool:
         return not name.endswith(_HIDDEN_SERVICES) and not all(map(_is_hidden, owners))
 
-    def _publish(self, order: dict[str, Any]) -> None:
-        name = order["name"]
-        made = roslib.message.get_message_class(order["type"])
+    def _send(self, order: dict[str, Any]) -> None:
+        """Send a message at a rate."""
+        publisher, message = self._prepared(order)
+
+        def publish() -> None:
+            _stamp(message, order["values"])
+            publisher.publish(message)
+
+        self._sendings.start(order, publish, lambda: None, summary_of(message, order["type"]).text)
+
+    def _prepared(self, order: dict[str, Any]) -> tuple[Any, Any]:
+        """Return the publisher of a topic, and a message."""
+        name, made = order["name"], roslib.message.get_message_class(order["type"])
         if made is None:
             raise NotInstalledError(order["type"])
         message = fill(made(), order["values"])
         if name not in self._publishers:
             self._publishers[name] = rospy.Publisher(name, made, queue_size=10)
-        publisher = self._publishers[name]
+        return self._publishers[name], message
+
+    def _publish(self, order: dict[str, Any]) -> None:
+        name = order["name"]
+        publisher, message = self._prepared(order)
         end = time.monotonic() + _MATCHING
         # Who listens connects to a new publisher some time after it is there.
         subscribed = dict(self._master.getSystemState()[1])
         listening = len(subscribed.get(name, ()))
         while publisher.get_num_connections() < listening and time.monotonic() < end:
             time.sleep(0.02)
-        if has_stamp(message, order["values"]):
-            message.header.stamp = rospy.Time.now()
+        _stamp(message, order["values"])
         publisher.publish(message)
         others = sum(not _is_hidden(owner) for owner in subscribed.get(name, ()))
         answer(order, sent_words(name, others, others))
@@ -196,6 +236,11 @@ class _Monitor:
             if self._told.get(node) != rows:
                 self._told[node] = rows
                 send(tell="parameters", node=node, rows=rows)
+
+
+def _stamp(message: Any, values: dict[str, Any]) -> None:
+    if has_stamp(message, values):
+        message.header.stamp = rospy.Time.now()
 
 
 def _service_type(name: str) -> str:

@@ -11,15 +11,19 @@ from __future__ import annotations
 import contextlib
 import importlib
 import time
-from collections import Counter
 from collections.abc import Callable
 from typing import Any
 
 import rclpy
 from fitting_subscription import FittingSubscription
+from goals_ros2 import ActionClients
+from graph_ros2 import RunningGraph
 from message_filling import fill, has_stamp
+from message_summary import summary_of
+from monitor_goals import Goals
 from monitor_parameters import Parameters
 from monitor_pipes import Orders, answer, send, sent_words
+from monitor_sending import Sendings
 from monitor_subscriptions import NotInstalledError, Subscriptions
 from monitor_topics import WatchedTopic
 from plastron_text import line_of
@@ -27,7 +31,7 @@ from rclpy.executors import SingleThreadedExecutor
 from rclpy.qos import DurabilityPolicy, QoSProfile, ReliabilityPolicy
 from rclpy.serialization import deserialize_message
 from rclpy.signals import SignalHandlerOptions
-from watch import is_shown, ros2_class
+from watch import ros2_class
 
 _TURN, _IDLE_TURN = 0.05, 0.5
 _REPORT = 0.25
@@ -36,7 +40,6 @@ _ANSWER = 10.0
 _MATCHING = 1.5
 _MOST_A_TURN = 1000
 _NAMES = ("_plastron_monitor", "_plastron_monitor_calls")
-_INFRASTRUCTURE = ("rcl_interfaces/", "type_description_interfaces/", "lifecycle_msgs/")
 
 
 class _Watching:
@@ -86,18 +89,24 @@ class _Monitor:
         self._executor = SingleThreadedExecutor()
         self._executor.add_node(self._caller)
         self._topics = Subscriptions(lambda name, type_: _Watching(self._node, name, type_))
-        self._publishers: Counter[str] = Counter()
         self._pending: list[tuple[dict[str, Any], float, Callable[[bool], bool]]] = []
         self._parameters = Parameters(self._caller)
-        self._nodes_at: dict[str, tuple[tuple[int, int], list[str]]] = {}
+        self._sendings = Sendings()
+        self._goals, self._action_clients = Goals(), ActionClients(self._caller)
+        self._running = RunningGraph(self._node, self._topics, self._action_clients)
         self._graph: dict[str, Any] = {}
         self._looked = self._reported = 0.0
 
     @property
     def turn_time(self) -> float:
         """Seconds until the next turn."""
-        is_busy = self._topics or self._pending or self._parameters.is_asking
+        is_busy = self._topics or self._is_spun
         return _TURN if is_busy else _IDLE_TURN
+
+    @property
+    def _is_spun(self) -> bool:
+        """Whether an answer is waited for."""
+        return bool(self._pending or self._goals or self._parameters.is_asking)
 
     def do(self, order: dict[str, Any]) -> None:
         """Do what the studio wants."""
@@ -106,8 +115,16 @@ class _Monitor:
                 case "watch":
                     self._topics.watch(order["topics"], order["full"])
                     self._parameters.watch(order["nodes"])
+                case "publish" if order.get("rate"):
+                    self._send(order)
                 case "publish":
                     self._publish(order)
+                case "stop":
+                    self._sendings.stop(order["name"])
+                case "goal":
+                    self._action_clients.send(order, self._goals)
+                case "cancel":
+                    self._goals.cancel(order["goal"])
                 case "call":
                     self._call(order)
                 case "set":
@@ -125,17 +142,19 @@ class _Monitor:
         if now - self._reported >= _REPORT:
             self._reported = now
             self._topics.report()
+            self._goals.report()
         self._parameters.turn(now)
-        if self._pending or self._parameters.is_asking:
+        if self._is_spun:
             for _ in range(10):
                 self._executor.spin_once(timeout_sec=0)
             asked, self._pending = self._pending, []
             self._pending += [each for each in asked if not self._is_done(*each)]
+            self._goals.turn()
 
     def _look(self) -> None:
         """Find out what is there, and tell it where that is new."""
         try:
-            graph = self._found()
+            graph = self._running.look()
         except Exception as error:  # rclpy's own kinds of error differ between distributions
             send(tell="problem", text=str(error) or type(error).__name__)
             # Told again as soon as there is one, it says that there is no problem any more.
@@ -147,43 +166,6 @@ class _Monitor:
             self._graph = graph
             send(tell="graph", **graph)
         send(tell="beat")
-
-    def _found(self) -> dict[str, Any]:
-        node = self._node
-        topics = []
-        for name, types in node.get_topic_names_and_types():
-            if not is_shown(name):
-                continue
-            self._topics.types[name] = type_name = types[0].replace("/msg/", "/")
-            own = self._publishers[name]
-            heard = self._topics.hears(name)
-            ends = node.count_publishers(name), node.count_subscribers(name)
-            publishers, subscribers = ends[0] - own, ends[1] - heard
-            if publishers + subscribers > 0:
-                topics.append((name, type_name, publishers, subscribers, self._at(name, ends)))
-        services = [
-            (name, types[0].replace("/srv/", "/"))
-            for name, types in node.get_service_names_and_types()
-            if is_shown(name) and not types[0].startswith(_INFRASTRUCTURE)
-        ]
-        nodes = sorted(
-            f"{namespace.rstrip('/')}/{name}"
-            for name, namespace in node.get_node_names_and_namespaces()
-            if not name.startswith("_")
-        )
-        return {"topics": topics, "services": services, "nodes": nodes}
-
-    def _at(self, name: str, ends: tuple[int, int]) -> list[str]:
-        """Return the nodes at a topic; they are looked up where their number is another one."""
-        known = self._nodes_at.get(name)
-        if known is None or known[0] != ends:
-            infos = [
-                *self._node.get_publishers_info_by_topic(name),
-                *self._node.get_subscriptions_info_by_topic(name),
-            ]
-            names = {f"{each.node_namespace.rstrip('/')}/{each.node_name}" for each in infos}
-            known = self._nodes_at[name] = ends, sorted(names)
-        return known[1]
 
     def _later(
         self, order: dict[str, Any], step: Callable[[bool], bool], limit: float = _ANSWER
@@ -203,15 +185,14 @@ class _Monitor:
         message = fill(ros2_class(order["type"])(), values)
         qos = self._publisher_qos(name)
         publisher = self._node.create_publisher(type(message), name, qos)
-        self._publishers[name] += 1
+        self._running.publishers[name] += 1
 
         def send_it(is_late: bool) -> bool:
             listening = self._node.count_subscribers(name)
             reached = publisher.get_subscription_count()
             if reached < listening and not is_late:
                 return False
-            if has_stamp(message, values):
-                message.header.stamp = self._node.get_clock().now().to_msg()
+            self._stamp(message, values)
             self._later(order, leave, _MATCHING)
             publisher.publish(message)
             own = self._topics.hears(name)
@@ -221,11 +202,34 @@ class _Monitor:
         def leave(is_late: bool) -> bool:
             # It has arrived by then; nodes that start later must not be told to move again.
             if is_late:
-                self._publishers[name] -= 1
+                self._running.publishers[name] -= 1
                 self._node.destroy_publisher(publisher)
             return is_late
 
         self._later(order, send_it, _MATCHING)
+
+    def _send(self, order: dict[str, Any]) -> None:
+        """Send a message at a rate."""
+        name, values = order["name"], order["values"]
+        message = fill(ros2_class(order["type"])(), values)
+        # What was sent to it until now has a publisher of its own.
+        self._sendings.stop(name)
+        publisher = self._node.create_publisher(type(message), name, self._publisher_qos(name))
+        self._running.publishers[name] += 1
+
+        def publish() -> None:
+            self._stamp(message, values)
+            publisher.publish(message)
+
+        def close() -> None:
+            self._running.publishers[name] -= 1
+            self._node.destroy_publisher(publisher)
+
+        self._sendings.start(order, publish, close, summary_of(message, order["type"]).text)
+
+    def _stamp(self, message: Any, values: dict[str, Any]) -> None:
+        if has_stamp(message, values):
+            message.header.stamp = self._node.get_clock().now().to_msg()
 
     def _publisher_qos(self, name: str) -> Any:
         """Return a quality of service that every subscription of the topic accepts."""

@@ -17,7 +17,7 @@ from plastron_tui.runtime.live_graph import LiveGraph, NodeEnd
 from ..delay import Delay
 from ..key_order import InOrder
 from ..panels.live_panel import LOOKING, NOTHING_RUNS, STARTING, LivePanel
-from ..panels.live_rows import Answer, Kind, LiveRow
+from ..panels.live_row import Answer, Kind, LiveRow
 from ..panels.live_watching import Watching
 from .active_program import Tab
 from .workers import start_exclusive
@@ -129,6 +129,8 @@ class LiveActions:
     def _close(self) -> None:
         for monitor in self._monitors.values():
             monitor.close()
+        for graph in self._graphs.values():
+            graph.drop_orders()
         self._monitors, self._watching, self._silent = {}, {}, set()
         self._delay.stop()
         self._look.stop()
@@ -171,6 +173,10 @@ class LiveActions:
             for report in monitor.take():
                 if report.get("tell") == "answer":
                     is_new |= self._take_answer(report)
+                elif report.get("tell") == "goal":
+                    # It is shown there, and answered only where it could not be sent.
+                    self._asked.pop(report.get("id", 0), None)
+                    is_new |= graph.feed(report)
                 else:
                     is_new |= graph.feed(report)
             if monitor.ended is not None:
@@ -230,7 +236,7 @@ class LiveActions:
     def _fail(self, version: int, problem: str) -> None:
         graph = self._graphs[version]
         graph.problem = problem
-        graph.is_watched = False
+        graph.lose_monitor()
         self._tell(self._empty)
 
     def run_order(self, what: str, row: LiveRow | None) -> None:
@@ -238,8 +244,20 @@ class LiveActions:
         if what == "restart":
             self._retried.clear()
             self._start_missing()
+        elif what == "cancel" and row is not None:
+            self._cancel(row)
         elif row is not None:
             start_exclusive(self._screen, "live", self._ask, row)
+
+    def _cancel(self, row: LiveRow) -> None:
+        """Send to a topic no more, or cancel a goal; what comes of it is shown there."""
+        monitor = self._monitors.get(row.ros_version)
+        if monitor is None:
+            return
+        if row.kind is Kind.TOPIC:
+            monitor.order(do="stop", name=row.owner)
+        else:
+            monitor.order(do="cancel", goal=row.goal)
 
     async def _ask(self, row: LiveRow) -> None:
         if row.ros_version not in self._monitors or self._tab is None:
@@ -291,9 +309,8 @@ class LiveActions:
             form.answered(text, is_failure=is_failure)
             if is_failure:
                 return False
-        if row.kind in (Kind.SERVICE, Kind.ANSWER):
-            key = f"{row.ros_version} service {row.owner}"
-            self._answers[key] = Answer(text, is_failure)
+        if row.kind is Kind.SERVICE:
+            self._answers[row.key] = Answer(text, is_failure)
             return True
         severity = "warning" if is_failure else "information"
         words = f"{row.name}: {visible(text)}" if row.kind is Kind.PARAMETER else visible(text)

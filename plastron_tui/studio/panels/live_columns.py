@@ -10,7 +10,7 @@ from rich.cells import cell_len
 from plastron_tui.diagnostics.terminal import visible
 
 from ..cells import cut, fitted
-from .live_rows import Kind, LiveRow
+from .live_row import Kind, LiveRow
 from .sparkline import sparkline
 from .styles import Line, Piece
 
@@ -24,6 +24,7 @@ _BEFORE = 5
 _SIGNS = {
     Kind.TOPIC: ("≈", "success"),
     Kind.SERVICE: ("◆", "warning"),
+    Kind.ACTION: ("★", "warning"),
     Kind.NODE: ("●", "primary"),
 }
 
@@ -43,7 +44,7 @@ def columns_of(rows: Iterable[LiveRow], width: int) -> Columns:
     names = [
         cell_len(row.name) + 2 * row.depth
         for row in rows
-        if row.kind in (Kind.TOPIC, Kind.FIELD, Kind.SERVICE, Kind.NODE, Kind.PARAMETER)
+        if row.kind in _SIGNS or row.kind in (Kind.FIELD, Kind.PARAMETER)
     ]
     curve = 0 if width < _WITH_CURVE else _CURVE if width < _WIDE else _WIDE_CURVE
     type_ = 0 if width < _WITH_TYPE else _TYPE if width < _WIDE else _WIDE_TYPE
@@ -60,7 +61,7 @@ def line_of(row: LiveRow, columns: Columns, width: int) -> Line:
         return (Piece(f" {row.name}", "dim"),)
     if row.kind is Kind.NOTE:
         return (Piece(cut(" " * (_BEFORE + 2 * row.depth) + row.name, width), row.tone),)
-    if row.kind is Kind.ANSWER:
+    if row.kind in (Kind.ANSWER, Kind.SENDING, Kind.GOAL):
         shown = cut(f"{' ' * (_BEFORE + 2)}{row.name} {row.value}", width)
         return (Piece(shown, row.tone),)
     fold = " " if not row.is_branch else "▾" if row.is_open else "▸"

@@ -18,8 +18,9 @@ from .entry import Entries, Entry
 from .entry_list import EntryList
 from .filter_bar import FilterBar
 from .live_columns import Columns, columns_of, line_of
-from .live_row_places import branch_at, stop_near, target_at
-from .live_rows import UNCOUNTED, Answer, Kind, LiveRow, found_rows, live_rows
+from .live_row import Answer, Kind, LiveRow
+from .live_row_places import branch_at, cancelable_at, stop_near, target_at
+from .live_rows import UNCOUNTED, found_rows, live_rows
 from .live_watching import Watching, watching_of
 from .row_drawing import RowDrawing
 
@@ -27,20 +28,51 @@ NOTHING_RUNS = "nothing runs\nF5 starts the nodes; here is then what they send"
 STARTING = "the nodes start…\nwhat they send is shown here"
 LOOKING = "looking for topics…\nwhat the nodes send is shown here"
 NOTHING_FOUND = "nothing has these words in its name or type\n/ and Esc show all again"
-_KINDS = {"publish": Kind.TOPIC, "call": Kind.SERVICE, "set": Kind.PARAMETER}
+_KINDS = {
+    "publish": Kind.TOPIC,
+    "call": Kind.SERVICE,
+    "goal": Kind.ACTION,
+    "set": Kind.PARAMETER,
+}
+_ENTERED = {
+    Kind.SENDING: "publish",
+    Kind.SERVICE: "call",
+    Kind.ANSWER: "call",
+    Kind.ACTION: "goal",
+    Kind.GOAL: "goal",
+    Kind.PARAMETER: "set",
+}
+"""What Enter asks for, at a row that does not unfold."""
 
 
 def _asking(what: str, keys: str, title: str, tooltip: str) -> Binding:
     return Binding(keys, f"ask('{what}')", title, id=f"live.{what}", tooltip=tooltip)
 
 
-_FILTER = Binding(
-    "slash",
-    "filter",
-    "Filter",
-    id="live.filter",
-    tooltip="Show only what has certain words in its name or type",
-)
+_BINDINGS: list[BindingType] = [
+    Binding(
+        "enter",
+        "choose",
+        "Open",
+        id="live.open",
+        tooltip="Unfold it, call it, send it a goal or set it",
+    ),
+    Binding("right,l", "unfold", "Unfold", show=False, id="live.unfold"),
+    Binding("left,h", "fold_back", "Fold", show=False, id="live.fold"),
+    _asking("publish", "p", "Publish", "Send a message to the topic"),
+    _asking("call", "c", "Call", "Call the service"),
+    _asking("goal", "g", "Goal", "Send a goal to the action"),
+    _asking("cancel", "x", "Cancel", "Send to the topic no more, or cancel the goal"),
+    _asking("set", "s", "Set", "Give the parameter another value"),
+    _asking("restart", "r", "Watch again", "Start the monitor of the nodes again"),
+    Binding(
+        "slash",
+        "filter",
+        "Filter",
+        id="live.filter",
+        tooltip="Show only what has certain words in its name or type",
+    ),
+]
 
 
 class LivePanel(EntryList):
@@ -48,20 +80,11 @@ class LivePanel(EntryList):
 
     Attributes:
         on_watched: called when other rows came in sight, or the panel itself did, or is no more.
-        on_asked: called when something shall be done about a row: `publish`, `call` or `set`; or
-            `restart`, whatever the row is.
+        on_asked: called when something shall be done about a row: `publish`, `call`, `goal`,
+            `set` or `cancel`; or `restart`, whatever the row is.
     """
 
-    BINDINGS: ClassVar[list[BindingType]] = [
-        Binding("enter", "choose", "Open", id="live.open", tooltip="Unfold it, call it or set it"),
-        Binding("right,l", "unfold", "Unfold", show=False, id="live.unfold"),
-        Binding("left,h", "fold_back", "Fold", show=False, id="live.fold"),
-        _asking("publish", "p", "Publish", "Send a message to the topic"),
-        _asking("call", "c", "Call", "Call the service"),
-        _asking("set", "s", "Set", "Give the parameter another value"),
-        _asking("restart", "r", "Watch again", "Start the monitor of the nodes again"),
-        _FILTER,
-    ]
+    BINDINGS: ClassVar[list[BindingType]] = _BINDINGS
 
     def __init__(self, *, id: str | None = None) -> None:  # noqa: A002 - Textual's word
         super().__init__(id=id, empty=NOTHING_RUNS)
@@ -147,8 +170,10 @@ class LivePanel(EntryList):
         elif self._columns != old_columns:
             self.refresh()
         else:
-            pairs = enumerate(zip(before, rows, strict=True))
-            self._drawing.refresh(at for at, (old, new) in pairs if old != new)
+            pairs = list(zip(before, rows, strict=True))
+            self._drawing.refresh(at for at, (old, new) in enumerate(pairs) if old != new)
+            if any(_is_active(old) != _is_active(new) for old, new in pairs):
+                self.refresh_bindings()
 
     async def action_filter(self) -> None:
         """Ask for the words that names or types have to have."""
@@ -223,32 +248,33 @@ class LivePanel(EntryList):
         """Offer what can be done about the row under the cursor."""
         if action == "choose":
             row = self.row
-            is_sent_to = row is not None and row.kind in (Kind.SERVICE, Kind.ANSWER, Kind.PARAMETER)
-            return is_sent_to or branch_at(self._live, self.index) is not None
+            is_asked = row is not None and row.kind in _ENTERED
+            return is_asked or branch_at(self._live, self.index) is not None
         if action != "ask":
             return True
         if parameters[0] == "restart":
             return any(graph.problem for graph in self._graphs)
-        return target_at(self._live, self.index, _KINDS[str(parameters[0])]) is not None
+        return self._target(str(parameters[0])) is not None
+
+    def _target(self, what: str) -> LiveRow | None:
+        """Return the row that something is asked for about, None where there is none."""
+        if what == "cancel":
+            return cancelable_at(self._live, self.index)
+        kind = _KINDS.get(what)
+        return None if kind is None else target_at(self._live, self.index, kind)
 
     def action_ask(self, what: str) -> None:
         """Ask for something to be done."""
         self._has_moved = True
-        kind = _KINDS.get(what)
-        self.on_asked(what, None if kind is None else target_at(self._live, self.index, kind))
+        self.on_asked(what, self._target(what))
 
     def action_choose(self) -> None:
-        """Unfold the row, or fold it; call a service; set a parameter."""
+        """Unfold the row, or fold it; ask for what a row is there for that does not unfold."""
         row = self.row
-        if row is None:
-            return
-        match row.kind:
-            case Kind.SERVICE | Kind.ANSWER:
-                self.action_ask("call")
-            case Kind.PARAMETER:
-                self.action_ask("set")
-            case _:
-                self.action_fold()
+        if row is not None and row.kind in _ENTERED:
+            self.action_ask(_ENTERED[row.kind])
+        else:
+            self.action_fold()
 
     def action_fold(self) -> None:
         """Fold or unfold the row, or the one that it belongs to."""
@@ -282,6 +308,10 @@ class LivePanel(EntryList):
         line = line_of(row, self._columns, width)
         lit = Style.null()
         return [Segment(text, base + (lit if is_lit else self.tone(tone))) for text, tone in line]
+
+
+def _is_active(row: LiveRow) -> bool:
+    return row.is_sent_to or bool(row.goal)
 
 
 def _entry(row: LiveRow) -> Entry:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from .live_rows import Kind, LiveRow
+from .live_row import Kind, LiveRow
 
 
 def branch_at(rows: Sequence[LiveRow], at: int) -> int | None:
@@ -16,10 +16,21 @@ def branch_at(rows: Sequence[LiveRow], at: int) -> int | None:
 
 def target_at(rows: Sequence[LiveRow], at: int, kind: Kind) -> LiveRow | None:
     """Return the row of a kind at a place: the row there, or the one that it belongs to."""
-    if not 0 <= at < len(rows) or rows[at].kind is kind:
-        return rows[at] if 0 <= at < len(rows) else None
-    above = at - 1 if rows[at].kind is Kind.ANSWER else branch_at(rows, at)
-    return rows[above] if above is not None and rows[above].kind is kind else None
+    while 0 < at < len(rows) and rows[at].kind is not kind and rows[at].depth:
+        at -= 1
+    return rows[at] if 0 <= at < len(rows) and rows[at].kind is kind else None
+
+
+def cancelable_at(rows: Sequence[LiveRow], at: int) -> LiveRow | None:
+    """Return the row of what is sent again and again, or of a goal that is worked on."""
+    topic, action = target_at(rows, at, Kind.TOPIC), target_at(rows, at, Kind.ACTION)
+    if topic is not None:
+        return topic if topic.is_sent_to else None
+    if action is None:
+        return None
+    # At a goal that is over nothing is left to be canceled.
+    chosen = rows[at] if rows[at].kind is Kind.GOAL else action
+    return chosen if chosen.goal else None
 
 
 def stop_near(rows: Sequence[LiveRow], to: int, before: int) -> int:

@@ -4,85 +4,29 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from collections.abc import Set as AbstractSet
-from enum import Enum
-from typing import NamedTuple
 
 from plastron_tui.diagnostics.terminal import visible
 from plastron_tui.diagnostics.wording import counted
-from plastron_tui.runtime.live_graph import LiveGraph, LiveParameter, LiveTopic, NodeEnd
+from plastron_tui.runtime.live_graph import (
+    LiveAction,
+    LiveGoal,
+    LiveGraph,
+    LiveParameter,
+    LiveTopic,
+    NodeEnd,
+)
+
+from .live_row import WIDEST, Answer, Kind, LiveRow, one_line
 
 WAITING = "waiting for the first message…"
 NOBODY = "nobody publishes here yet"
 FOREIGN = "not in this program"
+UNSERVED = "nobody provides it now"
 _USUAL_DOMAIN = ("", "0")
-
-
-_WIDEST = 500
-"""So many characters of a value are looked at: more than windows show in a line."""
-
-
-class Kind(Enum):
-    """What a row is about."""
-
-    HEADING = "heading"
-    TOPIC = "topic"
-    FIELD = "field"
-    SERVICE = "service"
-    ANSWER = "answer"
-    NODE = "node"
-    PARAMETER = "parameter"
-    NOTE = "note"
-
-
+_MOST_GOALS = 5
+"""So many goals of an action are shown that are over; those that are not all are."""
 UNCOUNTED = (Kind.HEADING, Kind.NOTE)
-"""What is there besides topics, services and nodes."""
-
-
-class Answer(NamedTuple):
-    """What a service answered."""
-
-    text: str
-    is_failure: bool = False
-
-
-class LiveRow(NamedTuple):
-    """A line of the panel.
-
-    Attributes:
-        key: what it is, the same as long as that is there.
-        kind: what it is about.
-        name: what is in its first column.
-        owner: the full name of the topic, service or node that it belongs to.
-        ros_version: the generation of ROS.
-        type: the type of a topic, a service or a parameter.
-        rate: messages a second, in words.
-        value: the last message, a field's or a parameter's value, an answer.
-        tone: the tone of the value.
-        samples: the numbers of its curve.
-        depth: how far it is indented.
-        is_branch: whether it can be unfolded.
-        is_open: whether it is.
-        parameter: what is known of a parameter.
-        is_foreign: whether the program that is watched does not have it.
-        is_old: whether it is what was seen last, and nobody watches any more.
-    """
-
-    key: str
-    kind: Kind
-    name: str
-    owner: str = ""
-    ros_version: int = 2
-    type: str = ""
-    rate: str = ""
-    value: str = ""
-    tone: str = ""
-    samples: tuple[float, ...] = ()
-    depth: int = 0
-    is_branch: bool = False
-    is_open: bool = False
-    parameter: LiveParameter | None = None
-    is_foreign: bool = False
-    is_old: bool = False
+"""What is there besides topics, services, actions and nodes."""
 
 
 def live_rows(
@@ -105,6 +49,7 @@ def live_rows(
         parts = (
             ("topics", _topics(graph, unfolded)),
             ("services", _services(graph, answers)),
+            ("actions", _actions(graph)),
             ("nodes", _nodes(graph, unfolded)),
         )
         for part, found in parts:
@@ -150,6 +95,8 @@ def _topics(graph: LiveGraph, unfolded: AbstractSet[str]) -> Iterator[LiveRow]:
         is_open = key in unfolded
         value, tone = _topic_value(topic)
         is_old = graph.has_ended or not graph.is_watched
+        is_foreign = not graph.is_own(topic.nodes)
+        sending = graph.sendings.get(topic.name)
         yield LiveRow(
             key,
             Kind.TOPIC,
@@ -163,17 +110,32 @@ def _topics(graph: LiveGraph, unfolded: AbstractSet[str]) -> Iterator[LiveRow]:
             tuple(topic.samples),
             is_branch=True,
             is_open=is_open,
-            is_foreign=not graph.is_own(topic.nodes),
+            is_sent_to=sending is not None,
+            is_foreign=is_foreign,
             is_old=is_old,
         )
+        if sending is not None:
+            words = f"sending at {sending.rate:g} hz: {one_line(sending.text) or 'no values'}"
+            yield LiveRow(
+                f"{key} sending",
+                Kind.SENDING,
+                "▶",
+                topic.name,
+                graph.ros_version,
+                topic.type,
+                value=words,
+                tone="success",
+                depth=1,
+                is_sent_to=True,
+            )
         if is_open:
-            yield from _fields(key, topic, graph.ros_version)
+            yield from _fields(key, topic, graph.ros_version, is_foreign=is_foreign)
 
 
-def _fields(key: str, topic: LiveTopic, version: int) -> Iterator[LiveRow]:
+def _fields(key: str, topic: LiveTopic, version: int, *, is_foreign: bool) -> Iterator[LiveRow]:
     # The type has no column in a narrow panel.
     ends = f"{counted(topic.publishers, 'publisher')}, {counted(topic.subscribers, 'subscriber')}"
-    about = f"{visible(topic.type)}, {ends}"
+    about = _with_foreign(f"{visible(topic.type)}, {ends}", is_foreign=is_foreign)
     yield LiveRow(f"{key} about", Kind.NOTE, about, topic.name, version, depth=1, tone="quiet")
     for path, text in topic.fields:
         yield LiveRow(
@@ -182,7 +144,7 @@ def _fields(key: str, topic: LiveTopic, version: int) -> Iterator[LiveRow]:
             visible(path),
             topic.name,
             version,
-            value=_line(text),
+            value=one_line(text),
             samples=tuple(topic.field_samples.get(path, ())),
             depth=1,
         )
@@ -201,13 +163,14 @@ def _topic_value(topic: LiveTopic) -> tuple[str, str]:
     if topic.is_gone:
         return "gone", "quiet"
     if topic.text:
-        return _line(topic.text), "" if topic.rate > 0 or topic.count < 2 else "quiet"
+        return one_line(topic.text), "" if topic.rate > 0 or topic.count < 2 else "quiet"
     return (WAITING if topic.publishers else NOBODY), "quiet"
 
 
 def _services(graph: LiveGraph, answers: Mapping[str, Answer]) -> Iterator[LiveRow]:
-    for service in graph.services.values():
+    for service in sorted(graph.services.values(), key=lambda each: not graph.is_own(each.nodes)):
         key = f"{graph.ros_version} service {service.name}"
+        is_foreign = not graph.is_own(service.nodes)
         yield LiveRow(
             key,
             Kind.SERVICE,
@@ -215,8 +178,11 @@ def _services(graph: LiveGraph, answers: Mapping[str, Answer]) -> Iterator[LiveR
             service.name,
             graph.ros_version,
             service.type,
-            value="gone" if service.is_gone else visible(service.type),
+            value="gone"
+            if service.is_gone
+            else _with_foreign(visible(service.type), is_foreign=is_foreign),
             tone="quiet",
+            is_foreign=is_foreign,
         )
         answer = answers.get(key)
         if answer is not None:
@@ -227,10 +193,65 @@ def _services(graph: LiveGraph, answers: Mapping[str, Answer]) -> Iterator[LiveR
                 service.name,
                 graph.ros_version,
                 service.type,
-                value=_line(answer.text),
+                value=one_line(answer.text),
                 tone="error" if answer.is_failure else "",
                 depth=1,
             )
+
+
+def _actions(graph: LiveGraph) -> Iterator[LiveRow]:
+    for action in sorted(graph.actions.values(), key=lambda each: not graph.is_own(each.nodes)):
+        key = f"{graph.ros_version} action {action.name}"
+        goals = [each for each in graph.goals.values() if each.action == action.name]
+        is_foreign = not graph.is_own(action.nodes)
+        yield LiveRow(
+            key,
+            Kind.ACTION,
+            visible(action.name),
+            action.name,
+            graph.ros_version,
+            action.type,
+            value=_with_foreign(_action_value(action), is_foreign=is_foreign),
+            tone="quiet",
+            goal=next((each.number for each in reversed(goals) if not each.is_over), 0),
+            is_foreign=is_foreign,
+        )
+        over = [each.number for each in goals if each.is_over][:-_MOST_GOALS]
+        for goal in goals:
+            if goal.number not in over:
+                yield _goal(key, action, goal, graph.ros_version)
+
+
+def _action_value(action: LiveAction) -> str:
+    if action.is_gone:
+        return "gone"
+    type_ = visible(action.type)
+    return type_ if action.servers else f"{type_}, {UNSERVED}"
+
+
+def _goal(key: str, action: LiveAction, goal: LiveGoal, version: int) -> LiveRow:
+    sign, tone = ("–" if goal.is_over else "▶"), ("" if goal.is_over else "success")
+    if goal.state == "succeeded":
+        sign = "✓"
+    if goal.is_failure:
+        sign, tone = "✗", "error"
+    text = f", {one_line(goal.text)}" if goal.text else ""
+    return LiveRow(
+        f"{key} goal {goal.number}",
+        Kind.GOAL,
+        sign,
+        action.name,
+        version,
+        action.type,
+        value=f"{one_line(goal.sent) or 'no values'} → {visible(goal.state)}{text}",
+        tone=tone,
+        depth=1,
+        goal=0 if goal.is_over else goal.number,
+    )
+
+
+def _with_foreign(text: str, *, is_foreign: bool) -> str:
+    return f"{text}, {FOREIGN}" if is_foreign else text
 
 
 def _nodes(graph: LiveGraph, unfolded: AbstractSet[str]) -> Iterator[LiveRow]:
@@ -288,7 +309,7 @@ def _node_state(end: NodeEnd | None, *, is_there: bool, has_ended: bool) -> tupl
 
 def _parameter_value(parameter: LiveParameter) -> str:
     value = parameter.value
-    shown = _list(value) if isinstance(value, tuple) else str(value)[: _WIDEST + 1]
+    shown = _list(value) if isinstance(value, tuple) else str(value)[: WIDEST + 1]
     limits = parameter.range
     parts = [shown if value is not None else "not set"]
     if limits is not None:
@@ -297,15 +318,10 @@ def _parameter_value(parameter: LiveParameter) -> str:
         parts.append("cannot be set")
     if parameter.about:
         parts.append(parameter.about)
-    return _line("  ".join(parts))
+    return one_line("  ".join(parts))
 
 
 def _list(values: tuple[object, ...]) -> str:
     """Return a list as text, as much of it as a line may show."""
-    more = ", …" if len(values) > _WIDEST else ""
-    return f"[{', '.join(str(each)[:_WIDEST] for each in values[:_WIDEST])}{more}]"
-
-
-def _line(text: str) -> str:
-    """Return a text in one line that a terminal shows as it is; a long one is cut first."""
-    return visible(text if len(text) <= _WIDEST else text[:_WIDEST] + "…")
+    more = ", …" if len(values) > WIDEST else ""
+    return f"[{', '.join(str(each)[:WIDEST] for each in values[:WIDEST])}{more}]"

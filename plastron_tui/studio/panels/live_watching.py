@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence, Set
 from typing import NamedTuple
 
-from .live_rows import Kind, LiveRow
+from .live_row import Kind, LiveRow
 
 
 class Watching(NamedTuple):

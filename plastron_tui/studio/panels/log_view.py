@@ -3,15 +3,20 @@
 from __future__ import annotations
 
 import re
+from bisect import bisect_right
 from collections.abc import Iterable
+from itertools import accumulate
 
 from rich.cells import cell_len
 from textual.geometry import Size
 
+from plastron_tui.diagnostics.wording import counted
 from plastron_tui.runtime.labels import split_label
 
+from ..cells import cut
 from .broken_lines import broken
-from .styles import Line, Lines
+from .output_log import TIMES
+from .styles import Line, Lines, Piece
 from .text_view import TextView
 
 _CLOCK = re.compile(r"\d\d:\d\d:\d\d\.\d ")
@@ -24,9 +29,20 @@ Broken = tuple[int, dict[Line, Lines]]
 """A width, and lines as they are broken for it."""
 
 
-class LogView(TextView):
-    """Lines that are broken where the panel ends; what follows stands behind the node's name."""
+MOST_ROWS = 3
+"""So many rows of a long line are shown: many values would leave no room for other lines."""
 
+
+class LogView(TextView):
+    """Lines that are broken where the panel ends; what follows stands behind the node's name.
+
+    Attributes:
+        is_whole: whether all rows of long lines are shown.
+        has_long: whether a line has had more rows than are shown.
+    """
+
+    is_whole = False
+    has_long = False
     _rows: Lines = ()
     _room = (0, 0)
     _heights: tuple[int, ...] = ()
@@ -44,6 +60,20 @@ class LogView(TextView):
         self._fit()
         if was_at_end:
             self.scroll_end(animate=False, force=True)
+        self.refresh()
+
+    def toggle_whole(self) -> None:
+        """Show all rows of long lines, or the first ones again; what is at the top stays there."""
+        was_at_end = self.is_vertical_scroll_end
+        ends = list(accumulate(self._heights))
+        first = bisect_right(ends, self.scroll_offset.y)
+        self.is_whole = not self.is_whole
+        self._broken = (0, {})
+        self._fit()
+        if was_at_end:
+            self.scroll_end(animate=False, force=True)
+        else:
+            self.scroll_to(y=sum(self._heights[:first]), animate=False, force=True, immediate=True)
         self.refresh()
 
     def _fit(self) -> None:
@@ -65,7 +95,11 @@ class LogView(TextView):
         for line in lines:
             rows = known.get(line)
             if rows is None:
-                rows = known[line] = wrapped(line, width)
+                rows = wrapped(line, width)
+                if len(rows) > MOST_ROWS:
+                    self.has_long = True
+                    rows = rows if self.is_whole else first_rows(line, rows, width)
+                known[line] = rows
             found.append(rows)
         return found
 
@@ -99,6 +133,20 @@ class LogView(TextView):
             top = max(0, self.scroll_offset.y - above)
             self.scroll_to(y=top, animate=False, force=True, immediate=True)
         self.refresh()
+
+
+def first_rows(line: Line, rows: Lines, width: int) -> Lines:
+    """Return the first rows of a line, with how many there are more; an error is seen whole."""
+    if any(piece.tone == "error" for piece in line):
+        return rows
+    *first, last = rows[:MOST_ROWS]
+    # How often it was printed stands behind it, and is seen as well.
+    times = line[-1].text if line[-1].text.startswith(TIMES) else ""
+    more = f" … {counted(len(rows) - MOST_ROWS, 'row')} more{times}"
+    if cell_len(more) * 3 > width * 2:
+        more = cut(f" …{times}", width - 1)
+    kept = broken(last, width - cell_len(more), 0)[0]
+    return (*first, (*kept, Piece(more, "quiet")))
 
 
 def wrapped(line: Line, width: int) -> Lines:

@@ -23,6 +23,8 @@ class OutputPanel(Vertical):
     """Lines as they are printed, of which the last ones are kept."""
 
     BINDINGS: ClassVar[list[BindingType]] = [
+        Binding("enter", "unfold", "Unfold", id="output.unfold",
+                tooltip="Show all of long lines, or the first rows of each again"),
         Binding("slash", "filter", "Filter", id="output.filter",
                 tooltip="Show only the lines with certain words in them"),
         Binding("t", "times", "Times", id="output.times",
@@ -82,7 +84,10 @@ class OutputPanel(Vertical):
         new = self.printed.records[start - dropped :]
         before, found = self._is_shown, [record.matches(self._words) for record in new]
         lines = self._lines(compress(new, found))
+        had_long = self.view.has_long
         self.view.splice(sum(before[:dropped]), sum(before[:start]), lines)
+        if self.view.has_long and not had_long:
+            self.refresh_bindings()
         self._is_shown = [*before[dropped:start], *found]
         self._say_count()
 
@@ -99,6 +104,10 @@ class OutputPanel(Vertical):
     def _lines(self, records: Iterable[Record]) -> Lines:
         return tuple(self.printed.line(each, with_time=self._has_times) for each in records)
 
+    def action_unfold(self) -> None:
+        """Show all of long lines, or their first rows again."""
+        self.view.toggle_whole()
+
     def action_times(self) -> None:
         """Show when each line came, or do not."""
         self._has_times = not self._has_times
@@ -106,9 +115,10 @@ class OutputPanel(Vertical):
 
     def check_action(self, action: str, parameters: tuple[object, ...]) -> bool | None:
         """Offer what letters do where no words are being typed."""
-        return (
-            action not in ("filter", "times") or self._bar is None or not self._bar.field.has_focus
-        )
+        if action == "unfold" and not self.view.has_long:
+            return False
+        is_typing = self._bar is not None and self._bar.field.has_focus
+        return not is_typing or action not in ("filter", "times", "unfold")
 
     async def action_filter(self) -> None:
         """Ask for the words that lines have to have."""

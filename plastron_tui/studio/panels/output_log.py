@@ -16,6 +16,8 @@ from .styles import Line, Piece
 MOST_RECORDS = 5000
 MOST_TEXT = 1_000_000
 """So many characters are kept of all records: what is broken anew at once for another width."""
+TIMES = "  ×"
+"""What stands behind a line, before how often it was printed."""
 _NEAR = 8
 """So many records above the last one a repeated line is still counted, and not shown again."""
 _MOST_CHARACTERS = 4000
@@ -117,7 +119,7 @@ class OutputLog:
         if record.label:
             pieces.insert(0, Piece(record.label, self._tone(record.node)))
         if record.times > 1:
-            pieces.append(Piece(f"  ×{record.times:,}", "quiet"))
+            pieces.append(Piece(f"{TIMES}{record.times:,}", "quiet"))
         if with_time:
             pieces.insert(0, Piece(f"{clock_time(record.at)} ", "quiet"))
         return tuple(pieces)

@@ -50,6 +50,7 @@ class LiveForm(Dialog["dict[Path, str] | None"]):
         check: Check,
         given: Mapping[Path, str],
         about: str = "",
+        last: Entry | None = None,
     ) -> None:
         """Make a form.
 
@@ -60,17 +61,18 @@ class LiveForm(Dialog["dict[Path, str] | None"]):
             check: tells whether what was entered fits.
             given: what is entered at first.
             about: a line about it.
+            last: a field that is always in sight, below those of the form.
         """
         super().__init__()
         self.given = dict(given)
         self.ask: Callable[[dict[Path, str]], bool] | None = None
         self._title, self._verb, self._about = title, verb, about
         self._form = form
+        self._last = last
         self._check = check
 
     def compose(self) -> ComposeResult:
         """Make a row for each field."""
-        slot = DECLARATIONS[CreateMessage].slots[-1]
         has_values = any(isinstance(each, Entry) for each in self._form)
         with Vertical(id="dialog"):
             yield Label(visible(self._title), id="dialog-title", markup=False)
@@ -83,13 +85,19 @@ class LiveForm(Dialog["dict[Path, str] | None"]):
                     if isinstance(each, Heading):
                         yield Label(f"{label}  {each.note}", classes="wizard-heading", markup=False)
                         continue
-                    text = self.given.get(each.path, "")
-                    yield Row(slot, label, text, note=each.note, entry=each, path=each.path,
-                              placeholder=each.default)  # fmt: skip
+                    yield self._row(each, label)
+            if self._last is not None:
+                yield self._row(self._last, visible(self._last.path[-1]))
             yield Label("", id="wizard-help", markup=False)
             with Horizontal(id="dialog-buttons"):
                 yield Button(self._verb, id="send", variant="primary", compact=True)
                 yield Button("Cancel", id="cancel", compact=True)
+
+    def _row(self, entry: Entry, label: str) -> Row:
+        slot = DECLARATIONS[CreateMessage].slots[-1]
+        text = self.given.get(entry.path, "")
+        return Row(slot, label, text, note=entry.note, entry=entry, path=entry.path,
+                   placeholder=entry.default)  # fmt: skip
 
     def on_mount(self) -> None:
         """Begin at the first field."""

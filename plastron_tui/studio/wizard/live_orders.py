@@ -10,8 +10,9 @@ from plastron_tui.ros.parameters import ParameterType
 from plastron_tui.runtime.live_graph import LiveField
 from plastron_tui.session import Session
 
-from ..panels.live_rows import Kind, LiveRow
+from ..panels.live_row import Kind, LiveRow
 from .live_form import LiveForm
+from .live_rates import RATE, rate_of
 from .parameter_kinds import parameter_entry
 from .sent_values import Wrong, sent_setting, sent_values, shown_setting
 from .values import Entry, Heading, Path, entries_of
@@ -29,10 +30,27 @@ class LiveOrder(NamedTuple):
     order: Callable[[Mapping[Path, str]], dict[str, Any]]
 
 
+class _Sent(NamedTuple):
+    """What is sent to an endpoint of a kind, and how a form and an order say so."""
+
+    kind: InterfaceKind
+    order: str
+    title: str
+    verb: str
+    has_rate: bool = False
+
+
+_MESSAGE = _Sent(InterfaceKind.MESSAGE, "publish", "send to", "Send", has_rate=True)
+_REQUEST = _Sent(InterfaceKind.SERVICE, "call", "call", "Call")
+_GOAL = _Sent(InterfaceKind.ACTION, "goal", "send a goal to", "Send")
+
+
 def form_for(
     row: LiveRow, session: Session, given: Mapping[Path, str], seen: Iterable[LiveField] = ()
 ) -> LiveOrder | str:
-    """Return the form for what can be sent to a topic, a service or a parameter, or why not.
+    """Return the form for what can be sent to a topic, a service, an action or a parameter.
+
+    Where nothing can be sent, why that is so.
 
     Args:
         row: what it is for.
@@ -43,9 +61,11 @@ def form_for(
     """
     match row.kind:
         case Kind.TOPIC:
-            return _sending(row, session, given, InterfaceKind.MESSAGE, seen)
-        case Kind.SERVICE | Kind.ANSWER:
-            return _sending(row, session, given, InterfaceKind.SERVICE)
+            return _sending(row, session, given, _MESSAGE, seen)
+        case Kind.SERVICE:
+            return _sending(row, session, given, _REQUEST)
+        case Kind.ACTION:
+            return _sending(row, session, given, _GOAL)
         case Kind.PARAMETER:
             return _setting(row)
         case _:
@@ -56,29 +76,34 @@ def _sending(
     row: LiveRow,
     session: Session,
     given: Mapping[Path, str],
-    kind: InterfaceKind,
+    sent: _Sent,
     seen: Iterable[LiveField] = (),
 ) -> LiveOrder | str:
     package, _, name = row.type.partition("/")
     catalog = session.catalog(row.ros_version)
-    interface = catalog.find(InterfaceName(package, name), kind)
+    interface = catalog.find(InterfaceName(package, name), sent.kind)
     if interface is None:
         return f"the fields of {row.type or 'its type'} are not known here"
     form = entries_of(interface, catalog)
 
     def check(entered: Mapping[Path, str]) -> dict[str, Any] | Wrong:
-        return sent_values(interface, catalog, form, entered)
+        rate = rate_of(entered) if sent.has_rate else 0.0
+        return rate if isinstance(rate, Wrong) else sent_values(interface, catalog, form, entered)
 
-    is_topic = kind is InterfaceKind.MESSAGE
-    title = f"{'send to' if is_topic else 'call'} {row.owner}"
-    verb = "Send" if is_topic else "Call"
     about = f"{interface.name}: {interface.comment}" if interface.comment else str(interface.name)
     if not given:
         given = _entered(form, seen)
         given = {} if isinstance(check(given), Wrong) else given
-    dialog = LiveForm(title, verb, form, check, given, about)
-    order = {"do": "publish" if is_topic else "call", "name": row.owner, "type": row.type}
-    return LiveOrder(dialog, lambda entered: {**order, "values": check(entered)})
+    last = RATE if sent.has_rate else None
+    title = f"{sent.title} {row.owner}"
+    dialog = LiveForm(title, sent.verb, form, check, given, about, last)
+    order = {"do": sent.order, "name": row.owner, "type": row.type}
+
+    def ordered(entered: Mapping[Path, str]) -> dict[str, Any]:
+        rate = {"rate": rate_of(entered)} if sent.has_rate else {}
+        return {**order, **rate, "values": check(entered)}
+
+    return LiveOrder(dialog, ordered)
 
 
 def _entered(form: Sequence[Entry | Heading], seen: Iterable[LiveField]) -> dict[Path, str]:
