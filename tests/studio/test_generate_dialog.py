@@ -127,10 +127,10 @@ async def test_each_state_is_listed_with_what_it_is_about(program: Path) -> None
         assert files == {
             "talker_pub.py": "changed", "listener_sub1.py": "conflict", "more_sub1.py": "create",
         }  # fmt: skip
+        assert "-mine" in seen(dialog)[1], "what was written by hand is seen first"
+        await driver.pilot.press("up")
         assert "+" in seen(dialog)[1] and "hallo" in seen(dialog)[1]
-        await driver.pilot.press("down")
-        assert "-mine" in seen(dialog)[1]
-        await driver.pilot.press("down")
+        await driver.pilot.press("down", "down")
         assert seen(dialog)[0] == "the whole file"
         assert "changed by hand" in said(dialog)
         assert not dialog.query_one("#write", Button).display

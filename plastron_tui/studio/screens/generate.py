@@ -21,7 +21,7 @@ from plastron_tui.output.writer import WriteResult, write_current
 from plastron_tui.session import Session
 
 from ..panels.entry_keys import Chosen, Lit
-from ..panels.file_tree import FileTree, TreeFile
+from ..panels.file_tree import FileTree, TreeFile, first_seen
 from ..panels.source_lines import coloured, diff_lines, difference
 from ..panels.styles import Lines, Piece
 from ..panels.text_view import TextView
@@ -97,11 +97,14 @@ class GenerateDialog(Dialog[bool]):
                 if file.state in (FileState.CREATE, FileState.CHANGED)]  # fmt: skip
 
     def _show_files(self) -> None:
-        """List the files, the cursor on the first one that was asked for."""
+        """List the files, the cursor on one about which there is something to decide."""
         files = [TreeFile(file.name, file.state, len(file.text)) for file in self.plan.files]
         tree = self.query_one(FileTree)
         tree.display = bool(files)
+        is_first = not tree.entries.all
         tree.show_files(files)
+        if is_first:
+            tree.go_to(first_seen(files))
 
     def _reasons(self) -> Lines:
         found = self.problems or (nothing_to_generate(self._session.workspace),)
