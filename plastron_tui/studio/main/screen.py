@@ -90,7 +90,7 @@ class MainScreen(FirstScreen, Paged):
         )  # fmt: skip
         self._tabs = TabActions(self, self.program, self.files, self._runs.forget, self._show_anew)
         self._entries = EntryActions(self, self.program, self.action_code)
-        self._code = CodeActions(self, self.program)
+        self._code = CodeActions(self, self.program, self._runs)
         self._wizard = WizardHost(self, self.program)
 
     @property
@@ -265,9 +265,9 @@ class MainScreen(FirstScreen, Paged):
         self._entries.fix()
 
     @work(exclusive=True, group="code")
-    async def action_code(self, entry: Entry | None = None) -> None:
-        """Show the code of an entry, or of what the cursor is on."""
-        await (self._code.show_here() if entry is None else self._code.show(entry))
+    async def action_code(self, of: Entry | str | None = None) -> None:
+        """Show the code of an entry, of a service's answer, or of what the cursor is on."""
+        await self._code.show_of(of)
 
     def action_wizard(self) -> None:
         """Build statements from menus and forms."""

@@ -129,7 +129,7 @@ def _folder(path: str, shown: str, folder: _Folder, depth: int) -> Entry:
 
 def first_seen(files: Sequence[TreeFile]) -> int:
     """Return which file is shown first: one that was written by hand, or changes, or is new."""
-    states = [file.state for file in files]
+    states: list[str | None] = [file.state for file in files]
     found = (states.index(each) for each in _LOOKED_AT if each in states)
     return next(found, 0)
 
