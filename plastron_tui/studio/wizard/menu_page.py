@@ -149,10 +149,8 @@ class ReviewPage(Vertical):
         """Make the words, and the questions what is to be written along."""
         yield Label(self._words, id="wizard-about", markup=False)
         for each in self._options:
-            turn = Turn(each.words, each.is_wanted, compact=True, id=f"{_PREFIX}{each.key}")
             # What would be written is said whole, on as many lines as it takes.
-            turn.styles.width, turn.styles.text_wrap = "100%", "wrap"
-            yield turn
+            yield Turn(Content(each.words), each.is_wanted, compact=True, id=f"{_PREFIX}{each.key}")
         yield Label("", id="wizard-help", markup=False)
 
     @on(Checkbox.Changed)
@@ -162,11 +160,12 @@ class ReviewPage(Vertical):
         key = (event.checkbox.id or "").removeprefix(_PREFIX)
         self.post_message(Wanted(key, event.value))
 
-    def say(self, text: str) -> None:
-        """Say what is wrong."""
+    def say(self, words: str, problem: str) -> None:
+        """Say what will be written, and what is wrong with it, "" for nothing."""
+        self.query_one("#wizard-about", Label).update(words)
         label = self.query_one("#wizard-help", Label)
-        label.set_class(bool(text), "-wrong")
-        label.update(f"✗ {text}" if text else "")
+        label.set_class(bool(problem), "-wrong")
+        label.update(f"✗ {problem}" if problem else "")
 
 
 __all__ = ["Confirmed", "Item", "Menu", "MenuPage", "Picked", "ReviewPage", "Wanted"]

@@ -76,6 +76,9 @@ class Turn(Checkbox, inherit_bindings=False):
         Binding("enter", "confirm", "Next", show=False),
     ]
 
+    BUTTON_LEFT = BUTTON_RIGHT = ""
+    """The brackets are part of what is between the sides, which have no colour of their own."""
+
     def on_mount(self) -> None:
         """Draw what it is now."""
         self._draw()
@@ -87,7 +90,7 @@ class Turn(Checkbox, inherit_bindings=False):
 
     def _draw(self) -> None:
         # Where there are no colours, a mark that is always there reads as "on".
-        self.BUTTON_INNER = "X" if self.value else " "
+        self.BUTTON_INNER = "[X]" if self.value else "[ ]"
         self.refresh()
 
     def action_confirm(self) -> None:

@@ -20,12 +20,14 @@ class StatementView(Static):
 
     def __init__(self, *, id: str | None = None) -> None:  # noqa: A002 - Textual's word
         super().__init__(id=id, markup=False)
+        self.border_title = "Statements"
         self.lines: tuple[str, ...] = ()
-        self._here: frozenset[int] = frozenset()
+        self._here = -1
 
-    def show(self, lines: Sequence[str], here: frozenset[int] = frozenset()) -> None:
-        """Show statements; `here` are the numbers of those that are being filled in."""
-        self.lines, self._here = tuple(lines), here
+    def show(self, lines: Sequence[str], here: str = "") -> None:
+        """Show statements; `here` is the one that is being filled in."""
+        self.lines = tuple(lines)
+        self._here = self.lines.index(here) if here in self.lines else -1
         self.refresh_lines()
 
     def refresh_lines(self) -> None:
@@ -35,7 +37,7 @@ class StatementView(Static):
         for number, line in enumerate(self.lines):
             if number:
                 text.append("\n")
-            mark = "▸ " if number in self._here else "  "
+            mark = "▸ " if number == self._here else "  "
             text.append(mark, Style(bold=True))
             text.append_text(highlighted(line, palette))
         self.update(text)

@@ -19,8 +19,9 @@ from wizard_courses import (
     to_menu_or_review,
 )
 
-from plastron_tui.studio.wizard.flow import Course, Heard
+from plastron_tui.studio.wizard.flow import Course
 from plastron_tui.studio.wizard.form import NEW, Form
+from plastron_tui.studio.wizard.pages import Heard
 
 ROBOT = """\
 create_node 'robot' as robot using rclpy

@@ -16,8 +16,8 @@ from plastron_tui.language import Declaration
 from plastron_tui.model.kinds import Publisher, Subscription
 from plastron_tui.session import Session
 from plastron_tui.studio.main.screen import MainScreen
-from plastron_tui.studio.wizard.flow import PageKind
 from plastron_tui.studio.wizard.goals import Aim, aim_of
+from plastron_tui.studio.wizard.pages import PageKind
 
 Step = Callable[[], Awaitable[None]]
 Pick = Callable[[str], Awaitable[None]]
@@ -113,7 +113,7 @@ async def test_by_mouse_alone(declaration: Declaration, file: Path) -> None:
     async with wizard(file) as it:
         await through(it, declaration, partial(it.click, "#wizard-next"), it.click_item)
         await check_end(it, declaration, before, file)
-        await it.click("#wizard-leave")
+        await it.click_item("back to the text")
         assert not it.is_open
 
 
@@ -162,7 +162,7 @@ async def test_back_from_every_step_keeps_what_was_entered(
         await through(it, declaration, go_on, it.click_item)
         assert reviewed == [statements]
         await check_end(it, declaration, before, file)
-        await it.click("#wizard-leave")
+        await it.click_item("back to the text")
         assert not it.is_open
 
 

@@ -31,6 +31,10 @@ WAYS = {
     "a value": ["enter", "enter", "down", "enter", "end", "s", "tab", "down", "down", "enter"],
     "back": ["enter", *"horn", "enter", "f2", "end", "s"],
     "a choice": ["down", "enter", "down", "enter", "down"],
+    "another type": [
+        *("enter", "enter", *["down"] * 4, "enter", "tab", "down", "down", "down", "tab", "x"),
+        *("shift+tab", "up", "tab", "y"),
+    ],
     "to the end": ["enter", *"horn", *["enter"] * 6],
     "away and on": ["down", "enter", "escape", "escape", "x"],
     "away at once": ["escape", "y"],

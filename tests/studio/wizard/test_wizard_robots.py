@@ -9,7 +9,8 @@ from wizard_courses import DESCRIBE, ROBOTS, applied, choose, course, form_after
 from wizard_driver import wizard
 
 from plastron_tui.session import Session
-from plastron_tui.studio.wizard.flow import Course, Look, PageKind
+from plastron_tui.studio.wizard.flow import Course
+from plastron_tui.studio.wizard.pages import Look, PageKind
 from plastron_tui.studio.wizard.strings import done_items
 
 NEW = "describe a robot: its parts, and how they move"
