@@ -1,4 +1,4 @@
-"""Where a text of Python or C++ defines or declares a function, and where that gives something back."""
+"""Where a text of Python or C++ defines a function, and where that gives something back."""
 
 from __future__ import annotations
 

@@ -89,7 +89,7 @@ def test_a_service_leads_to_where_its_answer_is_written(
 ) -> None:
     program.write_text(SERVICE.replace("LIBRARY", library))
     said = lines(found(program, "adder provides_service"))
-    assert [(what.split()[1], there) for what, there in said][0] == ("function", line)
+    assert next((what.split()[1], there) for what, there in said) == ("function", line)
     assert len(said) == 2 and "add" in said[1][1]
 
 

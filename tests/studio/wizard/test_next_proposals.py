@@ -72,6 +72,7 @@ def test_an_answer_that_is_still_to_be_written_is_said() -> None:
     form.enter("service", "add")
     form.enter("type", "AddTwoInts")
     assert strings.unanswered(to_menu_or_review(it)) == "add"
+    assert next(iter(done_items(it.session, "", "add"))) == "screen.code('add')"
     form.values["sum",] = "received.a"
     assert strings.unanswered(it.look()) == ""
 
