@@ -2,11 +2,15 @@
 
 from __future__ import annotations
 
+from types import SimpleNamespace
+from typing import Any, cast
+
 import pytest
 
 from plastron_tui.studio.actions import ACTIONS, KEPT
 from plastron_tui.studio.key_display import key_name
 from plastron_tui.studio.main.program_bars import Title
+from plastron_tui.studio.main.tab_run import TabRun
 from plastron_tui.studio.panels.key_bar import Key, fitting
 
 NAMES = {
@@ -70,20 +74,42 @@ def test_the_footer_keeps_what_matters(width: int, titles: str) -> None:
 
 
 @pytest.mark.parametrize(
-    ("width", "stop_key", "text"),
+    ("width", "stage", "text"),
     [
-        (80, None, "plastron talk.plastron ● work/  rclpy (ROS 2 kilted)"),
-        (80, "F5", "plastron talk.plastron ● running: F5 stops  work/  rclpy (ROS 2 kilted)"),
-        (70, "F5", "talk.plastron ● running: F5 stops  work/  rclpy (ROS 2 kilted)"),
-        (60, "F5", "talk.plastron ● running: F5 stops  rclpy (ROS 2 kilted)"),
-        (50, "F5", "talk.plastron ● running  rclpy (ROS 2 kilted)"),
-        (40, "F5", "talk.plastron ● running  rclpy"),
-        (10, "F5", "talk.plastron ● running  rclpy"),
+        (80, "", "plastron talk.plastron ● work/  rclpy (ROS 2 kilted)"),
+        (80, "running", "plastron talk.plastron ● running: F5 stops  work/  rclpy (ROS 2 kilted)"),
+        (70, "running", "talk.plastron ● running: F5 stops  work/  rclpy (ROS 2 kilted)"),
+        (60, "running", "talk.plastron ● running: F5 stops  rclpy (ROS 2 kilted)"),
+        (50, "running", "talk.plastron ● running  rclpy (ROS 2 kilted)"),
+        (40, "running", "talk.plastron ● running  rclpy"),
+        (
+            70,
+            "building it… 9 s",
+            "talk.plastron ● building it… 9 s: F5 stops  rclpy (ROS 2 kilted)",
+        ),
+        (10, "running", "talk.plastron ● running  rclpy"),
     ],
 )
-def test_the_title_drops_first_what_matters_less(
-    width: int, stop_key: str | None, text: str
-) -> None:
-    title = Title("talk.plastron", True, "work", "rclpy (ROS 2 kilted)", "rclpy", stop_key)
+def test_the_title_drops_first_what_matters_less(width: int, stage: str, text: str) -> None:
+    title = Title("talk.plastron", True, "work", "rclpy (ROS 2 kilted)", "rclpy", stage, "F5")
     left, right = title.pieces(width)
     assert "".join(words for words, _ in (*left, *right)) == text
+
+
+def test_nodes_run_once_what_they_need_is_built() -> None:
+    run = TabRun()
+    assert run.stage(0.0) == ""
+    nodes = SimpleNamespace(is_started=False)
+    run.running = cast(Any, nodes)
+    assert run.stage(1.0) == "starting"
+    run.note_progress(["plastron run a", "building `it`: compiling"], 2.0)
+    run.note_progress(["building `it`: compiling, 25 %"], 4.0)
+    assert run.stage(14.9) == "building it… 12 s"
+    run.note_progress(["building `other`: configuring"], 20.0)
+    assert run.stage(20.0) == "building other… 0 s"
+    nodes.is_started = True
+    assert run.stage(30.0) == "running"
+    # What a node prints is told by it, not by the build.
+    nodes.is_started = False
+    run.note_progress(["talker | building `third`: no"], 31.0)
+    assert run.stage(32.0) == "running" and run.built == "other"

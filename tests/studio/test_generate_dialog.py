@@ -100,6 +100,9 @@ async def test_the_preview_says_what_comes_first(loaded: Path) -> None:
         said = "old.py  as it was loaded: nothing in it changes  mend 1 problem first"
         assert head() == said
         assert panel.text == FILE.rstrip("\n")
+        driver.main.editor.replace_all(LOADED.encode())
+        await driver.settle()
+        assert head() == "output/old.py  will be created: what differs from old.py"
         driver.main.editor.replace_all(b"load 'gone.py' as old\nfoo\n")
         await driver.settle()
         assert head() == "mend 2 problems first"

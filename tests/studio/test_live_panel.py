@@ -31,6 +31,7 @@ class Nodes:
     """Nodes that are said to run until they are stopped."""
 
     monitors: tuple[MonitorCommand, ...] = ()
+    is_started = True
     has_more = False
 
     def __init__(self, path: Path, options: object, news: Any) -> None:
@@ -230,10 +231,15 @@ async def test_messages_at_a_rate_and_goals_are_sent_and_canceled(
         await wait_shown(driver, "▶ sending at 10 hz: linear")
         (order,) = asked(orders, "publish")
         assert (order["rate"], order["values"]) == (10, {"linear": {"x": 0.5}})
+        assert not driver.notes()
         # Where it is sent, one key ends that; nowhere else.
         assert live(driver).row.name == "/chatter" and "x Cancel" in footer.text
         await driver.press("down", "down")
         assert live(driver).row.name == "/topic_000" and "x Cancel" not in footer.text
+        # What moves a robot goes on out of sight, and that is said.
+        await driver.show("graph")
+        await driver.until(lambda: "still sending to /chatter; x in Live" in driver.notes())
+        await driver.press("alt+v")
         await driver.press("up", "x")
         await driver.until(lambda: not any("sending" in line for line in live(driver).lines))
         assert asked(orders, "stop") == [{"do": "stop", "name": "/chatter"}]
@@ -245,11 +251,16 @@ async def test_messages_at_a_rate_and_goals_are_sent_and_canceled(
         await driver.pilot.press("enter")
         await driver.back()
         await driver.until(lambda: "it needs an order" in driver.notes())
+        panel = live(driver)
+        # The action is the last row in sight: what comes of it is brought there.
+        top = panel.index + 1 - panel.size.height
+        panel.scroll_to(y=top, animate=False, force=True, immediate=True)
         for key, character in (("g", "g"), ("5", "5"), ("enter", None)):
             driver.app.post_message(events.Key(key, character))
         await wait_shown(driver, "▶ order: 5 → accepted, sequence: [0, 1]")
         await driver.until(lambda: driver.app.screen is driver.main)
         assert asked(orders, "goal")[-1]["values"] == {"order": 5}
+        await driver.until(lambda: panel.scroll_offset.y == top + 1)
         await driver.press("down", "x")
         await wait_shown(driver, "– order: 5 → canceled")
         assert asked(orders, "cancel") == [

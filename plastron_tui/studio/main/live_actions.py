@@ -54,6 +54,7 @@ class LiveActions:
         panel.on_watched, panel.on_asked = self.update_subscriptions, self.run_order
         self._delay = Delay(screen, self._show)
         self._shown_at = 0.0
+        self._is_in_sight = False
         self._look = Delay(screen, self._look_at_monitors)
         self._commands: Sequence[MonitorCommand] = ()
         self._monitors: dict[int, Monitor] = {}
@@ -74,7 +75,6 @@ class LiveActions:
         """Show that nodes are about to run, and nothing of those before."""
         self.end()
         self._graphs, self._answers, self._commands = {}, {}, ()
-        self._asked.clear()
         self._said.clear()
         self._tell(STARTING)
 
@@ -95,6 +95,7 @@ class LiveActions:
             self._edited.clear()
         self._tab, self._commands = tab, commands
         self._retried.clear()
+        self._drop_asked()
         self._close()
         self._tell(LOOKING)
         self._start_missing()
@@ -119,6 +120,7 @@ class LiveActions:
     def end(self) -> None:
         """Watch no more: the nodes have ended. What was seen last stays."""
         self._commands = ()
+        self._drop_asked()
         self._close()
         for graph in self._graphs.values():
             graph.end()
@@ -139,6 +141,7 @@ class LiveActions:
 
     def update_subscriptions(self) -> None:
         """Have the topics and nodes in sight listened to, and no others."""
+        self._say_what_goes_on()
         for version, monitor in self._monitors.items():
             wanted = self._panel.watching(version)
             if self._watching.get(version) != wanted:
@@ -146,6 +149,13 @@ class LiveActions:
                 monitor.order(
                     do="watch", topics=wanted.topics, full=wanted.full, nodes=wanted.nodes
                 )
+
+    def _say_what_goes_on(self) -> None:
+        """Say once what is still sent where its row goes out of sight: it may move a robot."""
+        sent = [each for graph in self._graphs.values() for each in graph.sendings]
+        was_in_sight, self._is_in_sight = self._is_in_sight, self._panel.is_in_sight
+        if sent and was_in_sight and not self._is_in_sight:
+            self._say(f"still sending to {', '.join(sent)}; x in Live ends it")
 
     def show_soon(self) -> None:
         """Show what monitors say, soon: all that comes until then at once."""
@@ -226,6 +236,7 @@ class LiveActions:
         monitor.close()
         self._watching.pop(version, None)
         self._silent.discard(version)
+        self._drop_asked(version)
         if version not in self._retried:
             self._retried.add(version)
             self._fail(version, f"not watched for the moment: {why}")
@@ -304,6 +315,14 @@ class LiveActions:
         self._asked[number] = row, form
         return True
 
+    def _drop_asked(self, version: int | None = None) -> None:
+        """Wait for no answer any more, of one generation of ROS or of all; forms are told."""
+        for number, (row, form) in list(self._asked.items()):
+            if version in (None, row.ros_version):
+                del self._asked[number]
+                if form is not None and form.is_current:
+                    form.answered("nobody answered: try again", is_failure=True)
+
     def _take_answer(self, report: Any) -> bool:
         row, form = self._asked.pop(report.get("id", 0), (None, None))
         if row is None:
@@ -316,6 +335,9 @@ class LiveActions:
         if row.kind is Kind.SERVICE:
             self._answers[row.key] = Answer(text, is_failure)
             return True
+        if not text:
+            # It is shown there.
+            return False
         severity = "warning" if is_failure else "information"
         words = f"{row.name}: {visible(text)}" if row.kind is Kind.PARAMETER else visible(text)
         # Notes that are the same are shown once, and who sends twice wants to know of both.

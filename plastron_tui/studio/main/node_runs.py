@@ -63,9 +63,9 @@ class NodeRuns:
         return self._made is not None and self._made.runs_in(tab)
 
     @property
-    def is_running(self) -> bool:
-        """Whether nodes of the program in front run."""
-        return self.runs_in(self.program.tab)
+    def stage(self) -> str:
+        """How far the nodes of the program in front are, such as `running`; "" for none."""
+        return "" if self._made is None else self._made.stage
 
     def known(self, diagnostics: Sequence[Diagnostic]) -> None:
         """Take away what was said of mistakes, where there are none any more."""

@@ -5,7 +5,9 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, NamedTuple
 
 from rich.cells import cell_len
+from textual.widget import Widget
 
+from ..editor import ProgramEditor
 from ..open_program import Open
 from ..panels.bars import Bar, help_pieces
 
@@ -24,7 +26,8 @@ class Title(NamedTuple):
         folder: the folder that it is in, "" for a new program.
         ros: the client library of nodes that name none, and the ROS that it is for.
         library: that library alone.
-        stop_key: the key that stops the nodes, None where none run.
+        stage: how far the nodes are that run, "" where none do.
+        stop_key: the key that stops them.
     """
 
     name: str
@@ -32,7 +35,8 @@ class Title(NamedTuple):
     folder: str
     ros: str
     library: str
-    stop_key: str | None
+    stage: str
+    stop_key: str
 
     def pieces(self, width: int) -> tuple[Pieces, Pieces]:
         """Return the left and the right side: what matters less goes first where room is short."""
@@ -42,9 +46,9 @@ class Title(NamedTuple):
     def _sides(self, brand: str, folder: bool, stops: bool, is_full: bool) -> tuple[Pieces, Pieces]:
         sign = " ● " if self.is_changed else "   "
         left = ((brand, "quiet"), (self.name, "strong"), (sign, "here"))
-        running = "" if self.stop_key is None else "running  "
+        running = self.stage and f"{self.stage}  "
         if running and stops and self.stop_key:
-            running = f"running: {self.stop_key} stops  "
+            running = f"{self.stage}: {self.stop_key} stops  "
         shown_folder = f"{self.folder}/  " if folder and self.folder else ""
         ros = self.ros if is_full else self.library
         return left, ((running, "here"), (shown_folder, "quiet"), (ros, "quiet"))
@@ -70,15 +74,15 @@ class TitleBar(Bar):
 
     _title: Title | None = None
 
-    def show_program(self, open_: Open, ros: RosChoice | None, stop_key: str | None) -> None:
+    def show_program(self, open_: Open, ros: RosChoice | None, stage: str, stop_key: str) -> None:
         """Show a program, whether it is saved, its ROS if that is known by now.
 
-        Where nodes run, the key that stops them as well.
+        Where nodes run, how far they are, and the key that stops them as well.
         """
         words, library = ("", "") if ros is None else (ros.words, ros.library)
         folder = "" if open_.path is None else open_.path.absolute().parent.name
         self._title = Title(
-            open_.name, open_.is_changed, folder, words, library, stop_key
+            open_.name, open_.is_changed, folder, words, library, stage, stop_key
         )  # fmt: skip
         self.on_resize()
 
@@ -88,12 +92,23 @@ class TitleBar(Bar):
             self.show(*self._title.pieces(self.app.size.width))
 
 
-class StatusBar(Bar):
-    """The sentence of the statement at the cursor, and where the cursor is."""
+def status_of(focused: Widget | None, editor: ProgramEditor) -> str:
+    """Return what is said about what has the focus.
 
-    def show_statement(self, sentence: str, text: bytes, offset: int) -> None:
-        """Show the sentence of the statement at an offset of a text."""
+    Of the text that is the sentence of the statement at the cursor, of a panel its `hint`, if it
+    has one.
+    """
+    if focused is None or editor in focused.ancestors_with_self:
+        return editor.statement_help
+    return str(getattr(focused, "hint", ""))
+
+
+class StatusBar(Bar):
+    """What is said about what has the focus, and where the cursor is in the text."""
+
+    def show_place(self, said: str, text: bytes, offset: int) -> None:
+        """Show a line, such as the sentence of a statement, and the place of an offset."""
         line_start = text.rfind(b"\n", 0, offset) + 1
         row = text.count(b"\n", 0, offset) + 1
         column = len(text[line_start:offset].decode("utf-8", "replace")) + 1
-        self.show(help_pieces(sentence), ((f"{row}:{column}", "quiet"),))
+        self.show(help_pieces(said), ((f"{row}:{column}", "quiet"),))

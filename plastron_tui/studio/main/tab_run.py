@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
 from textual.widget import Widget
 
+from plastron_tui.runtime.labels import split_label
 from plastron_tui.runtime.live_graph import NodeEnd
 
 from ..panels.entry_list import EntryList
@@ -18,6 +20,9 @@ from .dock_layout import DockLayout
 
 if TYPE_CHECKING:
     from ..running import Running
+
+_BUILDING = re.compile(r"building `([^`]+)`: ")
+"""How a line begins that says how far a build is (see `ProgressLine`)."""
 
 
 @dataclass(eq=False)
@@ -30,6 +35,9 @@ class TabRun:
         ended: how nodes have ended that nobody asked to, by their names.
         running: those that run, None for none.
         started_at: when they were started, by the clock of `monotonic`.
+        built: the package that is built before they start, "" for none.
+        built_since: when that was begun.
+        speaks: whether a node has printed something.
     """
 
     log: OutputLog = field(default_factory=OutputLog)
@@ -37,6 +45,31 @@ class TabRun:
     ended: Mapping[str, NodeEnd] = field(default_factory=dict)
     running: Running | None = None
     started_at: float = 0.0
+    built: str = ""
+    built_since: float = 0.0
+    speaks: bool = False
+
+    def note_progress(self, printed: Iterable[str], now: float) -> None:
+        """Note which package is built, and whether nodes run, from what the run prints."""
+        for line in printed:
+            self.speaks = self.speaks or bool(split_label(line)[0])
+            found = _BUILDING.match(line)
+            if found is not None and found[1] != self.built:
+                self.built, self.built_since = found[1], now
+
+    def stage(self, now: float) -> str:
+        """Return how far the nodes are: `starting`, what is built, `running`, or "" for no nodes.
+
+        Args:
+            now: the time by the clock of `monotonic`.
+        """
+        if self.running is None:
+            return ""
+        if self.running.is_started or self.speaks:
+            return "running"
+        if self.built:
+            return f"building {self.built}… {max(0, int(now - self.built_since))} s"
+        return "starting"
 
     def add(self, printed: Iterable[str], end: Record | None) -> None:
         """Keep what was printed while another tab is in front; `end` says how the nodes ended."""

@@ -43,6 +43,7 @@ TOPICS = Panel(
 SERVICES = Panel(
     name="services",
     title="Services",
+    short="Srv",
     dock="outline",
     keys="alt+3",
     summary="The services and actions, each with who provides it and who calls.",
@@ -57,6 +58,7 @@ SERVICES = Panel(
 MESSAGES = Panel(
     name="messages",
     title="Messages",
+    short="Msg",
     dock="outline",
     keys="alt+4",
     summary="The messages, each with its values.",
@@ -68,6 +70,7 @@ MESSAGES = Panel(
 PREVIEW = Panel(
     name="preview",
     title="Preview",
+    short="Code",
     dock="result",
     keys="alt+5",
     summary="The files that the node, or the package, at the cursor becomes.",
@@ -98,6 +101,7 @@ GRAPH = Panel(
 PACKAGES = Panel(
     name="packages",
     title="Packages",
+    short="Pkg",
     dock="result",
     keys="alt+9",
     summary="The packages, the launch files, and the types of the program's own.",
@@ -134,8 +138,9 @@ LIVE = Panel(
     summary="What travels between the nodes that run.",
     about=(
         "Each topic ≈ of the nodes that run, with how often a message comes and what is in the "
-        "last one; Enter unfolds its fields, P sends a message to it. Enter on a service ◆ calls "
-        "it. Enter on a node ● shows its parameters, and on a parameter sets it. What is not in "
+        "last one; Enter unfolds its fields, P sends a message to it, once or at a rate. Enter on "
+        "a service ◆ calls it, on an action ★ sends it a goal; X ends what is sent, or a goal. "
+        "Enter on a node ● shows its parameters, and on a parameter sets it. What is not in "
         "sight is not listened to. / shows only what has certain words in its name or type."
     ),
     widget="live_panel:LivePanel",
@@ -160,7 +165,8 @@ OUTPUT = Panel(
     summary="What the nodes print while they run.",
     about=(
         "What the nodes print that F5 started, each in its colour. A line that comes again is "
-        "counted: ×37. T shows when each came; / shows only the lines with certain words, Esc in "
+        "counted: ×37. Of a long line the first rows are shown, and all with Enter. T shows "
+        "when each came; / shows only the lines with certain words, Esc in "
         "that field shows all. Scroll up to read: the lines stay where they are until you go to "
         "the end."
     ),

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+from collections.abc import Sequence
 from contextlib import suppress
 from pathlib import Path
 from typing import ClassVar
@@ -11,14 +12,17 @@ from textual import events, on
 from textual.app import ComposeResult
 from textual.binding import Binding, BindingType
 from textual.containers import Vertical
+from textual.content import Content
 from textual.widgets import Input, Label, OptionList
 from textual.widgets.option_list import Option
 
 from plastron_tui.diagnostics.terminal import visible
 
+from ..folder_labels import shown_folder
 from .dialog import Dialog
 
 _MOST = 2000
+_MOST_RECENT = 5
 _ROOM = 9
 """Rows around the list: the frame, the title, the line, the folder, the keys, gaps."""
 
@@ -31,7 +35,15 @@ class ChooseFile(Dialog["Path | None"]):
         Binding("down", "to_list", "Files", show=False),
     ]
 
-    def __init__(self, title: str, start: Path, *, name: str = "", must_be: bool) -> None:
+    def __init__(
+        self,
+        title: str,
+        start: Path,
+        *,
+        name: str = "",
+        must_be: bool,
+        recent: Sequence[str] = (),
+    ) -> None:
         """Make the question.
 
         Args:
@@ -39,12 +51,14 @@ class ChooseFile(Dialog["Path | None"]):
             start: the folder to begin with.
             name: the name to begin with.
             must_be: whether the file must be there.
+            recent: files of late, which are offered from every folder, the latest first.
         """
         super().__init__()
         self._title = title
         self._folder = start
         self._first = name
         self._must_be = must_be
+        self._recent = [path for path in map(Path, recent) if path.is_file()]
 
     def compose(self) -> ComposeResult:
         """Make the line and the list."""
@@ -65,18 +79,25 @@ class ChooseFile(Dialog["Path | None"]):
         self._list()
 
     def _list(self) -> None:
-        """List the programs and the folders that the written part fits."""
+        """List the programs of late, and those and the folders here, that the part fits."""
         folder, part = self._split()
-        self.query_one("#dialog-folder", Label).update(visible(_shown(folder)))
-        options = [Option("../", id="..")]
-        names = _names(folder, self._must_be)
+        recent = recent_in(self._recent, folder, part, self.query_one(Input).value)
+        label = self.query_one("#dialog-folder", Label)
+        label.update("opened lately" if recent else visible(_shown(folder)))
+        options = [_recent_option(path) for path in recent]
+        if recent:
+            # The heading of the first rows is above the list.
+            options.append(Option(Content.styled(visible(_shown(folder)), "$text-muted"),
+                                  disabled=True))  # fmt: skip
+        options.append(Option("../", id=".."))
+        names = _names(folder)
         options += [
             Option(visible(name), id=name) for name in names if part.lower() in name.lower()
         ]
         options_list = self.query_one(OptionList)
         options_list.clear_options()
         options_list.add_options(options)
-        options_list.highlighted = 1 if len(options) > 1 else 0
+        options_list.highlighted = 1 if len(options) > 1 and not recent else 0
 
     def _split(self) -> tuple[Path, str]:
         written = self.query_one(Input).value.strip()
@@ -97,21 +118,27 @@ class ChooseFile(Dialog["Path | None"]):
 
     @on(Input.Submitted)
     def submitted(self) -> None:
-        """Take what is written; of an existing file the only one that fits will do."""
+        """Take what is written; where a file has to be there, what is lit fits as well."""
         folder, part = self._split()
         path = folder / part if part else folder
-        if path.is_dir():
+        is_any = self._must_be and not self.query_one(Input).value.strip()
+        if path.is_dir() and not is_any:
             self._enter(path)
         elif path.is_file() or (part and not self._must_be):
             self.dismiss(path)
         else:
             options_list = self.query_one(OptionList)
-            fitting = [option.id for option in options_list.options if option.id != ".."]
-            if len(fitting) >= 1:
-                at = options_list.highlighted or 1
-                self._take(options_list.get_option_at_index(at).id or "")
+            fitting = [
+                option.id
+                for option in options_list.options
+                if option.id is not None and option.id != ".."
+            ]
+            if fitting:
+                lit = options_list.get_option_at_index(options_list.highlighted or 0).id
+                self._take(lit if lit in fitting else fitting[0])
             else:
-                self.notify(f"there is no file {part}", severity="warning", markup=False)
+                said = f"there is no file {part}" if part else "there is no program here"
+                self.notify(said, severity="warning", markup=False)
 
     @on(OptionList.OptionSelected)
     def selected(self, event: OptionList.OptionSelected) -> None:
@@ -145,7 +172,30 @@ class ChooseFile(Dialog["Path | None"]):
         self.dismiss(None)
 
 
-def _names(folder: Path, only_programs: bool) -> list[str]:
+def recent_in(recent: Sequence[Path], folder: Path, part: str, written: str) -> list[Path]:
+    """Return the files of late that are offered: those that fit, and are listed nowhere else.
+
+    Args:
+        recent: the files, the latest first.
+        folder: the folder whose files are listed.
+        part: the part of a name that is written.
+        written: all that is written; who writes a path wants none of late.
+    """
+    if "/" in written:
+        return []
+    own = folder.absolute()
+    fitting = (path for path in recent if part.lower() in path.name.lower() and path.parent != own)
+    return list(fitting)[:_MOST_RECENT]
+
+
+def _recent_option(path: Path) -> Option:
+    text = Content.assemble(
+        visible(path.name), "  ", (shown_folder(path.parent, 40), "$foreground 60%")
+    )
+    return Option(text, id=os.fspath(path))
+
+
+def _names(folder: Path) -> list[str]:
     folders, files = [], []
     with suppress(OSError), os.scandir(folder) as entries:
         for entry in entries:

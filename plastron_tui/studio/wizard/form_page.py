@@ -24,9 +24,9 @@ from .definition_rows import field_slots, row_path
 from .filling import Filled
 from .form import NEW, Form, new_words
 from .form_rows import Key, Spec, matters, specs
-from .goals import DRIVE, told
 from .program_trial import Finding
 from .rows import Entered, Reached, Row
+from .strings import about
 from .values import Path
 
 
@@ -83,8 +83,7 @@ class FormPage(Vertical):
 
     def compose(self) -> ComposeResult:
         """Make the parts; the rows come with what is known of them."""
-        about = DRIVE[2] if self.form.drives else told(self.form.declaration)
-        yield Label(about, id="wizard-about", markup=False)
+        yield Label(about(self.form), id="wizard-about", markup=False)
         yield Rows(id="wizard-rows", can_focus=False)
         yield Label("", id="wizard-help", markup=False)
         choices = OptionList(id="wizard-choices", compact=True, markup=False)

@@ -37,6 +37,8 @@ MENUS = (PageKind.START, PageKind.PURPOSE, PageKind.AWAY, PageKind.RECIPES)
 """The pages on which an entry is chosen."""
 SPACIOUS = 110
 """From so many columns on the page has the width of a text, and the code all the rest."""
+STATEMENTS = 6
+"""The most rows of statements, but for the last page, where they are what is looked at."""
 LOW = 22
 """With fewer rows the form does without the sentence above it."""
 HIGH = 32
@@ -198,7 +200,8 @@ class Frame(Paged, Dialog[str]):
         shown = self.query_one("#wizard-statements", StatementView)
         if outcome is not None:
             filled = None if page.form is None else look.of(page.form)
-            shown.show(outcome.lines, "" if filled is None else filled.text)
+            rows = self.size.height // 2 if page.kind is PageKind.REVIEW else STATEMENTS
+            shown.show(outcome.lines, "" if filled is None else filled.text, rows)
         for review in self.query(ReviewPage):
             review.say(strings.review(look), look.problems[0].words if look.problems else "")
 

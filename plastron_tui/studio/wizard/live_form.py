@@ -71,6 +71,7 @@ class LiveForm(Dialog["dict[Path, str] | None"]):
         self.given = dict(given)
         self.edited: Path = ()
         self.ask: Callable[[dict[Path, str]], bool] | None = None
+        self._is_waiting = False
         self._title, self._verb, self._about = title, verb, about
         self._form = form
         self.start = start
@@ -153,11 +154,15 @@ class LiveForm(Dialog["dict[Path, str] | None"]):
         self.dismiss(None)
 
     def _send(self) -> None:
+        if self._is_waiting:
+            return
         found = self._check(self.given)
         if not isinstance(found, Wrong):
             if self.ask is None:
                 self.dismiss(self.given)
             elif self.ask(self.given):
+                self._is_waiting = True
+                self._say(None)
                 self.query_one("#wizard-help", Label).update("waiting for the node's answer…")
             else:
                 self._say(Wrong("nothing runs that could take it"))
@@ -169,6 +174,7 @@ class LiveForm(Dialog["dict[Path, str] | None"]):
 
     def answered(self, text: str, *, is_failure: bool) -> None:
         """End, or say why what was sent was not taken."""
+        self._is_waiting = False
         if is_failure:
             self._say(Wrong(text, next(iter(self.given), None)))
         else:

@@ -16,6 +16,9 @@ _NOTHING = ("0", "0.0", "-0", "False", "[]")
 """Values that a field has by itself."""
 _LISTED = re.compile(rf"{NUMBER.pattern}|[+-]?inf|nan", re.ASCII)
 
+_CUT = re.compile(r"\d+ numbers\b", re.ASCII)
+"""What a monitor says of a list that is too long to be shown."""
+
 
 def first_values(form: Sequence[Entry | Heading], seen: Iterable[LiveField]) -> dict[Path, str]:
     """Return what a message that was never sent begins with.
@@ -31,7 +34,7 @@ def first_values(form: Sequence[Entry | Heading], seen: Iterable[LiveField]) -> 
             continue
         text = texts.get(entry.name)
         taken = None if text is None else _entered(entry, text)
-        is_cut = taken is None and text is not None and entry.type.is_array
+        is_cut = text is not None and _CUT.match(text) is not None
         value = first_value(entry) if is_cut or not texts else taken
         if value:
             found[entry.path] = value

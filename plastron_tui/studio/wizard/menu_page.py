@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from textual import on
+from textual import events, on
 from textual.app import ComposeResult
 from textual.containers import Vertical
 from textual.content import Content
@@ -53,6 +53,7 @@ class Menu(OptionList):
             for number, item in enumerate(items)
         )
         super().__init__(*options, id="wizard-menu", compact=True, markup=False)
+        self._titles = [item.title for item in items]
         free = [number for number, item in enumerate(items) if not item.closed]
         advised = [number for number in free if items[number].is_advised]
         self._here = here if here in free else next(iter(advised or free), None)
@@ -76,6 +77,16 @@ class Menu(OptionList):
         step = max(1, self.scrollable_content_region.height // _LINES)
         self.highlighted = free[min(max(at + by * step, 0), len(free) - 1)]
 
+    def on_key(self, event: events.Key) -> None:
+        """Go to the next entry that begins with a letter."""
+        letter = event.character
+        if letter is None or not letter.isalnum():
+            return
+        event.stop()
+        found = next_with(letter, self._titles, self._free, self.highlighted)
+        if found is not None:
+            self.highlighted = found
+
     def action_page_down(self) -> None:
         """Go a page on."""
         self._page(1)
@@ -94,6 +105,15 @@ class Menu(OptionList):
         """Tell what was chosen."""
         event.stop()
         self.post_message(Picked(int(event.option.id or 0)))
+
+
+def next_with(
+    letter: str, titles: Sequence[str], free: Sequence[int], here: int | None
+) -> int | None:
+    """Return the next of the free entries that begins with a letter, None for none."""
+    fitting = [number for number in free if titles[number][:1].lower() == letter.lower()]
+    behind = (number for number in fitting if here is not None and number > here)
+    return next(behind, next(iter(fitting), None))
 
 
 def _words(item: Item) -> Content:

@@ -8,7 +8,8 @@ from plastron_tui.language import statements as st
 
 from .driving_lines import explained
 from .followers import STOP
-from .goals import DRIVE, GROUPS, Aim
+from .form import Form
+from .goals import DRIVE, GROUPS, Aim, told
 from .pages import Look, Page, PageKind
 
 
@@ -41,9 +42,25 @@ def title(page: Page, is_done: bool, group: Aim | None = None) -> str:
     declaration = page.form.declaration
     if page.form.drives:
         return DRIVE[0][:1].upper() + DRIVE[0][1:]
+    if _is_heard_for(page.form):
+        return "For this it has to hear something · subscriber"
     words = declaration.purpose.partition(",")[0]
     words = words[:1].upper() + words[1:]
     return f"{words} · {declaration.ros_term}" if declaration.ros_term else words
+
+
+def _is_heard_for(form: Form) -> bool:
+    """Tell whether a form lets a node listen to what another form makes it answer."""
+    return form.parent is not None and form.declaration.type is st.Subscribe
+
+
+def about(form: Form) -> str:
+    """Return the sentence above a form."""
+    if form.drives:
+        return DRIVE[2]
+    if _is_heard_for(form):
+        return "What it answers, or drives by, arrives on a topic: from a laser, mostly on `scan`."
+    return told(form.declaration)
 
 
 def question(page: Page, look: Look, group: Aim | None = None) -> str:
@@ -101,7 +118,7 @@ def keys(page: Page, is_done: bool, *, is_turn: bool = False) -> str:
     if page.kind in (PageKind.PURPOSE, PageKind.AWAY, PageKind.RECIPES):
         return "↑↓ Enter choose  Esc back"
     if page.kind is PageKind.REVIEW:
-        return "Enter finish  Esc back"
+        return "Enter finish  Tab box  Space tick  Esc back"
     return "Enter next  Tab field  ↑↓ choice  Esc back"
 
 
@@ -109,6 +126,8 @@ _KEYS = """\
 Enter           the next page
 Tab, Shift-Tab  the next field, the one before
 Up, Down        the choices of a field
+Space           tick a box, or take the tick away
+a letter        in a menu, the next entry that begins with it
 Esc, F2         the page before; nothing is lost
 F3              code and graph, in a narrow window
 Esc at first    leave; what was not finished leaves no trace"""

@@ -34,6 +34,12 @@ def test_what_changes_is_marked_as_in_a_diff() -> None:
     assert rows[0] == (Piece(" "), Piece("import a", "keyword"))
 
 
+def test_the_most_that_hangs_together_is_looked_at() -> None:
+    before = lines("import a", "def main():", "    pass", "main()")
+    after = lines("import b", "def main():", "    one()", "    two()", "main()", "more()")
+    assert marked(before, after)[1] == range(3, 6)
+
+
 def test_where_nothing_changes_nothing_is_to_be_looked_at() -> None:
     assert marked(lines("a", "b"), lines("a", "b"))[1] == range(0)
 

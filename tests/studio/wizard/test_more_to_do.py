@@ -100,7 +100,8 @@ def test_what_is_entered_is_written(way: str, entered: dict[str, str], end: str)
 
 
 ANSWERS = [
-    ({}, "of service_type AddTwoInts"),
+    ({("sum",): ""}, "of service_type AddTwoInts"),
+    ({}, "of service_type AddTwoInts answering received.a + received.b"),
     ({("sum",): "5"}, "of service_type AddTwoInts answering 5"),
     ({("sum",): "received.a + 1"}, "of service_type AddTwoInts answering received.a + 1"),
 ]

@@ -69,11 +69,11 @@ def test_who_listens_is_proposed_to_who_speaks_alone() -> None:
 def test_an_answer_that_is_still_to_be_written_is_said() -> None:
     it = course("")
     form = form_after(it, MAKE, ANSWER)
-    form.enter("service", "add")
-    form.enter("type", "AddTwoInts")
-    assert strings.unanswered(to_menu_or_review(it)) == "add"
-    assert next(iter(done_items(it.session, "", "add"))) == "screen.code('add')"
-    form.values["sum",] = "received.a"
+    form.enter("service", "words")
+    form.enter("type", "WordCount")
+    assert strings.unanswered(to_menu_or_review(it)) == "words"
+    assert next(iter(done_items(it.session, "", "words"))) == "screen.code('words')"
+    form.values["count",] = "1"
     assert strings.unanswered(it.look()) == ""
 
 

@@ -30,9 +30,9 @@ listener repeats look at 2 hz
 """
 """What a program has besides in which there is something of every kind to take back."""
 
-QUICK = ("publish", "load")
-"""What is gone through in every way, where `long` tests are left out."""
-BY_KEYS = (*QUICK, "stop_request")
+BY_MOUSE = ("publish", "load")
+BY_KEYS = ("publish", "stop_request")
+"""What is gone through where `long` tests are left out; one of them by mouse."""
 
 
 def keyword(declaration: Declaration) -> str:
@@ -106,7 +106,7 @@ async def test_by_keyboard_alone(declaration: Declaration, file: Path) -> None:
 
 @pytest.mark.parametrize(
     "declaration",
-    mostly_long([each for each in ALL if each.keyword in QUICK], ["load"], keyword),
+    mostly_long([each for each in ALL if each.keyword in BY_MOUSE], ["load"], keyword),
 )
 async def test_by_mouse_alone(declaration: Declaration, file: Path) -> None:
     before = program_for(declaration, file)
