@@ -39,8 +39,8 @@ class Host(App[None]):
             80,
             "VARIABLE publish MESSAGE to 'TOPIC_NAME' [at RATE …   the node that sends",
         ),
-        (FIRST, 40, "VARIABLE publish MESSAGE to 'TOPI…"),
-        (FIRST, 30, "VARIABLE publish MESSAG…"),
+        (FIRST, 40, "VARIABLE …   the node that sends"),
+        (FIRST, 30, "VARIABLE …   the node t…"),
         (MIDDLE, 76, "VARIABLE … [at RATE hz | once | for_each …   Let a node send a messag…"),
     ],
 )

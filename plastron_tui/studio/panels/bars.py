@@ -14,6 +14,8 @@ from .styles import Toned
 
 _KEPT_BEFORE, _KEPT_AFTER = 2, 4
 """Words of a sentence that stay around the part at hand, however little room there is."""
+_LONG_HELP = 45
+"""From so many characters on a help can be cut: it says what all of the statement is for."""
 
 
 class Bar(Toned):
@@ -91,7 +93,8 @@ def _shortened(pieces: tuple[tuple[str, str], ...], excess: int) -> tuple[tuple[
             before = shown
     if after and excess > 0:
         rest = after[: max(0, len(after) - excess - 2)].rpartition(" ")[0]
-        kept = max(rest, " ".join(after.split(" ")[: _KEPT_AFTER + 1]), key=len)
+        near = " ".join(after.split(" ")[: _KEPT_AFTER + 1])
+        kept = max(rest, near if len(about[0]) >= _LONG_HELP else "", key=len)
         after = min(f"{kept} …", after, key=len)
     return ((before, tone), here, (after, after_tone), about)
 
