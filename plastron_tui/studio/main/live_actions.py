@@ -18,6 +18,7 @@ from ..delay import Delay
 from ..key_order import InOrder
 from ..panels.live_panel import LOOKING, NOTHING_RUNS, STARTING, LivePanel
 from ..panels.live_row import Answer, Kind, LiveRow
+from ..panels.live_row_places import field_of
 from ..panels.live_watching import Watching
 from .active_program import Tab
 from .workers import start_exclusive
@@ -281,7 +282,7 @@ class LiveActions:
         topic = self._graphs[row.ros_version].topics.get(row.owner)
         seen = () if topic is None or row.kind is not Kind.TOPIC else topic.fields
         given, edited = self._given.get(row.key, {}), self._edited.get(row.key, ())
-        at = self._panel.field_of(row)
+        at = field_of(self._panel.row, row)
         form = form_for(row, self._tab.open.session, given, seen, at, edited)
         if isinstance(form, str):
             self._say(form)

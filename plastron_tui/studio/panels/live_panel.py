@@ -107,12 +107,6 @@ class LivePanel(EntryList):
         """The row that the cursor is on."""
         return self._live[self.index] if 0 <= self.index < len(self._live) else None
 
-    def field_of(self, topic: LiveRow) -> tuple[str, ...]:
-        """Return the names of a topic's field that the cursor is on, the outermost first."""
-        here = self.row
-        is_one = here is not None and here.kind is Kind.FIELD and here.owner == topic.owner
-        return tuple(here.name.split(".")) if here is not None and is_one else ()
-
     @property
     def lines(self) -> list[str]:
         """The rows as they are drawn, without their colours."""
