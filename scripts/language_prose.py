@@ -123,11 +123,16 @@ can be sent to a topic for several reasons, a statement each: at a rate, once, a
 message of one topic and of another.
 
 A condition compares one field with a number (`<`, `>`, `=`), or with a text or a truth value
-(`=`); of a list, `any` or `all` of its elements, and `all` holds of an empty one. One that every
+(`=`); of a list, `any` or `all` of its elements, and neither holds of an empty one. One that every
 integer of the field's type meets, or none, is an error. An element that is not there, a number
 that the field cannot hold, and a division by 0 are a warning in the node's log that names them, and
 nothing is sent; a request that cannot be answered fails in ROS 1, and gets an empty answer in ROS 2,
 which knows no failure. What needs more is code: the node's file is yours.
+
+A `Twist` that moves a robot when `all` ranges are greater than a number, and one that stops it when
+`any` is less, leave gaps: exactly that number, no ranges, and one that is no number (NaN). In a node
+that is created, the one that stops it is sent in these too: whenever the other is not. A laser that
+falls silent stops nothing.
 
 ## Parameters
 

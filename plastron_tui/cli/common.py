@@ -157,8 +157,8 @@ class Report:
                     continue
                 self._told.add(found)
             fresh.append(found)
-            if found.severity is Severity.WARNING:
-                self._warnings += 1
+            if found.severity is not Severity.ERROR:
+                self._warnings += found.severity is Severity.WARNING
                 continue
             self._errors += 1
             self.status = max(self.status, 2 if found.code.is_io else 1)

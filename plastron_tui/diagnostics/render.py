@@ -42,6 +42,8 @@ class TextRenderer:
 
     def render(self, diagnostic: Diagnostic) -> str:
         """Return the text of a diagnostic, without a newline at its end."""
+        if diagnostic.severity is Severity.NOTE:
+            return f"{self._paint('note', _BLUE)}: {_said(diagnostic.message)}"
         tint = _RED if diagnostic.severity is Severity.ERROR else _YELLOW
         head = self._paint(f"{diagnostic.severity.value}[{diagnostic.code}]", tint)
         out = [head + self._paint(f": {_said(diagnostic.message)}", _BOLD)]

@@ -6,7 +6,7 @@ from collections import Counter
 from pathlib import Path
 from typing import NamedTuple
 
-from plastron_tui.diagnostics import Diagnostic, codes
+from plastron_tui.diagnostics import Diagnostic, Severity, codes
 from plastron_tui.model.source import LARGEST_FILE, EndpointKind, FileSet
 from plastron_tui.output.manifest import Manifest
 from plastron_tui.output.patch_stack import Layer, Layers, are_untouched, live_layers
@@ -106,15 +106,14 @@ def cover(
 
 
 def kept_handwork(path: Path, name: str) -> Diagnostic:
-    """Warn that a file keeps handwork, in a file of another name perhaps."""
-    where = "" if path.name == name else f" in `{name}`"
+    """Say that a file keeps handwork, in a file of another name perhaps: nothing is wrong."""
+    where = "" if path.name == name else f", in `{name}`"
     return Diagnostic(
         codes.MERGED_BY_HAND,
-        f"`{path.name}` was changed by hand and is kept{where}, with the program's changes",
+        f"`{path.name}`: your changes are kept{where}",
         file=path,
-        help="`generate --force` writes it anew and keeps a backup" if not where else
-        "`generate --force` writes it anew",
-    )  # fmt: skip
+        severity=Severity.NOTE,
+    )
 
 
 def unmergeable(path: Path, reason: str) -> Diagnostic:

@@ -7,7 +7,7 @@ against the sentence that they begin.
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 from tree_sitter import Node
 
@@ -91,7 +91,7 @@ _NO_MATCH = SentenceMatch((), 0, None, ())
 def expected_at(document: Document, offset: int) -> Expectation:
     """Return what may stand at an offset of a program.
 
-    Within a comment, and after a mistake, nothing is expected.
+    Within a comment, and after a mistake, nothing is expected; which statement it is may be known.
     """
     text = document.text
     offset = min(max(offset, 0), len(text))
@@ -109,7 +109,9 @@ def expected_at(document: Document, offset: int) -> Expectation:
     if word is not None:
         span = Span(word.start + excerpt.start, word.end + excerpt.start)
         prefix = excerpt.text[word.start : here].decode("utf-8", "replace")
-    return _expected(span, prefix, intended(tokens), before, word) or nothing
+    declaration = intended(tokens)
+    found = _expected(span, prefix, declaration, before, word)
+    return found or replace(nothing, declaration=declaration)
 
 
 def _is_in_comment(node: Node | None, here: int) -> bool:

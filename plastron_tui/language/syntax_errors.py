@@ -14,6 +14,7 @@ from .broken_lines import Broken
 from .common_mistakes import completed, recognised
 from .declaration import Declaration, Slot, SlotKind
 from .keywords import BY_KEYWORD, FIRST_WORDS, KEYWORDS, VERBS
+from .missing_words import missing_word
 from .mistake_place import Place
 from .sentence_errors import SentenceErrors
 from .sentence_match import intended, match_sentence
@@ -70,6 +71,7 @@ def _explain_line(
             fix = Fix("close it", (Edit(Span(end, end), " */"),))
             return unexpected(token)._replace(fix=fix)
     slots: dict[int, SlotKind] = {}
+    words: tuple[str, ...] = ()
     if declaration is None:
         found = _unknown_statement(tokens)
     else:
@@ -78,10 +80,19 @@ def _explain_line(
         slots = {filled.first: filled.slot.kind for filled in match.slots}
         if isinstance(match.wanted, Slot):
             slots[match.end] = match.wanted.kind
+        first = (match.wanted,) if isinstance(match.wanted, str) else ()
+        words = (*first, *match.instead, *match.following)
     start = None if found.span is None else found.span.start
     at = next((index for index, token in enumerate(tokens) if token.start == start), len(tokens))
     place = Place(source, tokens, at, slots, declaration)
-    return recognised(place, found) if at < len(tokens) else completed(place, found)
+    if at == len(tokens):
+        return completed(place, found)
+    found = recognised(place, found)
+    if found.fix is not None or not words:
+        return found
+    first_byte = tokens[0].start
+    line = source[first_byte : tokens[-1].end]
+    return found._replace(fix=missing_word(line, tokens[at].start - first_byte, words, first_byte))
 
 
 def _may_declare(declaration: Declaration | None) -> bool:

@@ -13,7 +13,7 @@ from .kinds import Publication, Publisher
 from .values import MessageValue
 from .workspace import Node, Workspace
 
-_COMMANDS = frozenset(
+COMMANDS = frozenset(
     {
         *("geometry_msgs/Twist", "geometry_msgs/TwistStamped"),
         *("geometry_msgs/Accel", "geometry_msgs/AccelStamped"),
@@ -44,7 +44,7 @@ def check_motion(workspace: Workspace, version_of: Callable[[Node], int]) -> Ite
     conditional: dict[tuple[int, str], _Sent] = {}
     for node in workspace.nodes.values():
         for publisher in node.of(Publisher).values():
-            if str(publisher.type) not in _COMMANDS:
+            if str(publisher.type) not in COMMANDS:
                 continue
             place = version_of(node), resolved_name(node.name, publisher.name)
             for each in publisher.publications:

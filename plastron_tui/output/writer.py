@@ -131,7 +131,7 @@ def write_current(
             break
         plan = made
         # What was found of interrupted writes is not found again.
-        notes += tuple(x for x in result.diagnostics if x.severity is Severity.WARNING)
+        notes += tuple(x for x in result.diagnostics if x.severity is not Severity.ERROR)
     return result._replace(diagnostics=(*notes, *result.diagnostics))
 
 

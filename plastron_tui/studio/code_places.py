@@ -16,7 +16,7 @@ from plastron_tui.regular_files import read_regular
 from plastron_tui.sources import find_language
 
 from .analysis import Analysis, analyse
-from .function_lines import function_lines
+from .function_lines import answer_line, function_lines
 from .panels.entry import Entry, Subject
 from .panels.entry_signs import HUBS
 from .panels.nodes import make as node_entries
@@ -24,6 +24,9 @@ from .panels.preview import files_meant
 
 if TYPE_CHECKING:
     from plastron_tui.session import Session
+
+_ANSWERING = frozenset({EndpointKind.SERVICE, EndpointKind.ACTION_SERVER})
+"""Whose function is where somebody writes what a node is for."""
 
 LARGEST = 16 * 1024**2
 """The largest file that is shown, in bytes."""
@@ -239,11 +242,19 @@ def _in_unit(
     kind, written = key
     for each in found:
         for endpoint in each.of_kind(kind):
-            if written in (endpoint.label, endpoint.name, endpoint.default, endpoint.expression):
-                yield place(endpoint.file or main, endpoint.line, f"{kind.word} {written}")
-                if endpoint.callback is not None:
-                    for name, line in _functions(unit.path, unit.files, endpoint.callback):
-                        yield place(name, line, f"function {endpoint.callback}")
+            if written not in (endpoint.label, endpoint.name, endpoint.default,
+                               endpoint.expression):  # fmt: skip
+                continue
+            there = place(endpoint.file or main, endpoint.line, f"{kind.word} {written}")
+            what = f"function {endpoint.callback}"
+            if kind in _ANSWERING:
+                answers = _answers(unit.path, unit.files, endpoint.callback)
+                yield from (place(name, line, what) for name, line in answers)
+                yield there
+                continue
+            yield there
+            functions = _functions(unit.path, unit.files, endpoint.callback)
+            yield from (place(name, line, what) for name, line in functions)
 
 
 def _nodes_called(unit: SourceUnit, name: str) -> tuple[SourceNode, ...]:
@@ -252,13 +263,25 @@ def _nodes_called(unit: SourceUnit, name: str) -> tuple[SourceNode, ...]:
     return named or unit.nodes
 
 
-def _functions(path: Path, files: FileSet, function: str) -> Iterator[tuple[str, int]]:
+def _functions(path: Path, files: FileSet, function: str | None) -> Iterator[tuple[str, int]]:
     """Yield where the files of a set define or declare a function: the file and the line."""
-    for file, text in files.texts:
-        # A script may have no suffix; C++ without one is nothing that a compiler takes.
-        is_python = place_of(path, file).suffix in ("", *find_language("python").suffixes)
-        for line in function_lines(text, function, is_python=is_python):
+    for file, text in files.texts if function else ():
+        for line in function_lines(text, function or "", is_python=_is_python(path, file)):
             yield file, line
+
+
+def _answers(path: Path, files: FileSet, function: str | None) -> Iterator[tuple[str, int]]:
+    """Yield where a function that is defined there says what it gives back."""
+    for file, line in _functions(path, files, function):
+        text = files.get(file) or b""
+        found = answer_line(text, line, is_python=_is_python(path, file))
+        if found is not None:
+            yield file, found
+
+
+def _is_python(path: Path, file: str) -> bool:
+    # A script may have no suffix; C++ without one is nothing that a compiler takes.
+    return place_of(path, file).suffix in ("", *find_language("python").suffixes)
 
 
 def _line_of_part(text: bytes, part: tuple[str, str] | None) -> int:

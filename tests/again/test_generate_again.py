@@ -230,7 +230,7 @@ def test_node_of_the_other_ros(tmp_path: Path, library: str) -> None:
     written = fresh.path / "output/robot.py"
     assert written.read_bytes() == (tmp_path / "output/robot.py").read_bytes()
     bench.edit("output/robot.py", "somebody", "somebody else")
-    kept = "merged-by-hand: `robot.py` was changed by hand and is kept, with the program's changes"
+    kept = "merged-by-hand: `robot.py`: your changes are kept"
     for each in (less, program):
         assert kept in bench.generate(each).warnings
         assert "somebody else" in (tmp_path / "output/robot.py").read_text()

@@ -9,7 +9,7 @@ import pytest
 from again_driver import LIBRARIES, WAYS, Bench, shown
 from machine import mostly_long
 
-KEPT = "merged-by-hand: `robot.py` was changed by hand and is kept, with the program's changes"
+KEPT = "merged-by-hand: `robot.py`: your changes are kept"
 PUBLISH = "n publish hello to 'chatter' of message_type String\n"
 SUBSCRIBE = "subscribe n to 'numbers' of message_type Int32\n"
 MORE = "subscribe n to 'more' of message_type String\n"

@@ -83,10 +83,7 @@ def test_handwork_over_two_programs(bench: Bench) -> None:
         run(bench, program, text)
     bench.edit(FILE, '"hello"', '"good day"')
     before = bench.files()
-    kept = (
-        "merged-by-hand: `talker_pub.py` was changed by hand and is kept, "
-        "with the program's changes"
-    )
+    kept = "merged-by-hand: `talker_pub.py`: your changes are kept"
     assert run(bench, "listen", programs["listen"]) == ["identical", kept]
     assert run(bench, "create", CREATE) == ["identical"]
     assert bench.files() == before

@@ -97,7 +97,7 @@ def test_load_of_what_the_program_generates(run: Run, here: Path, flags: list[st
     file.write_text(file.read_text() + "# mine\n")
     result = run("generate", *flags, "a.plastron")
     assert result.returncode == 0
-    assert b"warning[merged-by-hand]" in result.stderr
+    assert b": your changes are kept" in result.stderr
     assert file.read_text().endswith("# mine\n")
     assert endpoints(run, file) == {"subscriptions": ["chatter", "other"]}
 

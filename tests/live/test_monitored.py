@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import subprocess
 import time
 from collections.abc import Iterator
@@ -108,6 +109,9 @@ def test_what_runs_is_seen_and_spoken_to(graph: Graph, tmp_path: Path, watched: 
     assert (said["text"], said["is_failure"]) == ("sent to /goal", False)
     node.wait_to_print("2.5")
     watched.until(lambda: known.topics["/goal"].text == "2.5", "what was sent")
+    # JSON has it as `-Infinity`.
+    watched.ask(6, do="publish", name="/goal", type="std_msgs/Float64", values={"data": -math.inf})
+    node.wait_to_print("-inf")
     said = watched.ask(2, do="call", name="/switch", type="std_srvs/SetBool", values={"data": True})
     assert "success: " in said["text"] and not said["is_failure"]
     said = watched.ask(3, do="set", node="/robot", name="speed", value=0.75, type="float")

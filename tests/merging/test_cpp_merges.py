@@ -81,7 +81,7 @@ class Package:
         session = Session(f"{MESSAGES}{text}".encode(), path, options, environ={})
         assert session.diagnostics == ()
         plan, told = session.plan()
-        assert all(found.severity is Severity.WARNING for found in told), told
+        assert all(found.severity is not Severity.ERROR for found in told), told
         if force or not plan.conflicts:
             assert write(plan, force=force).diagnostics == ()
         return Outcome(

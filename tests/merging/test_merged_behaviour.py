@@ -115,7 +115,7 @@ def changed_lines(library: str, path: Path, before: str, after: str) -> list[int
 
 
 def told(outcome: Outcome) -> list[str]:
-    return [each for each in outcome.warnings if "was changed by hand and is kept" not in each]
+    return [each for each in outcome.warnings if "your changes are kept" not in each]
 
 
 @pytest.mark.long

@@ -91,7 +91,7 @@ def test_callback_in_which_nothing_was_written_goes_with_its_type(
     folder.generate(KEEP, statement)
     folder.edit("\ndef main(", f"{OWN}\n\ndef main(")
     (told,) = folder.generate(KEEP, other).warnings
-    assert told.startswith("merged-by-hand: `robot_node.py` was changed by hand and is kept")
+    assert told.startswith("merged-by-hand: `robot_node.py`: your changes are kept")
     check(folder, OWN.strip().split("\n"), [*KEPT, shown])
 
 

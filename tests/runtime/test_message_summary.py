@@ -44,8 +44,11 @@ def vector(x: float, y: float, z: float) -> Rclpy:
     return Rclpy(x=x, y=y, z=z)
 
 
-def scan(*ranges: float) -> Rclpy:
-    return Rclpy(ranges=array.array("f", ranges), range_min=0.1, range_max=10.0)
+def scan(*ranges: float, low: float = 0.1, high: float = 10.0) -> Rclpy:
+    return Rclpy(ranges=array.array("f", ranges), range_min=low, range_max=high)
+
+
+INF, NAN = float("inf"), float("nan")
 
 
 SUMMARIES = [
@@ -64,7 +67,7 @@ SUMMARIES = [
     (Rclpy(width=640, height=480, encoding="rgb8", data=bytes(921_600)), "sensor_msgs/Image",
      "640x480 rgb8, 922 KB", None),
     (Rclpy(format="jpeg", data=bytes(1_500)), "sensor_msgs/CompressedImage", "jpeg, 1.5 KB", None),
-    (scan(*[0.4] * 359, 3.2), "sensor_msgs/LaserScan", "360 ranges, 0.4…3.2 m", None),
+    (scan(*[0.4] * 359, 3.2), "sensor_msgs/LaserScan", "360 ranges, nearest 0.4 m", None),
     (scan(float("inf"), 0.0), "sensor_msgs/LaserScan", "2 ranges, nothing in reach", None),
     (Rclpy(fields=[Rclpy(name="x"), Rclpy(name="y")], width=100, height=20, data=bytes(16_000)),
      "sensor_msgs/PointCloud2", "2,000 points (x y), 16 KB", None),
@@ -72,7 +75,7 @@ SUMMARIES = [
      "4x3 cells of 0.05 m", None),
     (Rclpy(poses=[1, 2]), "nav_msgs/Path", "2 poses", None),
     (Rclpy(transforms=[Rclpy(header=Rclpy(frame_id="odom"), child_frame_id="base")]),
-     "tf2_msgs/TFMessage", "1 transforms: odom → base", None),
+     "tf2_msgs/TFMessage", "1 transform: odom → base", None),
     (Rclpy(data=[1.0] * 5000), "a/Long", "5000 numbers, 1…1", None),
     (Rclpy(data=["a"] * 9), "a/Words", "9 values", None),
     (Rclpy(data=[1, 2]), "a/Short", "[1, 2]", None),
@@ -89,6 +92,31 @@ def test_a_message_is_told_in_a_line(
 
     found = summary_of(message, type_name)
     assert (found.text, found.number) == (text, number)
+
+
+@pytest.mark.parametrize(
+    ("message", "text"),
+    [
+        (scan(2, 0.3, 4), "3 ranges, nearest 0.3 m"),
+        (scan(2, 0.3, 4, high=0), "3 ranges, nearest 0.3 m"),
+        (scan(2, 0.3, 4, low=0, high=0), "3 ranges, nearest 0.3 m"),
+        (scan(2, 0.3, 4, low=1, high=0), "3 ranges, nearest 2 m"),
+        (scan(2, 0.3, 4, low=9, high=1), "3 ranges, nearest 0.3 m"),
+        (scan(2, 0.3, 4, low=NAN, high=NAN), "3 ranges, nearest 0.3 m"),
+        (scan(2, 0.3, 4, low=-INF, high=INF), "3 ranges, nearest 0.3 m"),
+        (scan(2, 0.3, 4, low=INF, high=-1), "3 ranges, nearest 0.3 m"),
+        (scan(2, 0.3, 4, low=1, high=3), "3 ranges, nearest 2 m"),
+        (scan(0, 0.3, high=0, low=0), "2 ranges, nearest 0 m"),
+        (scan(NAN, INF, -INF, 0.7, high=INF), "4 ranges, nearest 0.7 m"),
+        (scan(NAN, INF, -INF, high=INF), "3 ranges, nothing in reach"),
+        (scan(-1, high=0), "1 range, nothing in reach"),
+        (scan(), "0 ranges"),
+    ],
+)
+def test_a_scan_is_told_by_what_is_nearest(message: Any, text: str) -> None:
+    from message_summary import summary_of
+
+    assert summary_of(message, "sensor_msgs/LaserScan").text == text
 
 
 def test_fields_are_told_by_their_paths() -> None:

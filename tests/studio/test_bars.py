@@ -9,6 +9,10 @@ LAST = "create_message MESSAGE of message_type TYPE and input ‹VALUES›   the
 FIRST = (
     "‹VARIABLE› publish MESSAGE to 'TOPIC_NAME' [at RATE hz] [with qos QOS]   the node that sends"
 )
+MIDDLE = (
+    "VARIABLE publish MESSAGE to 'TOPIC_NAME' of message_type TYPE [at RATE ‹hz› | once | "
+    "for_each …] [with qos …]   Let a node send a message to a topic: at a rate, once, or so"
+)
 
 
 class Host(App[None]):
@@ -28,7 +32,7 @@ class Host(App[None]):
         ),
         (LAST, 80, "create_message … of message_type TYPE and input VALUES   the values of it"),
         (LAST, 60, "create_message … and input VALUES   the values of it"),
-        (LAST, 40, "create_message … VALUES   the val…"),
+        (LAST, 40, "create_message … and input VALUES…"),
         (FIRST, 100, FIRST.replace("‹", "").replace("›", "")),
         (
             FIRST,
@@ -37,6 +41,7 @@ class Host(App[None]):
         ),
         (FIRST, 40, "VARIABLE …   the node that sends"),
         (FIRST, 30, "VARIABLE …   the node t…"),
+        (MIDDLE, 76, "VARIABLE … [at RATE hz | once | for_each …   Let a node send a messag…"),
     ],
 )
 async def test_the_part_at_hand_stays_in_sight(help_: str, width: int, shown: str) -> None:

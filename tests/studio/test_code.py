@@ -15,6 +15,7 @@ from plastron_tui.output.writer import write
 from plastron_tui.session import Options, Session
 from plastron_tui.studio.code_places import Found, Place, find_code
 from plastron_tui.studio.editor.external_editor import command_at
+from plastron_tui.studio.function_lines import answer_line
 from plastron_tui.studio.panels.code_lines import CodeLines
 from plastron_tui.studio.panels.code_text import marked
 from plastron_tui.studio.panels.entry import Entry, Subject
@@ -69,6 +70,74 @@ def test_a_statement_leads_to_what_would_be_written_and_then_to_the_file(program
     again = found(program, "subscribe listener")
     assert lines(again) == there
     assert again.places[0].line == now.places[0].line + 4
+
+
+SERVICE = """\
+create_node 'adder' as adder
+adder provides_service 'add' of service_type SetBool
+generate_node adder using LIBRARY
+"""
+
+
+@pytest.mark.parametrize(
+    ("library", "line"),
+    [("rclpy", "return response"), ("rospy", "return SetBoolResponse()"),
+     ("rclcpp", "(void)response;"), ("roscpp", "return true;")],
+)  # fmt: skip
+def test_a_service_leads_to_where_its_answer_is_written(
+    program: Path, library: str, line: str
+) -> None:
+    program.write_text(SERVICE.replace("LIBRARY", library))
+    said = lines(found(program, "adder provides_service"))
+    assert next((what.split()[1], there) for what, there in said) == ("function", line)
+    assert len(said) == 2 and "add" in said[1][1]
+
+
+PY_HANDLER = "def f(\n    a,\n):\n    if a:\n\n        b()\n\n\nx = 1\n"
+
+
+@pytest.mark.parametrize(
+    ("text", "line", "is_python", "wanted"),
+    [("def f(a):\n    return a\n", 1, True, 2), (PY_HANDLER, 1, True, 6),
+     ("class A:\n    def f(self):\n        returned = 1\n    def g(self): ...\n", 2, True, 3),
+     ("def f(a): return a\n", 1, True, None), ("void f(int a);\nint b() {\n}\n", 1, False, None),
+     ("void f(\n  int a)\n{\n  if (a) {\n    b();\n  }\n  c();\n}\n", 1, False, 7),
+     ("int f() {\n  g();\n  return 1;\n}\n", 1, False, 3), ("void f() {}\n", 1, False, 1),
+     ("void f() {\n}\n", 1, False, 1), ("void f() {\n  g();\n", 1, False, None)],
+)  # fmt: skip
+def test_where_a_function_gives_something_back(
+    text: str, line: int, is_python: bool, wanted: int | None
+) -> None:
+    assert answer_line(text.encode(), line, is_python=is_python) == wanted
+
+
+async def test_an_answer_is_written_in_a_file_that_is_there(program: Path) -> None:
+    program.write_text(SERVICE.replace(" using LIBRARY", ""))
+    async with studio(program, (80, 24), options=Options("rclpy")) as driver:
+        driver.main.editor.go_to(0)
+        await driver.press("enter")
+        await driver.until(lambda: driver.main.open.is_changed)
+        # As the wizard asks for it.
+        driver.main.action_code("add")
+        view = await driver.dialog("CodeView")
+        code = view.query_one("CodeText")
+        assert view.place.text is None and view.place.path.exists()
+        assert b"return response" in code.code.text.split(b"\n")[code.line]
+        assert not driver.main.open.is_changed
+        await driver.pilot.press("f6")
+        await driver.until(lambda: "written already" in driver.notes())
+        await driver.pilot.press("escape")
+        await driver.back()
+        # What is only shown can be written from there, and is shown again.
+        view.place.path.unlink()
+        driver.main.editor.go_to(driver.main.open.text.index(b"adder provides"))
+        await driver.pilot.press("alt+c")
+        assert (await driver.dialog("CodeView")).place.text is not None
+        await driver.pilot.press("f6")
+        await driver.dialog("GenerateDialog")
+        await driver.pilot.press("f6", "escape")
+        view = await driver.dialog("CodeView")
+        assert view.place.text is None and view.place.path.exists()
 
 
 def test_a_topic_leads_to_all_that_meet_there(program: Path) -> None:
@@ -276,9 +345,7 @@ async def test_the_view_shows_finds_turns_and_edits(
         await driver.pilot.press("alt+c")
         view = await driver.dialog("CodeView")
         title = view.query_one("#dialog-title", Label)
-        assert "subscription chatter  not written yet: F6 would write this  1 of 2" in str(
-            title.content
-        )
+        assert "subscription chatter  not written yet  1 of 2" in str(title.content)
         await driver.pilot.press("e")
         await driver.until(lambda: "this file is not written yet" in driver.notes())
         code, line = view.query_one("CodeText"), view.query_one("CodeText").line

@@ -19,8 +19,9 @@ from plastron_tui.studio.wizard.live_orders import form_for
 from plastron_tui.studio.wizard.live_rates import RATE, rate_of
 from plastron_tui.studio.wizard.parameter_kinds import parameter_entry
 from plastron_tui.studio.wizard.sent_values import Wrong, sent_setting, sent_values, shown_setting
-from plastron_tui.studio.wizard.values import entries_of
+from plastron_tui.studio.wizard.values import Path, entries_of
 
+INF = float("inf")
 CATALOG = Catalog("kilted")
 SENT: list[tuple[str, str, dict[tuple[str, ...], str], Any]] = [
     ("msg", "std_msgs/String", {("data",): "hi, you"}, {"data": "hi, you"}),
@@ -36,6 +37,20 @@ SENT: list[tuple[str, str, dict[tuple[str, ...], str], Any]] = [
     ("msg", "std_msgs/UInt8", {("data",): "300"}, ("data",)),
     ("msg", "std_msgs/Float64", {("data",): "received.data"}, ("data",)),
     ("msg", "geometry_msgs/Polygon", {("points",): "(q=1)"}, None),
+    ("msg", "std_msgs/Float64", {("data",): "-inf"}, {"data": -INF}),
+    ("msg", "std_msgs/Float32", {("data",): "Inf"}, {"data": INF}),
+    ("msg", "geometry_msgs/Twist", {("linear", "x"): "inf", ("angular", "z"): "1"},
+     {"linear": {"x": INF}, "angular": {"z": 1.0}}),
+    ("msg", "sensor_msgs/LaserScan", {("ranges",): "2, inf, -inf, 0.3", ("range_max",): "inf"},
+     {"range_max": INF, "ranges": [2.0, INF, -INF, 0.3]}),
+    ("msg", "std_msgs/Float64", {("data",): "info"},
+     Wrong("data takes a number, such as 0.5", ("data",))),
+    ("msg", "sensor_msgs/LaserScan", {("ranges",): "inf, far"},
+     Wrong("`far`, value 2 of the list: ranges takes a number, such as 0.5", ("ranges",))),
+    ("msg", "sensor_msgs/LaserScan", {("ranges",): "inf, parameter 'inf'"}, ("ranges",)),
+    ("msg", "std_msgs/Int32", {("data",): "inf"}, ("data",)),
+    ("msg", "builtin_interfaces/Duration", {("sec",): "nan"}, ("sec",)),
+    ("msg", "std_msgs/String", {("data",): "inf"}, {"data": "inf"}),
 ]  # fmt: skip
 
 
@@ -58,7 +73,7 @@ def test_what_is_entered_is_checked_and_becomes_values(
      ("float_list", "[1, 2.5]", [1.0, 2.5]), ("string_list", '"a, b", c', ["a, b", "c"]),
      ("int", "1.5", None), ("float", "fast", None), ("int", str(2**63), None),
      ("float", "parameter 'x'", None), ("float", "1e999", None),
-     ("float_list", "1e999, inf", None),
+     ("float_list", "1e999, inf", None), ("float_list", "1, parameter 'x'", None),
      ("string", r'"a\nb"', "a\nb"), ("string", r'"C:\dir"', r"C:\dir"),
      ("string", r"C:\dir", r"C:\dir"),
      ("string", r'"\u0000"', None)],
@@ -146,8 +161,21 @@ def test_a_parameter_that_nobody_touched_stays_as_it_is(type_: str, value: Any) 
      ("sensor_msgs/JointState", [("header.stamp", "5.0"), ("position", "[1.0, … 9 in all]")], {}),
      ("rosgraph_msgs/Clock", [("clock", "5.0")], {}),
      ("sensor_msgs/JointState", [("position", "1.0")], {}),
-     ("std_msgs/Float64", [("data", "inf")], {}),
-     ("std_msgs/Float64", [("other", "1")], {})],
+     ("sensor_msgs/JointState", [("header.stamp", "5.0"), ("header.frame_id", '"base"')], {}),
+     ("std_msgs/Float64", [("data", "inf")], {("data",): "inf"}),
+     ("std_msgs/Float64", [("other", "1")], {}),
+     ("sensor_msgs/LaserScan", [("angle_min", "-1.57"), ("ranges", "[2, 0.3, inf]"),
+                                ("intensities", "[]")],
+      {("angle_min",): "-1.57", ("ranges",): "2, 0.3, inf"}),
+     # Of many ranges the nearest and the farthest are known: it begins with some, not with none.
+     ("sensor_msgs/LaserScan", [("range_max", "10"), ("ranges", "360 numbers, 0.4…3.2")],
+      {("range_max",): "10", ("ranges",): "2.0, 1.0, 2.0"}),
+     ("sensor_msgs/LaserScan", [("range_max", "0"), ("ranges", "[]")], {}),
+     # None came yet: it begins as in the wizard.
+     ("geometry_msgs/Twist", [], {("linear", "x"): "0.2", ("angular", "z"): "0.0"}),
+     ("sensor_msgs/LaserScan", [],
+      {("angle_min",): "-0.5", ("angle_max",): "0.5", ("angle_increment",): "0.5",
+       ("range_min",): "0.1", ("range_max",): "8.0", ("ranges",): "2.0, 1.0, 2.0"})],
 )  # fmt: skip
 def test_a_message_that_is_sent_begins_with_the_last_one_that_came(
     type_: str, seen: list[tuple[str, str]], given: dict[tuple[str, ...], str]
@@ -160,6 +188,33 @@ def test_a_message_that_is_sent_begins_with_the_last_one_that_came(
     before = {next(iter(given), ("data",)): "1"}
     form = form_for(row, Session(b""), before, fields)
     assert not isinstance(form, str) and form.dialog.given == before
+
+
+DRIVING = b"""\
+create_node 'driver' as driver
+subscribe driver to 'scan' of message_type LaserScan
+create_message halt of message_type Twist and input none
+driver publish halt to 'cmd' of message_type Twist for_each 'scan' when any received.ranges < 0.5
+"""
+
+
+@pytest.mark.parametrize(
+    ("owner", "type_", "at", "edited", "start"),
+    [("/scan", "sensor_msgs/LaserScan", (), (), ("ranges",)),
+     ("/robot1/scan", "sensor_msgs/LaserScan", (), ("range_max",), ("ranges",)),
+     ("/scan", "sensor_msgs/LaserScan", ("angle_min",), (), ("angle_min",)),
+     # What is filled in when it is sent is no field of the form.
+     ("/scan", "sensor_msgs/LaserScan", ("header", "stamp"), (), ("ranges",)),
+     ("/other", "sensor_msgs/LaserScan", (), ("range_max",), ("range_max",)),
+     ("/scan", "sensor_msgs/Range", (), (), None),
+     ("/cmd", "geometry_msgs/Twist", (), ("angular", "z"), ("angular", "z"))],
+)  # fmt: skip
+def test_a_form_begins_at_what_is_meant(
+    owner: str, type_: str, at: Path, edited: Path, start: Path | None
+) -> None:
+    row = LiveRow("k", Kind.TOPIC, owner, owner, type=type_)
+    form = form_for(row, Session(DRIVING), {}, (), at, edited)
+    assert not isinstance(form, str) and form.dialog.start == start
 
 
 @pytest.mark.parametrize(

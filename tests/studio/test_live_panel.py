@@ -121,6 +121,13 @@ async def test_what_travels_is_shown_and_nodes_are_spoken_to(program: Path, orde
         await driver.back()
         await driver.until(lambda: "done: publish (2)" in driver.notes())
         assert [each["values"] for each in asked(orders, "publish")] == [order["values"]] * 2
+        # From another field it begins there.
+        await driver.press("down")
+        await driver.pilot.press("p")
+        form = await driver.dialog("LiveForm")
+        await driver.until(lambda: form.focused.parent.path == ("linear", "y"))
+        await driver.pilot.press("escape")
+        await driver.back()
         # A parameter.
         await driver.press("end", "right")
         await wait_shown(driver, "speed")

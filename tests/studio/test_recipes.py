@@ -231,3 +231,9 @@ async def test_a_recipe_takes_no_file_that_has_a_program(program: Path) -> None:
         driver.main.action_start_from(str(RECIPES[0].path))
         await driver.until(lambda: driver.main.open.text == RECIPES[0].text)
         assert driver.main.open.path is None
+
+
+def test_comments_of_examples_are_no_wider_than_a_small_terminal() -> None:
+    texts = [path.read_text() for path in RECIPES[0].path.parent.glob("*.plastron")]
+    lines = [line for text in texts for line in text.splitlines() if line.startswith("//")]
+    assert len(lines) > 20 and not [line for line in lines if len(line) > 78]

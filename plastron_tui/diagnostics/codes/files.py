@@ -266,8 +266,8 @@ WAKES_LOOP = Code(
 MERGED_BY_HAND = Code(
     "merged-by-hand",
     "A generated file was changed by hand. It is kept, and what changed in the "
-    "program since the file was written is changed in it. A warning of its own names each "
-    "place where file and program now differ. `generate --force` writes it anew and "
+    "program since the file was written is changed in it: a note says so. A warning of its own "
+    "names each place where file and program now differ. `generate --force` writes it anew and "
     "keeps a backup.",
     severity=Severity.WARNING,
 )

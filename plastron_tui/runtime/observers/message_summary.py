@@ -1,7 +1,7 @@
 """What of a message of either ROS is shown: a line that sums it up, and its fields with values.
 
 What has too many numbers to be read is told in a few: an image by its size and encoding, a scan by
-the range of its distances.
+the least of its distances.
 """
 
 from __future__ import annotations
@@ -68,6 +68,10 @@ def amount(count: float) -> str:
             )
         count /= 1000
     return f"{count:.1f} GB"
+
+
+def _counted(count: int, thing: str) -> str:
+    return f"{count} {thing}" if count == 1 else f"{count} {thing}s"
 
 
 def _is_header(path: str) -> bool:
@@ -147,14 +151,14 @@ def _plain(element: Any) -> Any:
     return element.item() if hasattr(element, "item") else element
 
 
-def _range(values: Sequence[Any], unit: str = "") -> str:
+def _range(values: Sequence[Any]) -> str:
     """Return the least and the greatest of numbers, "" where none is finite."""
     step = max(1, len(values) // _MOST_COMPARED)
     finite = [float(each) for each in values[::step] if math.isfinite(each)]
     if not finite:
         return ""
     low, high = min(finite), max(finite)
-    return f", {_short(round(low, 3))}…{_short(round(high, 3))}{unit}"
+    return f", {_short(round(low, 3))}…{_short(round(high, 3))}"
 
 
 def _image(message: Any) -> str:
@@ -167,8 +171,25 @@ def _compressed(message: Any) -> str:
 
 
 def _scan(message: Any) -> str:
-    inside = [each for each in message.ranges if message.range_min <= each <= message.range_max]
-    return f"{len(message.ranges)} ranges{_range(inside, ' m') or ', nothing in reach'}"
+    count = _counted(len(message.ranges), "range")
+    if not len(message.ranges):
+        return count
+    low, high = _reach(message.range_min, message.range_max)
+    inside = [float(each) for each in message.ranges if math.isfinite(each) and low <= each <= high]
+    if not inside:
+        return f"{count}, nothing in reach"
+    return f"{count}, nearest {_short(round(min(inside), 3))} m"
+
+
+def _reach(low: float, high: float) -> tuple[float, float]:
+    """Return the distances between which a laser measures; limits that say nothing do not count.
+
+    A greatest distance of 0 is that of a message in which nobody filled it in.
+    """
+    low = low if math.isfinite(low) and low > 0 else 0.0
+    if not high > 0:
+        return low, math.inf
+    return (low, high) if low <= high else (0.0, math.inf)
 
 
 def _cloud(message: Any) -> str:
@@ -183,13 +204,14 @@ def _grid(message: Any) -> str:
 
 
 def _path(message: Any) -> str:
-    return f"{len(message.poses)} poses"
+    return _counted(len(message.poses), "pose")
 
 
 def _transforms(message: Any) -> str:
     pairs = [f"{each.header.frame_id} → {each.child_frame_id}" for each in message.transforms[:3]]
     more = ", …" if len(message.transforms) > len(pairs) else ""
-    return f"{len(message.transforms)} transforms: {', '.join(pairs)}{more}"
+    count = _counted(len(message.transforms), "transform")
+    return f"{count}: {', '.join(pairs)}{more}"
 
 
 _SPECIAL: dict[str, Callable[[Any], str]] = {

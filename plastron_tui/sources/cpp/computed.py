@@ -74,7 +74,8 @@ class Computing(BaseComputing):
             heard: its fields.
             value: what a field is compared with, as the file writes it.
         """
-        type_ = type_received(condition.source, heard, self.catalog, self.span).element
+        list_ = type_received(condition.source, heard, self.catalog, self.span)
+        type_ = list_.element
         whole = self.holder_of(condition.source, holder, heard)
         compared = whole if condition.quantifier is None else "each"
         operator = "==" if condition.operator == "=" else condition.operator
@@ -87,8 +88,15 @@ class Computing(BaseComputing):
         if condition.quantifier is not None:
             ends = f"{whole}.begin(), {whole}.end()"
             algorithm = _ALGORITHMS[condition.quantifier]
-            return f"{algorithm}({ends}, [](const auto & each) {{return {text};}})"
+            text = f"{algorithm}({ends}, [](const auto & each) {{return {text};}})"
+        if condition.quantifier == "all" and list_.length is None:
+            # Who drives as long as nothing is near does not where nothing is known.
+            text = f"!{whole}.empty() && {text}"
         return text
+
+    def negated(self, condition: str) -> str:
+        """Write that a condition does not hold."""
+        return f"!({condition})"
 
     def _comparison(self, compared: str, operator: str, number: float, type_: FieldType) -> str:
         """Write how a field compares with a number, of whatever type both are.

@@ -109,7 +109,14 @@ class Computing(BaseComputing):
             text = compared if condition.value else f"not {compared}"
         if condition.quantifier is not None:
             text = f"{condition.quantifier}({text} for each in {whole})"
+        if condition.quantifier == "all" and type_.length is None:
+            # Who drives as long as nothing is near does not where nothing is known.
+            text = f"len({whole}) > 0 and {text}"
         return text
+
+    def negated(self, condition: str) -> str:
+        """Write that a condition does not hold."""
+        return f"not ({condition})"
 
     def holder_of(self, source: OfReceived, holder: str, heard: Sequence[Field]) -> str:
         """Write a field of what is received; an element of an array is a number of Python's own."""

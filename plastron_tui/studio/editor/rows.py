@@ -19,7 +19,7 @@ from .highlights import RowPaint
 from .marks import Mark
 from .palette import Palette, combined
 
-SIGNS = {Severity.ERROR: "●", Severity.WARNING: "▲"}
+SIGNS = {Severity.ERROR: "●", Severity.WARNING: "▲", Severity.NOTE: "·"}
 _GAP = 3
 _GOES_ON = "↪"
 """What stands in the place of the number where a long line goes on."""

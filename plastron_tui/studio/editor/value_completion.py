@@ -11,7 +11,8 @@ from plastron_tui.language.open_values import ARITHMETIC
 from plastron_tui.model.kinds import INTERFACES, Parameter
 from plastron_tui.model.kinds.computed import fits
 from plastron_tui.model.kinds.received import what_of
-from plastron_tui.ros.interfaces import Field, FieldType, Interface, InterfaceKind
+from plastron_tui.ros.field_meanings import meaning_of
+from plastron_tui.ros.interfaces import Field, FieldType, Interface, InterfaceKind, Section
 
 from .candidate import Candidate
 from .vocabulary import Vocabulary
@@ -217,8 +218,38 @@ def _all_parameters(expected: Expectation, vocabulary: Vocabulary) -> Iterable[s
     return vocabulary.parameters(expected.filled.get("node"))
 
 
+def field_help(expected: Expectation, catalog: Catalog) -> str:
+    """Say of the field that a value is for its type, unit and meaning; "" where that is not known.
+
+    It is the field whose value is written, or whose name has been.
+    """
+    place = expected.values
+    found = None if place is None else _interface(expected, catalog)
+    if place is None or found is None:
+        return ""
+    interface, section = found
+    name = place.name or expected.prefix
+    fields = _fields_at(place, section.fields, catalog)
+    if not name and (place.used or (not place.index and fields and len(fields) > 1)):
+        # Which one is meant is not said yet.
+        return ""
+    path = [part for key in (*place.path, name) for part in str(key).split(".")]
+    field = _field(fields, name if name else place.index, catalog)
+    if field is None:
+        return ""
+    meaning = meaning_of(catalog, interface, [*path[:-1], field.name], section)
+    said = "" if meaning is None else meaning.said
+    return ", ".join(filter(None, (f"{name or field.name}: {field.type}", said)))
+
+
 def _own_fields(expected: Expectation, catalog: Catalog) -> tuple[Field, ...] | None:
     """Return the fields that get the values, None where the type is not known."""
+    found = _interface(expected, catalog)
+    return None if found is None else found[1].fields
+
+
+def _interface(expected: Expectation, catalog: Catalog) -> tuple[Interface, Section] | None:
+    """Return the type whose values are written, and which part of it, None where it is unknown."""
     if expected.declaration is None or expected.slot is None:
         return None
     kinds = (INTERFACES.get(slot.kind) for slot in expected.declaration.slots)
@@ -226,7 +257,8 @@ def _own_fields(expected: Expectation, catalog: Catalog) -> tuple[Field, ...] | 
     found = resolver(catalog).resolve(expected.filled.get("type", ""), kind)
     if not isinstance(found, Interface):
         return None
-    return found.response.fields if expected.slot.kind is SlotKind.ANSWER else found.fields
+    is_answer = expected.slot.kind is SlotKind.ANSWER
+    return found, found.response if is_answer else found.sections[0]
 
 
 def _fields_at(

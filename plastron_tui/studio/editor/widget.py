@@ -328,11 +328,11 @@ class ProgramEditor(Vertical):
         """A line about the statement under the cursor, the current slot between `‹` and `›`."""
         if not self.completer.is_ready:
             return ""
-        from .statement_help import help_of, is_comment
+        from .statement_help import help_in_line
 
         buffer, row = self.state.buffer, self.state.row
         line = buffer.text[buffer.start(row) : buffer.end(row)]
-        return "" if is_comment(line) else help_of(self.expected)
+        return help_in_line(line, self.expected, self.session)
 
     def go_to(self, offset: int) -> None:
         """Put the cursor at an offset, with the lines around it in sight."""

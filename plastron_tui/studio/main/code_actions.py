@@ -7,10 +7,14 @@ from typing import TYPE_CHECKING
 
 from textual.screen import Screen
 
+from plastron_tui.model.kinds import EndpointKind, Service
+from plastron_tui.model.workspace import Node
+
 from ..editor.name_uses import function_at
 from ..panels.entry import Entry, Subject
 from ..panels.entry_keys import Pointing
 from .active_program import ActiveProgram
+from .node_runs import NodeRuns
 
 if TYPE_CHECKING:
     from ..code_places import Found, Place
@@ -19,25 +23,53 @@ if TYPE_CHECKING:
 class CodeActions:
     """Shows the files that something of the program is in."""
 
-    def __init__(self, screen: Screen[None], program: ActiveProgram) -> None:
+    def __init__(self, screen: Screen[None], program: ActiveProgram, runs: NodeRuns) -> None:
         self._searches = 0
         self._screen = screen
         self._program = program
+        self._runs = runs
 
     @property
     def is_finding(self) -> bool:
         """Whether a file is looked for: keys are for what shows it."""
         return self._searches > 0
 
-    async def show_here(self) -> None:
-        """Show the code of what the cursor is on: in the panel with the focus, or in the text."""
+    async def show_of(self, of: Entry | str | None) -> None:
+        """Show the code of an entry, of a service's answer, or of what the cursor is on.
+
+        The cursor is that of the panel with the focus, or of the text.
+        """
+        if isinstance(of, str):
+            await self._write_answer(of)
+        elif of is not None:
+            await self.show(of)
+        else:
+            await self._show_here()
+
+    async def _show_here(self) -> None:
         focused = self._screen.focused
         entry = focused.current if isinstance(focused, Pointing) else None
         is_known = entry is not None and (entry.subject is not Subject.OTHER or entry.span)
         await self.show(entry if entry and is_known else self._program.editor.cursor_offset)
 
+    async def _write_answer(self, service: str) -> None:
+        """Save the program, write its files, and show where a service's answer is to be written."""
+        nodes = self._program.open.session.workspace.nodes
+        node = next((each for each, node in nodes.items() if _provides(node, service)), None)
+        entry = Entry("", service, subject=EndpointKind.SERVICE, node=node, name=service)
+        if await self._runs.actions.generate(only_new=True):
+            await self.show(entry)
+
     async def show(self, asked: Entry | int) -> None:
-        """Show the code of an entry, or of the statement at an offset: its function where it is."""
+        """Show the code of an entry, or of the statement at an offset: its function where it is.
+
+        What is not written yet can be from there, and is shown again then.
+        """
+        while await self._shown(asked):
+            await self._runs.actions.generate()
+
+    async def _shown(self, asked: Entry | int) -> bool:
+        """Show code, and return whether its file is to be written."""
         from ..screens.code_view import ChoosePlace, CodeView
 
         self._searches += 1
@@ -50,12 +82,11 @@ class CodeActions:
         places = tuple(sorted(places, key=lambda place: place.text is not None))
         if not places:
             self._say(found.reason)
-            return
+            return False
         at = 0
         if len({place.path for place in places}) > 1:
             at = await self._screen.app.push_screen_wait(ChoosePlace(places))
-        if at >= 0:
-            await self._screen.app.push_screen_wait(CodeView(places, at))
+        return at >= 0 and await self._screen.app.push_screen_wait(CodeView(places, at))
 
     def _of_function(self, places: tuple[Place, ...], asked: Entry | int) -> tuple[Place, ...]:
         """Return the places of the function that is named at an offset, none where none is."""
@@ -81,3 +112,7 @@ class CodeActions:
 
     def _say(self, text: str) -> None:
         self._screen.notify(text, severity="warning", markup=False)
+
+
+def _provides(node: Node, service: str) -> bool:
+    return any(each.name == service for each in node.of(Service).values())

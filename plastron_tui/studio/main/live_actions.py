@@ -18,6 +18,7 @@ from ..delay import Delay
 from ..key_order import InOrder
 from ..panels.live_panel import LOOKING, NOTHING_RUNS, STARTING, LivePanel
 from ..panels.live_row import Answer, Kind, LiveRow
+from ..panels.live_row_places import field_of
 from ..panels.live_watching import Watching
 from .active_program import Tab
 from .workers import start_exclusive
@@ -68,6 +69,7 @@ class LiveActions:
         self._answers: dict[str, Answer] = {}
         self._said: Counter[str] = Counter()
         self._given: dict[str, dict[Path, str]] = {}
+        self._edited: dict[str, Path] = {}
         self._empty = NOTHING_RUNS
 
     def starting(self) -> None:
@@ -91,6 +93,7 @@ class LiveActions:
         if tab is not self._tab:
             # A topic of that name may have another type there.
             self._given.clear()
+            self._edited.clear()
         self._tab, self._commands = tab, commands
         self._retried.clear()
         self._drop_asked()
@@ -278,7 +281,9 @@ class LiveActions:
 
         topic = self._graphs[row.ros_version].topics.get(row.owner)
         seen = () if topic is None or row.kind is not Kind.TOPIC else topic.fields
-        form = form_for(row, self._tab.open.session, self._given.get(row.key, {}), seen)
+        given, edited = self._given.get(row.key, {}), self._edited.get(row.key, ())
+        at = field_of(self._panel.row, row)
+        form = form_for(row, self._tab.open.session, given, seen, at, edited)
         if isinstance(form, str):
             self._say(form)
             return
@@ -288,12 +293,12 @@ class LiveActions:
             dialog.ask = lambda given: self._order(row, form.order(given), dialog)
             await self._screen.app.push_screen_wait(dialog)
             return
-        given = await self._screen.app.push_screen_wait(dialog)
-        if given is None:
+        sent = await self._screen.app.push_screen_wait(dialog)
+        if sent is None:
             return
         # A parameter has a value, which is what its form begins with; this begins with the last.
-        self._given[row.key] = given
-        if not self._order(row, form.order(given)):
+        self._given[row.key], self._edited[row.key] = sent, dialog.edited or edited
+        if not self._order(row, form.order(sent)):
             self._say("the monitor of the nodes takes nothing any more")
 
     def _order(self, row: LiveRow, order: Mapping[str, Any], form: LiveForm | None = None) -> bool:

@@ -101,6 +101,6 @@ def parts_of(screen: Screen[None], program: ActiveProgram, profile: Profile, hoo
         runs,
         TabActions(screen, program, files, runs.forget, on_open),
         EntryActions(screen, program, show_code),
-        CodeActions(screen, program),
+        CodeActions(screen, program, runs),
         WizardHost(screen, program),
     )

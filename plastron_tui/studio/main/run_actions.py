@@ -106,14 +106,23 @@ class RunActions:
         if self.stage not in ("", "running"):
             self._stage.start(_EACH)
 
-    async def generate(self) -> bool:
-        """Show what would be written, then write it; tell whether files may be other ones now."""
+    async def generate(self, *, only_new: bool = False) -> bool:
+        """Show what would be written, then write it; tell whether files may be other ones now.
+
+        Args:
+            only_new: the program is saved, and files are written without being shown first where
+                none is there yet.
+        """
         from ..screens.generate import GenerateDialog
+        from .new_files import write_new
 
         if not await self.readiness.to_write():
             return False
+        if only_new and self._program.open.is_changed and not await self.readiness.files.save():
+            return False
         session = self._program.open.session
-        await self._screen.app.push_screen_wait(GenerateDialog(session))
+        if not (only_new and write_new(session)):
+            await self._screen.app.push_screen_wait(GenerateDialog(session))
         session.files_changed()
         return True
 

@@ -242,9 +242,9 @@ class MainScreen(FirstScreen, Paged):
         self._parts.entries.fix()
 
     @work(exclusive=True, group="code")
-    async def action_code(self, entry: Entry | None = None) -> None:
-        """Show the code of an entry, or of what the cursor is on."""
-        await (self._parts.code.show_here() if entry is None else self._parts.code.show(entry))
+    async def action_code(self, of: Entry | str | None = None) -> None:
+        """Show the code of an entry, of a service's answer, or of what the cursor is on."""
+        await self._parts.code.show_of(of)
 
     @work(exclusive=True, group="uses")
     async def action_uses(self) -> None:

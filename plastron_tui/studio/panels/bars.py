@@ -12,6 +12,11 @@ from plastron_tui.diagnostics.terminal import visible
 from ..editor.statement_help import GAP
 from .styles import Toned
 
+_KEPT_BEFORE, _KEPT_AFTER = 2, 4
+"""Words of a sentence that stay around the part at hand, however little room there is."""
+_LONG_HELP = 45
+"""From so many characters on a help can be cut: it says what all of the statement is for."""
+
 
 class Bar(Toned):
     """A line with text at its left and at its right."""
@@ -72,20 +77,26 @@ def _visible(pieces: tuple[tuple[str, str], ...]) -> tuple[tuple[str, str], ...]
 def _shortened(pieces: tuple[tuple[str, str], ...], excess: int) -> tuple[tuple[str, str], ...]:
     """Leave out words around the part at hand, as many cells as are needed.
 
-    Those between the first word and the part at hand go first, then those between it and its help.
+    Those between the first word and the part at hand go first, then those between it and its help;
+    a few on both sides stay, without which the rest is no sentence.
     """
     if len(pieces) != 4:
         return pieces
     (before, tone), here, (after, after_tone), about = pieces
-    first, space, between = before.partition(" ")
-    kept = between[excess + 2 :]
-    kept = kept[kept.find(" ") + 1 :] if kept else kept
-    shown = f"{first}{space}… {kept}" if between else before
-    excess -= len(before) - len(shown)
+    first, _, between = before.partition(" ")
+    if between:
+        rest = between[excess + 2 :].partition(" ")[2]
+        kept = max(rest, " ".join(between.split(" ")[-_KEPT_BEFORE - 1 :]), key=len)
+        shown = f"{first} … {kept}"
+        if len(shown) < len(before):
+            excess -= len(before) - len(shown)
+            before = shown
     if after and excess > 0:
-        kept = after[: max(0, len(after) - excess - 2)]
-        after = f"{kept[: kept.rfind(' ')] if ' ' in kept else ''} …"
-    return ((shown, tone), here, (after, after_tone), about)
+        rest = after[: max(0, len(after) - excess - 2)].rpartition(" ")[0]
+        near = " ".join(after.split(" ")[: _KEPT_AFTER + 1])
+        kept = max(rest, near if len(about[0]) >= _LONG_HELP else "", key=len)
+        after = min(f"{kept} …", after, key=len)
+    return ((before, tone), here, (after, after_tone), about)
 
 
 def help_pieces(text: str) -> tuple[tuple[str, str], ...]:

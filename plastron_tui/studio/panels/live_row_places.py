@@ -21,6 +21,13 @@ def target_at(rows: Sequence[LiveRow], at: int, kind: Kind) -> LiveRow | None:
     return rows[at] if 0 <= at < len(rows) and rows[at].kind is kind else None
 
 
+def field_of(row: LiveRow | None, topic: LiveRow) -> tuple[str, ...]:
+    """Return the names of the field that a row is of a topic, the outermost first; () for none."""
+    if row is None or row.kind is not Kind.FIELD or row.owner != topic.owner:
+        return ()
+    return tuple(row.name.split("."))
+
+
 def cancelable_at(rows: Sequence[LiveRow], at: int) -> LiveRow | None:
     """Return the row of what is sent again and again, or of a goal that is worked on."""
     topic, action = target_at(rows, at, Kind.TOPIC), target_at(rows, at, Kind.ACTION)

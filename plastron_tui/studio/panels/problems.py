@@ -16,6 +16,13 @@ if TYPE_CHECKING:
 
 _EMPTY = "no problems"
 
+_SIGNS = {
+    Severity.ERROR: ("✖", "error"),
+    Severity.WARNING: ("▲", "warning"),
+    Severity.NOTE: ("·", "quiet"),
+}
+"""The sign of a problem and its tone."""
+
 
 def make(analysis: Analysis, _: object) -> Entries:
     """Make what the panel shows."""
@@ -46,7 +53,6 @@ def _key(found: Diagnostic) -> str:
 def _problem(
     found: Diagnostic, lines: Callable[[Path | None], LineIndex | None]
 ) -> Iterator[Entry]:
-    is_error = found.severity is Severity.ERROR
     index = None if found.span is None else lines(found.file)
     where = found.file.name if found.file is not None else ""
     line = 0 if index is None or found.span is None else index.position(found.span.start).line
@@ -58,8 +64,7 @@ def _problem(
         key,
         found.message,
         " · ".join(part for part in (where, found.code) if part),
-        "✖" if is_error else "▲",
-        "error" if is_error else "warning",
+        *_SIGNS[found.severity],
         span=found.span if own else None,
         subject=Subject.PROBLEM,
         name=None if own else where,

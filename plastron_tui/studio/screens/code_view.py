@@ -68,12 +68,16 @@ def _where(place: Place) -> str:
     return where if place.text is None else f"{where}  not written yet"
 
 
-class CodeView(Dialog[None]):
-    """Shows a file at a line; it is read anew when it changes."""
+class CodeView(Dialog[bool]):
+    """Shows a file at a line; it is read anew when it changes.
+
+    The result is whether a file that is not there yet is to be written.
+    """
 
     BINDINGS: ClassVar[list[BindingType]] = [
         Binding("escape,q", "close", "Close"),
         Binding("e,ctrl+e", "edit", "Open in $EDITOR"),
+        Binding("f6", "write", "Write"),
         Binding("ctrl+f,slash", "find", "Find"),
         Binding("f3", "step(1)", "Find next"),
         Binding("shift+f3,alt+p,f15", "step(-1)", "Find previous"),
@@ -139,7 +143,7 @@ class CodeView(Dialog[None]):
         if self._problem:
             parts.append(self._problem)
         elif place.text is not None:
-            parts.append("not written yet: F6 would write this")
+            parts.append("not written yet")
         else:
             parts.append(shown_folder(place.path.parent))
         if len(self._places) > 1:
@@ -152,6 +156,8 @@ class CodeView(Dialog[None]):
             keys.append("N shows the next place")
         if self.place.text is None:
             keys.append("E opens $EDITOR here")
+        else:
+            keys.append("F6 writes it")
         return "   ".join(keys)
 
     def look_at_disk(self) -> None:
@@ -186,6 +192,13 @@ class CodeView(Dialog[None]):
         if problem is not None:
             self._warn(problem)
         self.look_at_disk()
+
+    def action_write(self) -> None:
+        """Have the file written, where it is not there yet."""
+        if self.place.text is None:
+            self._warn("this file is written already")
+        else:
+            self.dismiss(True)
 
     def _warn(self, text: str) -> None:
         self.app.notify(text, severity="warning", markup=False)
@@ -225,7 +238,7 @@ class CodeView(Dialog[None]):
             self._view.mark("")
             self._view.focus()
         else:
-            self.dismiss(None)
+            self.dismiss(False)
 
 
 def line_again(before: CodeLines, line: int, now: CodeLines) -> int:

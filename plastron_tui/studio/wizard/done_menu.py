@@ -45,9 +45,11 @@ def done_items(session: Session, heard: str, service: str = "") -> dict[str, Ite
         about = "A message that answers each of them, or those for which a condition holds."
         items["answer"] = Item(f"send something for each message of `{heard}`", "", about)
     if service:
-        about = f"The answer of `{service}` is empty: its function is where you fill it in."
+        about = "Writes its function, and shows the line where the answer goes."
         items = {key: replace(each, is_advised=False) for key, each in items.items()}
-        items["screen.code"] = Item(f"write the answer of `{service}`", "", about, "", True)
+        items[f"screen.code({service!r})"] = Item(
+            f"write the answer of `{service}`", "", about, "", True
+        )
     items[""] = Item("back to the text", "", "Go on in the editor.")
     first = {key: each for key, each in items.items() if each.is_advised}
     return {**first, **items}

@@ -17,6 +17,9 @@ from .obstacles import is_near
 from .program_trial import Placed, check
 from .robot_followers import ABOUT_ROBOTS, robot_extras
 
+STOP = "stop"
+"""The key of what stops a robot that drives as long as its way is free."""
+
 _MANY = 4
 """So many names are not listed."""
 
@@ -81,7 +84,7 @@ def _stopping(filled: Filled) -> Iterator[Extra]:
               type=texts["type"], trigger=texts["trigger"], condition=condition),
     )  # fmt: skip
     words = f"stop when something is within {metres} m"
-    yield Extra("stop", words, lines, texts["node"])
+    yield Extra(STOP, words, lines, texts["node"])
 
 
 def _said(names: list[str]) -> str:

@@ -76,7 +76,8 @@ GROUPS = {
 DRIVE = (
     "drive until something is near",
     "subscriber and publisher",
-    "Goes ahead as long as a laser says that nothing is near, and otherwise stops.",
+    "Goes ahead as long as a laser says that nothing is near, and otherwise stops. "
+    "It does not notice when the laser falls silent.",
 )
 """The entry that drives a robot by its laser: its words, the word of ROS, a sentence."""
 

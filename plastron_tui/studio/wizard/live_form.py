@@ -31,6 +31,8 @@ class LiveForm(Dialog["dict[Path, str] | None"]):
 
     Attributes:
         given: what was entered, by field.
+        edited: the field that was written in last, () where nothing was.
+        start: the field that has the focus at first, None for the first one.
         ask: sends what was entered while the form stays, and tells whether that could be done;
             `answered` ends it then. None where it ends at once, and gives what was entered.
     """
@@ -51,6 +53,7 @@ class LiveForm(Dialog["dict[Path, str] | None"]):
         given: Mapping[Path, str],
         about: str = "",
         last: Entry | None = None,
+        start: Path | None = None,
     ) -> None:
         """Make a form.
 
@@ -62,13 +65,16 @@ class LiveForm(Dialog["dict[Path, str] | None"]):
             given: what is entered at first.
             about: a line about it.
             last: a field that is always in sight, below those of the form.
+            start: the field that has the focus at first; None for the first one.
         """
         super().__init__()
         self.given = dict(given)
+        self.edited: Path = ()
         self.ask: Callable[[dict[Path, str]], bool] | None = None
         self._is_waiting = False
         self._title, self._verb, self._about = title, verb, about
         self._form = form
+        self.start = start
         self._last = last
         self._check = check
 
@@ -101,16 +107,20 @@ class LiveForm(Dialog["dict[Path, str] | None"]):
                    placeholder=entry.default)  # fmt: skip
 
     def on_mount(self) -> None:
-        """Begin at the first field."""
-        first = next(iter(self.query(Row)), None)
+        """Begin at the field to start with."""
+        rows = list(self.query(Row))
+        first = next((row for row in rows if row.path == self.start), rows[0] if rows else None)
         (self.query_one("#send", Button) if first is None else first.box).focus()
 
     @on(Entered)
     def entered(self, message: Entered) -> None:
         """Note what was entered, and tell at once where it does not fit."""
         message.stop()
-        if message.row.path is not None:
-            self.given[message.row.path] = message.text
+        path = message.row.path
+        if path is not None:
+            if message.text != self.given.get(path, ""):
+                self.edited = path
+            self.given[path] = message.text
         found = self._check(self.given)
         self._say(found if isinstance(found, Wrong) else None)
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping
 from typing import Any, NamedTuple
 
 from plastron_tui.ros.interfaces import InterfaceKind, InterfaceName
@@ -13,12 +13,11 @@ from plastron_tui.session import Session
 from ..panels.live_row import Kind, LiveRow
 from .live_form import LiveForm
 from .live_rates import RATE, rate_of
+from .live_start import conditioned_fields, first_values, start_of
 from .parameter_kinds import parameter_entry
 from .sent_values import Wrong, sent_setting, sent_values, shown_setting
-from .values import Entry, Heading, Path, entries_of
+from .values import Path, entries_of
 
-_NOTHING = ("0", "0.0", "-0", "False")
-"""Values that a field has by itself."""
 _LONGEST = 20_000
 """Characters of a value that a field takes without keeping keys waiting."""
 
@@ -46,7 +45,12 @@ _GOAL = _Sent(InterfaceKind.ACTION, "goal", "send a goal to", "Send")
 
 
 def form_for(
-    row: LiveRow, session: Session, given: Mapping[Path, str], seen: Iterable[LiveField] = ()
+    row: LiveRow,
+    session: Session,
+    given: Mapping[Path, str],
+    seen: Iterable[LiveField] = (),
+    at: Path = (),
+    edited: Path = (),
 ) -> LiveOrder | str:
     """Return the form for what can be sent to a topic, a service, an action or a parameter.
 
@@ -58,14 +62,18 @@ def form_for(
         given: what was entered the last time.
         seen: the fields of the last message that came, which a form begins with that was never
             filled in.
+        at: the field that the cursor is on in the panel, which the form begins at; else at one
+            that a condition of the program reads.
+        edited: the field that was written in last, at which it begins else.
     """
     match row.kind:
         case Kind.TOPIC:
-            return _sending(row, session, given, _MESSAGE, seen)
+            read = conditioned_fields(session.workspace, row.owner, row.type)
+            return _sending(row, session, given, _MESSAGE, seen, (at, *read, edited))
         case Kind.SERVICE:
-            return _sending(row, session, given, _REQUEST)
+            return _sending(row, session, given, _REQUEST, wanted=(edited,))
         case Kind.ACTION:
-            return _sending(row, session, given, _GOAL)
+            return _sending(row, session, given, _GOAL, wanted=(edited,))
         case Kind.PARAMETER:
             return _setting(row)
         case _:
@@ -78,6 +86,7 @@ def _sending(
     given: Mapping[Path, str],
     sent: _Sent,
     seen: Iterable[LiveField] = (),
+    wanted: Iterable[Path] = (),
 ) -> LiveOrder | str:
     package, _, name = row.type.partition("/")
     catalog = session.catalog(row.ros_version)
@@ -92,11 +101,12 @@ def _sending(
 
     about = f"{interface.name}: {interface.comment}" if interface.comment else str(interface.name)
     if not given:
-        given = _entered(form, seen)
+        given = first_values(form, seen) if sent is _MESSAGE else {}
         given = {} if isinstance(check(given), Wrong) else given
     last = RATE if sent.has_rate else None
     title = f"{sent.title} {row.owner}"
-    dialog = LiveForm(title, sent.verb, form, check, given, about, last)
+    dialog = LiveForm(title, sent.verb, form, check, given, about, last,
+                      start_of(form, wanted))  # fmt: skip
     order = {"do": sent.order, "name": row.owner, "type": row.type}
 
     def ordered(entered: Mapping[Path, str]) -> dict[str, Any]:
@@ -104,19 +114,6 @@ def _sending(
         return {**order, **rate, "values": check(entered)}
 
     return LiveOrder(dialog, ordered)
-
-
-def _entered(form: Sequence[Entry | Heading], seen: Iterable[LiveField]) -> dict[Path, str]:
-    """Return the fields of a message as they are entered: its numbers, and switches."""
-    texts = {field.path: field.text for field in seen if field.text not in _NOTHING}
-    return {
-        each.path: texts[each.name]
-        for each in form
-        if isinstance(each, Entry)
-        and each.python in (bool, int, float)
-        and not (each.is_time or each.type.is_array)
-        and each.name in texts
-    }
 
 
 def _setting(row: LiveRow) -> LiveOrder | str:

@@ -40,7 +40,8 @@ def sent_values(
 ) -> dict[str, Any] | Wrong:
     """Return the values of a message or a request, by field, or what is wrong with them.
 
-    They are checked as those of a program are.
+    They are checked as those of a program are; other than there a number may be `inf` or `nan`,
+    as an open room is in a laser's scan. JSON has them as Python does: `Infinity`, `NaN`.
 
     Args:
         interface: the type of the topic, or of the service.
@@ -48,10 +49,11 @@ def sent_values(
         form: the fields, as `entries_of` has them.
         given: what was entered.
     """
-    wrong = _first_problem(form, given, catalog.ros_version)
+    finite, boundless = _split_finite(form, given, catalog.ros_version)
+    wrong = _first_problem(form, finite, catalog.ros_version)
     if wrong is not None:
         return wrong
-    text, used = input_text(list(form), given)
+    text, used = input_text(list(form), finite)
     if not used:
         return {}
     line = f"create_message sent of message_type {interface.name} and input {text}"
@@ -63,7 +65,35 @@ def sent_values(
     value = Fitter(catalog).fit(interface, interface.fields, statement, "input")
     if isinstance(value, tuple):
         return Wrong(value[0].message)
-    return {name: _plain(each) for name, each in value.fields.items()}
+    sent = {name: _plain(each) for name, each in value.fields.items()}
+    for path, number in boundless.items():
+        _set(sent, path, number)
+    return sent
+
+
+def _split_finite(
+    form: Sequence[Entry | Heading], given: Mapping[Path, str], ros_version: int
+) -> tuple[dict[Path, str], dict[Path, Any]]:
+    """Return what was entered with 0.0 for each `inf` and `nan`, and the values that have those."""
+    finite, boundless = dict(given), dict[Path, Any]()
+    for entry in form:
+        if isinstance(entry, Heading) or entry.python is not float or entry.is_time:
+            continue
+        text = given.get(entry.path, "")
+        changed = _NOT_FINITE.sub("0.0", text)
+        if changed == text or _has_computed(entry, text):
+            continue
+        finite[entry.path] = changed
+        if problem_of(entry, changed, ros_version) is None:
+            type_ = ParameterType.FLOAT_LIST if entry.type.is_array else ParameterType.FLOAT
+            boundless[entry.path] = _value_of(type_, text)
+    return finite, boundless
+
+
+def _set(values: dict[str, Any], path: Path, value: Any) -> None:
+    for name in path[:-1]:
+        values = values[name]
+    values[path[-1]] = value
 
 
 def shown_setting(value: Setting) -> str:
@@ -87,7 +117,7 @@ def sent_setting(entry: Entry, type_: ParameterType, text: str, ros_version: int
 
     Other than in a program a number may be `inf` or `nan`: a node may have such a value already.
     """
-    if is_computed(text):
+    if _has_computed(entry, text):
         return Wrong(_COMPUTED, entry.path)
     checked = _NOT_FINITE.sub("0.0", text) if type_.element is ParameterType.FLOAT else text
     if type_ is ParameterType.STRING:
@@ -103,8 +133,18 @@ def sent_setting(entry: Entry, type_: ParameterType, text: str, ros_version: int
 def _value_of(type_: ParameterType, text: str) -> Any:
     if not type_.is_list:
         return _scalar(type_, text)
-    inner = text.strip().removeprefix("[").removesuffix("]")
-    return [_scalar(type_.element, each) for each in pieces(inner)]
+    return [_scalar(type_.element, each) for each in _items(text)]
+
+
+def _items(text: str) -> list[str]:
+    return pieces(text.strip().removeprefix("[").removesuffix("]"))
+
+
+def _has_computed(entry: Entry, text: str) -> bool:
+    """Tell whether a value, or one of a list, is computed; in a list of texts it is a text."""
+    if not entry.type.is_array or entry.python in (str, None):
+        return is_computed(text)
+    return any(map(is_computed, _items(text)))
 
 
 def _is_plain(text: str) -> bool:
@@ -129,7 +169,7 @@ def _first_problem(
         text = given.get(entry.path, "")
         if isinstance(entry, Heading) or not text:
             continue
-        if is_computed(text):
+        if _has_computed(entry, text):
             return Wrong(_COMPUTED, entry.path)
         problem = problem_of(entry, text, ros_version)
         if problem is not None:

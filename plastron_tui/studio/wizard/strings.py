@@ -7,6 +7,7 @@ from plastron_tui.language import SlotKind
 from plastron_tui.language import statements as st
 
 from .driving_lines import explained
+from .followers import STOP
 from .form import Form
 from .goals import DRIVE, GROUPS, Aim, told
 from .pages import Look, Page, PageKind
@@ -86,6 +87,8 @@ def review(look: Look) -> str:
     words = (
         f"{count} {what} into the program as one step. Finish writes {it} there; Back changes {it}."
     )
+    if any(each.key == STOP for each in look.extras):
+        words += " It does not notice when the laser falls silent."
     numbers = () if outcome is None else outcome.replaced
     if look.driving:
         return f"{words} {explained(look.driving, is_kept=not numbers)}"

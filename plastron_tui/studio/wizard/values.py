@@ -268,7 +268,8 @@ def problem_of(entry: Entry, text: str, ros_version: int, others: str = "") -> s
     for number, piece in enumerate(found, 1):
         problem = _scalar_problem(entry, piece, ros_version, others)
         if problem is not None:
-            return f"value {number} of the list: {problem}"
+            shown = f"`{piece}`, " if 0 < len(piece) <= _LONGEST_SHOWN else ""
+            return f"{shown}value {number} of the list: {problem}"
     count, type_ = len(found), entry.type
     if type_.length is not None and count != type_.length:
         return f"`{entry.path[-1]}` has {type_.length} values, not {count}"

@@ -7,6 +7,7 @@ from collections.abc import Sequence
 from typing import NamedTuple
 
 from plastron_tui.model.kinds import Condition, Publication, Publisher, Rate, Subscription
+from plastron_tui.model.otherwise import driven_while
 from plastron_tui.model.values import OfReceived, computed_in
 from plastron_tui.ros.interfaces import Field, InterfaceKind
 from plastron_tui.sources import naming
@@ -57,7 +58,10 @@ def add_publishers(writing: Writing, plan: NodePlan) -> None:
             plan.timers.append(timer._replace(publisher=attribute, label=label, sends=sends))
         for reaction, found in by_reaction.items():
             heard = _heard(writing, reaction.topic)
-            condition, compared = _condition(writing, reaction.condition, heard)
+            driven = driven_while(publisher, found)
+            condition, compared = _condition(writing, driven or reaction.condition, heard)
+            if driven is not None:
+                condition = writing.computing.negated(condition)
             plan.reactions.append(
                 ReactionPlan(
                     publisher=attribute,

@@ -46,6 +46,9 @@ class Computing(Protocol):
     ) -> str:
         """Write what must hold of a message that `holder` holds."""
 
+    def negated(self, condition: str) -> str:
+        """Write that a condition does not hold."""
+
 
 class Writing(ABC):
     """Writes the expressions of one file, and keeps its names apart.

@@ -53,6 +53,7 @@ def test_a_robot_stops_whatever_it_was_told_before(before: str, line: int) -> No
     ] * 2
     said = f"Line {line} drives whatever arrives: with both, the robot would not stop."
     assert (said in strings.review(look)) == bool(line)
+    assert "It does not notice when the laser falls silent." in strings.review(look)
 
 
 def test_a_line_that_drives_on_stays_for_who_wants_that() -> None:

@@ -72,6 +72,7 @@ def test_an_answer_that_is_still_to_be_written_is_said() -> None:
     form.enter("service", "words")
     form.enter("type", "WordCount")
     assert strings.unanswered(to_menu_or_review(it)) == "words"
+    assert next(iter(done_items(it.session, "", "words"))) == "screen.code('words')"
     form.values["count",] = "1"
     assert strings.unanswered(it.look()) == ""
 
