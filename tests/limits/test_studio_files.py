@@ -31,7 +31,7 @@ assert load_remembered(here).recent == []
 assert kept_texts(here) == []
 assert recipes(here) == ()
 assert list(_node_files(here)) == []
-_names(here, True)
+_names(here)
 Welcome([str(here / "x.plastron")])
 """
 
