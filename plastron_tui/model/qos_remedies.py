@@ -63,8 +63,9 @@ def meant_qos(node: Node, endpoint: Publisher | Subscription) -> Qos:
 
     A file may have it from elsewhere; what is created is all that the program says.
     """
-    qos = endpoint.qos or Qos()
-    return qos if node.source is not None else qos.over(DEFAULT)
+    if node.source is not None:
+        return endpoint.qos or Qos()
+    return DEFAULT if endpoint.qos is None else endpoint.qos.over(DEFAULT)
 
 
 def _says(endpoint: Publisher | Subscription, policies: Sequence[str]) -> bool:

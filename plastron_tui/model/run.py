@@ -115,14 +115,16 @@ class Run:
     def add(self, statement: Statement, node: Node, endpoint: Endpoint) -> None:
         """Give a node an endpoint, if its type agrees with that of all who use the name."""
         if kind_of(type(endpoint)).facts.interface is not None:
-            self.check_agreement(statement, node, endpoint)
-            self.agreements.join(node, self.checks.version_of(node), endpoint, statement)
+            version = self.checks.version_of(node)
+            self._agree(endpoint, self.agreements.join(node, version, endpoint, statement))
         node.put(endpoint)
 
     def check_agreement(self, statement: Statement, node: Node, endpoint: Endpoint) -> None:
         """Check that the type of an endpoint agrees with that of all who use the name."""
         version = self.checks.version_of(node)
-        conflict = self.agreements.conflict(node, version, endpoint, statement)
+        self._agree(endpoint, self.agreements.conflict(node, version, endpoint, statement))
+
+    def _agree(self, endpoint: Endpoint, conflict: Diagnostic | None) -> None:
         if conflict is not None:
             # Where the other use was to be taken away, it may be there because of a mistake.
             raise Mistake(*() if self.consequences.mentions(endpoint.name) else (conflict,))

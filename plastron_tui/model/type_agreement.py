@@ -44,38 +44,32 @@ class Agreements:
         self, node: Node, version: int, endpoint: Endpoint, statement: Statement
     ) -> Diagnostic | None:
         """Note that a node uses a name; return what is wrong if others use another type."""
-        conflict = self.conflict(node, version, endpoint, statement)
-        if conflict is None:
-            self._add(node, version, endpoint, statement)
-        return conflict
+        kind = kind_of(type(endpoint))
+        place = _place(node, version, kind, endpoint.name)
+        use = self._uses.get(place)
+        if use is None:
+            assert isinstance(endpoint.type, InterfaceName)
+            use = self._uses[place] = _Use(endpoint.type)
+        elif use.type != endpoint.type:
+            return _conflict(use, endpoint, kind, statement)
+        use.users.setdefault((node.variable, kind), statement)
+        return None
 
     def conflict(
         self, node: Node, version: int, endpoint: Endpoint, statement: Statement
     ) -> Diagnostic | None:
         """Return what is wrong if others use a name for another type than an endpoint's."""
-        use = self._uses.get(_place(node, version, kind_of(type(endpoint)), endpoint.name))
+        kind = kind_of(type(endpoint))
+        use = self._uses.get(_place(node, version, kind, endpoint.name))
         if use is None or use.type == endpoint.type:
             return None
-        facts = kind_of(type(endpoint)).facts
-        elsewhere = next(iter(use.users.values())).span
-        where = statement.span_of("type")
-        # A message or a request with values is of one type only: they would not fit another.
-        fix = None if facts.sends else write(str(use.type), where)
-        assert facts.interface is not None
-        return Diagnostic(
-            CONFLICTS[facts.interface],
-            f"{facts.named} `{endpoint.name}` is of type `{use.type}` elsewhere in this program",
-            where,
-            help=f"use `{use.type}` here too, or another {facts.named}",
-            fix=fix,
-            labels=(Label(elsewhere, f"`{use.type}` here"),),
-        )
+        return _conflict(use, endpoint, kind, statement)
 
     def adopt(self, node: Node, version: int, statement: Statement) -> None:
         """Note what a file holds; whether files agree is seen at the end (`meetings.py`)."""
         for endpoint in node.endpoints.values():
             if isinstance(endpoint.type, InterfaceName):
-                self._add(node, version, endpoint, statement)
+                self.join(node, version, endpoint, statement)
 
     def other(
         self, node: Node, version: int, endpoint: Endpoint, nodes: Mapping[str, Node]
@@ -101,14 +95,24 @@ class Agreements:
         if not use.users:
             del self._uses[place]
 
-    def _add(self, node: Node, version: int, endpoint: Endpoint, where: Statement) -> None:
-        """Add a user, unless others mean another type."""
-        assert isinstance(endpoint.type, InterfaceName)
-        kind = kind_of(type(endpoint))
-        place = _place(node, version, kind, endpoint.name)
-        use = self._uses.setdefault(place, _Use(endpoint.type))
-        if use.type == endpoint.type:
-            use.users.setdefault((node.variable, kind), where)
+
+def _conflict(
+    use: _Use, endpoint: Endpoint, kind: EndpointKind, statement: Statement
+) -> Diagnostic:
+    facts = kind.facts
+    elsewhere = next(iter(use.users.values())).span
+    where = statement.span_of("type")
+    # A message or a request with values is of one type only: they would not fit another.
+    fix = None if facts.sends else write(str(use.type), where)
+    assert facts.interface is not None
+    return Diagnostic(
+        CONFLICTS[facts.interface],
+        f"{facts.named} `{endpoint.name}` is of type `{use.type}` elsewhere in this program",
+        where,
+        help=f"use `{use.type}` here too, or another {facts.named}",
+        fix=fix,
+        labels=(Label(elsewhere, f"`{use.type}` here"),),
+    )
 
 
 def _place(node: Node, version: int, kind: EndpointKind, name: str) -> _Place:

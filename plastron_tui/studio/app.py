@@ -308,17 +308,16 @@ class StudioApp(InOrder, inherit_bindings=False):
         os._exit(status)
 
     def listens(self) -> bool:
-        """Tell whether keys reach somebody; the editor has them where nothing else has.
-
-        Nothing has before the first screen is up, nor where the terminal says that it has lost
-        the focus, which some do at the start.
-        """
+        """Tell whether keys reach somebody; the editor has them where nothing else has."""
         if not self.is_running or not self._is_up:
             return False
         if self.screen is self.main and self.main.focused is None:
-            self.app_focus = True
             self.main.set_focus(self.main.editor.view)
         return True
+
+    def on_app_blur(self, event: events.AppBlur) -> None:
+        """Leave the focus where it is: some terminals say at the start that they lost it."""
+        event.prevent_default()
 
     def on_app_focus(self) -> None:
         """Let the editor have the keys, when the window gets the focus before anything else."""

@@ -129,6 +129,11 @@ class InOrder(Failing, inherit_bindings=False):
         """Hear of messages from before there is anything else that handles some."""
         hear_messages(self._count)
 
+    @property
+    def since_typed(self) -> float:
+        """Seconds since a key, or a text that is pasted, came last."""
+        return monotonic() - self._last_typed
+
     def _count(self, message: Message) -> None:
         # What the time brings follows from no key.
         if not isinstance(message, events.Timer):
@@ -154,7 +159,7 @@ class InOrder(Failing, inherit_bindings=False):
                 return
             if isinstance(event, events.Key) and self._may_open(event):
                 self._keep_order(self._key_path())
-        await super().on_event(event)
+        await super().on_event(self._as_bound(event))
 
     def _keep_for_below(self, event: events.Event, screen: Unread) -> None:
         """Keep what a screen does not hear that came by itself: it is for what that covers."""
@@ -201,12 +206,24 @@ class InOrder(Failing, inherit_bindings=False):
         while not self.listens() and monotonic() < end:
             await asyncio.sleep(_PAUSE)
 
+    @property
+    def _takes_text(self) -> bool:
+        return isinstance(self.focused, Input) or getattr(self.focused, "takes_text", False)
+
+    def _as_bound(self, event: events.Event) -> events.Event:
+        """Return a capital letter that does nothing as the small one, which may do something."""
+        if not isinstance(event, events.Key) or self._takes_text or not event.key.isupper():
+            return event
+        small = event.key.lower()
+        bound = self.screen.active_bindings
+        is_meant = len(small) == 1 and event.key not in bound and small in bound
+        return events.Key(small, small) if is_meant else event
+
     def _may_open(self, event: events.Key) -> bool:
         screen = self.screen
         if screen.is_modal:
             return not (event.is_printable and isinstance(self.focused, Input))
-        takes_text = isinstance(self.focused, Input) or getattr(self.focused, "takes_text", False)
-        if event.is_printable and takes_text:
+        if event.is_printable and self._takes_text:
             return False
         bound = screen.active_bindings.get(event.key)
         if bound is None:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 from collections.abc import Callable, Iterable
 from time import monotonic
-from typing import IO, TYPE_CHECKING, cast
+from typing import IO, TYPE_CHECKING, Any, cast
 
 from textual import events
 from textual.constants import ESCAPE_DELAY
@@ -15,7 +15,13 @@ from textual.message import Message
 from .bracketed_paste import ESCAPE, PasteBrackets
 from .key_bursts import Bursts, Kind, Part
 from .terminal_output import ShownScreen
-from .textual_private import linux_driver, output_of, parse_input_with, take_any_bytes
+from .textual_private import (
+    linux_driver,
+    output_of,
+    parse_input_with,
+    take_any_bytes,
+    write_where_it_is_seen,
+)
 
 if TYPE_CHECKING:
     from textual._xterm_parser import XTermParser
@@ -53,6 +59,10 @@ def for_terminal(
 
     class StudioDriver(driver):  # type: ignore[valid-type, misc]
         """Writes to the terminal only what differs from what it shows."""
+
+        def __init__(self, *args: Any, **keywords: Any) -> None:
+            super().__init__(*args, **keywords)
+            write_where_it_is_seen(self)
 
         def write(self, data: str) -> None:
             """Write what is not shown yet."""

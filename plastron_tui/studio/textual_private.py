@@ -6,6 +6,7 @@ A version of Textual that has it no longer takes away what is said here, and not
 from __future__ import annotations
 
 import codecs
+import sys
 from collections.abc import Callable, MutableMapping
 from functools import partial
 from typing import IO, TYPE_CHECKING, Any, cast
@@ -16,6 +17,7 @@ from textual.message import Message
 from textual.notifications import Notification
 
 if TYPE_CHECKING:
+    from textual._compositor import Compositor
     from textual._xterm_parser import XTermParser
     from textual.screen import Screen
 
@@ -53,6 +55,16 @@ def output_of(driver: Driver) -> IO[str] | None:
     """
     file = getattr(driver, "_file", None)
     return cast("IO[str]", file) if callable(getattr(file, "fileno", None)) else None
+
+
+def write_where_it_is_seen(driver: Driver) -> None:
+    """Let a driver write to standard output where standard error goes to a file.
+
+    Without it the file gets all that is drawn, and the terminal nothing.
+    """
+    output, own = sys.__stdout__, output_of(driver)
+    if own is not None and output is not None and output.isatty() and not own.isatty():
+        driver._file = output  # type: ignore[attr-defined]
 
 
 def parse_input_with(parser_of: Callable[[type[XTermParser]], type[XTermParser]]) -> None:
@@ -149,6 +161,18 @@ def forget_removed_widgets() -> None:
     clear = getattr(getattr(StylesCache, "get_inner_outer", None), "cache_clear", None)
     if clear is not None:
         clear()
+
+
+def compositor_class(screen: Screen[Any]) -> type[Compositor] | None:
+    """Return the class of what puts a screen together; None if it is not as known.
+
+    Without it all widgets are asked to draw that are near to one that has changed.
+    """
+    compositor = getattr(screen, "_compositor", None)
+    known = ("_dirty_regions", "_get_renders", "render_partial_update", "visible_widgets")
+    if not all(hasattr(compositor, name) for name in known):
+        return None
+    return cast("type[Compositor]", type(compositor))
 
 
 def translate_colours(app: App[Any]) -> None:

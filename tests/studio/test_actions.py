@@ -14,6 +14,7 @@ from plastron_tui.studio.config import config_file
 from plastron_tui.studio.editor.commands import BY_NAME
 from plastron_tui.studio.main.screen import MainScreen
 from plastron_tui.studio.panels.registry import PANELS
+from plastron_tui.studio.screens.themes import ThemeMenu
 
 
 def test_every_action_is_one_of_the_screen_the_app_or_the_editor() -> None:
@@ -177,6 +178,13 @@ async def test_keys_reach_the_editor_whatever_is_said_of_the_focus(program: Path
         driver.app.post_message(events.AppBlur())
         await driver.press("x", "y")
         assert driver.text == f"xy{PROGRAM}"
+        driver.app.post_message(events.AppBlur())
+        await driver.pilot.pause()
+        chosen: list[str | None] = []
+        driver.app.push_screen(ThemeMenu(["one", "two"], "one", lambda _: None), chosen.append)
+        await driver.dialog("ThemeMenu")
+        await driver.pilot.press("down", "enter")
+        await driver.until(lambda: chosen == ["two"])
 
 
 async def test_help_is_about_what_has_the_focus(program: Path) -> None:

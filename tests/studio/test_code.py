@@ -282,7 +282,7 @@ async def test_the_view_shows_finds_turns_and_edits(
         await driver.pilot.press("e")
         await driver.until(lambda: "this file is not written yet" in driver.notes())
         code, line = view.query_one("CodeText"), view.query_one("CodeText").line
-        await driver.pilot.press("n")
+        await driver.pilot.press("N")
         assert code.line == line + 2
         await driver.pilot.press("ctrl+f", *"RCLPY", "enter", "f3")
         assert str(view.query_one("#code-count", Label).content).strip().endswith("places")

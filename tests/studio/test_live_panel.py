@@ -16,7 +16,8 @@ from textual.widgets import Label
 
 from plastron_tui.runtime import monitor
 from plastron_tui.runtime.monitor import MonitorCommand
-from plastron_tui.studio import running
+from plastron_tui.studio import key_order, running
+from plastron_tui.studio.main import live_actions
 from plastron_tui.studio.main.live_actions import LiveActions
 from plastron_tui.studio.main.watched_run import WatchedRun
 from plastron_tui.studio.panels.key_bar import KeyBar
@@ -332,3 +333,22 @@ async def test_the_nodes_that_were_started_last_are_watched_whichever_tab_is_the
         await driver.until(lambda: runner.watched.live._tab is first)
         await driver.until(lambda: "nothing runs" not in live(driver).entries.empty)
         await wait_shown(driver, "≈ /chatter")
+
+
+async def test_what_is_gathered_waits_while_somebody_types(
+    program: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    async with studio(program) as driver:
+        actions = driver.main.runner.watched.live
+        await driver.press("x")
+        typed = driver.app._last_typed
+        for typed_before, shown_before, is_held_back in [
+            (0.1, 0.5, True),
+            (0.1, 1.5, False),
+            (0.5, 0.5, False),
+        ]:
+            actions._shown_at = typed + typed_before - shown_before
+            for module in (key_order, live_actions):
+                monkeypatch.setattr(module, "monotonic", lambda: typed + typed_before)  # noqa: B023
+            assert actions._is_held_back == is_held_back, (typed_before, shown_before)
+        monkeypatch.undo()

@@ -103,8 +103,8 @@ def check_computed(
         heard: the fields of what is received then, None where nothing is.
         made: the statement that made the value, where that is another one.
     """
-    where = statement.span_of(slot)
     for field, each in computed_fields(value):
+        where = statement.span_of(slot)
         use = _Use(field, each, where, where, where)
         if _mistakes(run, node, use, heard) is None:
             continue

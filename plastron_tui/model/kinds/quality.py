@@ -14,6 +14,9 @@ from ..mistake import Mistake
 if TYPE_CHECKING:
     from ..run import Run
 
+_KEPT, _ = parse_words([("latched", None)])
+"""What is sent once is kept for those who listen later."""
+
 
 def qos_of(run: Run, statement: Publish | Subscribe, version: int) -> Qos | None:
     """Return the quality of service of a statement, None where it says none.
@@ -22,9 +25,8 @@ def qos_of(run: Run, statement: Publish | Subscribe, version: int) -> Qos | None
     there.
     """
     is_once = isinstance(statement, Publish) and statement.once
-    kept, _ = parse_words([("latched", None)])
     if not statement.qos:
-        return kept if is_once else None
+        return _KEPT if is_once else None
     spans = [
         Span(word.syntax.start_byte, word.syntax.end_byte).moved(statement.shift)
         for word in statement.qos
@@ -48,7 +50,7 @@ def qos_of(run: Run, statement: Publish | Subscribe, version: int) -> Qos | None
         known = [each for each in statement.qos if WORDS[each.word].is_ros1]
         found, _ = parse_words([(each.word, each.number) for each in known])
     if is_once:
-        if found.durability not in (None, kept.durability):
+        if found.durability not in (None, _KEPT.durability):
             raise Mistake(
                 Diagnostic(
                     codes.INVALID_QOS,
@@ -57,7 +59,7 @@ def qos_of(run: Run, statement: Publish | Subscribe, version: int) -> Qos | None
                     help="write `latched`, or leave `with qos` out",
                 )
             )
-        found = found.over(kept)
+        found = found.over(_KEPT)
     for word, where in zip(statement.qos, spans, strict=True):
         if version == 1 and not WORDS[word.word].is_ros1:
             run.report(

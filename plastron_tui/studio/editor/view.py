@@ -57,6 +57,7 @@ class EditorView(ScrollView, can_focus=True, inherit_bindings=False):
         self._edits: list[Edited] = []
         self._shown = state.selection
         self._drag_from: int | None = None
+        self._height = 0
         state.listeners.append(self._heard)
 
     @property
@@ -156,8 +157,12 @@ class EditorView(ScrollView, can_focus=True, inherit_bindings=False):
         self.refresh()
 
     def on_resize(self) -> None:
-        """Lay out for another width."""
+        """Lay out for another width; keep the cursor in sight, if it was."""
+        line = self.geometry.place_of(self.state.cursor).y - self.scroll_offset.y
         self._place_lines()
+        if 0 <= line < self._height:
+            self.scroll_to_cursor()
+        self._height = self.scrollable_content_region.height
 
     def on_focus(self) -> None:
         """Show the cursor."""

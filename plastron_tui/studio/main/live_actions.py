@@ -5,6 +5,7 @@ from __future__ import annotations
 import itertools
 from collections import Counter
 from collections.abc import Mapping, Sequence
+from time import monotonic
 from typing import TYPE_CHECKING, Any
 
 from textual.screen import Screen
@@ -14,6 +15,7 @@ from plastron_tui.regular_files import reason
 from plastron_tui.runtime.live_graph import LiveGraph, NodeEnd
 
 from ..delay import Delay
+from ..key_order import InOrder
 from ..panels.live_panel import LOOKING, NOTHING_RUNS, STARTING, LivePanel
 from ..panels.live_row import Answer, Kind, LiveRow
 from ..panels.live_watching import Watching
@@ -28,6 +30,10 @@ if TYPE_CHECKING:
 
 _SHOWN_AFTER = 0.1
 """Seconds for which what monitors say is gathered: the eye needs no more, and keys come first."""
+_TYPING = 0.3
+"""Seconds without a key after which nobody types."""
+_SHOWN_TYPING = 1.0
+"""Seconds for which it is gathered while somebody types: no key is to wait for a table."""
 _LOOK = 2.0
 """Seconds after which is looked again whether a monitor hangs."""
 
@@ -47,6 +53,7 @@ class LiveActions:
         self._panel = panel
         panel.on_watched, panel.on_asked = self.update_subscriptions, self.run_order
         self._delay = Delay(screen, self._show)
+        self._shown_at = 0.0
         self._look = Delay(screen, self._look_at_monitors)
         self._commands: Sequence[MonitorCommand] = ()
         self._monitors: dict[int, Monitor] = {}
@@ -147,7 +154,19 @@ class LiveActions:
         """Show it soon; called from a thread that reads."""
         self._screen.call_later(self.show_soon)
 
+    @property
+    def _is_held_back(self) -> bool:
+        """Whether somebody types, and has seen what is known a moment ago."""
+        app = self._screen.app
+        is_typing = isinstance(app, InOrder) and app.since_typed < _TYPING
+        is_recent = monotonic() - self._shown_at < _SHOWN_TYPING
+        return is_typing and is_recent and app.screen is self._screen
+
     def _show(self) -> None:
+        if self._is_held_back:
+            self._delay.start(_SHOWN_AFTER)
+            return
+        self._shown_at = monotonic()
         is_new = False
         for version, monitor in list(self._monitors.items()):
             graph = self._graphs[version]

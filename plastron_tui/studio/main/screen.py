@@ -23,6 +23,7 @@ from ..panels.entry_keys import Asked, Chosen, Lit
 from ..panels.key_bar import KeyBar
 from ..panels.panel import PanelWidgets, Resized
 from ..panels.registry import PANELS
+from ..sparing_compositor import draw_sparingly
 from ..textual_private import tell_first_sizes
 from .active_program import ActiveProgram
 from .code_actions import CodeActions
@@ -63,6 +64,7 @@ class MainScreen(FirstScreen, Paged):
 
     def __init__(self, open_: Open, profile: Profile, others: Sequence[Open] = ()) -> None:
         super().__init__()
+        draw_sparingly(self)
         tell_first_sizes(self)
         self.profile = profile
         self.program = ActiveProgram(open_, others)

@@ -141,11 +141,13 @@ class Entries:
     def __init__(self, entries: Iterable[Entry] = (), empty: str = "") -> None:
         self.all = tuple(entries)
         self.empty = empty
-        places = sorted(
+        # A list, for speed: there may be thousands, at every key.
+        places = [
             (entry.span.start, -entry.depth, number)
             for number, entry in enumerate(self.all)
             if entry.span is not None
-        )
+        ]
+        places.sort()
         self._starts = [start for start, _, _ in places]
         self._numbers = [number for _, _, number in places]
 

@@ -58,6 +58,8 @@ def _nodes(workspace: Workspace, libraries: dict[str, str | None]) -> Iterator[E
 def _endpoints(variable: str, node: Node) -> Iterator[Entry]:
     guesses = node.guesses
     for kind, endpoints in node.by_kind.items():
+        if not endpoints:
+            continue
         word, (sign, tone) = kind.word, SIGNS[kind]
         for written, endpoint in endpoints.items():
             is_guess = (kind, written) in guesses

@@ -18,7 +18,7 @@ from .dialog import Dialog
 _AROUND = 4
 """Rows around the list: the frame, the title, the keys."""
 
-_REST = 0.05
+_REST = 0.15
 """Seconds that the mark rests on a theme before it is put on: to draw all anew takes its time."""
 
 

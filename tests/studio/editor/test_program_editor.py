@@ -247,3 +247,15 @@ async def test_what_is_typed_right_after_a_key_is_for_the_bar_that_it_opens() ->
         for key, character in (("ctrl+f", None), ("a", "a"), ("s", "s"), ("enter", "\r")):
             at.app.post_message(Key(key, character))
         await at.until(lambda: at.marked == "load a [as] b\n")
+
+
+async def test_a_smaller_window_keeps_the_cursor_in_sight_but_does_not_go_to_it() -> None:
+    text = "".join(f"// {number}\n" for number in range(100))
+    async with editing(text, cursor=text.index("// 20"), size=(80, 30)) as at:
+        for height in (12, 6, 20):
+            await at.pilot.resize_terminal(60, height)
+            await at.until(lambda: any("// 20" in line for line in at.lines))
+        at.editor.view.scroll_to(0, 60, animate=False, immediate=True)
+        await at.pilot.resize_terminal(60, 10)
+        await at.pilot.pause()
+        assert not any("// 20" in line for line in at.lines)
