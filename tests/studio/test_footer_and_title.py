@@ -70,20 +70,38 @@ def test_the_footer_keeps_what_matters(width: int, titles: str) -> None:
 
 
 @pytest.mark.parametrize(
-    ("width", "stop_key", "text"),
+    ("width", "stage", "text"),
     [
-        (80, None, "plastron talk.plastron ● work/  rclpy (ROS 2 kilted)"),
-        (80, "F5", "plastron talk.plastron ● running: F5 stops  work/  rclpy (ROS 2 kilted)"),
-        (70, "F5", "talk.plastron ● running: F5 stops  work/  rclpy (ROS 2 kilted)"),
-        (60, "F5", "talk.plastron ● running: F5 stops  rclpy (ROS 2 kilted)"),
-        (50, "F5", "talk.plastron ● running  rclpy (ROS 2 kilted)"),
-        (40, "F5", "talk.plastron ● running  rclpy"),
-        (10, "F5", "talk.plastron ● running  rclpy"),
+        (80, "", "plastron talk.plastron ● work/  rclpy (ROS 2 kilted)"),
+        (80, "running", "plastron talk.plastron ● running: F5 stops  work/  rclpy (ROS 2 kilted)"),
+        (70, "running", "talk.plastron ● running: F5 stops  work/  rclpy (ROS 2 kilted)"),
+        (60, "running", "talk.plastron ● running: F5 stops  rclpy (ROS 2 kilted)"),
+        (50, "running", "talk.plastron ● running: F5 stops  rclpy"),
+        (40, "running", "talk.plastron ● running  rclpy"),
+        (
+            70,
+            "building it… 9 s",
+            "talk.plastron ● building it… 9 s: F5 stops  rclpy (ROS 2 kilted)",
+        ),
+        (10, "running", "talk.plastron ● running  rclpy"),
     ],
 )
-def test_the_title_drops_first_what_matters_less(
-    width: int, stop_key: str | None, text: str
-) -> None:
-    title = Title("talk.plastron", True, "work", "rclpy (ROS 2 kilted)", "rclpy", stop_key)
+def test_the_title_drops_first_what_matters_less(width: int, stage: str, text: str) -> None:
+    title = Title("talk.plastron", True, "work", "rclpy (ROS 2 kilted)", "rclpy", stage, "F5")
     left, right = title.pieces(width)
     assert "".join(words for words, _ in (*left, *right)) == text
+
+
+@pytest.mark.parametrize(
+    ("width", "text"),
+    [
+        (90, "talk.plastron   running an older text: F5 stops, Alt-R runs anew  work/  rclpy"),
+        (76, "talk.plastron   running an older text: F5 stops, Alt-R runs anew  rclpy"),
+        (50, "talk.plastron   running an older text  rclpy"),
+    ],
+)
+def test_the_title_says_that_what_runs_is_older(width: int, text: str) -> None:
+    stage = "running an older text"
+    title = Title("talk.plastron", False, "work", "rclpy", "rclpy", stage, "F5", "Alt-R")
+    left, right = title.pieces(width)
+    assert "".join(words for words, _ in (*left, *right)).removeprefix("plastron ") == text

@@ -2,79 +2,29 @@
 
 from __future__ import annotations
 
-import json
-import os
-import sys
 from pathlib import Path
 from types import SimpleNamespace
 from typing import Any, cast
 
 import pytest
-from studio_driver import PROGRAM, Driver, studio
+from stand_in_nodes import Nodes, asked, live, wait_shown, watch_stand_in
+from studio_driver import PROGRAM, studio
 from textual import events
 from textual.widgets import Label
 
 from plastron_tui.runtime import monitor
-from plastron_tui.runtime.monitor import MonitorCommand
-from plastron_tui.studio import key_order, running
+from plastron_tui.studio import key_order
 from plastron_tui.studio.main import live_actions
 from plastron_tui.studio.main.live_actions import LiveActions
 from plastron_tui.studio.main.watched_run import WatchedRun
 from plastron_tui.studio.panels.key_bar import KeyBar
-from plastron_tui.studio.panels.live_panel import LivePanel
 from plastron_tui.studio.panels.live_watching import Watching
-
-STAND_IN = Path(__file__).with_name("monitor_stand_in.py")
-
-
-class Nodes:
-    """Nodes that are said to run until they are stopped."""
-
-    monitors: tuple[MonitorCommand, ...] = ()
-    has_more = False
-
-    def __init__(self, path: Path, options: object, news: Any) -> None:
-        self.status: int | None = None
-        self.was_stopped = False
-        self._news = news
-        news()
-
-    def take(self) -> list[str]:
-        return []
-
-    def stop(self) -> None:
-        self.status, self.was_stopped = 130, True
-        self._news()
-
-    close = stop
 
 
 @pytest.fixture
 def orders(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     """The file in which the monitor writes down what it is asked."""
-    log = tmp_path / "orders"
-    log.touch()
-    command = (sys.executable, str(STAND_IN), str(log))
-    monkeypatch.setattr(Nodes, "monitors", (MonitorCommand(2, command, dict(os.environ)),))
-    monkeypatch.setattr(running, "Running", Nodes)
-    return log
-
-
-def asked(orders: Path, what: str) -> list[dict[str, Any]]:
-    """Return what the monitor was asked of a kind."""
-    found = [json.loads(line) for line in orders.read_text().splitlines()]
-    return [each for each in found if each["do"] == what]
-
-
-def live(driver: Driver) -> LivePanel:
-    panel = driver.main.panels["live"]
-    assert isinstance(panel, LivePanel)
-    return panel
-
-
-async def wait_shown(driver: Driver, text: str) -> str:
-    await driver.until(lambda: any(text in line for line in live(driver).lines))
-    return next(line for line in live(driver).lines if text in line)
+    return watch_stand_in(tmp_path, monkeypatch)
 
 
 async def test_what_travels_is_shown_and_nodes_are_spoken_to(program: Path, orders: Path) -> None:

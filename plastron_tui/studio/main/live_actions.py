@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import itertools
 from collections import Counter
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from time import monotonic
 from typing import TYPE_CHECKING, Any
 
 from textual.screen import Screen
 
+from plastron_tui.diagnostics import Edit, Span
 from plastron_tui.diagnostics.terminal import visible
 from plastron_tui.regular_files import reason
 from plastron_tui.runtime.live_graph import LiveGraph, NodeEnd
@@ -19,7 +20,7 @@ from ..key_order import InOrder
 from ..panels.live_panel import LOOKING, NOTHING_RUNS, STARTING, LivePanel
 from ..panels.live_row import Answer, Kind, LiveRow
 from ..panels.live_watching import Watching
-from .active_program import Tab
+from .active_program import ActiveProgram, Tab
 from .workers import start_exclusive
 
 if TYPE_CHECKING:
@@ -39,16 +40,23 @@ _LOOK = 2.0
 
 
 class LiveActions:
-    """Starts and ends the monitors of the nodes that run."""
+    """Starts and ends the monitors of the nodes that run.
 
-    def __init__(self, screen: Screen[None], panel: LivePanel) -> None:
+    Attributes:
+        on_written: called when the program has got a value that a node was given.
+    """
+
+    def __init__(self, screen: Screen[None], panel: LivePanel, program: ActiveProgram) -> None:
         """Start with nothing that runs.
 
         Args:
             screen: shows dialogs.
             panel: shows what is known.
+            program: what is in front.
         """
         self._screen = screen
+        self._program = program
+        self.on_written: Callable[[], object] = lambda: None
         self._tab: Tab | None = None
         self._panel = panel
         panel.on_watched, panel.on_asked = self.update_subscriptions, self.run_order
@@ -275,7 +283,11 @@ class LiveActions:
         if row.kind is Kind.PARAMETER:
             # A node may refuse a value that fits: what was typed is still there then.
             dialog.ask = lambda given: self._order(row, form.order(given), dialog)
-            await self._screen.app.push_screen_wait(dialog)
+            if self._default_span(row) is not None:
+                dialog.other_verb = "Set, and write it into the program"
+            set_to = await self._screen.app.push_screen_wait(dialog)
+            if set_to is not None and dialog.is_other:
+                self._write_default(row, set_to)
             return
         given = await self._screen.app.push_screen_wait(dialog)
         if given is None:
@@ -284,6 +296,28 @@ class LiveActions:
         self._given[row.key] = given
         if not self._order(row, form.order(given)):
             self._say("the monitor of the nodes takes nothing any more")
+
+    def _default_span(self, row: LiveRow) -> Span | None:
+        """Return where the program in front says what a parameter is, None for nowhere."""
+        from ..parameter_default import default_span
+
+        analysis, parameter = self._program.analysis, row.parameter
+        if analysis is None or parameter is None:
+            return None
+        return default_span(analysis, row.owner, parameter.name)
+
+    def _write_default(self, row: LiveRow, given: Mapping[Path, str]) -> None:
+        """Let a parameter begin with the value that it was just given."""
+        from ..wizard.live_orders import default_text
+
+        span = self._default_span(row)
+        text = None if row.parameter is None else default_text(row.parameter, given)
+        if span is None or text is None:
+            self._say("the program cannot have this value; the node has it until it ends")
+            return
+        self._program.editor.apply([Edit(span, text)])
+        self.on_written()
+        self._say(f"the program begins with {row.name} {text} now")
 
     def _order(self, row: LiveRow, order: Mapping[str, Any], form: LiveForm | None = None) -> bool:
         """Tell a monitor what to do; tell whether it takes orders.

@@ -8,8 +8,11 @@ from rich.cells import cell_len
 
 from ..open_program import Open
 from ..panels.bars import Bar, help_pieces
+from .tab_run import OLDER
 
 if TYPE_CHECKING:
+    from collections.abc import Callable
+
     from plastron_tui.project.ros_choice import RosChoice
 
 Pieces = tuple[tuple[str, str], ...]
@@ -24,7 +27,9 @@ class Title(NamedTuple):
         folder: the folder that it is in, "" for a new program.
         ros: the client library of nodes that name none, and the ROS that it is for.
         library: that library alone.
-        stop_key: the key that stops the nodes, None where none run.
+        stage: how far the nodes are that run, "" where none do.
+        stop_key: the key that stops them.
+        anew_key: the key that starts them anew where they are older than the text, else "".
     """
 
     name: str
@@ -32,7 +37,9 @@ class Title(NamedTuple):
     folder: str
     ros: str
     library: str
-    stop_key: str | None
+    stage: str
+    stop_key: str
+    anew_key: str = ""
 
     def pieces(self, width: int) -> tuple[Pieces, Pieces]:
         """Return the left and the right side: what matters less goes first where room is short."""
@@ -42,9 +49,10 @@ class Title(NamedTuple):
     def _sides(self, brand: str, folder: bool, stops: bool, is_full: bool) -> tuple[Pieces, Pieces]:
         sign = " ● " if self.is_changed else "   "
         left = ((brand, "quiet"), (self.name, "strong"), (sign, "here"))
-        running = "" if self.stop_key is None else "running  "
+        running = self.stage and f"{self.stage}  "
         if running and stops and self.stop_key:
-            running = f"running: {self.stop_key} stops  "
+            anew = f", {self.anew_key} runs anew" if self.anew_key else ""
+            running = f"{self.stage}: {self.stop_key} stops{anew}  "
         shown_folder = f"{self.folder}/  " if folder and self.folder else ""
         ros = self.ros if is_full else self.library
         return left, ((running, "here"), (shown_folder, "quiet"), (ros, "quiet"))
@@ -54,7 +62,7 @@ _TITLES = (
     ("plastron ", True, True, True),
     ("", True, True, True),
     ("", False, True, True),
-    ("", False, False, True),
+    ("", False, True, False),
     ("", False, False, False),
 )
 """How the title is written, the roomiest first: brand, folder, how to stop, the ROS in full."""
@@ -70,15 +78,18 @@ class TitleBar(Bar):
 
     _title: Title | None = None
 
-    def show_program(self, open_: Open, ros: RosChoice | None, stop_key: str | None) -> None:
+    def show_program(
+        self, open_: Open, ros: RosChoice | None, stage: str, key_of: Callable[[str], str]
+    ) -> None:
         """Show a program, whether it is saved, its ROS if that is known by now.
 
-        Where nodes run, the key that stops them as well.
+        Where nodes run, how far they are, and the keys that stop them or start them anew as well.
         """
         words, library = ("", "") if ros is None else (ros.words, ros.library)
         folder = "" if open_.path is None else open_.path.absolute().parent.name
+        keys = key_of("run"), key_of("run_anew") if stage == OLDER else ""
         self._title = Title(
-            open_.name, open_.is_changed, folder, words, library, stop_key
+            open_.name, open_.is_changed, folder, words, library, stage, *keys
         )  # fmt: skip
         self.on_resize()
 

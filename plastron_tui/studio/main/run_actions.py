@@ -21,10 +21,11 @@ from .active_program import ActiveProgram, Tab
 from .live_actions import LiveActions
 from .readiness import Readiness
 from .said_notes import SaidNotes
-from .tab_run import RunPanels, TabRun
+from .tab_run import OLDER, RunPanels, TabRun
 from .watched_run import WatchedRun
 
 if TYPE_CHECKING:
+    from ..analysis import Analysis
     from ..running import Running
 
 _SHOWN_AFTER = 0.05
@@ -74,7 +75,8 @@ class RunActions:
         self._failures = SaidNotes(screen)
         self._runs = {program.tab: TabRun(panels.output.printed)}
         self.readiness = readiness
-        self.watched = WatchedRun(LiveActions(screen, panels.live), panels)
+        self.watched = WatchedRun(LiveActions(screen, panels.live, program), panels)
+        self.watched.live.on_written = self._note_written
 
     @property
     def _run(self) -> TabRun:
@@ -90,6 +92,28 @@ class RunActions:
     def is_running(self) -> bool:
         """Whether nodes of the program in front run."""
         return self.runs_in(self._program.tab)
+
+    @property
+    def stage(self) -> str:
+        """How far the nodes of the program in front are, "" for none."""
+        if not self.is_running:
+            return ""
+        return OLDER if self.is_older else "running"
+
+    @property
+    def is_older(self) -> bool:
+        """Whether nodes of the program in front run that it has changed since."""
+        return self._run.is_older
+
+    def known(self, analysis: Analysis) -> None:
+        """Follow what the text in front means."""
+        self.readiness.known(analysis.diagnostics)
+        self._run.compare(analysis.text)
+
+    def _note_written(self) -> None:
+        """Note that the text has got what its nodes have: no run is older for that."""
+        if not self._run.is_older:
+            self._run.text = self._program.text
 
     async def generate(self) -> bool:
         """Show what would be written, then write it; tell whether files may be other ones now."""
@@ -161,6 +185,8 @@ class RunActions:
             self._screen.notify(message, severity="error", markup=False)
             return
         run.started_at = monotonic()
+        run.text = self._program.open.saved
+        run.compare(self._program.text)
         self._failures.forget()
         run.failed, run.ended = {}, {}
         self.watched.starting()
@@ -194,7 +220,7 @@ class RunActions:
         if not running.monitors:
             self.watched.preparing(printed)
         if status is not None and not running.has_more:
-            run.running = None
+            run.running, run.is_older = None, False
             words = "stopped" if running.was_stopped else f"ended with status {status}"
             tone = "quiet" if running.was_stopped else "success" if status == 0 else "error"
             end = Record("", words, tone)

@@ -168,8 +168,8 @@ class MainScreen(FirstScreen, Paged):
     def analysed(self, message: Analysed) -> None:
         """Show what the text means, if it is still that text."""
         if self.feed.take(message.analysis):
+            self._runs.known(message.analysis)
             self.show_title()
-            self._runs.known(message.analysis.diagnostics)
             self._trust.tell_what_waits(message.analysis)
 
     @on(AnalysisFailed)
@@ -214,10 +214,10 @@ class MainScreen(FirstScreen, Paged):
 
     def show_title(self) -> None:
         """Show the program's name, whether it is saved, and what is the case with it; the tabs."""
-        is_running = self._runs.is_running
+        stage = self._runs.stage
         ros = self.open.session.ros if is_preloaded() else None
-        self._title.show_program(self.open, ros, self.key_of("run") if is_running else None)
-        self._keys.retitle({"run": "Stop"} if is_running else {})
+        self._title.show_program(self.open, ros, stage, self.key_of)
+        self._keys.retitle({"run": "Stop"} if stage else {})
         self.tab_line.show_programs(self.program, self._runs.runs_in)
 
     def show_status(self) -> None:

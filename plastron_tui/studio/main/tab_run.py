@@ -14,10 +14,14 @@ from ..panels.entry_list import EntryList
 from ..panels.live_panel import LivePanel
 from ..panels.output import OutputPanel
 from ..panels.output_log import OutputLog, Record, printed_record
+from ..same_meaning import says_the_same
 from .dock_layout import DockLayout
 
 if TYPE_CHECKING:
     from ..running import Running
+
+OLDER = "running an older text"
+"""What is said of nodes that run, and whose program says something else by now."""
 
 
 @dataclass(eq=False)
@@ -30,6 +34,8 @@ class TabRun:
         ended: how nodes have ended that nobody asked to, by their names.
         running: those that run, None for none.
         started_at: when they were started, by the clock of `monotonic`.
+        text: the program that they were started from.
+        is_older: whether the program says something else by now.
     """
 
     log: OutputLog = field(default_factory=OutputLog)
@@ -37,6 +43,12 @@ class TabRun:
     ended: Mapping[str, NodeEnd] = field(default_factory=dict)
     running: Running | None = None
     started_at: float = 0.0
+    text: bytes = b""
+    is_older: bool = False
+
+    def compare(self, text: bytes) -> None:
+        """Note whether the program says something else than the nodes were started from."""
+        self.is_older = self.running is not None and not says_the_same(self.text, text)
 
     def add(self, printed: Iterable[str], end: Record | None) -> None:
         """Keep what was printed while another tab is in front; `end` says how the nodes ended."""

@@ -33,6 +33,8 @@ class LiveForm(Dialog["dict[Path, str] | None"]):
         given: what was entered, by field.
         ask: sends what was entered while the form stays, and tells whether that could be done;
             `answered` ends it then. None where it ends at once, and gives what was entered.
+        other_verb: what a button says that does more than send it, "" for no such button.
+        is_other: whether that one was pressed last.
     """
 
     CSS_PATH: ClassVar[CSSPathType | None] = STYLES
@@ -66,6 +68,7 @@ class LiveForm(Dialog["dict[Path, str] | None"]):
         super().__init__()
         self.given = dict(given)
         self.ask: Callable[[dict[Path, str]], bool] | None = None
+        self.other_verb, self.is_other = "", False
         self._title, self._verb, self._about = title, verb, about
         self._form = form
         self._last = last
@@ -91,6 +94,8 @@ class LiveForm(Dialog["dict[Path, str] | None"]):
             yield Label("", id="wizard-help", markup=False)
             with Horizontal(id="dialog-buttons"):
                 yield Button(self._verb, id="send", variant="primary", compact=True)
+                if self.other_verb:
+                    yield Button(self.other_verb, id="send-other", compact=True)
                 yield Button("Cancel", id="cancel", compact=True)
 
     def _row(self, entry: Entry, label: str) -> Row:
@@ -128,12 +133,14 @@ class LiveForm(Dialog["dict[Path, str] | None"]):
     def confirmed(self, message: Confirmed) -> None:
         """Send it, if it fits."""
         message.stop()
+        self.is_other = False
         self._send()
 
     @on(Button.Pressed)
     def pressed(self, event: Button.Pressed) -> None:
         """Send it, or leave."""
-        if event.button.id == "send":
+        self.is_other = event.button.id == "send-other"
+        if event.button.id in ("send", "send-other"):
             self._send()
         else:
             self.dismiss(None)
@@ -162,7 +169,7 @@ class LiveForm(Dialog["dict[Path, str] | None"]):
         if is_failure:
             self._say(Wrong(text, next(iter(self.given), None)))
         else:
-            self.dismiss(None)
+            self.dismiss(self.given)
 
     def _say(self, wrong: Wrong | None) -> None:
         label = self.query_one("#wizard-help", Label)
