@@ -10,6 +10,7 @@ import errno
 import os
 import re
 import stat
+from contextlib import suppress
 from pathlib import Path
 from typing import TypeAlias
 
@@ -95,5 +96,11 @@ def stamp_of(path: Path) -> Stamp | None:
 
 
 def is_same_file(path: Path, other: Path | None) -> bool:
-    """Tell whether two paths lead to one file: relative or not, through links or not."""
-    return other is not None and os.path.realpath(path) == os.path.realpath(other)
+    """Tell whether two paths lead to one file: relative or not, through links, or as hard links."""
+    if other is None:
+        return False
+    if os.path.realpath(path) == os.path.realpath(other):
+        return True
+    with suppress(OSError, ValueError):
+        return path.samefile(other)
+    return False

@@ -6,13 +6,25 @@ from pathlib import Path
 
 import pytest
 
-from plastron_tui.regular_files import read_named, read_regular, reason
+from plastron_tui.regular_files import is_same_file, read_named, read_regular, reason
 
 
 def test_a_regular_file_is_read_through_a_link(tmp_path: Path) -> None:
     (tmp_path / "file").write_bytes(b"text")
     (tmp_path / "link").symlink_to("file")
     assert read_regular(tmp_path / "link", 4) == b"text"
+
+
+def test_two_paths_are_one_file_also_by_hard_links(tmp_path: Path) -> None:
+    file, link, hard, other = (tmp_path / each for each in ("file", "link", "hard", "other"))
+    for each in (file, other):
+        each.write_bytes(b"text")
+    link.symlink_to(file)
+    hard.hardlink_to(file)
+    assert [is_same_file(each, file) for each in (file, link, hard, other)] == [True] * 3 + [False]
+    gone = tmp_path / "gone"
+    assert is_same_file(gone, tmp_path / "." / "gone") and not is_same_file(gone, file)
+    assert not is_same_file(file, None)
 
 
 @pytest.mark.parametrize(

@@ -47,6 +47,11 @@ def file_diff(file: PlannedFile) -> bytes:
     return b"".join(lines)
 
 
+def text_diff(before: bytes, after: bytes) -> bytes:
+    """Return how two texts differ, as the patch of a file without a name."""
+    return b"".join(_hunks(before, after, b"before", b"after"))
+
+
 def visible_patch(patch: bytes) -> str:
     r"""Return a patch for a terminal: what a terminal would obey or hide is shown escaped.
 

@@ -118,7 +118,7 @@ ACTIONS: tuple[Action, ...] = (
     Action("theme", "Theme", "app.change_theme", "alt+t", "Choose other colours."),
     Action("keys", "Keys", "screen.keys", "alt+k", "All keys of where you are, at the side."),
     Action("config", "Edit the settings", "screen.config", "alt+o",
-           "Keys and other settings, in a file."),
+           "Keys and other settings, in a file; what is wrong with it, at its line."),
     Action("suspend", "Suspend", "app.suspend_process", "alt+j",
            "Go back to the shell; `fg` returns."),
     Action("quit", "Quit", "screen.quit", "ctrl+q", "Leave the studio.", footer=True, kept=True),

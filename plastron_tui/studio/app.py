@@ -29,6 +29,7 @@ from textual.worker import WorkerFailed
 from plastron_tui.diagnostics.terminal import visible_text
 from plastron_tui.private_files import sweep
 from plastron_tui.project.other_files import other_kind
+from plastron_tui.regular_files import is_same_file
 from plastron_tui.session import Options
 from plastron_tui.user_folders import state_folder
 
@@ -351,10 +352,11 @@ def _belongs(kept: Kept, open_: Open) -> bool:
 
 def _different(paths: Iterable[Path]) -> list[Path]:
     """Return the programs that are meant by paths, each file once."""
-    by_file: dict[str, Path] = {}
+    different: list[Path] = []
     for path in map(meant_by, paths):
-        by_file.setdefault(os.path.realpath(path), path)
-    return list(by_file.values())
+        if not any(is_same_file(path, each) for each in different):
+            different.append(path)
+    return different
 
 
 def run(
@@ -382,11 +384,11 @@ def shown_at_once(messages: Sequence[str], where: str = "") -> list[str]:
 
     Args:
         messages: what there is to say.
-        where: where the rest is to be read.
+        where: where they are to be read, and the rest too.
     """
     first, more = messages[:_AT_ONCE], len(messages) - _AT_ONCE
-    last = [f"… and {more} more{f': {where}' if where else ''}"] if more > 0 else []
-    return ["\n".join([*first, *last])] if first else []
+    last = [": ".join(filter(None, (f"… and {more} more" if more > 0 else "", where)))]
+    return ["\n".join(filter(None, (*first, *last)))] if first else []
 
 
 def has_few_colours(environ: Mapping[str, str]) -> bool:

@@ -30,16 +30,26 @@ def load_config(
         owners: what has keys, or can be given some.
         themes: the names of the themes.
     """
+    config, said = load_settings(file, owners, themes)
+    return config, tuple(told(file, each) for each in said)
+
+
+def told(file: Path, said: Said) -> str:
+    """Return what is to be said of a line of the configuration, with the file and the line."""
+    return f"{file.name}{f', line {said.line}' if said.line else ''}: {said.words}"
+
+
+def load_settings(
+    file: Path, owners: Sequence[KeyOwner], themes: Iterable[str]
+) -> tuple[Config, Sequence[Said]]:
+    """Read the configuration, and say line by line what is wrong with it; a line 0 is the whole."""
     try:
         text = read_regular(file, _LARGEST_CONFIG)
     except (FileNotFoundError, NotADirectoryError):
         return Config(), ()
     except OSError as error:
-        return Config(), (f"{file.name} cannot be read: {reason(error)}",)
-    config, said = read_config(text, owners, themes)
-    return config, tuple(
-        f"{file.name}{f', line {each.line}' if each.line else ''}: {each.words}" for each in said
-    )
+        return Config(), [Said(0, f"it cannot be read: {reason(error)}")]
+    return read_config(text, owners, themes)
 
 
 def read_config(

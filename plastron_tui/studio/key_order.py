@@ -38,7 +38,7 @@ ASKING = frozenset(command.id for command in COMMANDS if command.asks)
 """What opens a line in the editor, which the keys that follow are for."""
 OPENING = frozenset({
     "panel.rename", "panel.code", "live.open", "live.publish", "live.call", "live.goal",
-    "live.set", "output.filter",
+    "live.set", "live.filter", "output.filter",
 })  # fmt: skip
 """What opens a dialog or a line from a panel, by the ids of its bindings, letters too."""
 _CHOOSING = frozenset({"left", "right", "tab", "shift+tab"})

@@ -2,28 +2,24 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cache
-from typing import Any
 
 from tree_sitter import Query, QueryCursor
 
 from plastron_tui.diagnostics import Edit, Span
 from plastron_tui.language import DECLARATIONS, Document, Program, SlotKind
-from plastron_tui.language.declaration import Statement
 from plastron_tui.language.grammar import LANGUAGE
-from plastron_tui.language.sentence import sentence
 from plastron_tui.language.statements import (
     CreateLaunch,
-    CreateMessage,
     CreateNode,
     CreatePackage,
     CreateRobot,
-    Publish,
-    Rename,
 )
-from plastron_tui.model.kinds import INTERFACES, Endpoint, EndpointKind, Parameter
+from plastron_tui.model.kinds import INTERFACES, EndpointKind, Parameter
+from plastron_tui.model.source import place_of
 from plastron_tui.model.workspace import Node, Workspace
 from plastron_tui.ros.interfaces import InterfaceKind
 from plastron_tui.ros.names import (
@@ -32,24 +28,15 @@ from plastron_tui.ros.names import (
     check_service_name,
     check_topic_name,
     parameter_name,
-    resolved_name,
-    spelled,
 )
 from plastron_tui.targets import ros_version
 
 from .analysis import Analysis
 from .editor.names import wrong_name as wrong_variable
 from .editor.robot_parts import Part, find_part, kept_name, wrong_part_name, wrong_robot_name
-from .insertion_point import placed
+from .name_edits import edits_of_files, function_edits, parameter_edits, written_edits
 from .panels.entry import Entry, Subject
 from .panels.entry_signs import HUBS
-
-_SLOTS = {
-    InterfaceKind.MESSAGE: (SlotKind.TOPIC, SlotKind.TRIGGER),
-    InterfaceKind.SERVICE: (SlotKind.SERVICE,),
-    InterfaceKind.ACTION: (SlotKind.ACTION,),
-}
-"""The slots that have the name of what nodes meet at."""
 
 _MADE = (Subject.PACKAGE, Subject.LAUNCH, Subject.ROBOT)
 """What has both a name and a variable, as nodes have."""
@@ -116,11 +103,13 @@ def renamed(analysis: Analysis, entry: Entry, new: str) -> Renamed:
         return Renamed(tuple(Edit(place, new) for place in found.places))
     if entry.subject is Subject.TYPE:
         return Renamed(tuple(_own_type(program, old, new)))
+    if entry.subject is Subject.FUNCTION:
+        return Renamed(tuple(function_edits(program, entry.node or "", old, new)))
     if entry.subject is EndpointKind.PARAMETER:
-        return Renamed(tuple(_parameter(analysis, entry.node or "", old, new)))
+        return Renamed(tuple(parameter_edits(analysis, entry.node or "", old, new)))
     interface = _interface_of(entry)
-    edits = tuple(_written(program, entry, interface, old, new))
-    more, files = _in_files(analysis, interface, old, entry.node, new)
+    edits = tuple(written_edits(program, entry, interface, old, new))
+    more, files = edits_of_files(analysis, interface, old, entry.node, new)
     return Renamed((*edits, *more), files)
 
 
@@ -186,114 +175,6 @@ def _variable(program: Program, old: str, new: str) -> Iterator[Edit]:
                 yield Edit(statement.span_of(slot.name), new)
 
 
-def _parameter(analysis: Analysis, variable: str, old: str, new: str) -> Iterator[Edit]:
-    """Rename a parameter of a node, and of those that send the same messages with it."""
-    program, workspace = analysis.program, analysis.workspace
-    nodes, messages = _sharing(program, variable, old)
-    for each in nodes:
-        node = workspace.nodes.get(each)
-        found = None if node is None else node.of(Parameter).get(_own_name(analysis, node, old))
-        if node is not None and found is not None and found.span is None:
-            # Its file has it.
-            renames = DECLARATIONS[Rename]
-            texts = {"node": each, "what": "parameter", "old": old, "new": new}
-            yield placed(analysis.ground, each, [sentence(renames, texts)]).edit
-    for statement in program.statements:
-        is_own = getattr(statement, "node", None) in nodes
-        if is_own or (isinstance(statement, CreateMessage) and statement.variable in messages):
-            yield from (Edit(span, f"'{new}'") for span in _parameter_spans(statement, old))
-
-
-def _own_name(analysis: Analysis, node: Node, name: str) -> str:
-    return parameter_name(name, ros_version(node.library or analysis.session.library))
-
-
-def _sharing(program: Program, variable: str, name: str) -> tuple[set[str], set[str]]:
-    """Return the nodes that have a parameter by one name, and the messages that say it."""
-    using = {
-        each.variable
-        for each in program.statements
-        if isinstance(each, CreateMessage) and any(_parameter_spans(each, name))
-    }
-    sent = [
-        (each.node, each.message)
-        for each in program.statements
-        if isinstance(each, Publish) and each.message in using
-    ]
-    nodes, messages, count = {variable}, set[str](), 0
-    while count < len(nodes):
-        count = len(nodes)
-        messages |= {message for node, message in sent if node in nodes}
-        nodes |= {node for node, message in sent if message in messages}
-    return nodes, messages
-
-
-@cache
-def _parameters() -> Query:
-    return Query(LANGUAGE, "(parameter name: (_) @name)")
-
-
-def _parameter_spans(statement: Statement, name: str) -> Iterator[Span]:
-    """Yield where a statement has the name of a parameter: as a slot, and in values."""
-    type_: Any = type(statement)  # which mypy takes for not hashable
-    for slot in DECLARATIONS[type_].slots:
-        if slot.kind is SlotKind.PARAMETER and getattr(statement, slot.name) == name:
-            yield statement.span_of(slot.name)
-    for node in QueryCursor(_parameters()).captures(statement.syntax).get("name", []):
-        if node.text == f"'{name}'".encode():
-            yield Span(node.start_byte, node.end_byte).moved(statement.shift)
-
-
-def _written(
-    program: Program, entry: Entry, interface: InterfaceKind, old: str, new: str
-) -> Iterator[Edit]:
-    """Rename what nodes meet at: by its full name, and by its name as it is written."""
-    kinds = _SLOTS[interface]
-    same = {old, old.lstrip("/"), resolved_name(entry.node or "", old)}
-    for statement in program.statements:
-        for slot in DECLARATIONS[type(statement)].slots:
-            name = getattr(statement, slot.name) if slot.kind in kinds else None
-            if name is not None and spelled(name) in same:
-                yield Edit(statement.span_of(slot.name), f"'{new}'")
-
-
-def _in_files(
-    analysis: Analysis, interface: InterfaceKind, old: str, of: str | None, new: str
-) -> tuple[list[Edit], tuple[str, ...]]:
-    """Rename what loaded files have: by a statement that ends it and one that makes it anew."""
-    full = resolved_name(of or "", old)
-    edits = []
-    files: dict[str, None] = {}
-    for node in analysis.workspace.nodes.values():
-        if node.source is None:
-            continue
-        lines: list[str] = []
-        for (kind, name), endpoint in node.endpoints.items():
-            if endpoint.span is not None or kind.facts.interface is not interface:
-                continue
-            if resolved_name(node.name, name) != full:
-                continue
-            # What is sent is in the file's own code, which no statement can carry over.
-            if kind.facts.sends or endpoint.type is None or "'" in name:
-                files[node.source.path.name] = None
-            else:
-                lines += _under_another_name(node, kind, endpoint, new)
-        if lines:
-            edits.append(placed(analysis.ground, node.variable, lines).edit)
-    return edits, tuple(files)
-
-
-def _under_another_name(
-    node: Node, kind: EndpointKind, endpoint: Endpoint, new: str
-) -> Iterator[str]:
-    """Yield the statements that end what a file has under a name, and make it anew."""
-    editing = kind.editing
-    yield sentence(editing.ending, {"node": node.variable, editing.name_slot: endpoint.name})
-    texts = {"node": node.variable, editing.name_slot: new, "type": str(endpoint.type)}
-    callback = getattr(endpoint, "callback", None) or ""
-    yield sentence(editing.making, {**texts, "function": callback})
-
-
 def _wrong_variable(analysis: Analysis, new: str) -> str | None:
     workspace = analysis.workspace
     if workspace.what(new) is not None:
@@ -327,8 +208,32 @@ def _made_names(workspace: Workspace, subject: Subject | EndpointKind) -> set[st
 
 def fixed_name(analysis: Analysis, entry: Entry) -> str | None:
     """Return why something keeps the name that it has, None when it can have another one."""
+    if entry.subject is Subject.FUNCTION:
+        return _file_with(analysis.workspace.nodes.get(entry.node or ""), entry.text)
     part = _part_of(entry)
     return None if part is None else kept_name(part, analysis.workspace.robots.get(part.robot))
+
+
+def _file_with(node: Node | None, function: str) -> str | None:
+    """Say that a function is in the file of a node, None where it is not."""
+    if node is None or node.source is None:
+        return None
+    word = re.compile(rb"\b%b\b" % re.escape(function.encode()))
+    files = node.source.files.texts
+    found = next((name for name, text in files if word.search(text)), None)
+    if found is None:
+        return None
+    file = place_of(node.source.path, found).name
+    return f"`{function}` is a function of {file}: rename it there"
+
+
+def _wrong_function(analysis: Analysis, entry: Entry, new: str) -> str | None:
+    """Return why a function cannot have a name, None when it can."""
+    if not (new.isascii() and new.isidentifier()):
+        return f"`{new}` is no function: it has letters, digits and `_`, a letter first"
+    if any(True for _ in function_edits(analysis.program, entry.node or "", new, new)):
+        return f"`{entry.node}` has a function `{new}` already"
+    return None
 
 
 def wrong_name(analysis: Analysis, entry: Entry, new: str) -> str | None:
@@ -337,6 +242,8 @@ def wrong_name(analysis: Analysis, entry: Entry, new: str) -> str | None:
     node = nodes.get(entry.node or "")
     if entry.subject in _MADE:
         return _wrong_made(analysis, entry, new)
+    if entry.subject is Subject.FUNCTION:
+        return _wrong_function(analysis, entry, new)
     part = _part_of(entry)
     if part is not None:
         robot = analysis.workspace.robots.get(part.robot)

@@ -39,6 +39,7 @@ class Running:
     Attributes:
         status: the exit status, None as long as the nodes run.
         monitors: what starts monitors of the nodes; nothing before they are started.
+        is_started: whether the nodes were started: what they need is built.
     """
 
     def __init__(self, path: Path, options: Options, on_news: Callable[[], None]) -> None:
@@ -55,6 +56,7 @@ class Running:
         """
         self.status: int | None = None
         self.monitors: tuple[MonitorCommand, ...] = ()
+        self.is_started = False
         self._news = News(on_news)
         self._lines = Backlog(
             most_lines=_MOST_LINES, most_bytes=MOST_WAITING, at_once=AT_ONCE, is_kept=_is_own
@@ -131,8 +133,8 @@ class Running:
         """Read what starts the monitors, which is said when the nodes are started."""
         with os.fdopen(announcing, encoding="utf-8", errors="replace") as pipe:
             self.monitors = announced(pipe.readline())
-        if self.monitors:
-            self._news.tell_anew()
+        self.is_started = True
+        self._news.tell_anew()
 
 
 def _is_own(line: bytes) -> bool:

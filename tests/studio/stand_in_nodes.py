@@ -22,6 +22,7 @@ class Nodes:
     """Nodes that are said to run until they are stopped."""
 
     monitors: tuple[MonitorCommand, ...] = ()
+    is_started = True
     has_more = False
 
     def __init__(self, path: Path, options: object, news: Any) -> None:

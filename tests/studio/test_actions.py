@@ -1,6 +1,7 @@
 from __future__ import annotations
 
 import sys
+from contextlib import nullcontext
 from pathlib import Path
 
 import pytest
@@ -12,6 +13,7 @@ from textual.widgets import Button, Label
 from plastron_tui.studio.actions import ACTIONS, BY_ID
 from plastron_tui.studio.config import config_file
 from plastron_tui.studio.editor.commands import BY_NAME
+from plastron_tui.studio.main import edit_config
 from plastron_tui.studio.main.screen import MainScreen
 from plastron_tui.studio.panels.registry import PANELS
 from plastron_tui.studio.screens.themes import ThemeMenu
@@ -86,18 +88,25 @@ async def test_a_broken_configuration_is_said_and_defaults_count(program: Path, 
         assert driver.text == PROGRAM
 
 
-async def test_all_mistakes_in_the_settings_can_be_read(program: Path) -> None:
+async def test_all_mistakes_in_the_settings_can_be_read_and_gone_to(
+    program: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
     config_file().parent.mkdir(parents=True)
     config_file().write_text("".join(f"wrong_{number}: 1\n" for number in range(7)))
     async with studio(program) as driver:
         assert "no setting `wrong_4`" in driver.notes()
         assert "… and 2 more: Alt-O lists those of the settings" in driver.notes()
         await driver.pilot.press("alt+o")
-        dialog = await driver.dialog("Question")
-        assert "line 7: no setting `wrong_6`" in dialog.query_one("TextView").text
-        config_file().write_text("numbers: maybe\n")
-        await driver.pilot.press("enter")
+        dialog = await driver.dialog("LineList")
+        rows = dialog.query_one("#dialog-places").options
+        assert str(rows[-1].prompt) == "7  no setting `wrong_6`"
+        monkeypatch.setenv("EDITOR", "nano -w")
+        monkeypatch.setattr(driver.app, "suspend", nullcontext)
+        opened: list[object] = []
+        monkeypatch.setattr(edit_config, "run_editor", lambda *args: opened.extend(args))
+        await driver.pilot.press("end", "enter")
         await driver.until(lambda: "settings count from the next start" in driver.notes())
+        await driver.until(lambda: opened == [["nano", "-w"], config_file(), 7])
 
 
 async def test_the_theme_and_the_layout_are_remembered(program: Path) -> None:

@@ -10,7 +10,7 @@ from textual.color import Color
 from textual.geometry import Size
 from textual.widgets import Button, OptionList
 
-from plastron_tui.studio.panels.source_lines import difference
+from plastron_tui.studio.panels.diff_lines import difference
 from plastron_tui.studio.panels.styles import Piece
 from plastron_tui.studio.panels.text_view import TextView
 from plastron_tui.studio.screens.dialog import is_tall
@@ -58,14 +58,16 @@ async def test_what_is_looked_at_leaves_the_answers_in_sight(program: Path) -> N
             assert box.content_region.contains_region(buttons) and buttons.height
             await driver.pilot.press("escape")
             await driver.back()
-        driver.app.push_screen(Question("Well?", ANSWERS, lines=difference(b"a\n", b"b\nc\n")))
+        driver.app.push_screen(
+            Question("Well?", ANSWERS, lines=difference(b"a\n", b"b\nc\n", program))
+        )
         question = await driver.dialog("Question")
         view = question.query_one(TextView)
         for row, line in enumerate(view.lines):
             grounds = [segment.style.bgcolor for segment in view.render_line(row) if segment.text]
             assert len(set(grounds)) == 1, line
-            is_changed = line[0].text[:1] in ("+", "-")
-            assert (grounds[0] != view.rich_style.bgcolor) is is_changed
+            is_changed = line[1:] and line[1].text in ("+", "-")
+            assert (grounds[0] != view.rich_style.bgcolor) is bool(is_changed)
 
 
 @pytest.mark.parametrize(("rows", "is_roomy"), [(50, True), (24, False)])

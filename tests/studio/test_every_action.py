@@ -137,6 +137,7 @@ CASES: dict[str, Case] = {
     "editor.move_down": text(SECOND + FIRST + REST),
     "editor.delete_line": text(SECOND + REST),
     "editor.definition": Case(at("greeting of"), cursor="greeting to"),
+    "editor.uses": Case(cursor="greeting to", opens="LineList"),
     "editor.rename": Case(lambda driver: type(driver.app.focused).__name__ == "Input",
                           cursor="greeting to"),
     "editor.format": text(PROGRAM, program=PROGRAM.replace("of message_type", "of   message_type")),

@@ -8,7 +8,14 @@ import pytest
 from studio_driver import SIZES, Driver, studio
 
 from plastron_tui.output.plan import FileState
-from plastron_tui.studio.panels.file_tree import FileTree, TreeFile, entries_of, keys_of, size_text
+from plastron_tui.studio.panels.file_tree import (
+    FileTree,
+    TreeFile,
+    entries_of,
+    first_seen,
+    keys_of,
+    size_text,
+)
 from plastron_tui.studio.panels.preview import Preview
 from plastron_tui.studio.panels.styles import Piece
 
@@ -71,6 +78,24 @@ def test_files_are_listed_and_many_in_folders_are_a_tree(
     found: list[TreeFile], shown: list[str]
 ) -> None:
     assert lines(found) == shown
+
+
+@pytest.mark.parametrize(
+    ("states", "first"),
+    [
+        (["identical", "create", "changed", "conflict"], 3),
+        (["identical", "create", "changed"], 2),
+        (["identical", "create", "create"], 1),
+        (["identical", "identical"], 0),
+        ([None, None], 0),
+    ],
+)
+def test_what_has_to_be_decided_is_seen_first(states: list[str | None], first: int) -> None:
+    files = [
+        TreeFile(f"{number}.py", None if each is None else FileState(each), 0)
+        for number, each in enumerate(states)
+    ]
+    assert first_seen(files) == first
 
 
 def test_files_of_one_name_have_lines_of_their_own() -> None:

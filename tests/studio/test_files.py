@@ -7,10 +7,12 @@ from pathlib import Path
 import pytest
 from machine import mostly_long
 from studio_driver import PROGRAM, SIZES, leave_behind, studio
+from textual.widgets import Label, OptionList
 
 from plastron_tui.studio.files import lost
 from plastron_tui.studio.journal import kept_texts
 from plastron_tui.studio.main.screen import MainScreen
+from plastron_tui.studio.screens.choose_file import recent_in
 from plastron_tui.user_folders import state_folder
 
 
@@ -101,6 +103,32 @@ async def test_a_program_is_opened(program: Path) -> None:
         assert driver.main.open.path == other
         assert driver.shown("nodes") == ["● arm rospy does nothing"]
         assert driver.app.profile.remembered.recent[0] == str(other)
+        # What was open lately can be opened from any folder, but for what is open.
+        late = program.parent.parent / "late" / "walk.plastron"
+        late.parent.mkdir()
+        late.write_text("// late\n")
+        driver.app.profile.remembered.opened(late)
+        await driver.pilot.press("ctrl+o")
+        dialog = await driver.dialog("ChooseFile")
+        rows = [str(each.prompt).split("  ")[0] for each in dialog.query_one(OptionList).options]
+        assert rows[0] == "walk.plastron" and rows[2:] == ["../", "other.plastron", "talk.plastron"]
+        assert str(dialog.query_one("#dialog-folder", Label).content) == "opened lately"
+        await driver.pilot.press("down", "enter")
+        await driver.back()
+        assert driver.main.open.path == late
+
+
+@pytest.mark.parametrize(
+    ("written", "offered"),
+    [("", ["b", "c"]), ("B", ["b"]), ("x", []), ("/w/", []), ("../b", [])],
+)
+def test_files_of_late_are_those_that_fit_and_are_in_other_folders(
+    written: str, offered: list[str]
+) -> None:
+    recent = [Path("/w/a"), Path("/other/b"), Path("/other/c")]
+    part = written.rpartition("/")[2]
+    found = recent_in(recent, Path("/w"), part, written)
+    assert [path.name for path in found] == offered
 
 
 NO_PROGRAMS = {

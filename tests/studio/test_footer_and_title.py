@@ -2,11 +2,15 @@
 
 from __future__ import annotations
 
+from types import SimpleNamespace
+from typing import Any, cast
+
 import pytest
 
 from plastron_tui.studio.actions import ACTIONS, KEPT
 from plastron_tui.studio.key_display import key_name
-from plastron_tui.studio.main.program_bars import Title
+from plastron_tui.studio.main.program_bars import OLDER, Title
+from plastron_tui.studio.main.tab_run import TabRun
 from plastron_tui.studio.panels.key_bar import Key, fitting
 
 NAMES = {
@@ -105,3 +109,28 @@ def test_the_title_says_that_what_runs_is_older(width: int, text: str) -> None:
     title = Title("talk.plastron", False, "work", "rclpy", "rclpy", stage, "F5", "Alt-R")
     left, right = title.pieces(width)
     assert "".join(words for words, _ in (*left, *right)).removeprefix("plastron ") == text
+
+
+def test_nodes_run_once_what_they_need_is_built() -> None:
+    run = TabRun()
+    assert run.stage(0.0) == ""
+    nodes = SimpleNamespace(is_started=False)
+    run.running = cast(Any, nodes)
+    assert run.stage(1.0) == "starting"
+    run.note_progress(["plastron run a", "building `it`: compiling"], 2.0)
+    run.note_progress(["building `it`: compiling, 25 %"], 4.0)
+    assert run.stage(14.9) == "building it… 12 s"
+    run.note_progress(["building `other`: configuring"], 20.0)
+    assert run.stage(20.0) == "building other… 0 s"
+    nodes.is_started = True
+    assert run.stage(30.0) == "running"
+    run.text = b"a // b\n"
+    run.compare(b"a\n")
+    assert run.stage(30.0) == "running"
+    run.compare(b"b\n")
+    assert run.stage(30.0) == OLDER
+    run.compare(b"a\n")
+    # What a node prints is told by it, not by the build.
+    nodes.is_started = False
+    run.note_progress(["talker | building `third`: no"], 31.0)
+    assert run.stage(32.0) == "running" and run.built == "other"

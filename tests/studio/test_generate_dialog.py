@@ -100,6 +100,9 @@ async def test_the_preview_says_what_comes_first(loaded: Path) -> None:
         said = "old.py  as it was loaded: nothing in it changes  mend 1 problem first"
         assert head() == said
         assert panel.text == FILE.rstrip("\n")
+        driver.main.editor.replace_all(LOADED.encode())
+        await driver.settle()
+        assert head() == "output/old.py  will be created: what differs from old.py"
         driver.main.editor.replace_all(b"load 'gone.py' as old\nfoo\n")
         await driver.settle()
         assert head() == "mend 2 problems first"
@@ -127,10 +130,10 @@ async def test_each_state_is_listed_with_what_it_is_about(program: Path) -> None
         assert files == {
             "talker_pub.py": "changed", "listener_sub1.py": "conflict", "more_sub1.py": "create",
         }  # fmt: skip
+        assert "-mine" in seen(dialog)[1], "what was written by hand is seen first"
+        await driver.pilot.press("up")
         assert "+" in seen(dialog)[1] and "hallo" in seen(dialog)[1]
-        await driver.pilot.press("down")
-        assert "-mine" in seen(dialog)[1]
-        await driver.pilot.press("down")
+        await driver.pilot.press("down", "down")
         assert seen(dialog)[0] == "the whole file"
         assert "changed by hand" in said(dialog)
         assert not dialog.query_one("#write", Button).display

@@ -1,6 +1,9 @@
 from __future__ import annotations
 
+from collections.abc import Callable
 from pathlib import Path
+from types import SimpleNamespace
+from typing import Any
 
 import pytest
 from studio_driver import PROGRAM, Driver, studio
@@ -48,6 +51,34 @@ async def test_a_line_is_not_wrong_while_somebody_types_it(
         # Once the line is left, all of it is told at once.
         await driver.pilot.press("home", "up")
         assert wrong(driver) == (2, 2, 2)
+
+
+def test_nothing_is_told_as_long_as_a_list_of_what_can_stand_there_is_open(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    class Resting:
+        def __init__(self, _pump: object, rest: Callable[[], object]) -> None:
+            self.over, self.starts = rest, 0
+
+        def start(self, _seconds: float) -> None:
+            self.starts += 1
+
+        def stop(self) -> None: ...
+
+    monkeypatch.setattr(held_back, "Delay", Resting)
+    popup, told = SimpleNamespace(is_open=True), []
+    buffer = SimpleNamespace(start=lambda row: 0, end=lambda row: 9)
+    marks = SimpleNamespace(between=lambda start, end: ())
+    editor: Any = SimpleNamespace(
+        popup=popup, marks=marks, state=SimpleNamespace(row=3, buffer=buffer)
+    )
+    held: Any = held_back.HeldBack(None, editor, lambda: told.append(1))  # type: ignore[arg-type]
+    held.edited()
+    held._rest.over()
+    assert held.is_holding and not told and held._rest.starts == 2
+    popup.is_open = False
+    held._rest.over()
+    assert told and not held.is_holding
 
 
 async def test_what_was_wrong_before_stays(program: Path) -> None:

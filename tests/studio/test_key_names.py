@@ -75,7 +75,7 @@ def test_all_keys_of_the_studio_can_be_written_and_come_through() -> None:
         ("find.regex: alt+c", {"find.regex": "alt+c", "find.case": "f7"},
          ["line 2: `Alt-C` is the key of `code` too, which it is not in the line that finds",
           "line 2: `Alt-C` was the key of `find.case`, which has `F7` left"]),
-        ("find.next: n", {}, ["line 2: `n` writes into the text; `Alt-H` comes"]),
+        ("find.next: n", {}, ["line 2: `n` writes into the text; `Alt-X` comes"]),
         ("run: f6\n  generate: f5", {"run": "f6", "generate": "f5"}, []),
         ("generate: f11\n  run: f11", {"generate": "f11"},
          ["line 3: `F11` is the key of `generate` in line 2 already"]),

@@ -195,6 +195,7 @@ async def test_keys_behind_that_of_a_panel_are_for_what_it_opens(
             await driver.dialog("GenerateDialog")
         await driver.pilot.press("escape")
         await driver.back()
-        await driver.show("output")
-        await quickly(driver, "slash", *"words")
-        assert driver.main.focused.value == "words"
+        for panel in ("output", "live"):
+            await driver.show(panel)
+            await quickly(driver, "slash", *"words")
+            assert driver.main.focused.value == "words"

@@ -18,6 +18,7 @@ class Nodes:
 
     made: list[Nodes]
     monitors = ()
+    is_started = True
     has_more = False
 
     def __init__(self, path: Path, options: object, news: object) -> None:

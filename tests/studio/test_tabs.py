@@ -91,6 +91,8 @@ async def test_texts_of_all_tabs_are_kept_until_they_are_not_wanted(
     monkeypatch.setattr("plastron_tui.studio.main.recovery._KEEP", 3600.0)
     link = program.with_name("link.plastron")
     link.symlink_to(other)
+    hard = program.with_name("hard.plastron")
+    hard.hardlink_to(other)
     forgetful = list[Session]()
     files_changed = Session.files_changed
 
@@ -108,8 +110,9 @@ async def test_texts_of_all_tabs_are_kept_until_they_are_not_wanted(
         assert left in forgetful
         await driver.type("// two\n")
         # A link to a file that is open is that file.
-        main.files.open_file(link)
-        await driver.settle()
+        for each in (link, hard):
+            main.files.open_file(each)
+            await driver.settle()
         journals = [tab.open.journal.file for tab in main.program.tabs]
         assert len(journals) == 2
         assert not any(file.exists() for file in journals)

@@ -19,20 +19,21 @@ USUAL: tuple[str, ...] = ("sensible-editor", "editor", "nano", "vim", "vi")
 NO_EDITOR = "no editor is found: name one in $EDITOR"
 
 
-def external_editor(environ: Mapping[str, str]) -> list[str] | None:
-    """Return the command of the user's editor, None for none.
+def external_editor(environ: Mapping[str, str]) -> list[str] | str:
+    """Return the command of the user's editor, or why there is none.
 
     Where no variable names one, it is the system's, or one that most systems have.
     """
     for variable in ("VISUAL", "EDITOR"):
+        written = environ.get(variable, "")
         try:
-            command = shlex.split(environ.get(variable, ""))
+            command = shlex.split(written)
         except ValueError:
-            continue
+            return f"${variable} is `{written}`, where a quote is not closed"
         if command:
             return command
     found = (which(name, path=environ.get("PATH")) for name in USUAL)
-    return next(([command] for command in found if command is not None), None)
+    return next(([command] for command in found if command is not None), NO_EDITOR)
 
 
 _WAYS = {

@@ -61,6 +61,44 @@ def function_at(document: Document, offset: int) -> str | None:
     return None if node is None else _text(node)
 
 
+def same_words(document: Document, offset: int, kind: str) -> tuple[str, tuple[Span, ...]] | None:
+    """Return the function or the type at an offset, and where the same stands; None for none.
+
+    A function is that of one node; another node's of that name is another one.
+
+    Args:
+        document: the program.
+        offset: the place.
+        kind: `function` or `type`, as the grammar has it.
+    """
+    node = _node_around(document, offset, kind)
+    if node is None:
+        return None
+    owner = _owner(node) if kind == "function" else ""
+    found = QueryCursor(_all_of(kind)).captures(document.tree.root_node).get("found", [])
+    same = [each for each in found if each.text == node.text]
+    own = (each for each in same if kind != "function" or _owner(each) == owner)
+    places = sorted(Span(*each.byte_range) for each in own)
+    return _text(node), tuple(places)
+
+
+@cache
+def _all_of(kind: str) -> Query:
+    return Query(LANGUAGE, f"({kind}) @found")
+
+
+def _node_around(document: Document, offset: int, type_: str) -> Node | None:
+    """Return the node of a type that a word at an offset is, or is a part of."""
+    root = document.tree.root_node
+    for start, end in ((offset, offset + 1), (offset - 1, offset)):
+        node = root.descendant_for_byte_range(start, end) if start >= 0 else None
+        while node is not None and node.type != type_:
+            node = node.parent
+        if node is not None:
+            return node
+    return None
+
+
 def is_file_at(document: Document, offset: int) -> bool:
     """Tell whether the file that a node is loaded from is named at an offset."""
     found = (_node_at(document, offset, each) for each in ("path", "module"))

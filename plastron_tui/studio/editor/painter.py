@@ -26,6 +26,7 @@ class Frame(NamedTuple):
         gutter: the cells of signs and line numbers.
         left: the first cell of the text that is shown.
         has_focus: whether keys come to the text.
+        offers: whether a list of what can stand at the cursor is open: that is read first.
     """
 
     palette: Palette
@@ -33,6 +34,7 @@ class Frame(NamedTuple):
     gutter: int
     left: int
     has_focus: bool
+    offers: bool = False
 
 
 class Painter:
@@ -89,9 +91,14 @@ class Painter:
         canvas = Canvas(frame.palette, frame.gutter, frame.width - frame.gutter, frame.left)
         pieces = self._geometry.sections(row)
         look = self._look(row, frame, pieces[min(line, len(pieces) - 1)])
-        message = worst([mark for _, _, mark in look.marks])
+        is_choosing = frame.offers and row == self._state.row
+        message = None if is_choosing else worst([mark for _, _, mark in look.marks])
         if line >= len(pieces):
-            return below(look, canvas, message) if message else Strip.blank(frame.width)
+            return (
+                below(look, canvas, message)
+                if message
+                else Strip.blank(frame.width, frame.palette.text)
+            )
         if row in self._geometry.lines.extra and self._geometry.message_below(row):
             message = None
         start, end = pieces[line]

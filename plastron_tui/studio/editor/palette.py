@@ -37,6 +37,13 @@ _THEMED: Mapping[str, tuple[str, str]] = {
 }
 """For each capture of the grammar's query: a colour of the theme, and how it is written."""
 
+
+def tone_of(capture: str) -> str:
+    """Return the tone of a capture, for where a text is only read: a colour of the theme."""
+    color, how = _THEMED.get(capture, ("", ""))
+    return color or ("quiet" if "dim" in how else "")
+
+
 _ANSI: Mapping[str, str] = {
     "primary": "blue",
     "secondary": "cyan",

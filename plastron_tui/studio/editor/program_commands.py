@@ -8,12 +8,12 @@ from typing import TYPE_CHECKING
 
 from textual.app import SuspendNotSupported
 
-from plastron_tui.diagnostics import Edit
+from plastron_tui.diagnostics import Edit, counted
 from plastron_tui.language import format_document
 from plastron_tui.project.program_file import check_text
 from plastron_tui.regular_files import reason
 
-from .external_editor import NO_EDITOR, EditedElsewhere, external_editor, run_editor
+from .external_editor import EditedElsewhere, external_editor, run_editor
 from .name_uses import Name, function_at, is_file_at, name_at, next_use, uses_of
 from .names import Variable, variable_at, wrong_name
 from .robot_parts import find_part, kept_name, part_at, wrong_part_name
@@ -64,19 +64,30 @@ def _go_to_next_use(editor: ProgramEditor, name: Name) -> None:
         editor.go_to(use.start)
 
 
+async def list_uses(editor: ProgramEditor) -> None:
+    """List the lines on which what is under the cursor is used."""
+    await editor.run_action("screen.uses")
+
+
 async def ask_name(editor: ProgramEditor) -> None:
-    """Ask for another name of the variable under the cursor."""
+    """Ask for another name of what is under the cursor, everywhere."""
     variable = _variable(editor)
     document, offset = editor.session.document, editor.cursor_offset
+    if name_at(document, offset) is not None or function_at(document, offset) is not None:
+        # What the nodes have of the name is known to the screen.
+        await editor.run_action("screen.rename")
+        return
     part = None if variable_at(document, offset) is not None else part_at(document, offset)
     kept = None if part is None else kept_name(part, editor.completer.names.known_robot(part.robot))
     if kept is not None:
         editor.warn(kept)
     elif variable is None:
-        editor.warn("no variable, and no part of a robot, is under the cursor")
+        editor.warn("nothing under the cursor has a name of the program's own")
     else:
         name = variable.name
-        await editor.ask(f"rename {name} to", name, partial(rename, editor))
+        found = variable.places
+        where = f" ({counted(len(found), 'place')})"
+        await editor.ask(f"rename {name}{where} to", name, partial(rename, editor))
 
 
 def rename(editor: ProgramEditor, name: str) -> None:
@@ -122,8 +133,8 @@ def _go_to_line(editor: ProgramEditor, answer: str) -> None:
 def edit_elsewhere(editor: ProgramEditor) -> None:
     """Edit the text in `$VISUAL` or `$EDITOR`, and take what comes back as one step."""
     command = external_editor(os.environ)
-    if command is None:
-        editor.warn(NO_EDITOR)
+    if isinstance(command, str):
+        editor.warn(command)
         return
     path = editor.session.path
     try:

@@ -13,6 +13,11 @@ GAP = "   "
 """What stands between a sentence and its help."""
 
 
+def is_comment(line: bytes) -> bool:
+    """Tell whether a line begins with a comment: no statement is started there."""
+    return line.lstrip().startswith((b"//", b"/*"))
+
+
 def help_of(expected: Expectation) -> str:
     """Return the sentence of the statement at a place, the current part marked, and its help.
 

@@ -132,7 +132,8 @@ class EditorView(ScrollView, can_focus=True, inherit_bindings=False):
     def render_line(self, y: int) -> Strip:
         """Draw a line of the screen."""
         width = self.scrollable_content_region.width
-        frame = Frame(self.palette, width, self.gutter_width, self._left, self.has_focus)
+        offers = self.popup.is_open
+        frame = Frame(self.palette, width, self.gutter_width, self._left, self.has_focus, offers)
         strip = self.painter.draw(self.scroll_offset.y + y, frame)
         for box in (self.popup, self.card):
             if box.is_open and y in box.region.line_range:
@@ -265,12 +266,11 @@ class EditorView(ScrollView, can_focus=True, inherit_bindings=False):
         self, candidates: Sequence[Candidate], detail: Callable[[Candidate], str], offset: int
     ) -> None:
         """Show the popup below an offset."""
-        covered = self.popup.region if self.popup.is_open else None
+        covered = [self.popup.region] if self.popup.is_open else []
+        self._refresh_offsets(self.state.cursor)
         size = self.scrollable_content_region.size
         self.popup.offer(candidates, detail, self.cell_of(offset), size)
-        for changed in (covered, self.popup.region):
-            if changed is not None:
-                self.refresh(changed)
+        self.refresh(self.popup.region, *covered)
 
     def choose(self, by: int) -> None:
         """Mark another entry of the popup."""
@@ -282,6 +282,7 @@ class EditorView(ScrollView, can_focus=True, inherit_bindings=False):
         if self.popup.is_open:
             self.popup.close()
             self.refresh(self.popup.region)
+            self._refresh_offsets(self.state.cursor)
 
     def watch_scroll_y(self, old_value: float, new_value: float) -> None:
         """Let the popup and the card go when their word does."""

@@ -328,9 +328,11 @@ class ProgramEditor(Vertical):
         """A line about the statement under the cursor, the current slot between `‹` and `›`."""
         if not self.completer.is_ready:
             return ""
-        from .statement_help import help_of
+        from .statement_help import help_of, is_comment
 
-        return help_of(self.expected)
+        buffer, row = self.state.buffer, self.state.row
+        line = buffer.text[buffer.start(row) : buffer.end(row)]
+        return "" if is_comment(line) else help_of(self.expected)
 
     def go_to(self, offset: int) -> None:
         """Put the cursor at an offset, with the lines around it in sight."""

@@ -97,7 +97,7 @@ class DiskWatch:
             self._on_files()
 
     async def _ask(self, open_: Open, now: OnDisk) -> None:
-        from ..panels.source_lines import difference
+        from ..panels.diff_lines import difference
         from ..screens.question import Question
 
         assert now.text is not None
@@ -106,7 +106,7 @@ class DiskWatch:
                 f"{now.path.name} was changed by another program",
                 [("keep", "Keep my text"), ("load", "Load the file")],
                 text="This is how the file differs from the text in the editor:",
-                lines=difference(open_.text, now.text),
+                lines=difference(open_.text, now.text, now.path),
                 is_unasked=True,
             )
         )

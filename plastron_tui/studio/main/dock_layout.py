@@ -26,6 +26,7 @@ LOW = 14
 """With fewer rows the text has the window, as long as no panel has the focus."""
 
 _OUTLINE_COLUMNS = 34
+_MOST_OUTLINE = 48
 SIDE_COLUMNS = 40
 """The columns of what is put at the side of all docks."""
 _LEAST = 3
@@ -215,7 +216,9 @@ class DockLayout(Horizontal):
             dock.styles.height = min(rows, most)
             dock.styles.dock = "none" if dock is self.bottom else "bottom"
         else:
-            usual = _OUTLINE_COLUMNS if dock is self.outline else max(40, width - 38 - TEXT)
+            # Long names and types are seen whole where the window has columns to spare.
+            outline = min(_MOST_OUTLINE, _OUTLINE_COLUMNS + max(0, width - WIDE) // 5)
+            usual = outline if dock is self.outline else max(40, width - outline - 4 - TEXT)
             columns = self.sizes[dock.side] or usual
             dock.styles.width = max(_LEAST, min(columns, width - _EDITOR_COLUMNS))
             dock.styles.height = "100%"

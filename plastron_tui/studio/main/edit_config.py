@@ -13,9 +13,9 @@ from plastron_tui.diagnostics import counted
 
 from ..actions import ACTIONS, key_owners
 from ..config import config_file, template
-from ..config_reader import load_config
-from ..editor.external_editor import external_editor, run_editor
-from ..panels.styles import Piece
+from ..config_reader import load_settings, told
+from ..editor.external_editor import NO_EDITOR, external_editor, run_editor
+from ..key_conflicts import Said
 
 
 async def edit_config(screen: Screen[None]) -> None:
@@ -29,39 +29,43 @@ async def edit_config(screen: Screen[None]) -> None:
         screen.notify(problem, severity="error", markup=False)
         return
     wrong = _wrong(screen)
-    if wrong and not await _is_opened(screen, wrong):
+    line = await _line(screen, wrong) if wrong else 1
+    if line is None:
         return
     screen.notify(
         f"{file}\nsettings count from the next start of the studio on", timeout=8, markup=False
     )
     command = external_editor(os.environ)
-    if command is None:
+    if isinstance(command, str):
+        if command != NO_EDITOR:
+            screen.notify(command, severity="warning", markup=False)
         return
     with suppress(SuspendNotSupported), screen.app.suspend():
-        problem = run_editor(command, file)
+        problem = run_editor(command, file, line)
     screen.app.refresh()
     if problem is not None:
         screen.notify(problem, severity="warning", markup=False)
         return
     wrong = _wrong(screen)
     if wrong:
-        screen.notify("\n".join((_count(wrong), wrong[0])), severity="warning", markup=False)
+        screen.notify(
+            "\n".join((_count(wrong), told(file, wrong[0]))), severity="warning", markup=False
+        )
 
 
-def _wrong(screen: Screen[None]) -> Sequence[str]:
+def _wrong(screen: Screen[None]) -> Sequence[Said]:
     """Return what is wrong with the file as it is now."""
-    return load_config(config_file(), key_owners(), screen.app.available_themes)[1]
+    return load_settings(config_file(), key_owners(), screen.app.available_themes)[1]
 
 
-def _count(wrong: Sequence[str]) -> str:
+def _count(wrong: Sequence[Said]) -> str:
     return f"{counted(len(wrong), 'mistake')} in the settings"
 
 
-async def _is_opened(screen: Screen[None], wrong: Sequence[str]) -> bool:
-    """List what is wrong, and ask whether the file is to be opened."""
-    from ..screens.question import Question
+async def _line(screen: Screen[None], wrong: Sequence[Said]) -> int | None:
+    """List what is wrong; return the line that somebody wants to mend, None for none."""
+    from ..screens.line_list import LineList
 
-    answers = [("open", "Open the file"), ("close", "Close")]
-    lines = tuple((Piece(each),) for each in wrong)
-    question = Question(_count(wrong), answers, lines=lines)
-    return await screen.app.push_screen_wait(question) == "open"
+    lines = LineList(_count(wrong), wrong)
+    chosen = await screen.app.push_screen_wait(lines)
+    return None if chosen < 0 else max(1, wrong[chosen].line)

@@ -16,6 +16,7 @@ from .workers import start_exclusive
 
 if TYPE_CHECKING:
     from ..analysis import Analysis
+    from ..renaming import Renamed
 
 
 class EntryActions:
@@ -55,6 +56,20 @@ class EntryActions:
             case "rename":
                 start_exclusive(self._screen, "rename", self._rename, entry)
 
+    def rename_here(self) -> None:
+        """Rename what the name at the cursor is about."""
+        analysis = self._current()
+        if analysis is None:
+            return
+        from ..named_entry import named_entry
+
+        offset = self._program.editor.cursor_offset
+        found = named_entry(analysis.ground.document, analysis.program, offset)
+        if isinstance(found, str):
+            self._warn(found)
+        elif found is not None:
+            start_exclusive(self._screen, "rename", self._rename, found)
+
     def _current(self) -> Analysis | None:
         """Return what the text means; say so when that is not known yet."""
         analysis = self._program.analysis
@@ -64,6 +79,9 @@ class EntryActions:
 
     def _say(self, text: str, seconds: float = 2) -> None:
         self._screen.notify(text, timeout=seconds, markup=False)
+
+    def _warn(self, text: str) -> None:
+        self._screen.notify(text, severity="warning", markup=False)
 
     def _write(self, statement: str, owner: str | None, after: Span | None = None) -> None:
         """Write a statement, or a line each, where they take effect, and go there."""
@@ -103,16 +121,18 @@ class EntryActions:
             return
         fixed = fixed_name(analysis, entry)
         if fixed is not None:
-            self._screen.notify(fixed, severity="warning", markup=False)
+            self._warn(fixed)
             return
         open_ = self._program.open
         old = old_name(entry, analysis.workspace)
-        new = await self._screen.app.push_screen_wait(Prompt(f"Rename {old} to", old))
+        where = _places(renamed(analysis, entry, old))
+        dialog = Prompt(f"Rename {old} to", old, text=where)
+        new = await self._screen.app.push_screen_wait(dialog)
         if not new or new == old or open_ is not self._program.open or analysis.text != open_.text:
             return
         problem = wrong_name(analysis, entry, new)
         if problem is not None:
-            self._screen.notify(problem, severity="warning", markup=False)
+            self._warn(problem)
             return
         found = renamed(analysis, entry, new)
         said = []
@@ -144,3 +164,10 @@ class EntryActions:
                 self._say(found.fix.title)
                 return
         self._say("no problem on this line has a fix", 3)
+
+
+def _places(found: Renamed) -> str:
+    """Say where something has its name: how often in the program, and in which files."""
+    said = [f"in {counted(len(found.edits), 'place')} of the program"] if found.edits else []
+    said += [f"{file} has it in its own code, and keeps it" for file in found.files]
+    return "\n".join(said)

@@ -142,7 +142,13 @@ class FileActions:
         from ..screens.choose_file import ChooseFile
 
         start = self.program.open.session.folder
-        path = await self.screen.app.push_screen_wait(ChooseFile("Open", start, must_be=True))
+        recent = [
+            name
+            for name in self.profile.remembered.recent
+            if self.program.tab_of(Path(name)) is None
+        ]
+        dialog = ChooseFile("Open", start, must_be=True, recent=recent)
+        path = await self.screen.app.push_screen_wait(dialog)
         if path is not None:
             self.open_file(path)
 
@@ -289,7 +295,7 @@ class FileActions:
         return f"{nodes[0].name}.plastron" if nodes else "program.plastron"
 
     async def _may_overwrite(self, path: Path, found: bytes, text: bytes) -> bool:
-        from ..panels.source_lines import difference
+        from ..panels.diff_lines import difference
         from ..screens.question import Question
 
         answer = await self.screen.app.push_screen_wait(
@@ -297,7 +303,7 @@ class FileActions:
                 f"{path.name} holds something else on the disk",
                 [("cancel", "Cancel"), ("overwrite", "Overwrite it")],
                 text="This is what saving would change there:",
-                lines=difference(found, text),
+                lines=difference(found, text, path),
             )
         )
         return answer == "overwrite"

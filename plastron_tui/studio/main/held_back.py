@@ -42,7 +42,7 @@ class HeldBack:
         self._show = show
         self._row: int | None = None
         self._known: frozenset[str] = frozenset()
-        self._rest = Delay(pump, self.rest)
+        self._rest = Delay(pump, self._paused)
 
     @property
     def _line(self) -> tuple[int, int]:
@@ -64,6 +64,13 @@ class HeldBack:
         if self._row is None:
             return
         if self._editor.state.row == self._row:
+            self._rest.start(REST)
+        else:
+            self.rest()
+
+    def _paused(self) -> None:
+        """Show all that is wrong, but not beside a list of what can stand there: that is read."""
+        if self._row is not None and self._editor.popup.is_open:
             self._rest.start(REST)
         else:
             self.rest()

@@ -21,11 +21,11 @@ def show_help(screen: Screen[None], panels: Collection[str], key_of: Callable[[s
         panels: the ids of the panels.
         key_of: returns the key of an action.
     """
-    from ..screens.help import Help, action_lines
+    from ..screens.help import Help
 
     around = [] if screen.focused is None else screen.focused.ancestors_with_self
     part = next((each.id for each in around if each.id in panels), None)
-    actions = action_lines((action.id, key_of(action.id)) for action in ACTIONS)
+    actions = {action.id: key_of(action.id) for action in ACTIONS}
     screen.app.push_screen(Help(part or "editor", _panel_keys(screen), actions))
 
 

@@ -5,15 +5,19 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, NamedTuple
 
 from rich.cells import cell_len
+from textual.widget import Widget
 
+from ..editor import ProgramEditor
 from ..open_program import Open
 from ..panels.bars import Bar, help_pieces
-from .tab_run import OLDER
 
 if TYPE_CHECKING:
     from collections.abc import Callable
 
     from plastron_tui.project.ros_choice import RosChoice
+
+OLDER = "running an older text"
+"""What is said of nodes that run, and whose program says something else by now."""
 
 Pieces = tuple[tuple[str, str], ...]
 
@@ -99,12 +103,23 @@ class TitleBar(Bar):
             self.show(*self._title.pieces(self.app.size.width))
 
 
-class StatusBar(Bar):
-    """The sentence of the statement at the cursor, and where the cursor is."""
+def status_of(focused: Widget | None, editor: ProgramEditor) -> str:
+    """Return what is said about what has the focus.
 
-    def show_statement(self, sentence: str, text: bytes, offset: int) -> None:
-        """Show the sentence of the statement at an offset of a text."""
+    Of the text that is the sentence of the statement at the cursor, of a panel its `hint`, if it
+    has one.
+    """
+    if focused is None or editor in focused.ancestors_with_self:
+        return editor.statement_help
+    return str(getattr(focused, "hint", ""))
+
+
+class StatusBar(Bar):
+    """What is said about what has the focus, and where the cursor is in the text."""
+
+    def show_place(self, said: str, text: bytes, offset: int) -> None:
+        """Show a line, such as the sentence of a statement, and the place of an offset."""
         line_start = text.rfind(b"\n", 0, offset) + 1
         row = text.count(b"\n", 0, offset) + 1
         column = len(text[line_start:offset].decode("utf-8", "replace")) + 1
-        self.show(help_pieces(sentence), ((f"{row}:{column}", "quiet"),))
+        self.show(help_pieces(said), ((f"{row}:{column}", "quiet"),))

@@ -11,7 +11,7 @@ from textual.screen import Screen
 from plastron_tui.regular_files import reason
 
 from ..delay import Delay
-from ..files import open_file
+from ..files import SUFFIX, open_file
 from ..folder_labels import shown_name, shown_place
 from ..journal import Kept, kept_texts
 from .active_program import ActiveProgram, Tab
@@ -102,7 +102,7 @@ class Recovery:
         """
         from datetime import datetime
 
-        from ..panels.source_lines import difference
+        from ..panels.diff_lines import difference
         from ..screens.question import Question
 
         found = None if kept.path is None else open_file(kept.path).disk
@@ -117,7 +117,7 @@ class Recovery:
                 f"{name} was not saved",
                 [("restore", "Restore"), ("later", "Later"), ("drop", "Forget it")],
                 text=_sentence(kept, when),
-                lines=difference(before, kept.text),
+                lines=difference(before, kept.text, Path(f"text{SUFFIX}")),
                 is_unasked=not is_asked_for,
             )
         )

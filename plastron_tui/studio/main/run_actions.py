@@ -19,9 +19,10 @@ from ..delay import Delay
 from ..panels.output_log import Record
 from .active_program import ActiveProgram, Tab
 from .live_actions import LiveActions
+from .program_bars import OLDER
 from .readiness import Readiness
 from .said_notes import SaidNotes
-from .tab_run import OLDER, RunPanels, TabRun
+from .tab_run import RunPanels, TabRun
 from .watched_run import WatchedRun
 
 if TYPE_CHECKING:
@@ -33,6 +34,9 @@ _SHOWN_AFTER = 0.05
 
 TWICE = 0.7
 """Seconds in which the key that starts the nodes is pressed again by mistake."""
+
+_EACH = 1.0
+"""Seconds after which is told again how far a build is."""
 
 _LOOK = 0.01
 """Seconds after which is looked again whether nodes have ended that are started anew."""
@@ -73,6 +77,7 @@ class RunActions:
         self._on_change = on_change
         self._delay = Delay(screen, self._show)
         self._failures = SaidNotes(screen)
+        self._stage = Delay(screen, self._tell_stage)
         self._runs = {program.tab: TabRun(panels.output.printed)}
         self.readiness = readiness
         self.watched = WatchedRun(LiveActions(screen, panels.live, program), panels)
@@ -90,15 +95,13 @@ class RunActions:
 
     @property
     def is_running(self) -> bool:
-        """Whether nodes of the program in front run."""
+        """Whether nodes of the program in front run, or are about to."""
         return self.runs_in(self._program.tab)
 
     @property
     def stage(self) -> str:
         """How far the nodes of the program in front are, "" for none."""
-        if not self.is_running:
-            return ""
-        return OLDER if self.is_older else "running"
+        return self._run.stage(monotonic())
 
     @property
     def is_older(self) -> bool:
@@ -114,6 +117,12 @@ class RunActions:
         """Note that the text has got what its nodes have: no run is older for that."""
         if not self._run.is_older:
             self._run.text = self._program.text
+
+    def _tell_stage(self) -> None:
+        """Tell how far the nodes in front are, each second until they run."""
+        self._on_change()
+        if self.stage not in ("", "running", OLDER):
+            self._stage.start(_EACH)
 
     async def generate(self) -> bool:
         """Show what would be written, then write it; tell whether files may be other ones now."""
@@ -173,6 +182,7 @@ class RunActions:
     def follow(self) -> None:
         """Show what the nodes of the program in front have printed, and which have failed."""
         self._panels.follow(self._run)
+        self._tell_stage()
 
     def _start(self, path: Path) -> None:
         from ..running import Running
@@ -188,10 +198,10 @@ class RunActions:
         run.text = self._program.open.saved
         run.compare(self._program.text)
         self._failures.forget()
-        run.failed, run.ended = {}, {}
+        run.failed, run.ended, run.built, run.speaks = {}, {}, "", False
         self.watched.starting()
         self._panels.begin(run, f"plastron run {path.name}")
-        self._on_change()
+        self._tell_stage()
         self._panels.layout.reveal("output")
 
     def _news(self) -> None:
@@ -219,6 +229,9 @@ class RunActions:
         self._tell_ended(tab, run, printed)
         if not running.monitors:
             self.watched.preparing(printed)
+            run.note_progress(printed, monotonic())
+        if is_in_front and self._stage.is_waiting:
+            self._tell_stage()
         if status is not None and not running.has_more:
             run.running, run.is_older = None, False
             words = "stopped" if running.was_stopped else f"ended with status {status}"

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, ClassVar
 
-from textual import on, work
+from textual import events, on, work
 from textual.app import ComposeResult
 from textual.binding import Binding, BindingType
 
@@ -21,26 +21,15 @@ from ..open_program import Open
 from ..panels.entry import Entry
 from ..panels.entry_keys import Asked, Chosen, Lit
 from ..panels.key_bar import KeyBar
-from ..panels.panel import PanelWidgets, Resized
-from ..panels.registry import PANELS
+from ..panels.panel import Resized
 from ..sparing_compositor import draw_sparingly
 from ..textual_private import tell_first_sizes
 from .active_program import ActiveProgram
-from .code_actions import CodeActions
-from .disk_watch import DiskWatch
-from .dock_layout import DockLayout
-from .entry_actions import EntryActions
-from .file_actions import FileActions
 from .first_screen import FirstScreen
 from .key_help import choose_action, show_help, toggle_keys
-from .node_runs import NodeRuns
-from .panel_feed import PanelFeed
-from .program_bars import StatusBar, TitleBar
-from .recovery import Recovery
-from .tab_actions import TabActions
+from .parts import Hooks, parts_of
+from .program_bars import StatusBar, TitleBar, status_of
 from .tab_line import TabLine
-from .trust_prompt import TrustPrompt
-from .wizard_host import WizardHost
 
 if TYPE_CHECKING:
     from .run_actions import RunActions
@@ -71,27 +60,10 @@ class MainScreen(FirstScreen, Paged):
         self.tab_line = TabLine(id="tabs")
         self._title, self._status = TitleBar(id="title"), StatusBar(id="status")
         self._keys = KeyBar(KEPT, tuple(BY_ID))
-        self.panels = PanelWidgets(PANELS)
-        self.dock_layout = DockLayout(
-            PANELS, self.panels, self.editor, profile.remembered, lambda: self.feed.refresh()
-        )
-        self.feed = PanelFeed(self, self.program, self.dock_layout, self.panels)
-        self.recovery = Recovery(self, self.program, profile.journals)
-        self.files = FileActions(
-            self, self.program, profile, self.recovery, self._show_anew, self.show_title
-        )
-        self._disk = DiskWatch(
-            self, self.program, self.files, self.recovery, self.feed.ask_anew, self.show_title
-        )
-        self._trust = TrustPrompt(self, self.program, self.key_of)
-        self._runs = NodeRuns(
-            self, self.program, self.files, self.dock_layout, self.panels, self._trust,
-            self.show_title,
-        )  # fmt: skip
-        self._tabs = TabActions(self, self.program, self.files, self._runs.forget, self._show_anew)
-        self._entries = EntryActions(self, self.program, self.action_code)
-        self._code = CodeActions(self, self.program)
-        self._wizard = WizardHost(self, self.program)
+        hooks = Hooks(self._show_anew, self.show_title, self.key_of, self.action_code)
+        parts = self._parts = parts_of(self, self.program, profile, hooks)
+        self.panels, self.dock_layout, self.feed = parts.panels, parts.dock_layout, parts.feed
+        self.recovery, self.files, self._runs = parts.recovery, parts.files, parts.runs
 
     @property
     def runner(self) -> RunActions:
@@ -111,7 +83,7 @@ class MainScreen(FirstScreen, Paged):
     @property
     def is_turning(self) -> bool:
         """Whether a file is looked for that keys are meant for."""
-        return self._code.is_finding
+        return self._parts.code.is_finding
 
     def compose(self) -> ComposeResult:
         """Make the parts."""
@@ -140,7 +112,7 @@ class MainScreen(FirstScreen, Paged):
 
     def look_at_disk(self) -> None:
         """Find out what others have written."""
-        self._disk.look()
+        self._parts.disk.look()
 
     # The text, and what it means.
 
@@ -167,10 +139,12 @@ class MainScreen(FirstScreen, Paged):
     @on(Analysed)
     def analysed(self, message: Analysed) -> None:
         """Show what the text means, if it is still that text."""
-        if self.feed.take(message.analysis):
+        is_new = self.feed.take(message.analysis)
+        self.show_status()
+        if is_new:
             self._runs.known(message.analysis)
             self.show_title()
-            self._trust.tell_what_waits(message.analysis)
+            self._parts.trust.tell_what_waits(message.analysis)
 
     @on(AnalysisFailed)
     def analysis_failed(self) -> None:
@@ -190,7 +164,7 @@ class MainScreen(FirstScreen, Paged):
     @on(Chosen)
     def entry_chosen(self, message: Chosen) -> None:
         """Go to the statement of an entry."""
-        self._entries.go(message.entry)
+        self._parts.entries.go(message.entry)
 
     @on(Lit)
     def entry_lit(self, message: Lit) -> None:
@@ -201,12 +175,13 @@ class MainScreen(FirstScreen, Paged):
     @on(Asked)
     def entry_asked(self, message: Asked) -> None:
         """Do what was asked about an entry."""
-        self._entries.do(message)
+        self._parts.entries.do(message)
 
     @on(Resized)
     def panel_resized(self) -> None:
         """Have what is drawn for a size drawn so that it fits."""
         self.feed.ask_more()
+        self.show_status()
 
     def on_printed(self) -> None:
         """Show what nodes print: `Printed` comes from `run_actions.py`."""
@@ -220,10 +195,11 @@ class MainScreen(FirstScreen, Paged):
         self._keys.retitle({"run": "Stop"} if stage else {})
         self.tab_line.show_programs(self.program, self._runs.runs_in)
 
+    @on(events.DescendantFocus)
     def show_status(self) -> None:
-        """Show the sentence of the statement at the cursor, and where the cursor is."""
-        editor = self.editor
-        self._status.show_statement(editor.statement_help, self.open.text, editor.cursor_offset)
+        """Show where the cursor is, and what the focused part says: of the text the statement."""
+        said = status_of(self.focused, self.editor)
+        self._status.show_place(said, self.open.text, self.editor.cursor_offset)
 
     def key_of(self, action: str) -> str:
         """Return the key of an action, as a person writes it; "" where it has none."""
@@ -262,34 +238,45 @@ class MainScreen(FirstScreen, Paged):
 
     def action_fix(self) -> None:
         """Apply the remedy of the mistake on the cursor's line."""
-        self._entries.fix()
+        self._parts.entries.fix()
 
     @work(exclusive=True, group="code")
     async def action_code(self, entry: Entry | None = None) -> None:
         """Show the code of an entry, or of what the cursor is on."""
-        await (self._code.show_here() if entry is None else self._code.show(entry))
+        await (self._parts.code.show_here() if entry is None else self._parts.code.show(entry))
+
+    @work(exclusive=True, group="uses")
+    async def action_uses(self) -> None:
+        """List where what the cursor is on is used, and go to one of the places."""
+        from .use_list import choose_use
+
+        await choose_use(self, self.editor)
+
+    def action_rename(self) -> None:
+        """Give what the name at the cursor is about another one."""
+        self._parts.entries.rename_here()
 
     def action_wizard(self) -> None:
         """Build statements from menus and forms."""
-        self._wizard.open()
+        self._parts.wizard.open()
 
     # Actions: tabs.
 
     @on(TabLine.Picked)
     def tab_picked(self, message: TabLine.Picked) -> None:
         """Bring a tab in front, or close it."""
-        self._tabs.bring(message.number)
+        self._parts.tabs.bring(message.number)
         if message.closes:
             self.action_close_tab()
 
     def action_turn_tab(self, by: int) -> None:
         """Bring the next program in front, or with -1 the one before."""
-        self._tabs.turn(by)
+        self._parts.tabs.turn(by)
 
     @work(exclusive=True, group="file")
     async def action_close_tab(self) -> None:
         """Close the program in front."""
-        await self._tabs.close()
+        await self._parts.tabs.close()
 
     # Actions: files. Each asks what it has to, one at a time.
 
@@ -333,7 +320,7 @@ class MainScreen(FirstScreen, Paged):
     @work(exclusive=True, group="file")
     async def action_quit(self) -> None:
         """Leave the studio."""
-        if await self._tabs.may_quit():
+        if await self._parts.tabs.may_quit():
             self.recovery.stop()
             self.dock_layout.remember()
             self.app.exit()
@@ -358,7 +345,7 @@ class MainScreen(FirstScreen, Paged):
     @work(exclusive=True, group="trust")
     async def action_trust(self) -> None:
         """Ask whether the project is trusted, and do then what waited for it."""
-        if await self._trust.ask():
+        if await self._parts.trust.ask():
             self.feed.ask_anew()
 
     # Actions: help and settings.

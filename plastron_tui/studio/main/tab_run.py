@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
 from textual.widget import Widget
 
+from plastron_tui.runtime.labels import split_label
 from plastron_tui.runtime.live_graph import NodeEnd
 
 from ..panels.entry_list import EntryList
@@ -16,12 +18,13 @@ from ..panels.output import OutputPanel
 from ..panels.output_log import OutputLog, Record, printed_record
 from ..same_meaning import says_the_same
 from .dock_layout import DockLayout
+from .program_bars import OLDER
 
 if TYPE_CHECKING:
     from ..running import Running
 
-OLDER = "running an older text"
-"""What is said of nodes that run, and whose program says something else by now."""
+_BUILDING = re.compile(r"building `([^`]+)`: ")
+"""How a line begins that says how far a build is (see `ProgressLine`)."""
 
 
 @dataclass(eq=False)
@@ -34,6 +37,9 @@ class TabRun:
         ended: how nodes have ended that nobody asked to, by their names.
         running: those that run, None for none.
         started_at: when they were started, by the clock of `monotonic`.
+        built: the package that is built before they start, "" for none.
+        built_since: when that was begun.
+        speaks: whether a node has printed something.
         text: the program that they were started from.
         is_older: whether the program says something else by now.
     """
@@ -43,12 +49,37 @@ class TabRun:
     ended: Mapping[str, NodeEnd] = field(default_factory=dict)
     running: Running | None = None
     started_at: float = 0.0
+    built: str = ""
+    built_since: float = 0.0
+    speaks: bool = False
     text: bytes = b""
     is_older: bool = False
 
     def compare(self, text: bytes) -> None:
         """Note whether the program says something else than the nodes were started from."""
         self.is_older = self.running is not None and not says_the_same(self.text, text)
+
+    def note_progress(self, printed: Iterable[str], now: float) -> None:
+        """Note which package is built, and whether nodes run, from what the run prints."""
+        for line in printed:
+            self.speaks = self.speaks or bool(split_label(line)[0])
+            found = _BUILDING.match(line)
+            if found is not None and found[1] != self.built:
+                self.built, self.built_since = found[1], now
+
+    def stage(self, now: float) -> str:
+        """Return how far the nodes are: `starting`, built, `running`, `OLDER`, or "" for none.
+
+        Args:
+            now: the time by the clock of `monotonic`.
+        """
+        if self.running is None:
+            return ""
+        if self.running.is_started or self.speaks:
+            return OLDER if self.is_older else "running"
+        if self.built:
+            return f"building {self.built}… {max(0, int(now - self.built_since))} s"
+        return "starting"
 
     def add(self, printed: Iterable[str], end: Record | None) -> None:
         """Keep what was printed while another tab is in front; `end` says how the nodes ended."""

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
-from typing import ClassVar
+from collections.abc import Iterable, Iterator, Mapping
+from typing import ClassVar, NamedTuple
 
 from rich.cells import cell_len
 from rich.segment import Segment
@@ -23,14 +23,35 @@ from .styles import Toned
 _PLAIN = Style.null()
 
 
+class _Room(NamedTuple):
+    """How tabs are written.
+
+    Attributes:
+        behind_name: what stands behind a name.
+        behind_count: what stands behind a count.
+        counted: whether `all`, the `active` one or only `alarms` are counted; alarms always are.
+        shortened: how many of the names that can be are short, from the right.
+        hides_empty: whether what is known to be empty has no tab.
+    """
+
+    behind_name: str = ""
+    behind_count: str = ""
+    counted: str = "alarms"
+    shortened: int = 0
+    hides_empty: bool = False
+
+
 _TIGHTER = (
-    (" ", " ", "all"),
-    ("", " ", "all"),
-    ("", " ", "active"),
-    ("", "", "active"),
-    ("", "", "alarms"),
+    _Room(" ", " ", "all"),
+    _Room("", " ", "all"),
+    _Room("", " ", "active"),
+    _Room("", "", "active"),
+    _Room(),
+    *(_Room(shortened=count) for count in range(1, 5)),
+    _Room(hides_empty=True),
+    *(_Room(shortened=count, hides_empty=True) for count in range(1, 5)),
 )
-"""How tabs are written, the roomiest first: behind a name, behind a count, and what is counted."""
+"""The ways in which tabs are written, the roomiest first."""
 
 
 class TabStrip(Toned):
@@ -108,21 +129,32 @@ class TabStrip(Toned):
         return Strip([*tabs_strip, Segment("─" * max(0, width - x) + behind, rule)])
 
     def _fitting(self, width: int) -> list[tuple[Panel, str, str]]:
-        """Return the tabs, their text and count: with all counts and some room if that fits."""
-        for room, behind, counted in _TIGHTER:
-            tabs = []
-            for panel in self.tabs:
-                is_counted = (
-                    panel.is_alarm
-                    or counted == "all"
-                    or (counted == "active" and panel.name == self.active)
-                )
-                count = self.counts.get(panel.name, 0) if is_counted else 0
-                text = f" {panel.title} " if count else f" {panel.title}{room}"
-                tabs.append((panel, text, f"{count}{behind}" if count else ""))
+        """Return the tabs, their text and count: with all counts and some room if that fits.
+
+        Names are short where there is no room for them, and after that what is empty has no tab.
+        """
+        for room in _TIGHTER:
+            tabs = list(self._written(room))
             if sum(cell_len(text) + cell_len(count) for _, text, count in tabs) <= width:
                 break
         return tabs
+
+    def _written(self, room: _Room) -> Iterator[tuple[Panel, str, str]]:
+        """Yield the tabs, their text and count, as they are written in some room."""
+        can_be_short = [panel.name for panel in self.tabs if panel.short]
+        short = can_be_short[max(0, len(can_be_short) - room.shortened) :]
+        for panel in self.tabs:
+            is_active = panel.name == self.active
+            known = self.counts.get(panel.name)
+            if room.hides_empty and known == 0 and not (is_active or panel.is_alarm):
+                continue
+            is_counted = (
+                panel.is_alarm or room.counted == "all" or (room.counted == "active" and is_active)
+            )
+            count = (known or 0) if is_counted else 0
+            title = panel.short if panel.name in short else panel.title
+            text = f" {title} " if count else f" {title}{room.behind_name}"
+            yield panel, text, f"{count}{room.behind_count}" if count else ""
 
     def on_mouse_down(self, event: events.MouseDown) -> None:
         """Begin to drag the edge."""

@@ -129,23 +129,25 @@ class _Box:
     def draw(self, sheet: _Sheet, place: Place) -> None:
         """Draw it; a place that is higher than the text, for many lines, has it in its middle."""
         x, y, width, height = place
-        if not self._detail.has_frame:
-            brackets = "()" if self._label.is_hub else "[]"
-            for row in range(y, y + height):
-                sheet.put(x, row, brackets[0], self._label.tone)
-                sheet.put(x + width - 1, row, brackets[1], self._label.tone)
-            self._draw_text(sheet, x + 1, y + (height - 1) // 2, 0)
-            return
         tone = self._label.tone
-        corners = "╭╮╰╯" if self._label.is_hub else "┌┐└┘"
         inner = width - 2
+        if not self._detail.has_frame and height == 1:
+            brackets = "()" if self._label.is_hub else "[]"
+            sheet.put(x, y, brackets[0] + " " * inner + brackets[1], tone)
+            self._draw_text(sheet, x + 1, y, 0)
+            return
+        corners = "╭╮╰╯" if self._label.is_hub else "┌┐└┘"
         sheet.put(x, y, corners[0] + "─" * inner + corners[1], tone)
         for row in range(y + 1, y + height - 1):
             sheet.put(x, row, "│" + " " * inner + "│", tone)
+        sheet.put(x, y + height - 1, corners[2] + "─" * inner + corners[3], tone)
+        if not self._detail.has_frame:
+            # Several lines come to it: the name is in its frame, where there is no row between.
+            self._draw_text(sheet, x + 1, y + (height - 1) // 2, 0)
+            return
         first = y + 1 + (height - 2 - len(self.rows)) // 2
         for number in range(len(self.rows)):
             self._draw_text(sheet, x + 2, first + number, number)
-        sheet.put(x, y + height - 1, corners[2] + "─" * inner + corners[3], tone)
 
     def _draw_text(self, sheet: _Sheet, x: int, y: int, number: int) -> None:
         text = self.rows[number]

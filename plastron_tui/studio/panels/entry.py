@@ -26,6 +26,7 @@ class Subject(Enum):
     PACKAGE = "package"
     LAUNCH = "launch file"
     TYPE = "type"
+    FUNCTION = "function"
     ROBOT = "robot"
     LINK = "link"
     JOINT = "joint"

@@ -81,7 +81,7 @@ class Acting(Pointing):
                 "Write the statement that ends it: unsubscribe, stop_publishing, …"),
         _asking("rename", "f2,r", "Rename", "Give it another name, everywhere"),
         _asking("generate", "g", "Generate", "Write the statement that writes it to its files"),
-        _asking("fix", "f,alt+enter", "Mend", "Do what its help says"),
+        _asking("fix", "f,alt+enter", "Fix", "Change the text as its help says"),
         _asking("code", "c", "Code", "Show the file that it is in, or becomes, at its line"),
     ]  # fmt: skip
 

@@ -28,6 +28,7 @@ _SIGNS: dict[str | None, tuple[str, str]] = {
     "conflict": ("!", "error"),
     None: ("·", "quiet"),
 }
+_LOOKED_AT = ("conflict", "changed", "create")
 _FOLDER = ("▾", "quiet")
 _WORDS = {"changed": "changed", "conflict": "by hand"}
 """What of its files is said beside a folder: that of the others shows in their signs."""
@@ -124,6 +125,13 @@ def _folder(path: str, shown: str, folder: _Folder, depth: int) -> Entry:
     said = [counted(len(states), "file")]
     said += [f"{states.count(each)} {word}" for each, word in _WORDS.items() if each in states]
     return Entry(path, shown, ", ".join(said), *_FOLDER, depth=depth, is_branch=True)
+
+
+def first_seen(files: Sequence[TreeFile]) -> int:
+    """Return which file is shown first: one that was written by hand, or changes, or is new."""
+    states: list[str | None] = [file.state for file in files]
+    found = (states.index(each) for each in _LOOKED_AT if each in states)
+    return next(found, 0)
 
 
 def size_text(size: int) -> str:

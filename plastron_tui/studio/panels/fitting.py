@@ -24,6 +24,9 @@ _MOST_SIZES = 8
 _MOST_PLANS = 48
 """So many plans are kept: a width takes one for each detail in each of four ways."""
 
+_SCROLLED = 2
+"""So many windows high is what is gone through as it is; what is higher is drawn smaller."""
+
 _APART = 3
 """Columns between parts that stand beside each other."""
 
@@ -88,7 +91,7 @@ class Drawing:
 
         A smaller picture is better than one with many lines from row to row, and such a one better
         than one where a box stands for many nodes at a topic that are nowhere else. What fits in no
-        way is as large as fits at least from side to side.
+        way fits from side to side, if that can be, and is low enough to scroll through.
         """
         found = self._fitted.get(size)
         if found is None:
@@ -110,7 +113,7 @@ class Drawing:
             detail = self._fitting(size, way)
             if detail is not None:
                 return self._packed(detail, size.width, way)
-        return self._packed(self._narrow(size, ways[-1]), size.width, ways[-1])
+        return self._packed(self._scrolled(size, ways[-1]), size.width, ways[-1])
 
     def _fitting(self, size: Size, way: _Way) -> int | None:
         """Return the largest detail that fits, None if none does."""
@@ -125,15 +128,22 @@ class Drawing:
                 return detail
         return None
 
-    def _narrow(self, size: Size, way: _Way) -> int:
-        """Return the largest detail that fits from side to side, the smallest if none does."""
+    def _scrolled(self, size: Size, way: _Way) -> int:
+        """Return the detail of what fits from side to side, the smallest if none does.
+
+        It is the largest one of a few windows' height, or else the one with the fewest rows.
+        """
+        heights: dict[int, int] = {}
         for detail in range(len(DETAILS)):
             plans = self._planned(detail, size.width, way)
             if any(plan.least[0] >= size.width for plan in plans):
                 continue
-            if max(map(_width, _shelves(plans, size.width))) <= size.width:
-                return detail
-        return len(DETAILS) - 1
+            shelves = _shelves(plans, size.width)
+            if max(map(_width, shelves)) <= size.width:
+                heights[detail] = _height(shelves, detail)
+                if heights[detail] <= _SCROLLED * size.height:
+                    return detail
+        return min(heights, key=heights.__getitem__, default=len(DETAILS) - 1)
 
     def _packed(self, detail: int, width: int, way: _Way) -> Fitted:
         shelves = _shelves(self._planned(detail, width, way), width)

@@ -93,6 +93,14 @@ class GraphPanel(Acting, Toned, ScrollView, can_focus=True):
         """What the box is about that the cursor is on."""
         return None if self._cursor is None else self.picture.entries[self._cursor]
 
+    @property
+    def hint(self) -> str:
+        """What the status line says while keys come here: how to see what is not in sight."""
+        _, height = self.virtual_size
+        if self.max_scroll_x or height > self.size.height:
+            return "arrows: next box   Shift+arrows: scroll   s: size"
+        return ""
+
     def request(self, analysis: Analysis | None, offset: int) -> Size:
         """Ask for the picture in the size that it is shown in."""
         return self.room
@@ -110,6 +118,9 @@ class GraphPanel(Acting, Toned, ScrollView, can_focus=True):
             self._fitted = picture.fitted(self.room)
         self.virtual_size = Extent(self._fitted.width + 1, len(self._fitted.lines))
         self._begin()
+        if self.has_focus:
+            # What was drawn anew has its boxes in other places.
+            self._reveal()
         self.refresh()
 
     def _cursor_in(self, picture: Picture) -> int | None:

@@ -52,6 +52,7 @@ class Panel:
     Attributes:
         name: the id of its widget and of the action that shows it.
         title: what its tab says.
+        short: what it says where there is little room; "" for the same.
         dock: where it is.
         keys: the keys that show it, by commas.
         summary: a sentence for the menu.
@@ -79,6 +80,7 @@ class Panel:
     is_alarm: bool = False
     is_slow: bool = False
     is_kept: bool = True
+    short: str = ""
 
     @property
     def widget_class(self) -> type[Widget]:

@@ -8,10 +8,12 @@ from pathlib import Path, PurePosixPath
 from typing import TYPE_CHECKING
 
 from plastron_tui.diagnostics import Diagnostic
+from plastron_tui.model.source import place_of
 from plastron_tui.model.workspace import Generation, Home, Workspace
 from plastron_tui.output.plan import FilePlan, FileState, PlannedFile
 
-from .source_lines import coloured, diff_lines, difference
+from .diff_lines import difference, planned_diff
+from .source_lines import coloured
 from .styles import Lines
 
 if TYPE_CHECKING:
@@ -31,6 +33,7 @@ class Preview:
         lines: its text, coloured.
         diff: what would change in it, None where there is nothing to compare with; empty where
             the file stays as it was loaded.
+        origin: the file that `diff` compares with, where that is another one; "" for the same.
         problems: why there is no text.
         size: how large it will be, in bytes.
         is_main: whether it is the file of a node that the others belong to.
@@ -44,6 +47,7 @@ class Preview:
     problems: tuple[Diagnostic, ...]
     size: int = 0
     is_main: bool = False
+    origin: str = ""
 
 
 def previews_of(analysis: Analysis, variable: str) -> tuple[Preview, ...]:
@@ -98,7 +102,7 @@ def _robot(robot: Robot) -> Preview:
     source, path = robot.source, Path(made.name)
     if made.text is None:
         return Preview(made.name, None, None, (), None, made.diagnostics)
-    diff = None if source is None else difference(source.text, made.text)
+    diff = None if source is None else difference(source.text, made.text, path)
     lines = coloured(made.text.decode("utf-8", "replace"), path)
     return Preview(made.name, path, None, lines, diff or None, made.diagnostics, len(made.text))
 
@@ -148,11 +152,9 @@ def files_meant(workspace: Workspace, variable: str) -> Callable[[PurePosixPath]
 
 
 def _disk_diff(file: PlannedFile) -> Lines | None:
-    from plastron_tui.output.diff import file_diff, visible_patch
-
     if file.before is None or file.state is FileState.IDENTICAL:
         return None
-    return diff_lines(visible_patch(file_diff(file)))
+    return planned_diff(file)
 
 
 def _preview(
@@ -162,9 +164,10 @@ def _preview(
     problems: tuple[Diagnostic, ...],
     *,
     is_main: bool = False,
+    origin: str = "",
 ) -> Preview:
-    lines = coloured(file.text.decode("utf-8", "replace"), file.path)
-    return Preview(file.name, file.path, state, lines, diff, problems, len(file.text), is_main)
+    lines, size = coloured(file.text.decode("utf-8", "replace"), file.path), len(file.text)
+    return Preview(file.name, file.path, state, lines, diff, problems, size, is_main, origin)
 
 
 def _previews(analysis: Analysis, generation: Generation, is_asked: bool) -> Iterator[Preview]:
@@ -181,8 +184,10 @@ def _previews(analysis: Analysis, generation: Generation, is_asked: bool) -> Ite
     loaded = {} if source is None or not is_own else dict(source.files.texts)
     names = made.files.files.names
     for file, name in zip(plan.files, names, strict=False):
-        diff = _disk_diff(file)
+        diff, origin = _disk_diff(file), ""
         if diff is None and name in loaded:
-            diff = difference(loaded[name], file.text)
+            diff = difference(loaded[name], file.text, file.path)
+            origin = place_of(source.path, name).name if source is not None else ""
         state = file.state if is_asked else None
-        yield _preview(file, state, diff, made.diagnostics, is_main=name == names[0])
+        is_main = name == names[0]
+        yield _preview(file, state, diff, made.diagnostics, is_main=is_main, origin=origin)

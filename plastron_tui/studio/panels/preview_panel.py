@@ -189,8 +189,11 @@ class PreviewPanel(Vertical):
             self._view.show(problems, numbers=False)
         else:
             state, tone = _state(current)
-            pieces += [Piece(current.name, "bold"), Piece(state, tone)]
-            if self._shows_diff and current.diff:
+            is_diff = self._shows_diff and bool(current.diff)
+            if is_diff and current.origin and current.state is not None:
+                state = f"{state}: what differs from {current.origin}"
+            pieces += [Piece(_place(current), "bold"), Piece(state, tone)]
+            if is_diff and current.diff:
                 self._view.show(current.diff, numbers=False)
             else:
                 self._view.show(current.lines, numbers=True)
@@ -200,6 +203,14 @@ class PreviewPanel(Vertical):
             pieces.append(Piece(f"mend {count} first", "$text-error"))
         parts = [part for text, style in pieces for part in ("  ", (text, style))]
         self._head.update(Content.assemble(*parts[1:]))
+
+
+def _place(preview: Preview) -> str:
+    """Return what a file is called: of one that is not there yet with its folder."""
+    state = preview.state
+    if preview.path is None or preview.diff == () or state is None or state.value != "create":
+        return preview.name
+    return f"{preview.path.parent.name}/{preview.name}"
 
 
 def _state(preview: Preview) -> tuple[str, str]:

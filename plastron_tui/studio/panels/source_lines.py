@@ -1,11 +1,11 @@
-"""Source files and what changes in them, as coloured lines."""
+"""Source files as coloured lines."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
-from difflib import unified_diff
 from pathlib import Path
 
+from ..files import SUFFIX
 from .styles import Line, Lines, Piece
 
 LONGEST = 4000
@@ -43,6 +43,10 @@ def coloured(text: str, path: Path) -> Lines:
     rows = text.split("\n")
     if rows and not rows[-1]:
         rows.pop()
+    if path.suffix == SUFFIX and len(rows) <= LONGEST:
+        from .statement_lines import coloured_statements
+
+        return coloured_statements(rows)
     name = lexer_of(path) if len(rows) <= LONGEST else None
     if name is None:
         return tuple((Piece(row.expandtabs(4)),) for row in rows)
@@ -88,32 +92,3 @@ def _tone(kind: object) -> str:
         tone = next((tone for start, tone in _TONES if written.startswith(start)), "")
         _seen[kind] = tone
     return tone
-
-
-def diff_lines(patch: str) -> Lines:
-    """Return a patch, coloured; its header is left out."""
-    lines: list[Line] = []
-    for row in patch.split("\n"):
-        if row.startswith(("diff --git", "index ", "--- ", "+++ ")):
-            continue
-        if row.startswith("@@"):
-            lines.append((Piece(row, "quiet"),))
-        elif row.startswith("+"):
-            lines.append((Piece(row, "added"), Piece("", "added")))
-        elif row.startswith("-"):
-            lines.append((Piece(row, "removed"), Piece("", "removed")))
-        else:
-            lines.append((Piece(row),))
-    while lines and not "".join(piece.text for piece in lines[-1]):
-        lines.pop()
-    return tuple(lines)
-
-
-def difference(before: bytes, after: bytes) -> Lines:
-    """Return how two texts differ, coloured."""
-    rows = unified_diff(
-        before.decode("utf-8", "replace").splitlines(),
-        after.decode("utf-8", "replace").splitlines(),
-        lineterm="",
-    )
-    return diff_lines("\n".join(rows))

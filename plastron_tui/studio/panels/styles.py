@@ -25,6 +25,7 @@ TONES = (
 """The tones; `studio.tcss` gives each its colour, as the component `tone--NAME`.
 
 What has a colour of its own says it in the place of a tone, as `#3060ff` or `#3060ff on #ffffff`.
+`keyword on added` has the letters of one tone on the ground of another, ` on added` plain letters.
 """
 
 _SAME = {
@@ -63,9 +64,14 @@ def tone_style(widget: Widget, tone: str, prefix: str = "tone") -> Style:
     """
     if not tone:
         return Style.null()
+    letters, _, cells = tone.partition(" on ")
     if "#" in tone:
-        letters, _, cells = tone.partition(" on ")
         return Style(color=letters or None, bgcolor=cells or None)
+    if cells:
+        ground = tone_style(widget, cells, prefix)
+        # Where the ground has no colour of its own, the letters alone tell what it stands for.
+        own = tone_style(widget, letters, prefix)
+        return ground if ground.bgcolor is None else Style(bgcolor=ground.bgcolor) + own
     if prefix == "tone":
         tone = _SAME.get(tone, tone)
     styles = widget.get_component_styles(f"{prefix}--{tone}")

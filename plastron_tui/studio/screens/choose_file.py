@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+from collections.abc import Sequence
 from contextlib import suppress
 from pathlib import Path
 from typing import ClassVar
@@ -11,14 +12,17 @@ from textual import events, on
 from textual.app import ComposeResult
 from textual.binding import Binding, BindingType
 from textual.containers import Vertical
+from textual.content import Content
 from textual.widgets import Input, Label, OptionList
 from textual.widgets.option_list import Option
 
 from plastron_tui.diagnostics.terminal import visible
 
+from ..folder_labels import shown_folder
 from .dialog import Dialog
 
 _MOST = 2000
+_MOST_RECENT = 5
 _ROOM = 9
 """Rows around the list: the frame, the title, the line, the folder, the keys, gaps."""
 
@@ -31,7 +35,15 @@ class ChooseFile(Dialog["Path | None"]):
         Binding("down", "to_list", "Files", show=False),
     ]
 
-    def __init__(self, title: str, start: Path, *, name: str = "", must_be: bool) -> None:
+    def __init__(
+        self,
+        title: str,
+        start: Path,
+        *,
+        name: str = "",
+        must_be: bool,
+        recent: Sequence[str] = (),
+    ) -> None:
         """Make the question.
 
         Args:
@@ -39,12 +51,14 @@ class ChooseFile(Dialog["Path | None"]):
             start: the folder to begin with.
             name: the name to begin with.
             must_be: whether the file must be there.
+            recent: files of late, which are offered from every folder, the latest first.
         """
         super().__init__()
         self._title = title
         self._folder = start
         self._first = name
         self._must_be = must_be
+        self._recent = [path for path in map(Path, recent) if path.is_file()]
 
     def compose(self) -> ComposeResult:
         """Make the line and the list."""
@@ -65,10 +79,17 @@ class ChooseFile(Dialog["Path | None"]):
         self._list()
 
     def _list(self) -> None:
-        """List the programs and the folders that the written part fits."""
+        """List the programs of late, and those and the folders here, that the part fits."""
         folder, part = self._split()
-        self.query_one("#dialog-folder", Label).update(visible(_shown(folder)))
-        options = [Option("../", id="..")]
+        recent = recent_in(self._recent, folder, part, self.query_one(Input).value)
+        label = self.query_one("#dialog-folder", Label)
+        label.update("opened lately" if recent else visible(_shown(folder)))
+        options = [_recent_option(path) for path in recent]
+        if recent:
+            # The heading of the first rows is above the list.
+            options.append(Option(Content.styled(visible(_shown(folder)), "$text-muted"),
+                                  disabled=True))  # fmt: skip
+        options.append(Option("../", id=".."))
         names = _names(folder, self._must_be)
         options += [
             Option(visible(name), id=name) for name in names if part.lower() in name.lower()
@@ -76,7 +97,7 @@ class ChooseFile(Dialog["Path | None"]):
         options_list = self.query_one(OptionList)
         options_list.clear_options()
         options_list.add_options(options)
-        options_list.highlighted = 1 if len(options) > 1 else 0
+        options_list.highlighted = 1 if len(options) > 1 and not recent else 0
 
     def _split(self) -> tuple[Path, str]:
         written = self.query_one(Input).value.strip()
@@ -106,10 +127,14 @@ class ChooseFile(Dialog["Path | None"]):
             self.dismiss(path)
         else:
             options_list = self.query_one(OptionList)
-            fitting = [option.id for option in options_list.options if option.id != ".."]
-            if len(fitting) >= 1:
-                at = options_list.highlighted or 1
-                self._take(options_list.get_option_at_index(at).id or "")
+            fitting = [
+                option.id
+                for option in options_list.options
+                if option.id is not None and option.id != ".."
+            ]
+            if fitting:
+                lit = options_list.get_option_at_index(options_list.highlighted or 0).id
+                self._take(lit if lit in fitting else fitting[0])
             else:
                 self.notify(f"there is no file {part}", severity="warning", markup=False)
 
@@ -143,6 +168,29 @@ class ChooseFile(Dialog["Path | None"]):
     def action_cancel(self) -> None:
         """Take nothing."""
         self.dismiss(None)
+
+
+def recent_in(recent: Sequence[Path], folder: Path, part: str, written: str) -> list[Path]:
+    """Return the files of late that are offered: those that fit, and are listed nowhere else.
+
+    Args:
+        recent: the files, the latest first.
+        folder: the folder whose files are listed.
+        part: the part of a name that is written.
+        written: all that is written; who writes a path wants none of late.
+    """
+    if "/" in written:
+        return []
+    own = folder.absolute()
+    fitting = (path for path in recent if part.lower() in path.name.lower() and path.parent != own)
+    return list(fitting)[:_MOST_RECENT]
+
+
+def _recent_option(path: Path) -> Option:
+    text = Content.assemble(
+        visible(path.name), "  ", (shown_folder(path.parent, 40), "$foreground 60%")
+    )
+    return Option(text, id=os.fspath(path))
 
 
 def _names(folder: Path, only_programs: bool) -> list[str]:

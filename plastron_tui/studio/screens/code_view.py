@@ -18,7 +18,7 @@ from plastron_tui.diagnostics.wording import counted
 from plastron_tui.regular_files import read_regular, reason, stamp_of
 
 from ..code_places import LARGEST, Place
-from ..editor.external_editor import NO_EDITOR, external_editor, run_editor
+from ..editor.external_editor import external_editor, run_editor
 from ..folder_labels import shown_folder
 from ..panels.code_lines import CodeLines
 from ..panels.code_text import CodeText
@@ -241,8 +241,8 @@ def line_again(before: CodeLines, line: int, now: CodeLines) -> int:
 def edit_in_terminal(app: App[object], place: Place, line: int) -> str | None:
     """Lend the terminal to the user's editor for a file, and return what went wrong."""
     command = external_editor(os.environ)
-    if command is None:
-        return NO_EDITOR
+    if isinstance(command, str):
+        return command
     try:
         with app.suspend():
             problem = run_editor(command, place.path, line)

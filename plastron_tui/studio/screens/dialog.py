@@ -58,8 +58,13 @@ def is_low(size: Size) -> bool:
     return size.height < _LOW
 
 
+def text_width(size: Size) -> int:
+    """Return how many columns a dialog has for a text that is broken, in a window of a size."""
+    return max(1, min(size.width * 9 // 10, 100) - 8)
+
+
 def is_tall(rows: int, text: str, size: Size) -> bool:
     """Tell whether a dialog needs all the height that there is for a text and for some rows."""
-    width = max(1, min(size.width * 9 // 10, 100) - 8)
+    width = text_width(size)
     said = sum(1 + max(0, cell_len(line) - 1) // width for line in text.splitlines())
     return rows + said + _ROOM > size.height

@@ -15,14 +15,14 @@ from textual.widgets import Button, Label
 from plastron_tui.diagnostics import counted, has_errors
 from plastron_tui.generating.node_files import name_of
 from plastron_tui.generating.nothing import nothing_to_generate
-from plastron_tui.output.diff import file_diff, visible_patch
 from plastron_tui.output.plan import FilePlan, FileState, PlannedFile
 from plastron_tui.output.writer import WriteResult, write_current
 from plastron_tui.session import Session
 
+from ..panels.diff_lines import difference, planned_diff
 from ..panels.entry_keys import Chosen, Lit
-from ..panels.file_tree import FileTree, TreeFile
-from ..panels.source_lines import coloured, diff_lines, difference
+from ..panels.file_tree import FileTree, TreeFile, first_seen
+from ..panels.source_lines import coloured
 from ..panels.styles import Lines, Piece
 from ..panels.text_view import TextView
 from .dialog import Dialog
@@ -97,11 +97,14 @@ class GenerateDialog(Dialog[bool]):
                 if file.state in (FileState.CREATE, FileState.CHANGED)]  # fmt: skip
 
     def _show_files(self) -> None:
-        """List the files, the cursor on the first one that was asked for."""
+        """List the files, the cursor on one about which there is something to decide."""
         files = [TreeFile(file.name, file.state, len(file.text)) for file in self.plan.files]
         tree = self.query_one(FileTree)
         tree.display = bool(files)
+        is_first = not tree.entries.all
         tree.show_files(files)
+        if is_first:
+            tree.go_to(first_seen(files))
 
     def _reasons(self) -> Lines:
         found = self.problems or (nothing_to_generate(self._session.workspace),)
@@ -169,10 +172,10 @@ class GenerateDialog(Dialog[bool]):
     def _views(self, file: PlannedFile) -> Iterator[tuple[str, Lines, bool]]:
         """Yield how a file can be looked at: what it is called, the lines, whether numbered."""
         if file.before is not None and file.before != file.text:
-            yield "what changes on the disk", diff_lines(visible_patch(file_diff(file))), False
+            yield "what changes on the disk", planned_diff(file), False
         name, text = self._origins.get(file.name, ("", file.text))
         if text not in (file.text, file.before):
-            yield f"what differs from {name}", difference(text, file.text), False
+            yield f"what differs from {name}", difference(text, file.text, file.path), False
         yield "the whole file", coloured(file.text.decode("utf-8", "replace"), file.path), True
 
     def action_toggle_diff(self) -> None:

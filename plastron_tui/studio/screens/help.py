@@ -2,21 +2,20 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from typing import ClassVar
 
+from textual import events
 from textual.app import ComposeResult
 from textual.binding import Binding, BindingType
 from textual.containers import Vertical
 from textual.widgets import Label
 
-from plastron_tui.language import DECLARATIONS
-
-from ..actions import grouped
 from ..panels.registry import PANELS
-from ..panels.styles import Line, Lines, Piece
+from ..panels.styles import Lines
 from ..panels.text_view import TextView
-from .dialog import Dialog
+from .dialog import Dialog, text_width
+from .help_lines import action_lines, key_lines, statement_lines
 
 ABOUT = {
     "editor": ("The editor", "One statement a line. While you type, a list offers what can stand "
@@ -34,68 +33,42 @@ class Help(Dialog[None]):
     BINDINGS: ClassVar[list[BindingType]] = [Binding("escape,f1,q", "close", "Close")]
     AUTO_FOCUS = "TextView"
 
-    def __init__(self, part: str, keys: Iterable[tuple[str, str]], actions: Lines) -> None:
+    def __init__(
+        self, part: str, keys: Iterable[tuple[str, str]], actions: Mapping[str, str]
+    ) -> None:
         """Make the help.
 
         Args:
             part: the id of the part that has the focus.
             keys: its keys and what they do.
-            actions: the actions of the studio, in lines.
+            actions: the key of each action of the studio, by its id.
         """
         super().__init__()
         self.title_, self.about = ABOUT.get(part, ABOUT["editor"])
-        self._lines: list[Line] = [*self._key_lines(keys)]
-        if part == "editor":
-            self._lines += [*statement_lines()]
-        self._lines += actions
+        self._has_statements = part == "editor"
+        self._keys = list(keys)
+        self._actions = actions
 
-    @staticmethod
-    def _key_lines(keys: Iterable[tuple[str, str]]) -> Iterable[Line]:
-        rows = list(keys)
-        if rows:
-            yield (Piece("Keys here", "primary"),)
-            for key, what in rows:
-                yield (Piece(f"  {key:<13} ", "accent"), Piece(what))
-            yield ()
+    def lines(self, width: int) -> Lines:
+        """Return what is shown below the sentences about the part: the keys first."""
+        found = [*key_lines(self._keys, width), *action_lines(self._actions, width)]
+        if self._has_statements:
+            found += statement_lines(width)
+        return tuple(found)
+
+    def on_resize(self, event: events.Resize) -> None:
+        """Break the lines for another width."""
+        super().on_resize(event)
+        self.query_one(TextView).show(self.lines(text_width(event.size)))
 
     def compose(self) -> ComposeResult:
         """Make the text."""
         with Vertical(id="dialog", classes="-tall"):
             yield Label(self.title_, id="dialog-title")
             yield Label(self.about, id="dialog-text", markup=False)
-            yield TextView(tuple(self._lines), id="dialog-view")
+            yield TextView(self.lines(text_width(self.app.size)), id="dialog-view")
             yield Label("Esc closes", id="dialog-keys")
 
     def action_close(self) -> None:
         """Close."""
         self.dismiss(None)
-
-
-def statement_lines() -> Iterable[Line]:
-    """Yield the statements of the language, as they are declared."""
-    yield (Piece("Statements", "primary"),)
-    for declaration in DECLARATIONS.values():
-        yield (Piece(f"  {declaration.usage}", "strong"),)
-        yield (Piece(f"      {declaration.summary}", "quiet"),)
-        yield (Piece(f"      {declaration.example}", "string"),)
-    yield ()
-
-
-def action_lines(keys: Iterable[tuple[str, str]]) -> Lines:
-    """Return all actions in lines, under their headings; `keys` has the key of each by its id."""
-    of = dict(keys)
-    lines: list[Line] = []
-    for group, actions in grouped():
-        lines.append((Piece(group, "primary"),))
-        for action in actions:
-            key = of.get(action.id, "")
-            what = action.help.rstrip(".")
-            lines.append(
-                (
-                    Piece(f"  {key or 'menu':<18}", "accent" if key else "dim"),
-                    Piece(f"{action.title:<28}"),
-                    Piece(what, "quiet"),
-                )
-            )
-        lines.append(())
-    return tuple(lines)

@@ -26,6 +26,7 @@ WORDS = {
     "editor.complete": "suggest autocomplete", "editor.toggle_comment": "uncomment disable",
     "editor.duplicate": "copy repeat", "editor.delete_line": "remove erase",
     "editor.definition": "jump source", "editor.rename": "refactor",
+    "editor.uses": "references usages find all who",
     "editor.format": "tidy indent pretty", "editor.external_editor": "vim nano emacs",
     "editor.toggle_wrap": "break soft", "editor.next_problem": "error jump",
     "editor.previous_problem": "error jump",

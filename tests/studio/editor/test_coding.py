@@ -113,10 +113,12 @@ class TestCoding:
         for name in ("vi", "nano"):
             tmp_path.joinpath(name).write_text("#!/bin/sh\n")
             tmp_path.joinpath(name).chmod(0o755)
-        environ = {"PATH": str(tmp_path), "VISUAL": " ", "EDITOR": "'"}
+        environ = {"PATH": str(tmp_path), "VISUAL": " "}
         assert external_editor(environ) == [str(tmp_path / "nano")]
         assert external_editor({**environ, "EDITOR": "ed -x"}) == ["ed", "-x"]
-        assert external_editor({"PATH": ""}) is None
+        assert external_editor({"PATH": ""}) == NO_EDITOR
+        told = external_editor({**environ, "EDITOR": "code 'x"})
+        assert told == "$EDITOR is `code 'x`, where a quote is not closed"
 
     async def test_without_an_editor_it_says_so(self, monkeypatch: pytest.MonkeyPatch) -> None:
         monkeypatch.delenv("VISUAL", raising=False)

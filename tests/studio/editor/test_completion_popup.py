@@ -47,6 +47,21 @@ async def test_enter_breaks_the_line_unless_an_entry_was_chosen() -> None:
         assert at.editor.text == b"crea\ncreate_message "
 
 
+async def test_no_mistake_is_told_beside_an_open_list() -> None:
+    text = "create_node 'a' az\n"
+    async with editing(text, cursor=text.index(" az") + 2) as at:
+        await at.understand()
+
+        def line() -> str:
+            return at.editor.view.render_line(0).text
+
+        assert "● " in line()[4:]
+        await at.press("ctrl+@")
+        assert at.editor.popup.is_open and "● " not in line()[4:]
+        await at.press("escape")
+        assert "● " in line()[4:]
+
+
 async def test_escape_closes_it_and_up_chooses_the_last() -> None:
     async with editing("") as at:
         await at.type("s")

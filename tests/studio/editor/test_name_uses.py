@@ -13,6 +13,7 @@ from plastron_tui.studio.editor.name_uses import (
     next_use,
     uses_of,
 )
+from plastron_tui.studio.editor.uses import lines_of, uses_at
 
 TEXT = """\
 create_node 'speed' as one
@@ -77,3 +78,24 @@ async def test_the_key_leads_from_statement_to_statement() -> None:
         at.editor.go_to(TEXT.index("'pace'"))
         await at.press("f12")
         assert at.app.said == ["no other statement is about the topic `pace`"]
+
+
+@pytest.mark.parametrize(
+    ("place", "name", "numbers"),
+    [
+        ("as two", "two", [5, 6, 7, 8, 12]),
+        ("to '/speed'", "speed", [4, 6, 9, 10]),
+        ("calling drive", "drive", [6]),
+        ("message_type Twist and", "Twist", [3, 4, 6, 12, 13]),
+        ("// 'speed'", None, []),
+        ("create_node", None, []),
+    ],
+)
+def test_the_lines_that_use_something(place: str, name: str | None, numbers: list[int]) -> None:
+    document = Document(TEXT.encode())
+    offset = TEXT.index(place) + len(place) - (6 if place.endswith(" and") else 2)
+    uses = uses_at(document, offset, lambda what, name: {"old"})
+    assert (None if uses is None else uses.name) == name
+    lines = () if uses is None else lines_of(document.text, uses.places)
+    assert [line.number for line in lines] == numbers
+    assert all(TEXT.splitlines()[line.number - 1] == line.text for line in lines)
