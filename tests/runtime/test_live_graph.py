@@ -18,7 +18,7 @@ from supervised import all_gone
 
 from plastron_tui.runtime import monitor as monitors
 from plastron_tui.runtime.environment import Environment, Origin
-from plastron_tui.runtime.live_graph import MOST_SAMPLES, LiveGraph
+from plastron_tui.runtime.live_graph import MOST_SAMPLES, NOT_WATCHED, LiveGraph
 from plastron_tui.runtime.monitor import (
     Monitor,
     MonitorCommand,
@@ -70,6 +70,29 @@ def test_what_has_gone_stays_and_is_marked() -> None:
     assert not graph.topics["/chatter"].is_gone and graph.nodes["/talker"]
     graph.end()
     assert not any(graph.nodes.values())
+
+
+def test_what_is_sent_is_known_until_it_ends_or_the_monitor_does() -> None:
+    graph = LiveGraph(2)
+    action = ["/count", "p/Count", 1, ["/talker"]]
+    graph.feed({**GRAPH, "actions": [action], "services": [["/add", "a/Add", ["/talker"]]]})
+    assert graph.actions["/count"] == (*action[:3], frozenset({"/talker"}), False)
+    assert graph.services["/add"].nodes == {"/talker"}
+    sending = {"tell": "sending", "name": "/speed", "rate": 10, "text": "1.0"}
+    assert graph.feed(sending) and graph.sendings["/speed"] == (10, "1.0")
+    assert graph.feed({**sending, "rate": 0}) and not graph.sendings
+    goal = {"tell": "goal", "name": "/count", "sent": "order: 5", "state": "accepted",
+            "text": "", "is_over": False, "is_failure": False}  # fmt: skip
+    for number in range(1, 150):
+        assert graph.feed({**goal, "id": number, "is_over": number < 149})
+    assert len(graph.goals) <= 100 and graph.goals[149].state == "accepted"
+    assert not graph.feed({"tell": "goal", "id": 1})
+    graph.feed(sending)
+    graph.lose_monitor()
+    assert not graph.sendings and graph.goals[149].is_over
+    assert graph.goals[149].state == NOT_WATCHED and graph.goals[148].state == "accepted"
+    graph.feed(GRAPH)
+    assert graph.actions["/count"].is_gone
 
 
 def test_parameters_are_those_of_the_last_report() -> None:
@@ -130,7 +153,9 @@ def test_what_nobody_takes_is_replaced_and_never_lost() -> None:
     assert reports.add({"tell": "problem", "text": "no network"})
     answers = [{"tell": "answer", "id": number} for number in range(3)]
     parameters = [{"tell": "parameters", "node": node, "rows": []} for node in ("/a", "/b", "/a")]
-    for report in (*answers, *parameters):
+    sendings = [{"tell": "sending", "name": "/a", "rate": rate, "text": ""} for rate in (5, 0)]
+    goals = [{"tell": "goal", "id": number} for number in (1, 2, 1)]
+    for report in (*answers, *parameters, *sendings, *goals):
         assert reports.add(report)
     for count in range(5000):
         reports.add({"tell": "topics", "rows": {"/speed": row(count)}})
@@ -139,7 +164,8 @@ def test_what_nobody_takes_is_replaced_and_never_lost() -> None:
     rows = {"/speed": row(4999), "/chatter": row(1)}
     problem = {"tell": "problem", "text": "no network"}
     assert reports.take() == [GRAPH, problem, {"tell": "topics", "rows": rows},
-                              parameters[2], parameters[1], *answers]  # fmt: skip
+                              parameters[2], parameters[1], sendings[1], goals[2], goals[1],
+                              *answers]  # fmt: skip
     assert reports.take() == []
     # A graph says that there is no problem any more.
     reports.add(problem)

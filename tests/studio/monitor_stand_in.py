@@ -40,6 +40,7 @@ def main() -> None:
                     send(tell="parameters", node=node, rows=[row])
             elif order["do"] == "publish" and order["rate"]:
                 text = ", ".join(map(str, order["values"]))
+                send(tell="answer", id=order["id"], text="", is_failure=False)
                 send(tell="sending", name=order["name"], rate=order["rate"], text=text)
             elif order["do"] == "stop":
                 send(tell="sending", name=order["name"], rate=0, text="")

@@ -16,6 +16,7 @@ from plastron_tui.runtime.observers import ros1_parameters
 from plastron_tui.session import Session
 from plastron_tui.studio.panels.live_row import Kind, LiveRow
 from plastron_tui.studio.wizard.live_orders import form_for
+from plastron_tui.studio.wizard.live_rates import RATE, rate_of
 from plastron_tui.studio.wizard.parameter_kinds import parameter_entry
 from plastron_tui.studio.wizard.sent_values import Wrong, sent_setting, sent_values, shown_setting
 from plastron_tui.studio.wizard.values import entries_of
@@ -157,3 +158,33 @@ def test_a_message_that_is_sent_begins_with_the_last_one_that_came(
     before = {next(iter(given), ("data",)): "1"}
     form = form_for(row, Session(b""), before, fields)
     assert not isinstance(form, str) and form.dialog.given == before
+
+
+@pytest.mark.parametrize(
+    ("text", "rate"),
+    [("", 0), ("once", 0), (" Once ", 0), ("10", 10), ("10hz", 10), ("0.5 Hz", 0.5), ("500", 500),
+     ("501", None), ("0", None), ("-1", None), ("often", None), ("10 hz 2", None), ("1e999", None),
+     ("nan", None)],
+)  # fmt: skip
+def test_a_message_is_sent_once_or_at_a_rate(text: str, rate: float | None) -> None:
+    row = LiveRow("k", Kind.TOPIC, "/a", "/a", type="std_msgs/Float64")
+    form = form_for(row, Session(b""), {})
+    assert not isinstance(form, str)
+    given = {RATE.path: text, ("data",): "1"}
+    found = rate_of(given)
+    if rate is None:
+        assert isinstance(found, Wrong) and found.path == RATE.path
+        assert form.dialog._check(given) == found
+    else:
+        assert found == rate
+        assert form.order(given) == {"do": "publish", "name": "/a", "type": row.type,
+                                     "rate": rate, "values": {"data": 1.0}}  # fmt: skip
+
+
+def test_a_goal_has_its_fields_and_no_rate() -> None:
+    row = LiveRow("k", Kind.ACTION, "/a", "/a", type="example_interfaces/Fibonacci")
+    form = form_for(row, Session(b""), {})
+    assert not isinstance(form, str)
+    assert form.order({("order",): "5"}) == {"do": "goal", "name": "/a", "type": row.type,
+                                             "values": {"order": 5}}  # fmt: skip
+    assert isinstance(form.dialog._check({("order",): "x"}), Wrong)

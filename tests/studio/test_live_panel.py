@@ -173,10 +173,15 @@ async def test_messages_at_a_rate_and_goals_are_sent_and_canceled(
         await wait_shown(driver, "▶ sending at 10 hz: linear")
         (order,) = asked(orders, "publish")
         assert (order["rate"], order["values"]) == (10, {"linear": {"x": 0.5}})
+        assert not driver.notes()
         # Where it is sent, one key ends that; nowhere else.
         assert live(driver).row.name == "/chatter" and "x Cancel" in footer.text
         await driver.press("down", "down")
         assert live(driver).row.name == "/topic_000" and "x Cancel" not in footer.text
+        # What moves a robot goes on out of sight, and that is said.
+        await driver.show("graph")
+        await driver.until(lambda: "still sending to /chatter; x in Live" in driver.notes())
+        await driver.press("alt+v")
         await driver.press("up", "x")
         await driver.until(lambda: not any("sending" in line for line in live(driver).lines))
         assert asked(orders, "stop") == [{"do": "stop", "name": "/chatter"}]
@@ -188,13 +193,18 @@ async def test_messages_at_a_rate_and_goals_are_sent_and_canceled(
         await driver.pilot.press("enter")
         await driver.back()
         await driver.until(lambda: "it needs an order" in driver.notes())
+        panel = live(driver)
+        # The action is the last row in sight: what comes of it is brought there.
+        top = panel.index + 1 - panel.size.height
+        panel.scroll_to(y=top, animate=False, force=True, immediate=True)
         for key, character in (("g", "g"), ("5", "5"), ("enter", None)):
             driver.app.post_message(events.Key(key, character))
-        await wait_shown(driver, "▶ order: 5: accepted: sequence: [0, 1]")
+        await wait_shown(driver, "▶ order: 5 → accepted, sequence: [0, 1]")
         await driver.until(lambda: driver.app.screen is driver.main)
         assert asked(orders, "goal")[-1]["values"] == {"order": 5}
+        await driver.until(lambda: panel.scroll_offset.y == top + 1)
         await driver.press("down", "x")
-        await wait_shown(driver, "→ order: 5: canceled")
+        await wait_shown(driver, "– order: 5 → canceled")
         assert asked(orders, "cancel") == [
             {"do": "cancel", "goal": asked(orders, "goal")[-1]["id"]}
         ]
@@ -210,7 +220,7 @@ async def test_messages_at_a_rate_and_goals_are_sent_and_canceled(
         await driver.press("f5")
         await driver.until(lambda: not driver.main.runner.is_running)
         await driver.show("live")
-        await wait_shown(driver, "order: 5: not watched any more")
+        await wait_shown(driver, "order: 5 → not watched any more")
 
 
 def test_what_is_built_before_nodes_start_is_said_unless_others_are_watched() -> None:

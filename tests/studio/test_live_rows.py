@@ -11,6 +11,7 @@ from plastron_tui.runtime.live_graph import LiveGraph, LiveParameter, NodeEnd
 from plastron_tui.session import Session
 from plastron_tui.studio.panels.live_columns import columns_of, line_of
 from plastron_tui.studio.panels.live_row import Answer, Kind, LiveRow
+from plastron_tui.studio.panels.live_row_places import cancelable_at
 from plastron_tui.studio.panels.live_rows import (
     FOREIGN,
     NOBODY,
@@ -142,13 +143,56 @@ def test_what_the_program_does_not_have_comes_behind_and_is_marked(
     at = [[node] for node in there] if version == 2 else [there, there]
     graph.feed({"tell": "graph", "topics": [["/a", "p/T", 1, 0, at[0]], ["/b", "p/T", 1, 0, at[1]],
                                             ["/c", "p/T", 1, 0]],
-                "services": [], "nodes": there})  # fmt: skip
+                "services": [["/a", "p/S", at[0]], ["/b", "p/S", at[1]], ["/c", "p/S"]],
+                "actions": [["/a", "p/A", 1, at[0]], ["/b", "p/A", 1, at[1]], ["/c", "p/A", 1, []]],
+                "nodes": there})  # fmt: skip
     rows = live_rows([graph], set(), {})
-    for kind, wanted in ((Kind.TOPIC, topics), (Kind.NODE, nodes)):
+    for kind, wanted in ((Kind.TOPIC, topics), (Kind.SERVICE, topics), (Kind.ACTION, topics),
+                         (Kind.NODE, nodes)):  # fmt: skip
         shown = [f"{'-' * row.is_foreign}{row.name}" for row in rows if row.kind is kind]
         assert shown == wanted
-    assert {row.value for row in rows if row.kind is Kind.NODE and row.is_foreign} <= {FOREIGN}
-    assert [row.name for row in rows if row.kind is Kind.HEADING] == ["topics, domain 7", "nodes"]
+    foreign = [row.value for row in rows if row.kind is not Kind.TOPIC and row.is_foreign]
+    assert all(value.endswith(FOREIGN) for value in foreign)
+    assert [row.name for row in rows if row.kind is Kind.HEADING] == [
+        "topics, domain 7", "services", "actions", "nodes"
+    ]  # fmt: skip
+
+
+@pytest.mark.parametrize(
+    ("state", "is_over", "is_failure", "shown", "tone"),
+    [("accepted", False, False, "▶ order: 5 → accepted, n: 1", "success"),
+     ("succeeded", True, False, "✓ order: 5 → succeeded, n: 1", ""),
+     ("canceled", True, False, "– order: 5 → canceled, n: 1", ""),
+     ("aborted", True, True, "✗ order: 5 → aborted, n: 1", "error")],
+)  # fmt: skip
+def test_a_goal_stands_below_its_action(
+    graph: LiveGraph, state: str, is_over: bool, is_failure: bool, shown: str, tone: str
+) -> None:
+    goal = {"tell": "goal", "id": 3, "name": "/count", "sent": "order: 5", "state": state,
+            "text": "n: 1", "is_over": is_over, "is_failure": is_failure}  # fmt: skip
+    graph.feed(goal)
+    assert f"       {shown}" in drawn(graph, 80, set())
+    rows = live_rows([graph], set(), {})
+    at = next(at for at, row in enumerate(rows) if row.kind is Kind.GOAL)
+    assert rows[at].tone == tone and rows[at - 1].kind is Kind.ACTION
+    # It can be canceled there, or at its action, as long as it is worked on.
+    found = [cancelable_at(rows, place) for place in (at, at - 1)]
+    assert [each and each.goal for each in found] == ([None, None] if is_over else [3, 3])
+    # Of many goals that are over the last ones are seen.
+    for number in range(4, 20):
+        graph.feed({**goal, "id": number, "is_over": True})
+    goals = [row for row in live_rows([graph], set(), {}) if row.kind is Kind.GOAL]
+    assert len(goals) == (5 if is_over else 6) and goals[-1].key.endswith(" 19")
+
+
+def test_what_is_sent_at_a_rate_is_ended_at_its_topic(graph: LiveGraph) -> None:
+    graph.feed({"tell": "sending", "name": "/speed", "rate": 12.5, "text": "1.5"})
+    assert "       ▶ sending at 12.5 hz: 1.5" in drawn(graph, 80, set())
+    rows = live_rows([graph], {"2 topic /speed"}, {})
+    found = {row.kind for at, row in enumerate(rows) if cancelable_at(rows, at) is not None}
+    assert found == {Kind.TOPIC, Kind.SENDING, Kind.FIELD, Kind.NOTE}
+    owners = {each.owner for at in range(len(rows)) if (each := cancelable_at(rows, at))}
+    assert owners == {"/speed"}
 
 
 @pytest.mark.parametrize(

@@ -76,11 +76,17 @@ class RunningGraph:
         # Each node is asked for its services, and so only where others are there than before.
         if services and self._providers[0] != (nodes, services):
             providers: dict[str, list[str]] = {}
-            for name, namespace in nodes:
-                for service, _ in self._node.get_service_names_and_types_by_node(name, namespace):
-                    providers.setdefault(service, []).append(_full_name((name, namespace)))
+            for node in nodes:
+                for service in self._services_of(node):
+                    providers.setdefault(service, []).append(_full_name(node))
             self._providers = (nodes, services), providers
         return [(name, type_, self._providers[1].get(name, [])) for name, type_ in services]
+
+    def _services_of(self, node: tuple[str, str]) -> list[str]:
+        try:
+            return [name for name, _ in self._node.get_service_names_and_types_by_node(*node)]
+        except Exception:  # a node that has just gone; the next look does not have it
+            return []
 
     def _found_actions(self, found: list[tuple[str, list[str]]]) -> list[Any]:
         actions = []

@@ -18,6 +18,7 @@ import rospy
 import rosservice
 from goals_ros1 import ActionClients, action_types, is_part
 from message_filling import fill, has_stamp
+from message_summary import summary_of
 from monitor_goals import Goals
 from monitor_pipes import Orders, answer, send, sent_words
 from monitor_sending import Sendings
@@ -186,7 +187,7 @@ class _Monitor:
             _stamp(message, order["values"])
             publisher.publish(message)
 
-        self._sendings.start(order, publish, lambda: None, line_of(message))
+        self._sendings.start(order, publish, lambda: None, summary_of(message, order["type"]).text)
 
     def _prepared(self, order: dict[str, Any]) -> tuple[Any, Any]:
         """Return the publisher of a topic, and a message."""

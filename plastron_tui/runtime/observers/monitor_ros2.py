@@ -19,6 +19,7 @@ from fitting_subscription import FittingSubscription
 from goals_ros2 import ActionClients
 from graph_ros2 import RunningGraph
 from message_filling import fill, has_stamp
+from message_summary import summary_of
 from monitor_goals import Goals
 from monitor_parameters import Parameters
 from monitor_pipes import Orders, answer, send, sent_words
@@ -224,7 +225,7 @@ class _Monitor:
             self._running.publishers[name] -= 1
             self._node.destroy_publisher(publisher)
 
-        self._sendings.start(order, publish, close, line_of(message))
+        self._sendings.start(order, publish, close, summary_of(message, order["type"]).text)
 
     def _stamp(self, message: Any, values: dict[str, Any]) -> None:
         if has_stamp(message, values):

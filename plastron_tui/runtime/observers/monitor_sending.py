@@ -73,8 +73,9 @@ class Sendings:
             text: what is in it.
         """
         self.stop(order["name"])
+        # That it is sent is told besides.
+        answer(order, "")
         self._running[order["name"]] = Sending(order, publish, text), close
-        answer(order, f"sending to {order['name']} at {order['rate']:g} hz")
 
     def stop(self, name: str) -> None:
         """Send no more to a topic."""

@@ -62,6 +62,7 @@ class LiveActions:
         panel.on_watched, panel.on_asked = self.update_subscriptions, self.run_order
         self._delay = Delay(screen, self._show)
         self._shown_at = 0.0
+        self._is_in_sight = False
         self._look = Delay(screen, self._look_at_monitors)
         self._commands: Sequence[MonitorCommand] = ()
         self._monitors: dict[int, Monitor] = {}
@@ -145,6 +146,7 @@ class LiveActions:
 
     def update_subscriptions(self) -> None:
         """Have the topics and nodes in sight listened to, and no others."""
+        self._say_what_goes_on()
         for version, monitor in self._monitors.items():
             wanted = self._panel.watching(version)
             if self._watching.get(version) != wanted:
@@ -152,6 +154,13 @@ class LiveActions:
                 monitor.order(
                     do="watch", topics=wanted.topics, full=wanted.full, nodes=wanted.nodes
                 )
+
+    def _say_what_goes_on(self) -> None:
+        """Say once what is still sent where its row goes out of sight: it may move a robot."""
+        sent = [each for graph in self._graphs.values() for each in graph.sendings]
+        was_in_sight, self._is_in_sight = self._is_in_sight, self._panel.is_in_sight
+        if sent and was_in_sight and not self._is_in_sight:
+            self._say(f"still sending to {', '.join(sent)}; x in Live ends it")
 
     def show_soon(self) -> None:
         """Show what monitors say, soon: all that comes until then at once."""
@@ -346,6 +355,9 @@ class LiveActions:
         if row.kind is Kind.SERVICE:
             self._answers[row.key] = Answer(text, is_failure)
             return True
+        if not text:
+            # It is shown there.
+            return False
         severity = "warning" if is_failure else "information"
         words = f"{row.name}: {visible(text)}" if row.kind is Kind.PARAMETER else visible(text)
         # Notes that are the same are shown once, and who sends twice wants to know of both.

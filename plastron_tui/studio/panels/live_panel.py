@@ -19,7 +19,7 @@ from .entry_list import EntryList
 from .filter_bar import FilterBar
 from .live_columns import Columns, columns_of, line_of
 from .live_row import Answer, Kind, LiveRow
-from .live_row_places import branch_at, cancelable_at, stop_near, target_at
+from .live_row_places import branch_at, cancelable_at, last_sent_at, stop_near, target_at
 from .live_rows import UNCOUNTED, found_rows, live_rows
 from .live_watching import Watching, watching_of
 from .row_drawing import RowDrawing
@@ -156,6 +156,7 @@ class LivePanel(EntryList):
             rows, found = found_rows(rows, self._words)
             self._bar.say(found, there)
         before, self._live = self._live, rows
+        had_below = last_sent_at(before, self.index) - self.index
         old_columns = self._columns
         self._columns = columns_of(rows, self.scrollable_content_region.width)
         same = [row.key for row in before] == [row.key for row in rows]
@@ -165,6 +166,9 @@ class LivePanel(EntryList):
             if not self._has_moved:
                 # What comes later may stand above what was there.
                 self.index = 0
+            elif (last := last_sent_at(rows, self.index)) - self.index > had_below:
+                # Who has sent it looks for what comes of it.
+                self._reveal(last)
             self.on_watched()
             self.refresh_bindings()
         elif self._columns != old_columns:

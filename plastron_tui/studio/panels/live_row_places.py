@@ -33,6 +33,14 @@ def cancelable_at(rows: Sequence[LiveRow], at: int) -> LiveRow | None:
     return chosen if chosen.goal else None
 
 
+def last_sent_at(rows: Sequence[LiveRow], at: int) -> int:
+    """Return the place of the last row with what came of what was sent, below a row; or its own."""
+    sent = (Kind.SENDING, Kind.ANSWER, Kind.GOAL)
+    while at + 1 < len(rows) and rows[at + 1].kind in sent:
+        at += 1
+    return at
+
+
 def stop_near(rows: Sequence[LiveRow], to: int, before: int) -> int:
     """Return the place that the cursor goes to: behind a heading, in the direction it takes."""
     forward = range(to, len(rows))

@@ -230,10 +230,12 @@ def _action_value(action: LiveAction) -> str:
 
 
 def _goal(key: str, action: LiveAction, goal: LiveGoal, version: int) -> LiveRow:
-    sign, tone = ("▶", "success") if not goal.is_over else ("→", "")
+    sign, tone = ("–" if goal.is_over else "▶"), ("" if goal.is_over else "success")
+    if goal.state == "succeeded":
+        sign = "✓"
     if goal.is_failure:
         sign, tone = "✗", "error"
-    text = f": {one_line(goal.text)}" if goal.text else ""
+    text = f", {one_line(goal.text)}" if goal.text else ""
     return LiveRow(
         f"{key} goal {goal.number}",
         Kind.GOAL,
@@ -241,7 +243,7 @@ def _goal(key: str, action: LiveAction, goal: LiveGoal, version: int) -> LiveRow
         action.name,
         version,
         action.type,
-        value=f"{one_line(goal.sent) or 'no values'}: {visible(goal.state)}{text}",
+        value=f"{one_line(goal.sent) or 'no values'} → {visible(goal.state)}{text}",
         tone=tone,
         depth=1,
         goal=0 if goal.is_over else goal.number,

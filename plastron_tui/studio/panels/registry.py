@@ -138,8 +138,9 @@ LIVE = Panel(
     summary="What travels between the nodes that run.",
     about=(
         "Each topic ≈ of the nodes that run, with how often a message comes and what is in the "
-        "last one; Enter unfolds its fields, P sends a message to it. Enter on a service ◆ calls "
-        "it. Enter on a node ● shows its parameters, and on a parameter sets it. What is not in "
+        "last one; Enter unfolds its fields, P sends a message to it, once or at a rate. Enter on "
+        "a service ◆ calls it, on an action ★ sends it a goal; X ends what is sent, or a goal. "
+        "Enter on a node ● shows its parameters, and on a parameter sets it. What is not in "
         "sight is not listened to. / shows only what has certain words in its name or type."
     ),
     widget="live_panel:LivePanel",
@@ -164,7 +165,8 @@ OUTPUT = Panel(
     summary="What the nodes print while they run.",
     about=(
         "What the nodes print that F5 started, each in its colour. A line that comes again is "
-        "counted: ×37. T shows when each came; / shows only the lines with certain words, Esc in "
+        "counted: ×37. Of a long line the first rows are shown, and all with Enter. T shows "
+        "when each came; / shows only the lines with certain words, Esc in "
         "that field shows all. Scroll up to read: the lines stay where they are until you go to "
         "the end."
     ),
