@@ -28,6 +28,8 @@ class Nodes:
     def __init__(self, path: Path, options: object, news: Any) -> None:
         self.status: int | None = None
         self.was_stopped = False
+        # Those that are started later may have others.
+        self.monitors = type(self).monitors
         self._news = news
         news()
 

@@ -107,7 +107,7 @@ def test_what_is_gone_or_silent_is_marked(graph: LiveGraph) -> None:
      # The middleware believes for some seconds in a node that was killed.
      (True, NodeEnd("was ended by SIGKILL", True), False, "was ended by SIGKILL", "error"),
      (False, NodeEnd("finished", False), False, "finished", "quiet"),
-     (False, None, True, "gone", "quiet")],
+     (False, None, True, "ended", "quiet"), (True, None, True, "ended", "quiet")],
 )  # fmt: skip
 def test_a_node_that_has_done_its_work_is_not_one_that_is_gone(
     graph: LiveGraph, there: bool, end: NodeEnd | None, stopped: bool, value: str, tone: str
@@ -120,7 +120,7 @@ def test_a_node_that_has_done_its_work_is_not_one_that_is_gone(
         graph.end()
     row = live_rows([graph], set(), {})[-1]
     assert (row.name, row.value, row.tone) == ("/talker", value, tone)
-    assert row.is_branch == (there and end is None)
+    assert row.is_branch == (there and end is None and not stopped)
     if end is not None and not there:
         # Somebody has started it by hand.
         graph.feed({"tell": "graph", "topics": [], "services": [], "nodes": ["/talker"]})
@@ -138,7 +138,7 @@ def test_a_node_that_has_done_its_work_is_not_one_that_is_gone(
 def test_what_the_program_does_not_have_comes_behind_and_is_marked(
     own: tuple[str, ...], version: int, topics: list[str], nodes: list[str]
 ) -> None:
-    graph = LiveGraph(version, own=frozenset(own), domain="7")
+    graph = LiveGraph(version, own=frozenset(own) or None, domain="7")
     there = ["/x", "/y"] if version == 2 else ["/n_12_345"]
     at = [[node] for node in there] if version == 2 else [there, there]
     graph.feed({"tell": "graph", "topics": [["/a", "p/T", 1, 0, at[0]], ["/b", "p/T", 1, 0, at[1]],

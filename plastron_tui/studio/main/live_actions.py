@@ -2,15 +2,14 @@
 
 from __future__ import annotations
 
-import itertools
 from collections import Counter
 from collections.abc import Callable, Mapping, Sequence
+from itertools import chain, count
 from time import monotonic
 from typing import TYPE_CHECKING, Any
 
 from textual.screen import Screen
 
-from plastron_tui.diagnostics import Edit, Span
 from plastron_tui.diagnostics.terminal import visible
 from plastron_tui.regular_files import reason
 from plastron_tui.runtime.live_graph import LiveGraph, NodeEnd
@@ -20,11 +19,13 @@ from ..key_order import InOrder
 from ..panels.live_panel import LOOKING, NOTHING_RUNS, STARTING, LivePanel
 from ..panels.live_row import Answer, Kind, LiveRow
 from ..panels.live_watching import Watching
-from .active_program import ActiveProgram, Tab
+from .active_program import ActiveProgram
+from .live_defaults import default_place, write_default
 from .workers import start_exclusive
 
 if TYPE_CHECKING:
     from plastron_tui.runtime.monitor import Monitor, MonitorCommand
+    from plastron_tui.session import Session
 
     from ..wizard.live_form import LiveForm
     from ..wizard.values import Path
@@ -57,21 +58,23 @@ class LiveActions:
         self._screen = screen
         self._program = program
         self.on_written: Callable[[], object] = lambda: None
-        self._tab: Tab | None = None
+        self._sessions: Sequence[Session] = ()
         self._panel = panel
         panel.on_watched, panel.on_asked = self.update_subscriptions, self.run_order
         self._delay = Delay(screen, self._show)
         self._shown_at = 0.0
+        self._is_due = False
         self._is_in_sight = False
         self._look = Delay(screen, self._look_at_monitors)
         self._commands: Sequence[MonitorCommand] = ()
+        self._own: Mapping[int, frozenset[str]] | None = None
         self._monitors: dict[int, Monitor] = {}
         self._graphs: dict[int, LiveGraph] = {}
         self._watching: dict[int, Watching] = {}
         self._silent: set[int] = set()
         self._retried: set[int] = set()
         """Those whose monitor was started again by itself."""
-        self._numbers = itertools.count(1)
+        self._numbers = count(1)
         self._asked: dict[int, tuple[LiveRow, LiveForm | None]] = {}
         self._answers: dict[str, Answer] = {}
         self._said: Counter[str] = Counter()
@@ -86,25 +89,56 @@ class LiveActions:
         self._said.clear()
         self._tell(STARTING)
 
+    def forget_ends(self, commands: Sequence[MonitorCommand]) -> None:
+        """Note that the nodes of a run start again, however they have ended before."""
+        for graph in self._graphs.values():
+            for command in commands:
+                graph.forget_ends(chain.from_iterable(command.nodes.values()))
+
     def preparing(self, step: str) -> None:
         """Say what is done before the nodes start: to compile them takes its time."""
         self._tell(f"{visible(step)}\nthe nodes start then, and what they send is shown here")
 
-    def start(self, tab: Tab, commands: Sequence[MonitorCommand]) -> None:
-        """Watch nodes.
+    def watch(self, commands: Sequence[MonitorCommand]) -> None:
+        """Watch nodes; a monitor that runs, and knows the types of all of them, goes on.
 
         Args:
-            tab: whose nodes they are, whichever is in front; its types are those of the forms.
             commands: what starts their monitors.
         """
-        if tab is not self._tab:
-            # A topic of that name may have another type there.
-            self._given.clear()
-        self._tab, self._commands = tab, commands
+        old, new = (
+            {each.ros_version: each for each in known} for known in (self._commands, commands)
+        )
+        self._commands = commands
         self._retried.clear()
-        self._close()
-        self._tell(LOOKING)
+        for each in old.keys() - new.keys():
+            self._close(each)
+        for version, command in new.items():
+            before = old.get(version, command)
+            if (before.command, before.environ) != (command.command, command.environ):
+                self._close(version)
+        if not any(graph.is_known for graph in self._graphs.values()):
+            self._tell(LOOKING)
         self._start_missing()
+
+    def follow(self, own: Mapping[int, frozenset[str]] | None, sessions: Sequence[Session]) -> None:
+        """Follow the program in front.
+
+        Args:
+            own: its nodes that run, or ran last, by the generation of ROS; None where its run has
+                not said which they are.
+            sessions: it, and the program whose nodes were started last: the types of the forms are
+                looked up in the first of them that has them.
+        """
+        self._sessions = sessions
+        self._own = own
+        before = [graph.own for graph in self._graphs.values()]
+        for graph in self._graphs.values():
+            graph.own = self._own_of(graph)
+        if before != [graph.own for graph in self._graphs.values()]:
+            self._tell(self._empty)
+
+    def _own_of(self, graph: LiveGraph) -> frozenset[str] | None:
+        return None if self._own is None else self._own.get(graph.ros_version, frozenset())
 
     def _start_missing(self) -> None:
         """Start the monitors that do not run."""
@@ -115,7 +149,7 @@ class LiveActions:
                 continue
             graph = self._graphs.setdefault(each.ros_version, LiveGraph(each.ros_version))
             graph.domain = each.environ.get("ROS_DOMAIN_ID", "0") if each.ros_version == 2 else "0"
-            graph.own = frozenset(itertools.chain.from_iterable(each.nodes.values()))
+            graph.own = self._own_of(graph)
             try:
                 self._monitors[each.ros_version] = Monitor(each, self._news)
             except OSError as error:
@@ -126,23 +160,28 @@ class LiveActions:
     def end(self) -> None:
         """Watch no more: the nodes have ended. What was seen last stays."""
         self._commands = ()
-        self._close()
+        self._close_all()
         for graph in self._graphs.values():
             graph.end()
         self._tell(NOTHING_RUNS)
 
     def close(self) -> None:
         """End the monitors, because the studio ends."""
-        self._close()
+        self._close_all()
 
-    def _close(self) -> None:
-        for monitor in self._monitors.values():
-            monitor.close()
-        for graph in self._graphs.values():
-            graph.drop_orders()
-        self._monitors, self._watching, self._silent = {}, {}, set()
+    def _close_all(self) -> None:
+        for version in list(self._monitors):
+            self._close(version)
         self._delay.stop()
         self._look.stop()
+
+    def _close(self, version: int) -> None:
+        monitor = self._monitors.pop(version, None)
+        if monitor is not None:
+            monitor.close()
+            self._graphs[version].drop_orders()
+        self._watching.pop(version, None)
+        self._silent.discard(version)
 
     def update_subscriptions(self) -> None:
         """Have the topics and nodes in sight listened to, and no others."""
@@ -184,7 +223,7 @@ class LiveActions:
             self._delay.start(_SHOWN_AFTER)
             return
         self._shown_at = monotonic()
-        is_new = False
+        is_new, self._is_due = self._is_due, False
         for version, monitor in list(self._monitors.items()):
             graph = self._graphs[version]
             for report in monitor.take():
@@ -205,10 +244,14 @@ class LiveActions:
 
     def _tell(self, empty: str, *, unseen: bool = True) -> None:
         self._empty = empty
-        graphs = [graph for graph in self._graphs.values() if graph.is_known or graph.problem]
+        graphs = [graph for graph in self._graphs.values() if graph.is_shown]
         self._panel.show_live(graphs, self._answers, empty, unseen=unseen)
 
     def _look_at_monitors(self) -> None:
+        if any(graph.gone_since for graph in self._graphs.values()):
+            # What is not of the program goes some seconds after it was missed.
+            self._is_due = True
+            self.show_soon()
         for version, monitor in list(self._monitors.items()):
             if not monitor.is_silent:
                 self._silent.discard(version)
@@ -221,15 +264,16 @@ class LiveActions:
         if self._monitors:
             self._look.start(_LOOK)
 
-    def mark_ended(self, ends: Mapping[str, NodeEnd]) -> None:
+    def mark_ended(self, commands: Sequence[MonitorCommand], ends: Mapping[str, NodeEnd]) -> None:
         """Mark nodes that have ended by themselves: the middleware believes in them for longer.
 
         Args:
+            commands: what starts monitors of their run.
             ends: how they have ended, by what their lines are labelled with.
         """
         is_new = False
-        for command in self._commands:
-            graph = self._graphs[command.ros_version]
+        for command in commands:
+            graph = self._graphs.get(command.ros_version, LiveGraph(command.ros_version))
             for label, end in ends.items():
                 is_new |= graph.mark_ended(command.nodes.get(label, ()), end)
         if is_new:
@@ -237,10 +281,7 @@ class LiveActions:
 
     def _lost(self, version: int, why: str) -> None:
         """Watch again, once; then say that a monitor is no more. The nodes run on."""
-        monitor = self._monitors.pop(version)
-        monitor.close()
-        self._watching.pop(version, None)
-        self._silent.discard(version)
+        self._close(version)
         if version not in self._retried:
             self._retried.add(version)
             self._fail(version, f"not watched for the moment: {why}")
@@ -277,14 +318,18 @@ class LiveActions:
             monitor.order(do="cancel", goal=row.goal)
 
     async def _ask(self, row: LiveRow) -> None:
-        if row.ros_version not in self._monitors or self._tab is None:
+        if row.ros_version not in self._monitors or not self._sessions:
             self._say("nothing runs that could take it")
             return
         from ..wizard.live_orders import form_for
 
         topic = self._graphs[row.ros_version].topics.get(row.owner)
         seen = () if topic is None or row.kind is not Kind.TOPIC else topic.fields
-        form = form_for(row, self._tab.open.session, self._given.get(row.key, {}), seen)
+        # A topic of that name may have another type in another program.
+        about = f"{row.key} {row.type}"
+        given = self._given.get(about, {})
+        forms = [form_for(row, session, given, seen) for session in self._sessions]
+        form = next((each for each in forms if not isinstance(each, str)), forms[0])
         if isinstance(form, str):
             self._say(form)
             return
@@ -292,41 +337,19 @@ class LiveActions:
         if row.kind is Kind.PARAMETER:
             # A node may refuse a value that fits: what was typed is still there then.
             dialog.ask = lambda given: self._order(row, form.order(given), dialog)
-            if self._default_span(row) is not None:
+            if default_place(self._program, row) is not None:
                 dialog.other_verb = "Set, and write it into the program"
             set_to = await self._screen.app.push_screen_wait(dialog)
             if set_to is not None and dialog.is_other:
-                self._write_default(row, set_to)
+                self._say(write_default(self._program, row, set_to, self.on_written))
             return
-        given = await self._screen.app.push_screen_wait(dialog)
-        if given is None:
+        entered = await self._screen.app.push_screen_wait(dialog)
+        if entered is None:
             return
         # A parameter has a value, which is what its form begins with; this begins with the last.
-        self._given[row.key] = given
-        if not self._order(row, form.order(given)):
+        self._given[about] = entered
+        if not self._order(row, form.order(entered)):
             self._say("the monitor of the nodes takes nothing any more")
-
-    def _default_span(self, row: LiveRow) -> Span | None:
-        """Return where the program in front says what a parameter is, None for nowhere."""
-        from ..parameter_default import default_span
-
-        analysis, parameter = self._program.analysis, row.parameter
-        if analysis is None or parameter is None:
-            return None
-        return default_span(analysis, row.owner, parameter.name)
-
-    def _write_default(self, row: LiveRow, given: Mapping[Path, str]) -> None:
-        """Let a parameter begin with the value that it was just given."""
-        from ..wizard.live_orders import default_text
-
-        span = self._default_span(row)
-        text = None if row.parameter is None else default_text(row.parameter, given)
-        if span is None or text is None:
-            self._say("the program cannot have this value; the node has it until it ends")
-            return
-        self._program.editor.apply([Edit(span, text)])
-        self.on_written()
-        self._say(f"the program begins with {row.name} {text} now")
 
     def _order(self, row: LiveRow, order: Mapping[str, Any], form: LiveForm | None = None) -> bool:
         """Tell a monitor what to do; tell whether it takes orders.

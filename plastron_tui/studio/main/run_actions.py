@@ -141,8 +141,9 @@ class RunActions:
         if run.running is not None:
             if not anew and monotonic() - run.started_at < TWICE:
                 return
-            self._panels.layout.reveal("output")
-            run.running.stop()
+            if not self._panels.layout.is_in_sight("live"):
+                self._panels.layout.reveal("output")
+            self._stop(tab, run.running)
             if not anew:
                 return
             while self.runs_in(tab):
@@ -157,11 +158,17 @@ class RunActions:
         """Stop what runs of the program in front; say where else nodes run."""
         running = self._run.running
         if running is not None:
-            running.stop()
+            self._stop(self._program.tab, running)
             return
         others = [tab.open.name for tab in self._runs if self.runs_in(tab)]
         said = f"nothing runs here; nodes run of {', '.join(others)}" if others else "nothing runs"
         self._screen.notify(said, timeout=2, markup=False)
+
+    def _stop(self, tab: Tab, running: Running) -> None:
+        running.stop()
+        # What was seen last stays: nodes that end take their topics away one by one.
+        self._runs[tab].is_stopping = True
+        self._end_watch(tab)
 
     def close(self) -> None:
         """Have all nodes ended, because the studio ends."""
@@ -182,6 +189,7 @@ class RunActions:
     def follow(self) -> None:
         """Show what the nodes of the program in front have printed, and which have failed."""
         self._panels.follow(self._run)
+        self.watched.follow(self._runs, self._program.tab)
         self._tell_stage()
 
     def _start(self, path: Path) -> None:
@@ -199,7 +207,9 @@ class RunActions:
         run.compare(self._program.text)
         self._failures.forget()
         run.failed, run.ended, run.built, run.speaks = {}, {}, "", False
-        self.watched.starting()
+        run.is_stopping = False
+        self.watched.starting(run)
+        run.commands = ()
         self._panels.begin(run, f"plastron run {path.name}")
         self._tell_stage()
         self._panels.layout.reveal("output")
@@ -254,7 +264,8 @@ class RunActions:
             if end.is_failure:
                 self._failures.say(f"{end.node} {end.how}", severity="error", timeout=10)
                 run.failed = {**run.failed, end.node: "has ended"}
-        self.watched.mark_ended(tab, run)
+        self.watched.mark_ended(run)
 
     def _end_watch(self, tab: Tab) -> None:
-        self.watched.end(tab, others_run=any(map(self.runs_in, self._runs)))
+        others = (each for each in self._runs if each is not tab)
+        self.watched.end(tab, others_run=any(map(self.runs_in, others)))

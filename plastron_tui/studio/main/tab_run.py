@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
+from itertools import chain
 from typing import TYPE_CHECKING
 
 from textual.widget import Widget
@@ -21,6 +22,8 @@ from .dock_layout import DockLayout
 from .program_bars import OLDER
 
 if TYPE_CHECKING:
+    from plastron_tui.runtime.monitor import MonitorCommand
+
     from ..running import Running
 
 _BUILDING = re.compile(r"building `([^`]+)`: ")
@@ -40,6 +43,8 @@ class TabRun:
         built: the package that is built before they start, "" for none.
         built_since: when that was begun.
         speaks: whether a node has printed something.
+        commands: what starts monitors of them, also when they have ended.
+        is_stopping: whether they were asked to end.
         text: the program that they were started from.
         is_older: whether the program says something else by now.
     """
@@ -52,8 +57,29 @@ class TabRun:
     built: str = ""
     built_since: float = 0.0
     speaks: bool = False
+    commands: Sequence[MonitorCommand] = ()
+    is_stopping: bool = False
     text: bytes = b""
     is_older: bool = False
+
+    @property
+    def is_ready(self) -> bool:
+        """Whether they can be watched."""
+        return self.running is not None and bool(self.running.monitors) and not self.is_stopping
+
+    @property
+    def own(self) -> Mapping[int, frozenset[str]] | None:
+        """Their names by the generation of ROS; None where the run has not said them."""
+        found = {
+            each.ros_version: frozenset(chain.from_iterable(each.nodes.values()))
+            for each in self.commands
+        }
+        return None if self.commands and not any(found.values()) else found
+
+    def note_commands(self) -> None:
+        """Note what starts monitors of them, as soon as that is known."""
+        if self.running is not None and self.running.monitors:
+            self.commands = self.running.monitors
 
     def compare(self, text: bytes) -> None:
         """Note whether the program says something else than the nodes were started from."""
