@@ -95,6 +95,8 @@ are sent `for_each` message of a topic; in answers |
 | `received.axes[1]` | an element of a list in it, counted from 0 | there |
 | `received.axes[1] * 0.5 + 1` | calculated with numbers: `+`, `-`, `*`, `/`, as in arithmetic | of \
 a parameter too |
+| `received.a + received.b` | calculated with others, all of one message or request; with \
+parameters too | where something is received |
 
 ```plastron
 // A joystick that drives. A stop is sent for each scan in which something is near.
@@ -108,16 +110,24 @@ driver publish stop to 'cmd_vel' of message_type Twist for_each 'scan' when any 
 generate_node driver
 ```
 
-Two values are not calculated with each other, and there are no brackets: that is code. A message
+```plastron
+// A service that adds two numbers.
+create_node 'adder' as adder
+adder provides_service 'add' of service_type AddTwoInts answering received.a + received.b
+generate_node adder
+```
+
+A calculation begins with `received` or `parameter`, and has no brackets: what takes more is code.
+Whole numbers stay whole but for `/`, which makes a fraction, and so fits no field of integers. A message
 can be sent to a topic for several reasons, a statement each: at a rate, once, and `for_each`
 message of one topic and of another.
 
 A condition compares one field with a number (`<`, `>`, `=`), or with a text or a truth value
 (`=`); of a list, `any` or `all` of its elements, and `all` holds of an empty one. One that every
-integer of the field's type meets, or none, is an error. An element that is not there, and a number
-that the field cannot hold, are a warning in the node's log that names them, and nothing is sent; a
-request that cannot be answered fails in ROS 1, and gets an empty answer in ROS 2, which knows no
-failure. What needs more is code: the node's file is yours.
+integer of the field's type meets, or none, is an error. An element that is not there, a number
+that the field cannot hold, and a division by 0 are a warning in the node's log that names them, and
+nothing is sent; a request that cannot be answered fails in ROS 1, and gets an empty answer in ROS 2,
+which knows no failure. What needs more is code: the node's file is yours.
 
 ## Parameters
 

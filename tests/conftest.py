@@ -2,10 +2,11 @@ from __future__ import annotations
 
 import gc
 import signal
-from collections.abc import Generator
+from collections.abc import Generator, Iterator
 from pathlib import Path
 
 import pytest
+from command_line import Copies, copies
 from cpp_builds import describe_rclcpp
 from hypothesis import settings
 from long_modules import is_left_out, overlooked
@@ -34,6 +35,13 @@ def the_ros_that_is_here(request: pytest.FixtureRequest, monkeypatch: pytest.Mon
         monkeypatch.setattr(installations, "installed", lambda: (here,))
         for name in ("ROS_VERSION", "ROS_DISTRO", "ROS_PACKAGE_PATH", "AMENT_PREFIX_PATH"):
             monkeypatch.delenv(name, raising=False)
+
+
+@pytest.fixture(scope="session")
+def copied(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Copies]:
+    """The process that plastron is run in copies of, for all tests."""
+    with copies(tmp_path_factory.mktemp("copies")) as made:
+        yield made
 
 
 def pytest_report_header() -> str:
@@ -90,7 +98,6 @@ gc.set_threshold(200_000, 10, 10)
 
 
 def pytest_collection_finish() -> None:
-    gc.collect()
     gc.freeze()
 
 

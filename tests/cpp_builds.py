@@ -41,7 +41,7 @@ _ROSCPP_LIBRARIES = (
     *("roscpp", "rosconsole", "roscpp_serialization", "rostime", "cpp_common", "boost_system"),
     *("boost_thread", "actionlib", "message_filters", "nodeletlib", "class_loader", "roslib"),
     *("dynamic_reconfigure_config_init_mutex", "image_transport", "tf", "tf2", "tf2_ros"),
-    *("diagnostic_updater",),
+    *("diagnostic_updater", "xmlrpcpp"),
 )
 _DEBIAN = Path("/usr")
 

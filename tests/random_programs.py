@@ -54,7 +54,9 @@ _FILLINGS: dict[str, st.SearchStrategy[str]] = {
     "qos": _QOS,
     "when": st.sampled_from(["", " when received.x < 0.5", " when received.z = 2"]),
     "calling": st.sampled_from(["", " calling hear"]),
-    "answering": st.sampled_from(["", " answering sum=received.a * 2", " answering sum=1"]),
+    "answering": st.sampled_from(
+        ["", " answering sum=received.a * 2", " answering received.a + received.b"]
+    ),
     "asking": st.sampled_from(["", " at 2 hz", " at parameter 'rate' hz"]),
     "goal": st.sampled_from(["order=5", "none"]),
     "message_type": st.sampled_from(["String", "Int32", "geometry_msgs/Twist"]),
@@ -64,7 +66,9 @@ _MESSAGES: dict[str, st.SearchStrategy[str]] = {
     "point": st.sampled_from(
         ["Point and input x=1", "Point and input x=parameter 'rate' / 2, z=parameter 'rate'"]
     ),
-    "echo": st.sampled_from(["Point and input x=received.y + 1", "Point and input y=2"]),
+    "echo": st.sampled_from(
+        ["Point and input x=received.y / received.x + 1", "Point and input y=2"]
+    ),
 }
 
 

@@ -1,8 +1,8 @@
 """What the workers of a run tell the process that started them: of most tests only the result.
 
-Of each test a worker of xdist sends six messages, among them that it begins, and how it was set up
-and taken down. Where all of that went well nobody looks at it, and with twenty thousand tests to
-pack and unpack it is a part of the time of them all.
+Of each test a worker of xdist sends six messages, among them that it begins and ends, and how it
+was set up and taken down. Where all of that went well nobody looks at it, and with twenty thousand
+tests to pack and unpack it is a part of the time of them all.
 """
 
 from __future__ import annotations
@@ -34,7 +34,8 @@ class ShortReports:
                 each.sendevent = self._send_some
 
     def _send_some(self, name: str, **data: Any) -> None:
-        if name != "logstart" and (name != "testreport" or is_told(data["data"])):
+        is_left_out = name in ("logstart", "logfinish")
+        if not is_left_out and (name != "testreport" or is_told(data["data"])):
             assert self._send is not None
             self._send(name, **data)
 

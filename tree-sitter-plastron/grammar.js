@@ -800,9 +800,20 @@ module.exports = grammar({
     _unfinished_reference: $ => choice($._source, $._reference_up_to_dot),
     _unfinished_element: $ => seq(field('list', $.reference), '[', optional(field('index', $.number))),
 
-    // calculation = ( parameter | received ) operator number { operator number }
-    calculation: $ => seq($._calculated, repeat1(seq($.operator, $.number))),
-    _unfinished_calculation: $ => seq($._calculated, repeat(seq($.operator, $.number)), $.operator),
+    // calculation = ( parameter | received ) operator operand { operator operand }
+    // operand = number | parameter | received
+    calculation: $ => seq($._calculated, repeat1(seq($.operator, $._operand))),
+    _unfinished_calculation: $ => seq(
+      $._calculated,
+      repeat(seq($.operator, $._operand)),
+      $.operator,
+      optional(choice(
+        alias($._unfinished_parameter, $.parameter),
+        alias($._unfinished_reference, $.reference),
+        alias($._unfinished_element, $.element),
+      )),
+    ),
+    _operand: $ => choice($.number, $._calculated),
     _calculated: $ => choice($.parameter, $._received),
 
     // type = [ package "/" [ "msg" | "srv" | "action" "/" ] ] name, with no space within

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import sys
 from pathlib import Path
 from typing import Any
 
@@ -28,7 +29,8 @@ def command(files: tuple[Path, ...], target: str | None, format_: str) -> None:
     """Say what is wrong with programs: all that `generate` would refuse.
 
     Exits with 1 when a program has errors, and with 2 when a file cannot be read. As JSON, the
-    diagnostics of all programs are one list on standard output.
+    diagnostics of all programs are one list on standard output. That nothing is wrong is said on a
+    terminal only.
     """
     from plastron_tui.session import Options
 
@@ -54,4 +56,6 @@ def command(files: tuple[Path, ...], target: str | None, format_: str) -> None:
         import json
 
         click.echo(json.dumps(found, indent=2))
+    elif report.is_empty and sys.stdout.isatty():
+        click.echo("no problems")
     finish(report)

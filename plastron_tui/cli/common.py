@@ -169,6 +169,11 @@ class Report:
         self.add(diagnostics, lambda _: None)
         self.status = 2
 
+    @property
+    def is_empty(self) -> bool:
+        """Whether nothing was wrong so far."""
+        return not (self._errors or self._warnings or self.status)
+
     def finish(self) -> int:
         """Say how much was wrong, and return the exit status."""
         parts = [

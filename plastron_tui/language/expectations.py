@@ -17,7 +17,7 @@ from .declaration import Declaration, Element, Form, Slot
 from .document import Document
 from .keywords import BY_KEYWORD, FIRST_WORDS, VERBS
 from .list_errors import first_unfit
-from .open_values import OpenValues
+from .open_values import ARITHMETIC, OpenValues
 from .sentence_match import SentenceMatch, intended, match_sentence
 from .tokens import COMMENT_KINDS, UNCLOSED_STRING, UNKNOWN, Token, tokens_of
 
@@ -242,4 +242,7 @@ def _place_in_values(tokens: Sequence[Token], word: Token | None) -> tuple[Value
         level.is_list,
         is_text=word is not None and word.text.startswith('"'),
     )
-    return place, len(values.levels) == 1 and not values.wants_value and not place.is_text
+    is_broken_off = values.wants_value or (
+        values.last is not None and values.last.text in ARITHMETIC
+    )
+    return place, len(values.levels) == 1 and not is_broken_off and not place.is_text

@@ -76,10 +76,10 @@ class Received(NamedTuple):
 
 
 class Step(NamedTuple):
-    """What is done to a value: `*` and a number, say."""
+    """What is done to a value: `*` and a number, say, or another value that is known then."""
 
     operator: str
-    number: int | float
+    operand: int | float | ParameterValue | Received
 
 
 class Calculation(NamedTuple):
@@ -246,8 +246,14 @@ def _computed(node: Node, source: bytes) -> ParameterValue | Received | Calculat
     start = _computed(first, source)
     assert not isinstance(start, Calculation)
     operators = (_text(child, source) for child in rest[::2])
-    numbers = (_number(child, source) for child in rest[1::2])
-    return Calculation(start, tuple(map(Step, operators, numbers)), node)
+    operands = (_operand(child, source) for child in rest[1::2])
+    return Calculation(start, tuple(map(Step, operators, operands)), node)
+
+
+def _operand(node: Node, source: bytes) -> int | float | ParameterValue | Received:
+    if node.kind_id == NUMBER:
+        return _number(node, source)
+    return _parameter(node, source) if node.kind_id == PARAMETER else _received(node, source)
 
 
 def _parameter(node: Node, source: bytes) -> ParameterValue:

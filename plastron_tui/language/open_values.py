@@ -10,6 +10,9 @@ from .tokens import WORD_KINDS, Token, text_at
 NAME_MARKS = frozenset({".", "="})
 """What follows a word among values that names a field, or a part of it."""
 
+ARITHMETIC = frozenset({"+", "-", "*", "/"})
+"""What stands between the parts of a calculation."""
+
 _BEFORE_VALUE = frozenset({"(", "[", ",", "="})
 
 

@@ -13,7 +13,7 @@ from .field_mistakes import without_fields
 from .keywords import KEYWORDS
 from .list_errors import first_unfit
 from .mistake_place import shown, unquoted
-from .open_values import NAME_MARKS, OpenValues, end_of_received, is_received
+from .open_values import ARITHMETIC, NAME_MARKS, OpenValues, end_of_received, is_received
 from .sentence_match import BEHIND_NUMBERS, SentenceMatch, SlotMatch
 from .token_errors import broken_text, unexpected
 from .tokens import QUOTED_KINDS, UNCLOSED_STRING, UNKNOWN, WORD_KINDS, Token, text_at, token_at
@@ -40,7 +40,6 @@ _VECTOR_PARTS = (
     "a third number",
 )
 _MOST_TYPE_PARTS = 3
-_OPERATORS = frozenset({"+", "-", "*", "/"})
 _GOING_ON = frozenset({",", "=", ".", "(", "["})
 _TRUTHS = frozenset({"True", "False"})
 _BOOLEANS = {
@@ -282,27 +281,37 @@ class SentenceErrors:
         made: list[Token] = []
         at = 0
         while at < len(tokens):
-            first, token = at, tokens[at]
-            at += 1
-            if is_received(tokens, first):
-                at = end_of_received(tokens, first)
-                mistake = self._in_received(tokens, first, at)
-            elif token.text == "parameter" and text_at(tokens, at) not in NAME_MARKS:
-                mistake = self._in_parameter(tokens[first:])
-                at += 1
-            else:
+            token, first = tokens[at], at
+            mistake, at = self._in_origin(tokens, first)
+            if mistake is None and at == first:
                 made.append(token)
+                at += 1
                 continue
-            while mistake is None and text_at(tokens, at) in _OPERATORS:
-                number = token_at(tokens, at + 1)
-                if number is None or number.kind != "number":
-                    mistake = self._expected("a number", number)
-                at += 2
+            while mistake is None and text_at(tokens, at) in ARITHMETIC:
+                mistake, at = self._in_operand(tokens, at + 1)
             if mistake is not None:
                 return mistake, tokens
-            end = tokens[min(at, len(tokens)) - 1].end
-            made.append(token._replace(kind="number", end=end))
+            made.append(token._replace(kind="number", end=tokens[at - 1].end))
         return None, made
+
+    def _in_origin(self, tokens: Sequence[Token], first: int) -> tuple[Diagnostic | None, int]:
+        """Look at a parameter, or at what is received; it ends where it begins if it is neither."""
+        if is_received(tokens, first):
+            end = end_of_received(tokens, first)
+            return self._in_received(tokens, first, end), end
+        if text_at(tokens, first) != "parameter" or text_at(tokens, first + 1) in NAME_MARKS:
+            return None, first
+        return self._in_parameter(tokens[first:]), min(first + 2, len(tokens))
+
+    def _in_operand(self, tokens: Sequence[Token], first: int) -> tuple[Diagnostic | None, int]:
+        """Look at what stands behind an operator, and return where that ends."""
+        token = token_at(tokens, first)
+        if token is not None and token.kind == "number":
+            return None, first + 1
+        mistake, end = self._in_origin(tokens, first)
+        if mistake is None and end == first:
+            mistake = self._expected("a number, `received` or `parameter`", token)
+        return mistake, end
 
     def _in_value(
         self, values: OpenValues, token: Token, following: Token | None
@@ -317,7 +326,7 @@ class SentenceErrors:
         if last is not None and last.text == ".":
             what = f"expected `=` after `{shown(text)}`"
             return None if is_named else self._error(what, token.span)
-        if text in _OPERATORS and not values.wants_value:
+        if text in ARITHMETIC and not values.wants_value:
             what = "a calculation begins with `parameter` or `received`"
             return self._error(what, token.span)
         if kind in (UNKNOWN, UNCLOSED_STRING):

@@ -12,7 +12,7 @@ from plastron_tui.diagnostics.suggest import nearest
 
 from .declaration import Form, SlotKind
 from .mistake_place import COMPUTED, Place, mended, unquoted
-from .open_values import end_of_received, is_received
+from .open_values import ARITHMETIC, end_of_received, is_received
 from .tokens import QUOTED_KINDS, WORD_KINDS, Token, is_glued
 
 _SECONDS = {
@@ -46,14 +46,16 @@ _UNITS: dict[str, tuple[str, float]] = {
 }
 """What ROS measures in instead of a unit, and how many of these the unit is (REP 103)."""
 
-_OPERATORS = frozenset({"+", "-", "*", "/"})
 _TURNED = {"<": ">", ">": "<", "=": "="}
 _VALUE_KINDS = frozenset({"number", "string", "boolean"})
 
 _RECEIVED = frozenset({"request", "req", "msg", "message"})
 """What others call what was received."""
 
-_IN_CODE = "one value is calculated with plain numbers; what takes more is code in the node"
+_IN_CODE = (
+    "a calculation has no brackets, and begins with `received` or `parameter`; what takes more is "
+    "code in the node"
+)
 
 
 def _operand(place: Place, first: int) -> int | None:
@@ -196,7 +198,7 @@ def sign(place: Place, found: Diagnostic) -> Diagnostic | None:
 def number_first(place: Place, found: Diagnostic) -> Diagnostic | None:
     """Recognise `2 * received.x`, and other calculations that begin with something else."""
     at, before, operator = place.at, place.before, place.token.text
-    if operator not in _OPERATORS or not _is_in(place, Form.VALUES, Form.VALUE):
+    if operator not in ARITHMETIC or not _is_in(place, Form.VALUES, Form.VALUE):
         return None
     if before is None or before.kind not in (*_VALUE_KINDS, ")"):
         return None
@@ -205,8 +207,8 @@ def number_first(place: Place, found: Diagnostic) -> Diagnostic | None:
         return found._replace(help=_IN_CODE)
     first = place.written(at + 1, end)
     over = end
-    while place.text(over) in _OPERATORS and over + 1 < len(place.tokens):
-        over += 2
+    while place.text(over) in ARITHMETIC and over + 1 < len(place.tokens):
+        over = _operand(place, over + 1) or over + 2
     rest = place.written(end, over) if over > end else ""
     after = f" {rest}" if rest else ""
     right = {
@@ -226,15 +228,15 @@ def text_in_condition(place: Place, found: Diagnostic) -> Diagnostic | None:
     return mended(found, "a text is in double quotes", place.token.span, right)
 
 
-def two_values(place: Place, found: Diagnostic) -> Diagnostic | None:
-    """Recognise `received.a + received.b`, brackets, `received.a < received.b`, and `and`."""
+def more_than_said(place: Place, found: Diagnostic) -> Diagnostic | None:
+    """Recognise brackets in a calculation, `received.a < received.b`, and `and`."""
     before = place.text(place.at - 1)
     is_value = _operand(place, place.at) is not None
     if before in _TURNED and is_value and _is_in(place, Form.CONDITION):
         return found._replace(help="what compares two values is code in the node")
     if place.token.text in ("and", "or") and _is_in(place, Form.CONDITION):
         return found._replace(help="what compares more is code in the node")
-    if before in _OPERATORS and (is_value or place.token.text == "("):
+    if before in ARITHMETIC and place.token.text == "(":
         return found._replace(help=_IN_CODE)
     return None
 
@@ -280,7 +282,7 @@ VALUE_SLIPS: tuple[Callable[[Place, Diagnostic], Diagnostic | None], ...] = (
     number_first,
     sign,
     text_in_condition,
-    two_values,
+    more_than_said,
     called,
     loose_list,
 )

@@ -13,11 +13,12 @@ from plastron_tui.language.inputs import (
     NestedValue,
     ParameterValue,
     Received,
+    Step,
 )
 from plastron_tui.ros.interfaces import FieldType
 
 from .value_diagnostics import Misfit, span
-from .values import Computed, OfParameter, OfReceived
+from .values import Computed, OfParameter, OfReceived, Operand, Origin
 
 
 def computed(type_: FieldType, value: ParameterValue | Received | Calculation) -> Computed:
@@ -29,13 +30,20 @@ def computed(type_: FieldType, value: ParameterValue | Received | Calculation) -
     first = value.first if isinstance(value, Calculation) else value
     steps = value.steps if isinstance(value, Calculation) else ()
     for step in steps:
-        if step.operator == "/" and not step.number:
+        if step == Step("/", 0):
             message = "nothing can be divided by zero"
             raise Misfit(Diagnostic(codes.VALUE_OUT_OF_RANGE, message, span(value.syntax)))
-    pairs = tuple((step.operator, step.number) for step in steps)
-    is_float = any(sign == "/" or isinstance(number, float) for sign, number in pairs)
-    source = OfParameter(first.name) if isinstance(first, ParameterValue) else received(first)
-    return Computed(source, pairs, type_, is_float)
+    pairs = tuple((step.operator, _operand(step.operand)) for step in steps)
+    is_float = any(sign == "/" or isinstance(operand, float) for sign, operand in pairs)
+    return Computed(_origin(first), pairs, type_, is_float)
+
+
+def _origin(given: ParameterValue | Received) -> Origin:
+    return OfParameter(given.name) if isinstance(given, ParameterValue) else received(given)
+
+
+def _operand(given: int | float | ParameterValue | Received) -> Operand:
+    return given if isinstance(given, int | float) else _origin(given)
 
 
 def written_as(

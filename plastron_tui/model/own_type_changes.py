@@ -7,8 +7,8 @@ from typing import Any, TypeAlias
 
 from plastron_tui.diagnostics import Diagnostic, Label, Span, codes
 from plastron_tui.language import statements as st
-from plastron_tui.ros.definition_changes import find_circle
 from plastron_tui.ros.interfaces import InterfaceKind
+from plastron_tui.ros.type_circles import find_circle
 
 from .field_lines import written_type
 from .mistake import Mistake

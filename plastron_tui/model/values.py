@@ -47,26 +47,49 @@ class OfReceived:
         return f"received.{'.'.join(self.path)}{at}"
 
 
+Origin: TypeAlias = OfParameter | OfReceived
+"""Where a value comes from that is known when it is sent."""
+
+Operand: TypeAlias = Number | Origin
+"""What a value is calculated with."""
+
+
 @dataclass(frozen=True, slots=True)
 class Computed:
     """A value that is known when it is sent.
 
     Attributes:
         source: where it comes from.
-        steps: what is done to it in turn, as an operator and a number each, with the precedence
+        steps: what is done to it in turn, as an operator and an operand each, with the precedence
             of arithmetic.
         type: the type of the field that it is for.
         is_float: whether a division, or a fraction among the numbers, makes it a float for sure.
     """
 
-    source: OfParameter | OfReceived
-    steps: tuple[tuple[str, int | float], ...]
+    source: Origin
+    steps: tuple[tuple[str, Operand], ...]
     type: FieldType
     is_float: bool = False
 
     def __str__(self) -> str:
-        steps = "".join(f" {operator} {number}" for operator, number in self.steps)
+        steps = "".join(f" {operator} {operand}" for operator, operand in self.steps)
         return f"{self.source}{steps}"
+
+    @property
+    def origins(self) -> tuple[Origin, ...]:
+        """All that it is calculated of, in the order in which it is written."""
+        others = (operand for _, operand in self.steps)
+        return (self.source, *(each for each in others if not isinstance(each, int | float)))
+
+    @property
+    def numbers(self) -> tuple[tuple[str, Number], ...] | None:
+        """The steps where all of them are with numbers, None where one is not."""
+        steps = tuple(
+            (operator, operand)
+            for operator, operand in self.steps
+            if isinstance(operand, int | float)
+        )
+        return steps if len(steps) == len(self.steps) else None
 
 
 def calculated(number: Number, steps: Sequence[tuple[str, Number]]) -> Number:
@@ -113,8 +136,9 @@ def computed_fields(value: Value, name: str = "") -> Iterator[tuple[str, Compute
 def with_source(value: Value, old: OfParameter, new: OfParameter) -> Value:
     """Return a value in which what was computed from one parameter is so from another."""
     match value:
-        case Computed(source=source):
-            return replace(value, source=new) if source == old else value
+        case Computed(source=source, steps=steps):
+            now = tuple((operator, new if each == old else each) for operator, each in steps)
+            return replace(value, source=new if source == old else source, steps=now)
         case MessageValue(fields=fields):
             made = {name: with_source(each, old, new) for name, each in fields.items()}
             return replace(value, fields=made)

@@ -8,7 +8,15 @@ from __future__ import annotations
 
 from typing import Any
 
-from plastron_tui.model.values import Computed, MessageValue, OfParameter, OfReceived, Value
+from plastron_tui.model.values import (
+    Computed,
+    MessageValue,
+    OfParameter,
+    OfReceived,
+    Operand,
+    Origin,
+    Value,
+)
 from plastron_tui.ros.interfaces import FieldType, InterfaceName
 
 _COMPUTED = "="
@@ -20,7 +28,8 @@ def value_to_json(value: Value) -> Any:
         case MessageValue(type=type_, fields=fields):
             return {str(type_): {name: value_to_json(each) for name, each in fields.items()}}
         case Computed(source=source, steps=steps, type=type_, is_float=is_float):
-            return {_COMPUTED: [source_to_json(source), steps, type_, is_float]}
+            pairs = [[operator, _operand_to_json(operand)] for operator, operand in steps]
+            return {_COMPUTED: [source_to_json(source), pairs, type_, is_float]}
         case tuple():
             return [value_to_json(each) for each in value]
         case _:
@@ -37,7 +46,7 @@ def value_from_json(value: Any) -> Value:
         ((key, held),) = value.items()
         if key == _COMPUTED:
             source, steps, type_, is_float = held
-            pairs = tuple((_operator(sign), _number(number)) for sign, number in steps)
+            pairs = tuple((_operator(sign), _operand_from_json(each)) for sign, each in steps)
             return Computed(source_from_json(source), pairs, _field_type(type_), bool(is_float))
         name = type_from_json(key)
         if name is None:
@@ -60,14 +69,22 @@ def message_from_json(value: Any) -> MessageValue:
     return found
 
 
-def source_to_json(source: OfParameter | OfReceived) -> Any:
+def _operand_to_json(operand: Operand) -> Any:
+    return operand if isinstance(operand, int | float) else source_to_json(operand)
+
+
+def _operand_from_json(operand: Any) -> Operand:
+    return source_from_json(operand) if isinstance(operand, str | list) else _number(operand)
+
+
+def source_to_json(source: Origin) -> Any:
     """Return where a value comes from: a parameter's name, or a path and a position."""
     if isinstance(source, OfParameter):
         return source.name
     return [source.path, source.position]
 
 
-def source_from_json(source: Any) -> OfParameter | OfReceived:
+def source_from_json(source: Any) -> Origin:
     """Return where a value comes from.
 
     Raises:

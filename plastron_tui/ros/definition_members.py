@@ -71,19 +71,6 @@ class MemberMistake(NamedTuple):
     help: str | None = None
 
 
-def check_member(
-    type_text: str,
-    name: str,
-    value: Value | None,
-    is_constant: bool,
-    ros_version: int,
-    package: str,
-) -> list[MemberMistake]:
-    """Return what is wrong with a member, in the order of its parts; see `make_member`."""
-    made = make_member(type_text, name, value, is_constant, ros_version, package)
-    return made if isinstance(made, list) else []
-
-
 def make_member(
     type_text: str,
     name: str,

@@ -48,3 +48,9 @@ def split_label(line: str) -> tuple[str, str]:
     if not sign or " " in name.rstrip():
         return "", line
     return name + sign, rest
+
+
+def is_own(line: str) -> bool:
+    """Tell whether the run itself says something: how a node has ended, say."""
+    label, _ = split_label(line)
+    return label.removesuffix(SIGN).rstrip() == OWN_NAME

@@ -90,7 +90,7 @@ def joined(runs: Iterable[Sequence[MonitorCommand]]) -> tuple[MonitorCommand, ..
 
     Args:
         runs: what starts those of each run; of two the first one's Python and variables are taken,
-            with the folders of both.
+            with the folders of both. Which nodes they have is left out.
     """
     found: dict[int, MonitorCommand] = {}
     for each in (command for run in runs for command in run):
@@ -103,7 +103,7 @@ def joined(runs: Iterable[Sequence[MonitorCommand]]) -> tuple[MonitorCommand, ..
             if folder
         ]
         environ = with_folders(first.environ, folders)
-        found[each.ros_version] = replace(first, environ=environ)
+        found[each.ros_version] = replace(first, environ=environ, nodes={})
     return tuple(found.values())
 
 

@@ -8,9 +8,9 @@ from dataclasses import dataclass
 from typing import NamedTuple
 
 from plastron_tui.diagnostics import Span
-from plastron_tui.model.kinds.computed import type_received
-from plastron_tui.model.kinds.ranges import Interval, field_range, range_of_calculated
-from plastron_tui.model.values import Computed, OfParameter, OfReceived
+from plastron_tui.model.kinds.ranges import Interval, field_range, ranges_of_terms
+from plastron_tui.model.kinds.received import type_received
+from plastron_tui.model.values import Computed, Number, OfParameter, OfReceived, Origin
 from plastron_tui.ros.catalog import Catalog
 from plastron_tui.ros.interfaces import Field, FieldType
 
@@ -35,6 +35,54 @@ class Source(NamedTuple):
     def is_whole(self) -> bool:
         """Whether it is of integers."""
         return self.range is not None and isinstance(self.range.least, int)
+
+
+class Formula(NamedTuple):
+    """What a value comes from, and what is done to it.
+
+    Attributes:
+        source: what comes first.
+        steps: an operator and an operand each.
+    """
+
+    source: Source
+    steps: tuple[tuple[str, Number | Source], ...]
+
+    @property
+    def ranges(self) -> list[Interval]:
+        """What each part of it can be in its turn, the whole last; nothing of what is no number."""
+        if self.source.range is None:
+            return []
+        operands = [(operator, _range_of(operand)) for operator, operand in self.steps]
+        return ranges_of_terms(self.source.range, operands)
+
+    @property
+    def range(self) -> Interval | None:
+        """What it can be, or its elements; None for no number."""
+        ranges = self.ranges
+        return ranges[-1] if ranges else None
+
+    @property
+    def is_whole(self) -> bool:
+        """Whether it is an integer for sure."""
+        operands = (operand for _, operand in self.steps)
+        return (
+            self.source.is_whole
+            and all(operator != "/" for operator, _ in self.steps)
+            and all(isinstance(_range_of(each).least, int) for each in operands)
+        )
+
+
+def _range_of(operand: Number | Source) -> Interval:
+    if isinstance(operand, Source):
+        assert operand.range is not None  # only numbers are calculated with
+        return operand.range
+    return Interval(operand, operand)
+
+
+def may_be_zero(source: Source) -> bool:
+    """Tell whether nothing may be divided by a number."""
+    return source.range is not None and source.range.holds_zero
 
 
 @dataclass(frozen=True, slots=True)
@@ -65,10 +113,17 @@ class BaseComputing(ABC):
 
     def may_fail(self, value: Computed, heard: Sequence[Field]) -> bool:
         """Tell whether there may be no value, or one that its field does not take."""
-        source = self.source_of(value.source, "received", heard)
-        return self.lacks(value.source, heard) or self.limits(value, source) is not None
+        formula = self.formula_of(value, "received", heard)
+        return (
+            any(self.lacks(origin, heard) for origin in value.origins)
+            or any(
+                operator == "/" and isinstance(operand, Source) and may_be_zero(operand)
+                for operator, operand in formula.steps
+            )
+            or self.limits(value, formula) is not None
+        )
 
-    def lacks(self, source: OfParameter | OfReceived, heard: Sequence[Field]) -> bool:
+    def lacks(self, source: Origin, heard: Sequence[Field]) -> bool:
         """Tell whether a list may have too few elements; a fixed length has been counted."""
         if isinstance(source, OfParameter) or source.position is None:
             return False
@@ -78,9 +133,21 @@ class BaseComputing(ABC):
         """Return the type of the list that a source is an element of."""
         return type_received(OfReceived(source.path), heard, self.catalog, self.span)
 
-    def source_of(
-        self, source: OfParameter | OfReceived, holder: str, heard: Sequence[Field]
-    ) -> Source:
+    def formula_of(self, value: Computed, holder: str, heard: Sequence[Field]) -> Formula:
+        """Write what a value is calculated of, with what is known of it."""
+        source = self.source_of(value.source, holder, heard)
+        steps = tuple(
+            (
+                operator,
+                operand
+                if isinstance(operand, int | float)
+                else self.source_of(operand, holder, heard),
+            )
+            for operator, operand in value.steps
+        )
+        return Formula(source, steps)
+
+    def source_of(self, source: Origin, holder: str, heard: Sequence[Field]) -> Source:
         """Write what a value comes from, with what is known of it."""
         if isinstance(source, OfReceived):
             type_ = type_received(source, heard, self.catalog, self.span)
@@ -89,10 +156,9 @@ class BaseComputing(ABC):
         text, range_ = self.parameter(source.name)
         return Source(text, None, range_)
 
-    def limits(self, value: Computed, source: Source) -> Interval | None:
+    def limits(self, value: Computed, formula: Formula) -> Interval | None:
         """Return the limits of a field that a value may pass, None where it cannot."""
-        target = field_range(value.type, self.ros_version)
-        if source.range is None or target is None or not isinstance(target.least, int):
+        target, range_ = field_range(value.type, self.ros_version), formula.range
+        if range_ is None or target is None or not isinstance(target.least, int):
             return None
-        is_inside = target.contains(range_of_calculated(source.range, value.steps))
-        return None if is_inside else target
+        return None if target.contains(range_) else target

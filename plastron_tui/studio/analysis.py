@@ -64,10 +64,6 @@ class Analysis:
             self.made[key] = make()
         return cast("_T", self.made[key])
 
-    def node_at(self, offset: int) -> str | None:
-        """Return the variable of the node that the statement on an offset's line is about."""
-        return next((name for name in self._named_at(offset) if name in self.workspace.nodes), None)
-
     def robot_at(self, offset: int) -> str | None:
         """Return the variable of the robot that the statement on an offset's line is about."""
         named = self._named_at(offset)

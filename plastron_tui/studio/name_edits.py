@@ -117,10 +117,13 @@ def written_edits(
 
 
 def edits_of_files(
-    analysis: Analysis, interface: InterfaceKind, old: str, of: str | None, new: str
+    analysis: Analysis, interface: InterfaceKind, old: str, of: str, new: str
 ) -> tuple[list[Edit], tuple[str, ...]]:
-    """Rename what loaded files have: by the statement that renames it already, or by a new one."""
-    full = resolved_name(of or "", old)
+    """Rename what loaded files have: by the statement that renames it already, or by a new one.
+
+    A private name is that of the node `of`, by its name in ROS.
+    """
+    full = resolved_name(of, old)
     edits: dict[Edit, None] = {}
     files: dict[str, None] = {}
     for node in analysis.workspace.nodes.values():

@@ -19,6 +19,9 @@ from .files import OnDisk, open_file, save_file
 
 _COMMENT = "//"
 
+_FIRST = ("talker_listener", "service_and_client", "drive", "emergency_stop")
+"""What most begin with, in this order: to send and to listen, to ask, to drive, and to stop."""
+
 
 @dataclass(frozen=True, slots=True)
 class Recipe:
@@ -47,7 +50,7 @@ def recipes_folder() -> Path:
 
 
 def recipes(folder: Path | None = None) -> tuple[Recipe, ...]:
-    """Return the recipes: the shortest first, those that bring files along last.
+    """Return the recipes: what most begin with, the shortest, then those that bring files along.
 
     A file that cannot be read is left out.
     """
@@ -56,7 +59,13 @@ def recipes(folder: Path | None = None) -> tuple[Recipe, ...]:
         for path in (folder or recipes_folder()).glob("*.plastron"):
             with suppress(OSError, UnicodeDecodeError):
                 found.append(_recipe(path))
-    return tuple(sorted(found, key=lambda each: (bool(each.files), len(each.text), each.path)))
+    return tuple(sorted(found, key=_rank))
+
+
+def _rank(recipe: Recipe) -> tuple[int, bool, int, Path]:
+    stem = recipe.path.stem
+    place = _FIRST.index(stem) if stem in _FIRST else len(_FIRST)
+    return place, bool(recipe.files), len(recipe.text), recipe.path
 
 
 def _recipe(path: Path) -> Recipe:

@@ -108,8 +108,10 @@ def renamed(analysis: Analysis, entry: Entry, new: str) -> Renamed:
     if entry.subject is EndpointKind.PARAMETER:
         return Renamed(tuple(parameter_edits(analysis, entry.node or "", old, new)))
     interface = _interface_of(entry)
+    owner = workspace.nodes.get(entry.node or "")
+    of = "" if owner is None else owner.name
     edits = tuple(written_edits(program, entry, interface, old, new))
-    more, files = edits_of_files(analysis, interface, old, entry.node, new)
+    more, files = edits_of_files(analysis, interface, old, of, new)
     return Renamed((*edits, *more), files)
 
 

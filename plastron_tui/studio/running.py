@@ -12,7 +12,7 @@ from pathlib import Path
 
 from plastron_tui import import_path
 from plastron_tui.runtime.child import Guard
-from plastron_tui.runtime.labels import OWN_NAME
+from plastron_tui.runtime.labels import OWN_NAME, is_own
 from plastron_tui.runtime.monitor import MonitorCommand, announced
 from plastron_tui.runtime.process_lines import Backlog, News, lines_of
 from plastron_tui.session import Options
@@ -138,8 +138,8 @@ class Running:
 
 
 def _is_own(line: bytes) -> bool:
-    """Tell whether the run itself says something: how a node has ended, say."""
-    return line.startswith(OWN_NAME.encode())
+    """Tell whether a line is the run's own, without reading all of one that is not."""
+    return line.startswith(OWN_NAME.encode()) and is_own(line.decode("utf-8", "replace"))
 
 
 def _command(path: Path, options: Options, told: int) -> list[str]:

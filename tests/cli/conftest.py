@@ -2,11 +2,10 @@ from __future__ import annotations
 
 import os
 import subprocess
-from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
-from command_line import Copies, Run, copies, run_in_copy
+from command_line import Copies, Run, run_in_copy
 
 
 @pytest.fixture
@@ -18,13 +17,6 @@ def here(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     for name in ("NO_COLOR", "FORCE_COLOR"):
         monkeypatch.delenv(name, raising=False)
     return tmp_path
-
-
-@pytest.fixture(scope="session")
-def copied(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Copies]:
-    """The process that plastron is run in copies of, for all tests."""
-    with copies(tmp_path_factory.mktemp("copies")) as made:
-        yield made
 
 
 @pytest.fixture

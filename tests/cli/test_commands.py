@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import json
+import os
+import pty
 import stat
 import subprocess
 import xml.etree.ElementTree as ET
@@ -25,6 +27,21 @@ def test_check_says_nothing_of_a_right_program(run: Run, here: Path) -> None:
     write(here, TALKER)
     result = run("check", "a.plastron")
     assert (result.returncode, result.stdout, result.stderr) == (0, b"", b"")
+
+
+@pytest.mark.parametrize(("text", "told"), [(TALKER, b"no problems\r\n"), (BROKEN, b"")])
+def test_check_says_on_a_terminal_that_nothing_is_wrong(here: Path, text: str, told: bytes) -> None:
+    write(here, text)
+    reader, terminal = pty.openpty()
+    command = [*PLASTRON, "check", "a.plastron"]
+    subprocess.run(command, stdin=subprocess.DEVNULL, stdout=terminal, stderr=subprocess.DEVNULL)
+    os.write(terminal, b"|")
+    shown = b""
+    while not shown.endswith(b"|"):
+        shown += os.read(reader, 1024)
+    os.close(reader)
+    os.close(terminal)
+    assert shown == told + b"|"
 
 
 def test_check_says_what_is_refused_of_a_loaded_file(run: Run, here: Path) -> None:

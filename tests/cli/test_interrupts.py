@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+import shutil
 import signal
 import subprocess
 import sys
 from pathlib import Path
 
 import pytest
-from command_line import PLASTRON, snapshot
+from command_line import PLASTRON, Run, snapshot
 from machine import mostly_long, wait_until
 
 COUNT = 40
@@ -50,6 +51,15 @@ def generate_with_signal(
     )
 
 
+@pytest.fixture(scope="module")
+def written(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A folder with a program, and what was generated of it."""
+    folder = tmp_path_factory.mktemp("written")
+    folder.joinpath("a.plastron").write_text(many(COUNT))
+    assert subprocess.run([*PLASTRON, "generate", "a.plastron"], cwd=folder).returncode == 0
+    return folder
+
+
 @pytest.mark.parametrize(
     "call",
     [
@@ -62,11 +72,12 @@ def generate_with_signal(
     "name", mostly_long(["fsync", "rename", "replace", "open"], ["rename", "open"])
 )
 @pytest.mark.parametrize("has_files", mostly_long([False, True], [True]))
-def test_interrupt_while_writing(here: Path, name: str, call: int, has_files: bool) -> None:
+def test_interrupt_while_writing(
+    here: Path, name: str, call: int, has_files: bool, written: Path, run: Run
+) -> None:
     program = here / "a.plastron"
     if has_files:
-        program.write_text(many(COUNT))
-        assert subprocess.run([*PLASTRON, "generate", "a.plastron"], cwd=here).returncode == 0
+        shutil.copytree(written, here, dirs_exist_ok=True)
     old = snapshot(here / "output")
     program.write_text(many(COUNT, "other"))
     result = generate_with_signal(here, name, call, signal.SIGINT)
@@ -80,7 +91,7 @@ def test_interrupt_while_writing(here: Path, name: str, call: int, has_files: bo
         assert all(b"other" in (new[name] or b"") for name in nodes)
     assert not [name for name in new if name.startswith(".plastron-")]
     # What is there is what the next run expects: no conflict.
-    again = subprocess.run([*PLASTRON, "generate", "a.plastron"], cwd=here, capture_output=True)
+    again = run("generate", "a.plastron")
     assert (again.returncode, again.stderr) == (0, b"")
 
 

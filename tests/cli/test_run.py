@@ -32,13 +32,11 @@ main()
 
 TABLE_SERVICES = """\
 create_node 'adder' as adder
-adder provides_service 'add' of service_type AddTwoInts
-adder provides_service 'pull' of service_type WaypointPull
+        return all(each in answers for each in ("sum: 11", "count: 0"))
 adder provides_service 'count' of service_type WordCount
 generate_node adder
 create_node 'caller' as caller
 caller client_requests 'add' of service_type AddTwoInts with input 5, 6
-caller client_requests 'pull' of service_type WaypointPull with input none
 caller client_requests 'count' of service_type WordCount with input "to be or not"
 generate_node caller
 """
@@ -54,15 +52,22 @@ def ros2(tmp_path: Path) -> Ros:
     return make_ros("rclpy", tmp_path)
 
 
+# On ROS 2 it is said of a program of which only some nodes run, further down.
+@pytest.mark.parametrize("ros", ["rospy"], indirect=True)
 @pytest.mark.live
 def test_a_program_is_generated_and_run(ros: Ros) -> None:
     ros.write("p.plastron", TALKER + LISTENER)
     said = ros.run_until(lambda said: len(heard_by(said, "listener")) > 10, "p.plastron")
+    check_run(ros, said)
+    assert master_pid(ros.environ["ROS_MASTER_URI"]) is None
+
+
+def check_run(ros: Ros, said: str) -> None:
+    """A run tells what it writes and starts, and leaves no process behind."""
     assert f"running {ros.library} nodes on ROS " in said
     assert "   create  output/talker_pub.py\n" in said
     assert (ros.folder / "output" / "talker_pub.py").exists()
     assert not ros.processes()
-    assert master_pid(ros.environ["ROS_MASTER_URI"]) is None
 
 
 @pytest.mark.parametrize("ros", mostly_long(["rospy", "rclpy"], ["rospy"]), indirect=True)
@@ -72,12 +77,12 @@ def test_types_of_the_table_that_nothing_installs(ros: Ros) -> None:
     ros.environ["XDG_CACHE_HOME"] = str(ros.folder / "cache")
 
     def is_answered(said: str) -> bool:
-        # rospy writes `sum: 0`, rclpy `AddTwoInts_Response(sum=0)`.
+        # rospy writes `sum: 11`, rclpy `AddTwoInts_Response(sum=11)`.
         answers = "\n".join(said_by(said, "caller")).replace("=", ": ")
-        return all(each in answers for each in ("sum: 0", "wp_received: 0", "count: 0"))
+        return all(each in answers for each in ("sum: 11", "count: 0"))
 
     adder = "beginner_tutorials" if ros.library == "rospy" else "example_interfaces"
-    built = [f"building `{name}`: " for name in ("basics", adder, "mavros_msgs")]
+    built = [f"building `{name}`: " for name in ("basics", adder)]
     said = ros.run_until(is_answered, "p.plastron")
     assert [line for line in built if line not in said] == []
     said = ros.run_until(is_answered, "p.plastron")
@@ -101,8 +106,9 @@ def test_a_program_runs_for_a_time(ros: Ros) -> None:
 def test_only_the_named_nodes_run(ros2: Ros) -> None:
     ros2.write("p.plastron", TALKING)
     said = ros2.run_until(
-        lambda said: heard_by(said, "listener"), "p.plastron", "listener", "talker"
+        lambda said: len(heard_by(said, "listener")) > 10, "p.plastron", "listener", "talker"
     )
+    check_run(ros2, said)
     assert not said_by(said, "asker")
     written = {path.name for path in (ros2.folder / "output").glob("*.py")}
     assert written == {"listener_sub1.py", "talker_pub.py"}

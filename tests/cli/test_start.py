@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import re
+import shlex
 import subprocess
 import sys
 from pathlib import Path
@@ -145,31 +146,47 @@ def test_console_script_is_main() -> None:
     assert (result.returncode, result.stdout[:9]) == (0, b"plastron,")
 
 
-def complete(here: Path, *words: str) -> list[str]:
-    """Complete the last word as bash does: source the script, and call what it registers."""
-    quoted = " ".join(f"'{word}'" for word in words)
-    script = f"""
-        eval "$(plastron completion bash)"
-        COMP_WORDS=(plastron {quoted}); COMP_CWORD={len(words)}; COMPREPLY=()
-        compopt() {{ :; }}
-        _plastron_completion plastron
-        printf '%s\\n' "${{COMPREPLY[@]}}"
+def complete(here: Path, *lines: tuple[str, ...]) -> list[list[str]]:
+    """Complete the last word of each line as bash does: source the script, call what it registers.
+
+    Returns what is offered for each.
     """
+    script = [
+        'eval "$(plastron completion bash)"',
+        "compopt() { :; }",
+        "complete_line() {",
+        '  COMP_WORDS=("$@"); COMP_CWORD=$(($# - 1)); COMPREPLY=()',
+        "  _plastron_completion plastron",
+        '  echo "${COMPREPLY[@]}"',
+        "}",
+        *(f"complete_line plastron {shlex.join(words)}" for words in lines),
+    ]
     path = f"{Path(sys.executable).parent}{os.pathsep}{os.environ['PATH']}"
     result = subprocess.run(
-        ["bash", "-c", script], capture_output=True, cwd=here, env={**os.environ, "PATH": path}
+        ["bash", "-c", "\n".join(script)],
+        capture_output=True,
+        cwd=here,
+        env={**os.environ, "PATH": path},
     )
     assert result.stderr == b"", result.stderr.decode()
-    return result.stdout.decode().split()
+    return [line.split() for line in result.stdout.decode().splitlines()]
 
 
 def test_bash_completes_commands_options_and_choices(here: Path) -> None:
-    assert complete(here, "ge") == ["generate"]
-    assert set(COMMANDS) <= set(complete(here, ""))
-    assert "--dry-run" in complete(here, "generate", "--d")
-    assert complete(here, "graph", "--format", "m") == ["mermaid"]
-    assert complete(here, "wizard", "--target", "rclp") == ["rclpy"]
-    assert complete(here, "generate", "--target", "rosp") == ["rospy"]
+    a_command, commands, option, a_format, wizard, generate = complete(
+        here,
+        ("ge",),
+        ("",),
+        ("generate", "--d"),
+        ("graph", "--format", "m"),
+        ("wizard", "--target", "rclp"),
+        ("generate", "--target", "rosp"),
+    )
+    assert a_command == ["generate"]
+    assert set(COMMANDS) <= set(commands)
+    assert "--dry-run" in option
+    assert a_format == ["mermaid"]
+    assert (wizard, generate) == (["rclpy"], ["rospy"])
 
 
 def test_bash_leaves_file_names_to_the_shell(here: Path) -> None:

@@ -31,6 +31,8 @@ _MARKED: dict[str, list[str]] = {
         " · . b · [ 1 ]",
         "create_message m1 of message_type T and input a = received . x · - 1 · / 2 · ,"
         " received . y · + -3",
+        "create_message m1 of message_type T and input a = received . x · * parameter 'p' · -"
+        " received . y [ 1 ] · / 2 · , b = parameter 'p' · + received . y . z",
         "create_message m1 of message_type T and input parameter = 5 · , received = received . to",
         "create_message m1 of message_type T and input received . x · = ( received . x [ 0 ] * 5 )",
     ],

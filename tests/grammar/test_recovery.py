@@ -6,6 +6,7 @@ from collections.abc import Iterator
 
 import pytest
 import tree_sitter_plastron
+from cases import check_each
 from hypothesis import example, given, settings
 from hypothesis import strategies as st
 from machine import examples
@@ -81,10 +82,8 @@ def test_every_statement_of_the_grammar_has_examples() -> None:
     assert kinds == set(STATEMENTS)
 
 
-@pytest.mark.parametrize(("kind", "text"), WHOLE)
-def test_whole_statements_parse(kind: str, text: str) -> None:
-    root = parse(text)
-    assert_statement(root, 0, kind, text)
+def test_whole_statements_parse() -> None:
+    check_each(WHOLE, lambda kind, text: assert_statement(parse(text), 0, kind, text))
 
 
 @pytest.mark.long
@@ -108,8 +107,7 @@ def test_cut_within_every_word(kind: str, text: str, newline: str) -> None:
             assert_recovers(text[:end], WHOLE[-1], after, newline)
 
 
-@pytest.mark.parametrize(("kind", "text"), WHOLE)
-def test_a_cut_last_line_without_newline(kind: str, text: str) -> None:
+def assert_cuts_are_last(kind: str, text: str) -> None:
     for cut in cuts(text):
         for before in WHOLE:
             root = parse(before[1] + "\n" + cut)
@@ -118,13 +116,20 @@ def test_a_cut_last_line_without_newline(kind: str, text: str) -> None:
             assert_mistakes_stay(root, 1)
 
 
-@pytest.mark.parametrize(("kind", "text"), WHOLE)
-def test_a_stray_word_between_any_two(kind: str, text: str) -> None:
+def test_a_cut_last_line_without_newline() -> None:
+    check_each(WHOLE, assert_cuts_are_last)
+
+
+def assert_strays_stay(kind: str, text: str) -> None:
     words = text.split(" ")
     for position in range(len(words) + 1):
         for stray in STRAYS:
             middle = " ".join([*words[:position], stray, *words[position:]])
             assert_recovers(middle, WHOLE[0], WHOLE[-1])
+
+
+def test_a_stray_word_between_any_two() -> None:
+    check_each(WHOLE, assert_strays_stay)
 
 
 @pytest.mark.long

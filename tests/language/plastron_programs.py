@@ -242,6 +242,11 @@ def _shape_of(value: object) -> object:
             return value
 
 
+def operand(value: object) -> object:
+    """Return what is calculated with, a number as it is."""
+    return value if isinstance(value, int | float) else argument(value)  # type: ignore[arg-type]
+
+
 def argument(value: Argument | FieldText | RemapText | SettingText) -> object:
     """Return what a value says, without where it says it."""
     match value:
@@ -265,5 +270,8 @@ def argument(value: Argument | FieldText | RemapText | SettingText) -> object:
             return f"received {'.'.join(path)}{'' if position is None else f'[{position}]'}"
         case Calculation(first, steps):
             return " ".join(
-                [str(argument(first)), *(f"{step.operator} {step.number}" for step in steps)]
+                [
+                    str(argument(first)),
+                    *(f"{step.operator} {operand(step.operand)}" for step in steps),
+                ]
             )

@@ -17,6 +17,9 @@ TABLE = {
         "create_message m of message_type B and input received.a[1] * 5, x=received.b + -1 / 2\n",
     "create_message m of message_type B and input x=parameter   'p'-1, received . a = [ [1] ]":
         "create_message m of message_type B and input x=parameter 'p' - 1, received.a=[[1]]\n",
+    "n provides_service 's' of service_type T answering received . b+received.c [1]/parameter 'p'":
+        "n provides_service 's' of service_type T"
+        " answering received.b + received.c[1] / parameter 'p'\n",
     "n publish m to 'a' of message_type T for_each 'b' when received.x[0]=5 with qos depth  5 ,a":
         "n publish m to 'a' of message_type T for_each 'b' when received.x[0] = 5"
         " with qos depth 5, a\n",

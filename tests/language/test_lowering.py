@@ -3,6 +3,7 @@ from __future__ import annotations
 import math
 
 import pytest
+from cases import check_each
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from lowering_cases import CASES
@@ -15,11 +16,14 @@ from plastron_tui.language.inputs import DEEPEST_NESTING, Literal
 from plastron_tui.language.statements import CreateMessage
 
 
-@pytest.mark.parametrize(("text", "expected"), CASES.items(), ids=list(CASES))
-def test_a_statement_becomes_its_slots(text: str, expected: tuple[object, ...]) -> None:
+def check_slots(text: str, expected: tuple[object, ...]) -> None:
     program = read(text + "\n")
     assert program.diagnostics == ()
     assert shape(program) == [expected]
+
+
+def test_a_statement_becomes_its_slots() -> None:
+    check_each(CASES.items(), check_slots)
 
 
 def test_the_cases_have_every_statement_with_and_without_its_clauses() -> None:
@@ -171,6 +175,9 @@ SHAPES = {
         "received a - 1",
         "received a - -1",
         "received a * 2 + 0.5 / 3",
+    ],
+    "received.a+received.b.c[1]-parameter 'p' / -2": [
+        "received a + received b.c[1] - parameter p / -2",
     ],
     "received /* c */ . /* d */ a /* e */ [ /* f */ 1 ] /* g */ * /* h */ 2": ["received a[1] * 2"],
     "parameter=1, received=2, received.x=3, parameter.x=4, x.received=5, x.parameter=6": [

@@ -1,5 +1,7 @@
 from __future__ import annotations
 
+from functools import cache
+
 import pytest
 from hypothesis import example, given, settings
 from hypothesis import strategies as st
@@ -175,19 +177,13 @@ def spanned(text: str, found: Diagnostic) -> str:
 
 @pytest.mark.parametrize("case", LINES, ids=[case[0] for case in LINES])
 def test_a_wrong_line_is_explained(case: tuple[str, str, str, str, str | None]) -> None:
+    """Alone, however it ends, and between two statements, which stay what they are."""
     line, code, where, message, remedy = case
     for ending in ("", "\n", "\r\n"):
         (found,) = read(line + ending).diagnostics
         assert (found.code, spanned(line, found)) == (code, where)
         assert message in found.message
         assert remedy is None or remedy in (found.help or "")
-
-
-@pytest.mark.parametrize("case", LINES, ids=[case[0] for case in LINES])
-def test_a_wrong_line_is_alone_with_its_mistake(
-    case: tuple[str, str, str, str, str | None],
-) -> None:
-    line, code, where, _, _ = case
     text = f"// é\ngenerate_node a\n{line}\ngenerate_node b\n"
     program = read(text)
     (found,) = program.diagnostics
@@ -211,12 +207,17 @@ NEIGHBOURS = [
 ]
 
 
+@cache
+def alone(line: str) -> tuple[Diagnostic, ...]:
+    return read(line).diagnostics
+
+
 @pytest.mark.parametrize("line", mostly_long(NEIGHBOURS, NEIGHBOURS[::4]))
 def test_each_of_two_broken_lines_has_a_mistake_of_its_own(line: str) -> None:
     for other in NEIGHBOURS:
         first, second = read(f"{line}\n{other}\n").diagnostics
-        assert (first,) == read(line).diagnostics
-        assert (second.moved(-len(line.encode()) - 1),) == read(other).diagnostics
+        assert (first,) == alone(line)
+        assert (second.moved(-len(line.encode()) - 1),) == alone(other)
 
 
 @settings(max_examples=examples(1000), deadline=None)

@@ -6,7 +6,11 @@ SENTENCE = "the sentence is: "
 FOR_WHOM = "write first whose messages it is for: `for_each 'TOPIC_NAME'`"
 ONCE = "what compares more is code in the node"
 COMPARED = "what compares two values is code in the node"
-IN_CODE = "one value is calculated with plain numbers; what takes more is code in the node"
+IN_CODE = (
+    "a calculation has no brackets, and begins with `received` or `parameter`; what takes more is "
+    "code in the node"
+)
+OPERAND = "expected a number, `received` or `parameter`"
 BEGINS = "a calculation begins with `parameter` or `received`"
 BOUNDS = "the bounds stand behind `between`, with `and` between them"
 METRES = "a number has no unit; ROS measures in metres"
@@ -105,19 +109,30 @@ _ENDS: dict[str, list[tuple[str, str, str, str | None]]] = {
          "what a parameter holds is written `parameter 'speed'`"),
         ("x=y.z=1", "y", "expected a value, not `y`", SENTENCE),
         ("x=received.a ^ 2", "^", "unexpected `^`", None),
-        ("x=received.a * (1 + 2)", "(", "expected a number, not `(`", IN_CODE),
+        ("x=received.a * (1 + 2)", "(", f"{OPERAND}, not `(`", IN_CODE),
         ("x=2 * received.a", "2 * received.a", BEGINS, "write `received.a * 2`"),
         ("x=2 + received.a / 3, y=1", "2 + received.a / 3", BEGINS, "write `received.a / 3 + 2`"),
         ("x=1 - parameter 'p'", "1 - parameter 'p'", BEGINS, "write `parameter 'p' * -1 + 1`"),
         ("x=1 / received.a", "/", BEGINS, IN_CODE),
         ("x=2 * 3", "*", BEGINS, IN_CODE),
         ('x="fast: " + parameter \'p\'', "+", BEGINS, IN_CODE),
-        ("x=received.a + received.b", "received", "expected a number, not `received`", IN_CODE),
-        ("x=received.a * parameter 'p'", "parameter", "expected a number, not `parameter`",
-         IN_CODE),
-        ("x=received.a + b", "b", "expected a number, not `b`", SENTENCE),
+        ("x=3 * received.a + received.b[1] - parameter 'p', y=1",
+         "3 * received.a + received.b[1] - parameter 'p'", BEGINS,
+         "write `received.a * 3 + received.b[1] - parameter 'p'`"),
+        ("x=received.a + b", "b", f"{OPERAND}, not `b`", SENTENCE),
+        ("x=received.a + request.b", "request", f"{OPERAND}, not `request`",
+         "did you mean `received`?"),
+        ("x=received.a + -received.b", "-received.b", "only a number has a sign",
+         "write `received.b * -1`"),
+        ("x=received.a + received.", "", "expected a field of what is received here", SENTENCE),
+        ("x=received.a + received.b[", "", "expected the number of an element, from 0 here",
+         SENTENCE),
+        ("x=received.a * parameter", "", "expected a parameter name in single quotes here",
+         SENTENCE),
+        ("x=received.a * parameter p", "p", "expected a parameter name in single quotes",
+         "write 'p'"),
         ("x=received.a % 2", "%", "unexpected `%`", None),
-        ("x=received.a + ", "", "expected a number here", SENTENCE),
+        ("x=received.a + ", "", f"{OPERAND} here", SENTENCE),
         ("x=-received.a[1], y=2", "-received.a[1]", "only a number has a sign",
          "write `received.a[1] * -1`"),
         ("-parameter 'p' * 2", "-parameter 'p'", "only a number has a sign",

@@ -30,14 +30,15 @@ STEPS = [
     send("/scan", scan(NAN, 0.25), "/stop"),
     send("/scan", scan(2.5, NAN)),
     send("/scan", scan(2.5, 3.0), "/clear"),
-    send("/joy", joy([0.5, 1.0], 0), "/cmd_vel"),
+    send("/joy", joy([0.5, 1.0], 0), "/cmd_vel", "/ratio"),
     send("/joy", joy([0.5], 0)),
-    send("/joy", joy([-1.0, 0.25, 9.0]), "/cmd_vel"),
+    send("/joy", joy([-1.0, 0.25, 9.0]), "/cmd_vel", "/ratio"),
     send("/joy", joy([0.0, 0.0], 1), "/cmd_vel", "/half"),
     *(send("/level", {"data": value}, "/real") for value in (27, 0, -(2**31))),
     send("/level", {"data": 1}, "/gear", "/real"),
     send("/numbers", {"data": [1, 128]}),
-    send("/numbers", {"data": [127, -128]}, "/bytes"),
+    send("/numbers", {"data": [127, -128]}, "/bytes", "/both"),
+    send("/numbers", {"data": [127, 0]}, "/bytes", "/both"),
     *(send("/far", {"data": value}, "/near") for value in (NAN, 1e39, 0.5)),
     send("/imu", {"orientation_covariance": [0.25] * 9}, "/sure"),
     send("/is_on", {"data": True}),
@@ -49,6 +50,10 @@ STEPS = [
 ]
 
 
+_UNSURE = ("cmd_vel", "half", "gear", "bytes", "ratio", "both")
+"""The topics that a step has something for that cannot be sent."""
+
+
 @pytest.mark.long
 def test_what_follows_from_a_message_is_sent_and_nothing_else(graph: Graph, tmp_path: Path) -> None:
     """A field that is not there, and a value that the message cannot hold, end no node."""
@@ -58,7 +63,7 @@ def test_what_follows_from_a_message_is_sent_and_nothing_else(graph: Graph, tmp_
 def assert_reflexes(traffic: Traffic) -> None:
     """A node has sent what follows from the steps, and nothing else."""
     heard = plain(dict(traffic.heard))
-    assert [each["data"] for each in heard.pop("/bytes")] == [[127, -128]]
+    assert [each["data"] for each in heard.pop("/bytes")] == [[127, -128], [127, 0]]
     assert [repr(each["data"]) for each in heard.pop("/near")] == ["nan", "inf", "0.5"]
     assert heard == {
         "/stop": [twist(0.0, 0.0)] * 2,
@@ -66,6 +71,8 @@ def assert_reflexes(traffic: Traffic) -> None:
         "/cmd_vel": [twist(0.5, 0.25), twist(0.125, -0.5), twist(0.0, 0.0)],
         "/half": [{"header": {"stamp": "now", "frame_id": "base"}, "point": vector(0.0)}],
         "/gear": [{"data": 4}],
+        "/ratio": [{"data": 2.5}, {"data": -2.0}],
+        "/both": [{"data": -1}, {"data": 127}],
         "/real": [{"data": float(value)} for value in (27, 0, -(2**31), 1)],
         "/sure": [{"data": 0.25}],
         "/off": [{"data": True}],
@@ -77,4 +84,4 @@ def assert_reflexes(traffic: Traffic) -> None:
         {"success": False, "message": "switched"},
     ]
     warned = " ".join(text for level, text in traffic.logs if level.startswith("WARN"))
-    assert all(f"{name}, of received." in warned for name in ("cmd_vel", "half", "gear", "bytes"))
+    assert all(f"{name}, of received." in warned for name in _UNSURE)

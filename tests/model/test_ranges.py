@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
@@ -109,10 +111,44 @@ def test_calculated_as_python_does(number: int, found: list[tuple[str, int]]) ->
     assert calculated(number, found) == pytest.approx(eval(text))
 
 
-@given(st.integers(-9, 9), st.integers(0, 9), st.integers(0, 9), steps)
+between = st.tuples(st.integers(-50, 50), st.integers(0, 9), st.integers(0, 9))
+uncertain_steps = st.lists(st.tuples(st.sampled_from("+-*/"), between), max_size=4)
+
+
+@given(between, uncertain_steps)
 def test_all_between_is_in_the_range(
-    least: int, first: int, more: int, found: list[tuple[str, int]]
+    first: tuple[int, int, int], found: list[tuple[str, tuple[int, int, int]]]
 ) -> None:
-    range_ = range_of_calculated(Interval(least, least + first + more), found)
-    value = calculated(least + first, found)
-    assert range_.least - 1e-6 <= value <= range_.most + 1e-6
+    def range_of(given: tuple[int, int, int]) -> Interval:
+        least, more, rest = given
+        return Interval(least, least + more + rest)
+
+    ranges = [(operator, range_of(given)) for operator, given in found]
+    steps = [(operator, least + more) for operator, (least, more, _) in found]
+    range_ = range_of_calculated(range_of(first), ranges)
+    is_whole = all(operator != "/" for operator, _ in found)
+    assert isinstance(range_.least, int) == isinstance(range_.most, int) == is_whole
+    if ("/", 0) not in steps:
+        value = calculated(first[0] + first[1], steps)
+        assert range_.least - 1e-6 <= value <= range_.most + 1e-6
+
+
+FLOAT64 = Interval(-1.8e308, 1.8e308)
+GREAT = Interval(-(2**63), 2**63 - 1)
+WIDE = [
+    (FLOAT64, [("*", FLOAT64)], False),
+    (FLOAT64, [("-", FLOAT64), ("*", Interval(0.0, 0.0))], False),
+    (GREAT, [("*", GREAT)] * 20, True),
+    (GREAT, [("*", GREAT)] * 20 + [("*", FLOAT64)], False),
+    (GREAT, [("/", GREAT)], False),
+]
+
+
+@pytest.mark.parametrize(("first", "found", "is_whole"), WIDE)
+def test_what_no_number_can_be_is_in_no_way_of_a_range(
+    first: Interval, found: list[tuple[str, Interval]], is_whole: bool
+) -> None:
+    least, most = range_of_calculated(first, found)
+    assert isinstance(least, int) == is_whole
+    assert least < 0 < most
+    assert is_whole or (least, most) == (-math.inf, math.inf)

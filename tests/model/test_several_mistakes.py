@@ -7,6 +7,7 @@ from itertools import combinations
 from pathlib import Path
 
 import pytest
+from cases import check_each
 from workspaces import LIBRARIES, FakeReader, catalog, endpoint, marked, source
 
 from plastron_tui.language import DECLARATIONS, Document, lower
@@ -323,30 +324,35 @@ def _mistakes(line: str) -> list[str]:
     return [marked(text, each) for each in found]
 
 
-def _cases() -> list[tuple[str, ...]]:
-    cases = []
+def _cases() -> list[tuple[str, str, str]]:
+    cases: list[tuple[str, str, str]] = []
     for sentence, slots in SLOTS.items():
         for one, two in combinations(slots, 2):
             for a in slots[one]:
                 for b in slots[two]:
                     line = sentence.format(*({one: a, two: b}.get(each, each) for each in slots))
-                    alone = (
+                    first, second = (
                         sentence.format(*({slot: bad}.get(each, each) for each in slots))
                         for slot, bad in ((one, a), (two, b))
                     )
                     if frozenset({a, b}) not in FOLLOWING:
-                        cases.append((line, *alone))
+                        cases.append((line, first, second))
     return cases
 
 
 CASES = _cases()
 
 
-@pytest.mark.parametrize(("line", "first", "second"), CASES, ids=[case[0] for case in CASES])
-def test_two_mistakes_are_told_as_each_alone(line: str, first: str, second: str) -> None:
+def check_two(line: str, first: str, second: str) -> None:
     alone = [_mistakes(first), _mistakes(second)]
     assert [len(found) for found in alone] == [1, 1]
     assert _mistakes(line) == alone[0] + alone[1]
+
+
+# In parts, so that all workers have some of it.
+@pytest.mark.parametrize("part", range(8))
+def test_two_mistakes_are_told_as_each_alone(part: int) -> None:
+    check_each(CASES[part::8], check_two)
 
 
 def test_every_sentence_is_right_without_the_mistakes() -> None:

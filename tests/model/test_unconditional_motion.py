@@ -57,6 +57,12 @@ def test_a_robot_that_drives_on_is_told_of(text: str) -> None:
         # Told to stand still whatever the sensor says, it stands still at worst.
         GO + sent("halt", "at 10 hz"),
         GO + sent("still", "at 10 hz"),
+        # Whose frame it is moves nothing.
+        "create_message wait of message_type TwistStamped and input header.frame_id=\"base\"\n"
+        "driver publish wait to 'cmd_vel' of message_type TwistStamped at 10 hz\n"
+        "create_message run of message_type TwistStamped and input twist.linear.x=0.2\n"
+        "driver publish run to 'cmd_vel' of message_type TwistStamped for_each 'scan' "
+        "when all received.ranges > 0.5\n",
         # What is sent once is over by the first reading.
         sent("ahead", "once") + STOP,
         # Of what is sent for each reading the sensor is the clock, not the condition.

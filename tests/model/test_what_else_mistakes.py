@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from functools import cache
+
 import pytest
 from workspaces import LIBRARIES, FakeReader, catalog, marked, run
 from wrong_statements import (
@@ -21,7 +23,14 @@ from plastron_tui.language import Document, lower
 from plastron_tui.model.context import Setting
 from plastron_tui.model.interpreter import Interpreter
 from plastron_tui.model.kinds import Subscription
+from plastron_tui.model.workspace import Node
 from plastron_tui.ros.qos import Qos
+
+
+@cache
+def before(text: str, library: str) -> dict[str, Node]:
+    """Return the nodes of a program, which many mistakes stand behind."""
+    return dict(run(text, library).workspace.nodes)
 
 
 @pytest.mark.parametrize("library", ["rospy", "rclpy"])
@@ -33,8 +42,7 @@ def test_a_statement_with_a_mistake(case: tuple[str, str, str, str | None], libr
     (diagnostic,) = found.diagnostics
     assert (diagnostic.code, marked(text, diagnostic)) == (code, where)
     assert remedy is None or remedy in (diagnostic.help or "")
-    before = run(text.removesuffix(text.splitlines()[-1] + "\n"), library).workspace
-    for name, node in before.nodes.items():
+    for name, node in before(text.removesuffix(text.splitlines()[-1] + "\n"), library).items():
         assert found.workspace.nodes[name].endpoints == node.endpoints
 
 
@@ -43,6 +51,8 @@ RIGHT = [
     f"{GOAL} order=parameter 'count'",
     f"{REQUEST} a=parameter 'count' * 2",
     f"{ANSWER} sum=received.a + 1",
+    f"{ANSWER} received.a + received.b * parameter 'count' - 2",
+    f"{ANSWER} received.a * parameter 'count'\nn renames parameter 'count' to 'number'",
     "n publish other to 'kept' of message_type String once",
     f"{NEAR} for_each 'scan'",
     f"{NEAR} for_each 'scan' when any received.ranges < 1",

@@ -186,6 +186,45 @@ MISTAKES: list[tuple[str, str, str, str | None]] = [
     (f"{REQUEST} none at 0 hz", "invalid-rate", "0", "such as `at 1 hz`"),
     (f"{ANSWER} sum=received.c", "unknown-field", "received.c", "its fields are: a, b"),
     (f"{ANSWER} sum=received.a / 2", "computed-type-mismatch", "received.a / 2", None),
+    (
+        f"{ANSWER} sum=received.a / received.b",
+        "computed-type-mismatch",
+        "received.a / received.b",
+        "what is divided may have a fraction",
+    ),
+    (f"{ANSWER} sum=received.a + received.c", "unknown-field", "received.c", "fields are: a, b"),
+    (
+        f"{ANSWER} sum=received.a + parameter 'speed'",
+        "computed-type-mismatch",
+        "received.a + parameter 'speed'",
+        None,
+    ),
+    (
+        f"{ANSWER} sum=received.a + parameter 'names' * 2",
+        "computed-type-mismatch",
+        "parameter 'names'",
+        None,
+    ),
+    (f"{ANSWER} sum=received.a / 0.0", "value-out-of-range", "received.a / 0.0", None),
+    (
+        f"{ANSWER} sum=received.a * parameter 'count'\nn no_longer_has_parameter 'count'",
+        "still-needed",
+        "'count'",
+        "take away first what needs it",
+    ),
+    (
+        f"{REQUEST} a=parameter 'count' * parameter 'count'",
+        "nothing-received",
+        "parameter 'count' * parameter 'count'",
+        "one parameter and numbers",
+    ),
+    (
+        "create_message k of message_type Float32 and input received.range_min + received.ranges\n"
+        "n publish k to 'd' of message_type Float32 for_each 'scan'",
+        "computed-type-mismatch",
+        "received.ranges",
+        "write `received.ranges[0]`",
+    ),
     (f"{ANSWER} a=1", "unknown-field", "a", "its fields are: sum"),
     (f"{ANSWER} sum=parameter 'names'", "computed-type-mismatch", "parameter 'names'", None),
     (f"{NEAR}", "nothing-received", "near", "send it"),
@@ -287,7 +326,7 @@ MISTAKES: list[tuple[str, str, str, str | None]] = [
         "create_message k of message_type String and input parameter 'names' * 2\n"
         "n publish k to 'd' of message_type String",
         "computed-type-mismatch",
-        "parameter 'names' * 2",
+        "parameter 'names'",
         None,
     ),
     (

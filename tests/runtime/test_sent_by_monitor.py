@@ -122,6 +122,13 @@ def test_what_is_sent_at_a_rate_ends_when_it_is_told_to(
     assert len(sent) == count
     sendings.stop("/count")
     assert not told(capsys)
+    # Without a studio nothing is sent, and nobody told.
+    sendings.start(ORDER, lambda: sent.append("c"), lambda: None, "c")
+    sendings.close()
+    count = sent.count("c")
+    assert not sendings._running["/count"][0]._thread.is_alive()
+    assert [each.get("rate") for each in told(capsys) if each["tell"] == "sending"] == [200]
+    assert sent.count("c") == count
 
 
 def test_what_cannot_be_sent_is_said_once(capsys: pytest.CaptureFixture[str]) -> None:

@@ -10,6 +10,7 @@ import sys
 from pathlib import Path
 
 import pytest
+from command_line import Copies
 from machine import find_ros, graph_environ, mostly_long
 
 HERE = Path(__file__).parent
@@ -47,8 +48,9 @@ CHOIR = {
 class Bench:
     """A folder with a program, and the target beside it as pip would leave it."""
 
-    def __init__(self, folder: Path) -> None:
+    def __init__(self, folder: Path, copied: Copies) -> None:
         self.folder = folder
+        self._copied = copied
         self.output = folder / "output"
         site = folder / "site"
         site.mkdir()
@@ -82,9 +84,17 @@ class Bench:
         assert "Traceback" not in done.stderr, done.stderr
         return done
 
-    def plastron(self, *arguments: str) -> subprocess.CompletedProcess[str]:
+    def start(self, *arguments: str) -> subprocess.CompletedProcess[str]:
+        """Start plastron as a user does."""
         code = "from plastron_tui.cli import main; main()"
         return self.python("-c", code, *arguments)
+
+    def plastron(self, *arguments: str) -> subprocess.CompletedProcess[str]:
+        """Run plastron in a copy of a process that has its modules, and none of the target's."""
+        done = self._copied.run(arguments, self.folder, b"", self.environ, is_debian=False)
+        out, err = done.stdout.decode(), done.stderr.decode()
+        assert "Traceback" not in err, err
+        return subprocess.CompletedProcess(done.args, done.returncode, out, err)
 
     def generate(self, program: str = "a.plastron") -> str:
         done = self.plastron("generate", program, "-t", "roschant")
@@ -98,8 +108,8 @@ class Bench:
 
 
 @pytest.fixture
-def bench(tmp_path: Path) -> Bench:
-    return Bench(tmp_path)
+def bench(tmp_path: Path, copied: Copies) -> Bench:
+    return Bench(tmp_path, copied)
 
 
 def test_check(bench: Bench) -> None:
@@ -121,7 +131,7 @@ def test_generate(bench: Bench) -> None:
     assert set(files) == {*TALKER, "chorus.txt", "asker_client.chant", "asker_client.chanth"}
     assert all(not os.access(bench.output / name, os.X_OK) for name in files)
     before = files
-    done = bench.plastron("generate", "a.plastron", "-t", "roschant")
+    done = bench.start("generate", "a.plastron", "-t", "roschant")
     assert "changed" not in done.stdout
     assert bench.files() == before
 
@@ -295,7 +305,7 @@ def test_preview(bench: Bench) -> None:
 @pytest.mark.live
 def test_run(bench: Bench) -> None:
     find_ros(2)
-    done = bench.plastron("run", "a.plastron", "-t", "roschant")
+    done = bench.start("run", "a.plastron", "-t", "roschant")
     assert done.returncode == 0, done.stderr
     assert "talker   | sends chatter std_msgs/String\n" in done.stdout
     assert "asker    | asks reset std_srvs/Empty\n" in done.stdout

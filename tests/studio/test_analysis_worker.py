@@ -44,8 +44,8 @@ def test_an_answer_after_an_edit_is_that_of_the_new_text_alone() -> None:
     alone = Session(session.document.text, environ={})
     assert last.analysis.diagnostics == alone.diagnostics
     assert last.analysis.workspace == alone.workspace
-    assert last.analysis.node_at(0) == "other"
-    assert last.analysis.node_at(session.document.text.index(b"generate_node")) == "talker"
+    assert last.analysis.written_at(0) == "other"
+    assert last.analysis.written_at(session.document.text.index(b"generate_node")) == "talker"
     assert [entry.text for entry in last.analysis.made[NODES].all] == ["other", "talker"]
 
 

@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 from machine import mostly_long
-from studio_driver import PROGRAM, SIZES, Driver, studio
+from studio_driver import PROGRAM, Driver, studio
 from textual.app import App
 
 from plastron_tui.studio.actions import ACTIONS, BY_ID
@@ -178,11 +178,23 @@ async def prepared(driver: Driver, case: Case) -> None:
     driver.before = driver.main.dock_layout.outline.size  # type: ignore[attr-defined]
 
 
-@pytest.mark.parametrize("size", SIZES)
-@pytest.mark.parametrize("name", mostly_long(CASES, list(CASES)[::3]))
+# What is done to the text is the same in windows of all sizes.
+@pytest.mark.parametrize(
+    "action",
+    mostly_long(
+        [
+            (name, size)
+            for name in CASES
+            for size in ((80, 24), (120, 40))
+            if size == (80, 24) or not name.startswith("editor.")
+        ],
+        [(name, (80, 24)) for name in list(CASES)[::3]],
+    ),
+)
 async def test_an_action_does_by_its_key_what_it_is_for(
-    program: Path, size: tuple[int, int], name: str
+    program: Path, action: tuple[str, tuple[int, int]]
 ) -> None:
+    name, size = action
     case = CASES[name]
     program.write_text(case.program)
     async with studio(program, size) as driver:

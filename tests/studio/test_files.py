@@ -113,7 +113,7 @@ async def test_a_program_is_opened(program: Path) -> None:
         rows = [str(each.prompt).split("  ")[0] for each in dialog.query_one(OptionList).options]
         assert rows[0] == "walk.plastron" and rows[2:] == ["../", "other.plastron", "talk.plastron"]
         assert str(dialog.query_one("#dialog-folder", Label).content) == "opened lately"
-        await driver.pilot.press("down", "enter")
+        await driver.pilot.press("enter")
         await driver.back()
         assert driver.main.open.path == late
 

@@ -56,9 +56,17 @@ def test_a_line_is_split_at_a_space_and_goes_on_further_in() -> None:
     ]
 
 
+def test_the_rest_of_a_line_of_a_diff_stands_as_far_in_as_the_line() -> None:
+    line = (Piece("+    self.create_timer(0.1, tick)", "added"), Piece("", "added"))
+    assert [text_of(row) for row in folded((line,), 24)] == [
+        "+    self.create_timer(",
+        "         0.1, tick)",
+    ]
+
+
 def test_the_ground_of_a_row_goes_on_below() -> None:
     line = (Piece("+ready and not done", "added"), Piece("", "added"))
-    rows = folded((line,), 12)
+    rows = folded((line,), 13)
     assert len(rows) == 2
     assert all({piece.tone for piece in row} == {"added"} for row in rows)
     assert all(row[-1] == line[-1] for row in rows)

@@ -144,6 +144,8 @@ def test_a_parameter_that_nobody_touched_stays_as_it_is(type_: str, value: Any) 
      ("std_msgs/Bool", [("data", "True")], {("data",): "True"}),
      # Of a text or a list only the beginning may be known; a stamp is when it is sent.
      ("sensor_msgs/JointState", [("header.stamp", "5.0"), ("position", "[1.0, … 9 in all]")], {}),
+     ("rosgraph_msgs/Clock", [("clock", "5.0")], {}),
+     ("sensor_msgs/JointState", [("position", "1.0")], {}),
      ("std_msgs/Float64", [("data", "inf")], {}),
      ("std_msgs/Float64", [("other", "1")], {})],
 )  # fmt: skip

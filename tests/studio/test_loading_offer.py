@@ -26,6 +26,13 @@ rclpy.init()
 left = rclpy.create_node("arm")
 right = rclpy.create_node("right-arm")
 """
+ALIKE = """\
+import rclpy
+
+rclpy.init()
+one = rclpy.create_node("left_arm")
+other = rclpy.create_node("left-arm")
+"""
 LOADED = "load 'wallbot.py' as wall_follower\n\ngenerate_node wall_follower\n"
 
 
@@ -36,6 +43,10 @@ LOADED = "load 'wallbot.py' as wall_follower\n\ngenerate_node wall_follower\n"
         ("two.py", TWO,
          "load 'two.py' node 'arm' as arm\nload 'two.py' node 'right-arm' as right_arm\n\n"
          "generate_node arm\ngenerate_node right_arm\n", "two"),
+        ("alike.py", ALIKE,
+         "load 'alike.py' node 'left_arm' as left_arm\n"
+         "load 'alike.py' node 'left-arm' as left_arm_2\n\n"
+         "generate_node left_arm\ngenerate_node left_arm_2\n", "alike"),
         ("none.py", "print()\n", None, "none"),
         ("it's.py", NODE, None, "it's"),
         ("rover.urdf.xacro", "", "load_robot 'rover.urdf.xacro' as rover\n\ngenerate_robot rover\n",

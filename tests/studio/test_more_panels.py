@@ -53,34 +53,17 @@ def robot(program: Path) -> Path:
 
 
 @pytest.mark.parametrize("size", SIZES)
-@pytest.mark.parametrize("name", ENTRIES)
-async def test_a_panel_shows_what_else_a_node_does(
-    robot: Path, size: tuple[int, int], name: str
-) -> None:
+async def test_panels_show_what_else_a_node_does(robot: Path, size: tuple[int, int]) -> None:
     async with studio(robot, size) as driver:
-        driver.main.action_show(name)
-        await driver.settle()
-        assert driver.shown(name) == ENTRIES[name]
-
-
-async def test_ends_of_a_topic_say_their_quality_of_service(robot: Path) -> None:
-    async with studio(robot) as driver:
-        driver.main.action_show("topics")
-        await driver.settle()
+        # Actions are counted with services.
+        assert counts(driver.main.open.analysis)["services"] == 1
+        for name, entries in ENTRIES.items():
+            await driver.show(name)
+            assert driver.shown(name) == entries, name
+        await driver.show("topics")
         assert "↓ driver subscription · sensor_data" in driver.shown("topics")
         assert "↑ driver publisher · depth 5" in driver.shown("topics")
-
-
-async def test_actions_are_counted_with_services(robot: Path) -> None:
-    async with studio(robot) as driver:
-        await driver.settle()
-        assert counts(driver.main.open.analysis)["services"] == 1
-
-
-async def test_an_action_is_drawn(robot: Path) -> None:
-    async with studio(robot) as driver:
-        driver.main.action_show("graph")
-        await driver.settle()
+        await driver.show("graph")
         assert "/count" in driver.main.panels["graph"].text
 
 
@@ -90,57 +73,63 @@ async def go_to(driver: Driver, panel: str, text: str) -> None:
     await driver.press("home", *["down"] * driver.shown(panel).index(text))
 
 
-@pytest.mark.parametrize(
-    ("entry", "statement"),
-    [
-        (ENTRIES["nodes"][4], "driver stop_action 'count'"),
-        (ENTRIES["nodes"][5], "driver stop_repeating blink"),
-        (ENTRIES["nodes"][7], "driver no_longer_has_parameter 'names'"),
-        (ENTRIES["nodes"][9], "asker stop_goal to 'count'"),
-    ],
-)
-async def test_what_an_entry_shows_is_ended_by_a_statement(
-    robot: Path, entry: str, statement: str
-) -> None:
+ENDED = {
+    ENTRIES["nodes"][4]: "driver stop_action 'count'",
+    ENTRIES["nodes"][5]: "driver stop_repeating blink",
+    ENTRIES["nodes"][7]: "driver no_longer_has_parameter 'names'",
+    ENTRIES["nodes"][9]: "asker stop_goal to 'count'",
+}
+
+
+async def take_back(driver: Driver, text: str) -> None:
+    """Undo what was done to an entry; it was one step."""
+    driver.main.editor.undo()
+    await driver.settle()
+    assert driver.text == text
+
+
+async def test_what_an_entry_shows_is_ended_by_a_statement(robot: Path) -> None:
     async with studio(robot) as driver:
-        await go_to(driver, "nodes", entry)
-        await driver.press("delete")
-        assert statement in driver.text.splitlines()
-        assert not driver.main.open.analysis.diagnostics
+        for entry, statement in ENDED.items():
+            await go_to(driver, "nodes", entry)
+            await driver.press("delete")
+            assert statement in driver.text.splitlines()
+            assert not driver.main.open.analysis.diagnostics, statement
+            await take_back(driver, ROBOT)
+
+
+# The panel, the entry's row in it, the old and the new name, and the lines that have it.
+RENAMED = [
+    ("nodes", 4, "'count'", "sum", [8, 11]),
+    ("nodes", 9, "'count'", "sum", [8, 11]),
+    ("services", 0, "'count'", "sum", [8, 11]),
+    ("nodes", 6, "'speed'", "v", [1, 3, 4]),
+    ("nodes", 10, "'speed'", "v", [12]),
+    ("nodes", 3, "'scan'", "laser", [5, 6]),
+]
 
 
 @pytest.mark.parametrize("library", ["rclpy", "rospy"])
-@pytest.mark.parametrize(
-    ("panel", "row", "old", "new", "lines"),
-    [
-        ("nodes", 4, "'count'", "sum", [8, 11]),
-        ("nodes", 9, "'count'", "sum", [8, 11]),
-        ("services", 0, "'count'", "sum", [8, 11]),
-        ("nodes", 6, "'speed'", "v", [1, 3, 4]),
-        ("nodes", 10, "'speed'", "v", [12]),
-        ("nodes", 3, "'scan'", "laser", [5, 6]),
-    ],
-)
-async def test_actions_and_parameters_get_other_names(
-    robot: Path, library: str, panel: str, row: int, old: str, new: str, lines: list[int]
-) -> None:
+async def test_actions_and_parameters_get_other_names(robot: Path, library: str) -> None:
     text = ROBOT.replace("rclpy", library).replace(" managed", "")
-    robot.write_text(text.replace(" with qos sensor_data", ""))
+    text = text.replace(" with qos sensor_data", "")
+    robot.write_text(text)
+    before = text.splitlines()
     async with studio(robot) as driver:
-        before = driver.text.splitlines()
-        driver.main.action_show(panel)
-        await driver.settle()
-        await driver.press("home", *["down"] * row)
-        await driver.pilot.press("f2")
-        await driver.dialog("Prompt")
-        await driver.pilot.press(*new, "enter")
-        await driver.back()
-        changed = [
-            line.replace(old, f"'{new}'") if number in lines else line
-            for number, line in enumerate(before)
-        ]
-        assert driver.text.splitlines() == changed
-        assert not driver.main.open.analysis.diagnostics
+        for panel, row, old, new, lines in RENAMED:
+            await driver.show(panel)
+            await driver.press("home", *["down"] * row)
+            await driver.pilot.press("f2")
+            await driver.dialog("Prompt")
+            await driver.pilot.press(*new, "enter")
+            await driver.back()
+            changed = [
+                line.replace(old, f"'{new}'") if number in lines else line
+                for number, line in enumerate(before)
+            ]
+            assert driver.text.splitlines() == changed, (panel, row)
+            assert not driver.main.open.analysis.diagnostics, (panel, row)
+            await take_back(driver, text)
 
 
 async def test_a_message_that_two_nodes_send_has_one_name_of_a_parameter(robot: Path) -> None:

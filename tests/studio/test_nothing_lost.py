@@ -109,10 +109,16 @@ def test_two_studios_keep_the_same_file_apart(
     assert Journal(state_folder() / "journal", program).file != first
 
 
+@pytest.mark.parametrize("text", ["", "[]", "3", "null", "\0", "{"])
+def test_a_memory_that_is_none_is_as_if_there_were_none(tmp_path: Path, text: str) -> None:
+    (tmp_path / "studio.json").write_text(text)
+    assert load_remembered(tmp_path) == load_remembered(tmp_path / "nowhere")
+
+
 @pytest.mark.parametrize(
     "text",
     [
-        "", "[]", "3", "null", '{"theme": {}, "tabs": {"outline": []}}', "\0", "{",
+        "{", '{"theme": {}, "tabs": {"outline": []}}',
         '{"recent": [1, {}], "sizes": {"outline": "x", "result": -5}, "hidden": {}}',
         '{"sizes": {"outline": 100000, "bottom": 100000}, "tabs": {"front": "nothing"}}',
     ],

@@ -12,7 +12,7 @@ from studio_driver import Driver, studio
 from textual.widgets._toast import Toast
 
 from plastron_tui.runtime.child import Exit, Process
-from plastron_tui.runtime.labels import ended_node
+from plastron_tui.runtime.labels import ended_node, is_own, split_label
 from plastron_tui.studio.app import StudioApp
 from plastron_tui.studio.panels import output_log
 from plastron_tui.studio.panels.log_view import wrapped
@@ -99,6 +99,27 @@ def test_what_a_run_says_of_a_node_that_fails_is_understood() -> None:
     assert ended_node("other | talker died with exit status 1") is None
 
 
+@pytest.mark.parametrize(
+    ("line", "label", "rest", "is_the_runs"),
+    [
+        ("talker   | hello", "talker   | ", "hello", False),
+        ("plastron | talker died", "plastron | ", "talker died", True),
+        # A node may be called nearly so, and print the name.
+        ("plastron_demo | hello", "plastron_demo | ", "hello", False),
+        ("plastron is here", "", "plastron is here", False),
+        ("a | b | c", "a | ", "b | c", False),
+        # What a build prints as a table is of no node.
+        ("plastron talker | 3 files", "", "plastron talker | 3 files", False),
+        ("", "", "", False),
+    ],
+)
+def test_what_stands_before_a_line_is_told_from_it(
+    line: str, label: str, rest: str, is_the_runs: bool
+) -> None:
+    assert split_label(line) == (label, rest)
+    assert is_own(line) == is_the_runs
+
+
 def test_so_much_text_is_kept() -> None:
     log = log_of(*(f"a | {number:04}{'x' * 3000}" for number in range(400)))
     assert sum(len(record.text) for record in log.records) > 0.99 * output_log.MOST_TEXT
@@ -149,19 +170,28 @@ async def test_the_output_can_be_read_and_filtered_while_nodes_print(
         output.add(["talker | no", "listener | 77"])
         await driver.pilot.pause()
         assert set(output.text.splitlines()) == wanted | {"listener | 77"}
+        # What comes again is counted where it stands, whatever stands between that is not shown.
+        output.add(["listener | 77"])
+        await driver.pilot.pause()
+        wanted.add("listener | 77  ×2")
+        assert set(output.text.splitlines()) == wanted
         assert "6 of 300" in str(output.query_one("#output-count").content)
         await driver.press("enter")
         assert output.view.has_focus
         await driver.press("t")
         assert set(output.text.splitlines()).isdisjoint(wanted)
         await driver.press("t")
-        assert set(output.text.splitlines()) == wanted | {"listener | 77"}
+        assert set(output.text.splitlines()) == wanted
         await driver.press("slash", "escape")
         assert len(output.lines) == most
         assert output.view.has_focus
 
 
-async def test_notes_stand_above_the_lines_below_and_once(program: Path) -> None:
+async def test_notes_stand_above_the_lines_below_and_once(
+    program: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    # It would go by itself, and nothing be proved.
+    monkeypatch.setattr(StudioApp, "NOTIFICATION_TIMEOUT", 3600)
     program.write_text("nonsense\n")
     app = StudioApp(program)
     app.animation_level = "none"

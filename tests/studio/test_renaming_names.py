@@ -8,6 +8,7 @@ import pytest
 from studio_driver import PROGRAM, studio
 
 from plastron_tui.language import Document
+from plastron_tui.model.kinds import EndpointKind
 from plastron_tui.session import Session
 from plastron_tui.studio.analysis import Analysis, analyse
 from plastron_tui.studio.named_entry import named_entry
@@ -119,6 +120,15 @@ def test_a_function_of_a_file_or_of_another_name_is_told(tmp_path: Path) -> None
     assert fixed_name(made, entry) == "`heard` is a function of old.py: rename it there"
     assert wrong_name(made, entry, "a b") is not None
     assert wrong_name(made, entry, "heard") == "`old` has a function `heard` already"
+
+
+def test_a_private_name_in_a_file_is_that_of_its_node(tmp_path: Path) -> None:
+    (tmp_path / "old.py").write_text(FILE.replace("'pace'", "'~pace'"))
+    text = "load 'old.py' as mine\n"
+    made = analysed(text, tmp_path)
+    entry = Entry("", "~/pace", subject=EndpointKind.SUBSCRIPTION, node="mine", name="~/pace")
+    (edit,) = renamed(made, entry, "~/walk").edits
+    assert edit.text == "\nmine renames topic '~/pace' to '~/walk'"
 
 
 async def test_the_box_says_how_many_places_have_the_name(program: Path) -> None:

@@ -23,6 +23,7 @@ ENTRIES = [
     Entry("c", HELP, "line 12 · syntax-error", "✖", edits=FIX, warning="write `between 0 and 1`"),
     Entry("d", "short", "line 3", "▲", edits=FIX, warning="take the statement away"),
     Entry("e", "漢字" * 40, "line 5", "✖", warning="ü"),
+    Entry("f", "漢字" * 10, "line 6", "✖"),
 ]
 
 
@@ -40,8 +41,21 @@ def test_an_entry_is_whole_at_any_width(entry: Entry, width: int) -> None:
     )
 
 
+@pytest.mark.parametrize(
+    ("width", "rows"),
+    [
+        (60, [" ▲ short line 3 ⚑ take the statement away"]),
+        # What can be done is not begun in the row that it does not fit in.
+        (32, [" ▲ short line 3", "   ⚑ take the statement away"]),
+    ],
+)
+def test_what_can_be_done_stands_in_one_piece(width: int, rows: list[str]) -> None:
+    found = ["".join(piece.text for piece in row) for row in rows_of(ENTRIES[3], width)]
+    assert found == rows
+
+
 async def test_a_problem_is_walked_to_and_clicked_on_whatever_rows_it_takes(program: Path) -> None:
-    program.write_text("create_node 'a' as a\na has_parameter 'speed' of\nfoo bar\n" * 4)
+    program.write_text("create_node 'a' as a\n" + "a has_parameter 'speed' of\nfoo bar\n" * 4)
     async with studio(program, (80, 24)) as driver:
         await driver.show("problems")
         panel = driver.main.panels["problems"]

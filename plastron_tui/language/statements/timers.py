@@ -12,7 +12,7 @@ from .shared import CALLBACK_HELP
     "{node} repeats {function} at {rate} hz",
     summary="Let a node call a function of its own, again and again.",
     example="blinker repeats blink at 2 hz",
-    purpose="do something, again and again",
+    purpose="do something again and again, or at another rate",
     ros_term="timer",
     about="A function of the node is called so many times a second: a new one, or one that a "
     "loaded file calls at another rate.",

@@ -3,17 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import replace
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-from plastron_tui.diagnostics import Diagnostic, Label, Span, codes, listed, write
-from plastron_tui.diagnostics.suggest import nearest
-from plastron_tui.language.inputs import Calculation
+from plastron_tui.diagnostics import Diagnostic, Label, Span, codes
+from plastron_tui.language.inputs import Calculation, ParameterValue, Received
 from plastron_tui.language.statements import CreateMessage
-from plastron_tui.ros.catalog import Catalog
-from plastron_tui.ros.interfaces import Field, FieldType, InterfaceKind
+from plastron_tui.ros.interfaces import Field, FieldType
 from plastron_tui.ros.parameters import INTEGERS, ParameterType
-from plastron_tui.ros.primitives import LARGEST_FLOAT, check_scalar, primitive
+from plastron_tui.ros.primitives import LARGEST_FLOAT, check_scalar
 
 from ..computed_values import written_as
 from ..mistake import Mistake
@@ -22,40 +19,20 @@ from ..values import (
     Computed,
     OfParameter,
     OfReceived,
+    Origin,
     Value,
     calculated,
     computed_fields,
     computed_in,
 )
 from .parameter import Parameter, find_parameter
+from .received import What, type_received, what_of
 
 if TYPE_CHECKING:
     from ..run import Run
     from ..workspace import Node
 
 
-class What(NamedTuple):
-    """What a value is: a Python type, or a message.
-
-    Attributes:
-        kind: `bool`, `int`, `float` or `str`; for a message, its type.
-        is_list: whether it is a list of them.
-    """
-
-    kind: object
-    is_list: bool
-
-    def __str__(self) -> str:
-        name = _WORDS.get(self.kind, str(self.kind))
-        return f"a list of {name}s" if self.is_list else f"a {name}"
-
-
-_WORDS: dict[object, str] = {
-    bool: "truth value",
-    int: "whole number",
-    float: "number",
-    str: "text",
-}
 _PARAMETERS = {
     ParameterType.BOOL: bool,
     ParameterType.INT: int,
@@ -71,14 +48,14 @@ class _Use(NamedTuple):
         field: the field that it is for.
         value: the value.
         whole: where it is written.
-        source: where what it is computed of is written.
+        origins: where each part is written that it is computed of, in their order.
         sent: where it is sent, which is where it is written unless another statement made it.
     """
 
     field: str
     value: Computed
     whole: Span
-    source: Span
+    origins: tuple[Span, ...]
     sent: Span
 
 
@@ -105,7 +82,7 @@ def check_computed(
     """
     for field, each in computed_fields(value):
         where = statement.span_of(slot)
-        use = _Use(field, each, where, where, where)
+        use = _Use(field, each, where, (where,) * len(each.origins), where)
         if _mistakes(run, node, use, heard) is None:
             continue
         # Where it is written is looked for among all values, and needed for a mistake only.
@@ -114,11 +91,22 @@ def check_computed(
         )
         written = written_as(values, each) if isinstance(values, tuple) else None
         if written is not None:
-            first = written.first if isinstance(written, Calculation) else written
-            whole, source = (span(part.syntax).moved(owner.shift) for part in (written, first))
-            use = _Use(field, each, whole, source, whole if made is None else where)
+            whole, *parts = (
+                span(part.syntax).moved(owner.shift) for part in (written, *_origins(written))
+            )
+            use = _Use(field, each, whole, tuple(parts), whole if made is None else where)
         mistakes = _mistakes(run, node, use, heard) or ()
         raise Mistake(*(_placed(found, use, is_sure=written is not None) for found in mistakes))
+
+
+def _origins(
+    written: ParameterValue | Received | Calculation,
+) -> list[ParameterValue | Received]:
+    """Return what a value is computed of, as it is written."""
+    if not isinstance(written, Calculation):
+        return [written]
+    operands = (step.operand for step in written.steps)
+    return [written.first, *(each for each in operands if not isinstance(each, int | float))]
 
 
 def can_compute(run: Run, node: Node, value: Value, heard: Sequence[Field] | None = None) -> bool:
@@ -160,48 +148,95 @@ def _check(run: Run, node: Node, use: _Use, heard: Sequence[Field] | None) -> No
     value = use.value
     catalog = run.types.catalog(run.checks.version_of(node))
     version = catalog.ros_version
-    parameter, given = None, None
-    match value.source:
-        case OfParameter(name=name):
-            parameter = find_parameter(run, use.source, node, name)
-            found = _what_of_parameter(parameter)
-        case OfReceived() as source:
-            if heard is None:
-                raise Mistake(
-                    Diagnostic(
-                        codes.NOTHING_RECEIVED,
-                        f"nothing is received that `{source}` could be of",
-                        use.sent,
-                        help="send it `for_each` message of a topic, or in an answer",
-                    )
-                )
-            given = type_received(source, heard, catalog, use.source)
-            found = what_of(given, version)
-    if any(map(is_too_large, (number for _, number in value.steps))):
+    given = [
+        _given(run, node, use, (origin, where), heard)
+        for origin, where in zip(value.origins, use.origins, strict=True)
+    ]
+    found = [
+        _what_of_parameter(each) if isinstance(each, Parameter) else what_of(each, version)
+        for each in given
+    ]
+    if any(map(is_too_large, (operand for _, operand in value.steps))):
         raise Mistake(Diagnostic(codes.VALUE_OUT_OF_RANGE, "the number is too large", use.whole))
-    problem = _misfit(use, found, version) or _too_long(use, given)
+    if value.steps:
+        _check_numbers(use, found, version)
+    first = given[0]
+    problem = _misfit(use, found, version)
+    if problem is None:
+        problem = _too_long(use, None if isinstance(first, Parameter) else first)
     if problem is not None:
-        raise Mistake(
-            Diagnostic(
-                codes.COMPUTED_TYPE_MISMATCH,
-                problem,
-                use.whole,
-                help=_element(value, found, version),
-            )
-        )
-    if parameter is not None:
-        problem = _unfit_default(value, parameter, version)
+        remedy = _element(value, value.source, found[0], version)
+        if value.steps and any(operator == "/" for operator, _ in value.steps):
+            remedy = "what is divided may have a fraction"
+        raise Mistake(Diagnostic(codes.COMPUTED_TYPE_MISMATCH, problem, use.whole, help=remedy))
+    if isinstance(first, Parameter):
+        problem = _unfit_default(value, first, version)
         if problem is not None:
             raise Mistake(Diagnostic(codes.VALUE_OUT_OF_RANGE, problem, use.whole))
 
 
-def _element(value: Computed, found: What, version: int) -> str | None:
+def _given(
+    run: Run,
+    node: Node,
+    use: _Use,
+    part: tuple[Origin, Span],
+    heard: Sequence[Field] | None,
+) -> Parameter | FieldType:
+    """Return the parameter that a value is computed of, or the type of what is received.
+
+    Raises:
+        Mistake: there is none.
+    """
+    origin, where = part
+    if isinstance(origin, OfParameter):
+        if heard is None and len(use.value.origins) > 1:
+            raise Mistake(
+                Diagnostic(
+                    codes.NOTHING_RECEIVED,
+                    "two parameters go together only with something that is received",
+                    use.sent,
+                    help="calculate with one parameter and numbers",
+                )
+            )
+        return find_parameter(run, where, node, origin.name)
+    if heard is None:
+        raise Mistake(
+            Diagnostic(
+                codes.NOTHING_RECEIVED,
+                f"nothing is received that `{origin}` could be of",
+                use.sent,
+                help="send it `for_each` message of a topic, or in an answer",
+            )
+        )
+    catalog = run.types.catalog(run.checks.version_of(node))
+    return type_received(origin, heard, catalog, where)
+
+
+def _check_numbers(use: _Use, found: Sequence[What], version: int) -> None:
+    """Check that all that a value is calculated of are numbers.
+
+    Raises:
+        Mistake: one is none, and is told where it stands.
+    """
+    for origin, what, where in zip(use.value.origins, found, use.origins, strict=True):
+        if what.is_list or what.kind not in (int, float):
+            raise Mistake(
+                Diagnostic(
+                    codes.COMPUTED_TYPE_MISMATCH,
+                    f"`{origin}` is {what}, and cannot be calculated with",
+                    where,
+                    help=_element(use.value, origin, what, version),
+                )
+            )
+
+
+def _element(value: Computed, origin: Origin, found: What, version: int) -> str | None:
     """Return what to write for a list whose elements fit, None where that is no remedy."""
-    source, wanted = value.source, what_of(value.type, version)
+    wanted = what_of(value.type, version)
     fits = found.kind == wanted.kind or (found.kind is int and wanted.kind is float)
-    if not isinstance(source, OfReceived) or not found.is_list or wanted.is_list or not fits:
+    if not isinstance(origin, OfReceived) or not found.is_list or wanted.is_list or not fits:
         return None
-    return f"write `{source}[0]` for its first element"
+    return f"write `{origin}[0]` for its first element"
 
 
 def is_too_large(number: object) -> bool:
@@ -222,19 +257,19 @@ def fits(type_: FieldType, source: Parameter | FieldType, ros_version: int) -> b
     if isinstance(source, FieldType):
         use = _unwritten(Computed(OfReceived(()), (), type_))
         found = what_of(source, ros_version)
-        return not (_misfit(use, found, ros_version) or _too_long(use, source))
+        return not (_misfit(use, [found], ros_version) or _too_long(use, source))
     if source.holds is None:
         return False
     value = Computed(OfParameter(source.name), (), type_)
     use = _unwritten(value)
-    if _misfit(use, _what_of_parameter(source), ros_version) or _too_long(use, None):
+    if _misfit(use, [_what_of_parameter(source)], ros_version) or _too_long(use, None):
         return False
     return source.default is None or not _unfit_default(value, source, ros_version)
 
 
 def _unwritten(value: Computed) -> _Use:
     nowhere = Span(0, 0)
-    return _Use("", value, nowhere, nowhere, nowhere)
+    return _Use("", value, nowhere, (nowhere,) * len(value.origins), nowhere)
 
 
 def _what_of_parameter(parameter: Parameter) -> What:
@@ -242,72 +277,19 @@ def _what_of_parameter(parameter: Parameter) -> What:
     return What(_PARAMETERS[parameter.holds.element], parameter.holds.is_list)
 
 
-def type_received(
-    source: OfReceived, fields: Sequence[Field], catalog: Catalog, where: Span
-) -> FieldType:
-    """Return the type of a field of a received message, or of an element of it.
+def _misfit(use: _Use, parts: Sequence[What], version: int) -> str | None:
+    """Return why a value does not fit its field, None where it does.
 
-    Raises:
-        Mistake: there is no such field.
+    Args:
+        use: the value.
+        parts: what it is computed of; numbers where it is calculated.
+        version: the generation of ROS.
     """
-    type_: FieldType | None = None
-    for name in source.path:
-        if type_ is not None:
-            inner = None if type_.is_array or type_.message is None else type_.message
-            found = None if inner is None else catalog.find(inner, InterfaceKind.MESSAGE)
-            fields = () if found is None else found.fields
-        field = next((each for each in fields if each.name == name), None)
-        if field is None:
-            raise Mistake(_no_field(source, name, fields, where))
-        type_ = field.type
-    assert type_ is not None
-    if source.position is not None:
-        beyond = type_.length is not None and source.position >= type_.length
-        if not type_.is_array or beyond:
-            what = f"has {type_.length} elements" if beyond else "is no list"
-            message = f"`received.{'.'.join(source.path)}` {what}"
-            raise Mistake(Diagnostic(codes.UNKNOWN_FIELD, message, where))
-        return type_.element
-    return type_
-
-
-def what_of(type_: FieldType, ros_version: int) -> What:
-    """Return what a field of a type holds."""
-    return What(_kind_of(type_, ros_version), type_.is_array)
-
-
-def _no_field(source: OfReceived, name: str, fields: Sequence[Field], where: Span) -> Diagnostic:
-    names = [each.name for each in fields]
-    guess = nearest(name, names)
-    right = replace(
-        source, path=tuple(guess or each if each == name else each for each in source.path)
-    )
-    text = f"did you mean `{guess}`?" if guess else f"its fields are: {listed(names)}"
-    return Diagnostic(
-        codes.UNKNOWN_FIELD,
-        f"what is received has no field `{'.'.join(source.path)}`",
-        where,
-        help=text if names else "that field has no parts",
-        fix=None if guess is None else write(str(right), where),
-    )
-
-
-def _kind_of(type_: FieldType, ros_version: int) -> object:
-    if type_.message is not None:
-        return type_.message
-    known = primitive(type_.name, ros_version)
-    return type_.name if known is None or known.parts else known.kind
-
-
-def _misfit(use: _Use, found: What, version: int) -> str | None:
-    """Return why a value does not fit its field, None where it does."""
     value = use.value
     wanted = what_of(value.type, version)
-    shown = f"`{value.source}`"
+    found, shown = parts[0], f"`{value.source}`"
     if value.steps:
-        if found.is_list or found.kind not in (int, float):
-            return f"{shown} is {found}, and cannot be calculated with"
-        is_whole = found.kind is int and not value.is_float
+        is_whole = all(each.kind is int for each in parts) and not value.is_float
         found = What(int if is_whole else float, is_list=False)
         shown = "what is calculated"
     if found == wanted or (found.kind is int and wanted == What(float, found.is_list)):
@@ -345,12 +327,14 @@ def _lengths(type_: FieldType) -> tuple[int, int | None]:
 
 def _unfit_default(value: Computed, parameter: Parameter, version: int) -> str | None:
     """Return why what is calculated of a parameter's default does not fit, None where it does."""
-    default = parameter.default
+    default, steps = parameter.default, value.numbers
+    if steps is None:
+        return None
     for each in default if isinstance(default, tuple) else (default,):
         result = each
-        if value.steps:
+        if steps:
             assert isinstance(each, (int, float))  # others cannot be calculated with
-            result = calculated(each, value.steps)
+            result = calculated(each, steps)
         problem = check_scalar(value.type.name, result, version, value.type.string_bound)
         if problem is not None:
             return f"by the default of `{value.source}`, {problem}"

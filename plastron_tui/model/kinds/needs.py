@@ -146,4 +146,4 @@ def _has(value: Value, parameter: str) -> bool:
 
 def _of(value: Value, parameter: str) -> Iterator[Computed]:
     source = OfParameter(parameter.removeprefix("~/"))
-    return (each for each in computed_in(value) if each.source == source)
+    return (each for each in computed_in(value) if source in each.origins)

@@ -6,7 +6,7 @@ import math
 from typing import TYPE_CHECKING, NamedTuple
 
 from plastron_tui.diagnostics import Diagnostic, Label, Span, codes, write, write_before
-from plastron_tui.language.declaration import DECLARATIONS
+from plastron_tui.language import DECLARATIONS
 from plastron_tui.language.sentence import sentence
 from plastron_tui.language.statements import Publish, StopPublishing
 from plastron_tui.ros.interfaces import InterfaceKind, InterfaceName

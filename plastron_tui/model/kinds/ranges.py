@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
+from operator import mul, truediv
 from typing import TYPE_CHECKING, NamedTuple
 
 from plastron_tui.ros.interfaces import FieldType
@@ -34,6 +35,11 @@ class Interval(NamedTuple):
         """Tell whether all numbers of another interval are in this one."""
         return self.least <= other.least and other.most <= self.most
 
+    @property
+    def holds_zero(self) -> bool:
+        """Whether 0 is among them."""
+        return self.least <= 0 <= self.most
+
     def common(self, other: Interval) -> Interval:
         """Return the numbers that are in both."""
         return Interval(max(self.least, other.least), min(self.most, other.most))
@@ -56,13 +62,52 @@ def field_range(type_: FieldType, ros_version: int) -> Interval | None:
     return Interval(-_LARGEST_FLOAT32, _LARGEST_FLOAT32) if is_short else EVERY_FLOAT
 
 
-def range_of_calculated(range_: Interval, steps: Sequence[tuple[str, Number]]) -> Interval:
-    """Return what is calculated of all numbers of an interval.
+EVERY_NUMBER = Interval(-math.inf, math.inf)
 
-    Each step is linear, so that the ends show it.
+
+def range_of_calculated(range_: Interval, steps: Sequence[tuple[str, Interval]]) -> Interval:
+    """Return the numbers among which all is that is calculated of the numbers of intervals.
+
+    Its ends are whole numbers where what is calculated is one for sure.
     """
-    first, last = calculated(range_.least, steps), calculated(range_.most, steps)
-    return Interval(min(first, last), max(first, last))
+    return ranges_of_terms(range_, steps)[-1]
+
+
+def ranges_of_terms(range_: Interval, steps: Sequence[tuple[str, Interval]]) -> list[Interval]:
+    """Return the range of all that is calculated on the way; the last is that of the whole."""
+    total, term = Interval(0, 0), range_
+    found = [term]
+    for operator, other in steps:
+        match operator:
+            case "*":
+                term = _among(term, other, mul)
+            case "/":
+                term = EVERY_NUMBER if other.holds_zero else _among(term, other, truediv)
+            case _:
+                total = _sum(total, term)
+                term = other if operator == "+" else Interval(-other.most, -other.least)
+        found += [term, _sum(total, term)]
+    return found
+
+
+def _sum(one: Interval, other: Interval) -> Interval:
+    return _between(lambda: (one.least + other.least, one.most + other.most))
+
+
+def _among(
+    one: Interval, other: Interval, operation: Callable[[Number, Number], Number]
+) -> Interval:
+    """Return what an operation makes of two intervals: their ends make the ends of it."""
+    return _between(lambda: [operation(first, second) for first in one for second in other])
+
+
+def _between(ends: Callable[[], Sequence[Number]]) -> Interval:
+    """Return all between the least and the greatest of some numbers; all where one is none."""
+    try:
+        found = ends()
+    except OverflowError:
+        return EVERY_NUMBER
+    return EVERY_NUMBER if any(end != end for end in found) else Interval(min(found), max(found))
 
 
 def limits_of(node: Node, parameter: Parameter, ros_version: int) -> Interval | None:
@@ -96,11 +141,11 @@ def _rates(parameter: Parameter, *, is_whole: bool) -> Interval:
 
 def _fitting(value: Computed, ros_version: int) -> Interval:
     """Return the integers of which a value is calculated that fits its field."""
-    field = field_range(value.type, ros_version)
-    if field is None or value.is_float or not isinstance(field.least, int):
+    field, steps = field_range(value.type, ros_version), value.numbers
+    if field is None or steps is None or value.is_float or not isinstance(field.least, int):
         return EVERY_INTEGER
-    at_zero = calculated(0, value.steps)
-    slope = calculated(1, value.steps) - at_zero
+    at_zero = calculated(0, steps)
+    slope = calculated(1, steps) - at_zero
     if not isinstance(at_zero, int) or not isinstance(slope, int) or slope == 0:
         return EVERY_INTEGER
     ends = (field.least - at_zero, field.most - at_zero)

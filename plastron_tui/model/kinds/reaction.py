@@ -16,7 +16,8 @@ from ..computed_values import received
 from ..mistake import Mistake, function_conflict
 from ..value_diagnostics import Misfit, span
 from ..values import OfReceived
-from .computed import is_too_large, type_received, what_of
+from .computed import is_too_large
+from .received import type_received, what_of
 from .subscription import Subscription
 
 if TYPE_CHECKING:

@@ -69,8 +69,6 @@ class _Layout:
         gaps = [self._gap_width(column) for column in range(len(self._gaps))]
         return strip_of(self._sheet, gaps)
 
-    # Rows.
-
     def _place_items(self) -> None:
         """Set the first row of each item: near to its neighbours, within the row's height."""
         sheet = self._sheet
@@ -142,8 +140,6 @@ class _Layout:
                 top += len(self._nets[last])
         self.height = top
 
-    # Lines.
-
     def _row_of(self, net: Net, item: int, *, is_left: bool) -> int:
         """Return the row at which a net reaches an item, at its left or its right."""
         return self._top[item] + self._ports.row(net, item, is_left=is_left)
@@ -163,8 +159,6 @@ class _Layout:
         nets, turns = self._nets[column], self._turns(column)
         lanes = (0,) * len(turns) if column in self._cuts else lanes_of(turns).numbers
         return Gap(tuple(nets), tuple(turns), tuple(nets.values()), lanes)
-
-    # Columns.
 
     def _gap_width(self, column: int) -> int:
         lanes = max(self._gaps[column].lanes, default=0) + 1

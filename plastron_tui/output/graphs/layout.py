@@ -132,8 +132,6 @@ class _Part:
             if placing.shape is Shape.NODE and placing.height < lanes + 16:
                 self._boxes[box] = replace(placing, height=lanes + 16)
 
-    # Columns and rows.
-
     def _best_cuts(self) -> tuple[int, ...]:
         """Return the columns that end a row so that the picture has about the wanted shape."""
         widths = [right - left for left, right in self._spans]
@@ -219,8 +217,6 @@ class _Part:
             if row[-1] in self._cuts:
                 right += 2 * STUB + self._carried_width(row[-1])
             self._width = max(self._width, right)
-
-    # Lines.
 
     def _carries(self, column: int) -> dict[Net, _Carry]:
         """Return how each net gets from the end of a row to the next one.

@@ -7,6 +7,7 @@ from typing import Any
 
 from goals_ros2 import STATUS, ActionClients, action_types
 from monitor_subscriptions import Subscriptions
+from topic_nodes import TopicNodes
 from watch import is_shown
 
 _INFRASTRUCTURE = ("rcl_interfaces/", "type_description_interfaces/", "lifecycle_msgs/")
@@ -32,7 +33,7 @@ class RunningGraph:
         self._node = node
         self._topics = topics
         self._clients = clients
-        self._nodes_at: dict[str, tuple[_Ends, list[str]]] = {}
+        self._topic_nodes = TopicNodes(node)
         self._providers: tuple[object, dict[str, list[str]]] = (None, {})
 
     def look(self) -> dict[str, Any]:
@@ -47,11 +48,13 @@ class RunningGraph:
             for name, namespace in self._node.get_node_names_and_namespaces()
             if not name.startswith("_")
         ]
+        names = sorted(map(_full_name, nodes))
+        self._topic_nodes.see(names)
         return {
             "topics": self._found_topics(found),
             "services": self._found_services(nodes),
             "actions": self._found_actions(found),
-            "nodes": sorted(map(_full_name, nodes)),
+            "nodes": names,
         }
 
     def _found_topics(self, found: list[tuple[str, list[str]]]) -> list[Any]:
@@ -64,7 +67,8 @@ class RunningGraph:
             publishers = ends[0] - self.publishers[name]
             subscribers = ends[1] - self._topics.hears(name)
             if publishers + subscribers > 0:
-                topics.append((name, type_name, publishers, subscribers, self._at(name, ends)))
+                at = self._topic_nodes.at(name, ends)
+                topics.append((name, type_name, publishers, subscribers, at))
         return topics
 
     def _found_services(self, nodes: list[tuple[str, str]]) -> list[Any]:
@@ -84,9 +88,10 @@ class RunningGraph:
 
     def _services_of(self, node: tuple[str, str]) -> list[str]:
         try:
-            return [name for name, _ in self._node.get_service_names_and_types_by_node(*node)]
-        except Exception:  # a node that has just gone; the next look does not have it
+            found = self._node.get_service_names_and_types_by_node(*node)
+        except RuntimeError:  # it has gone since it was listed
             return []
+        return [name for name, _ in found]
 
     def _found_actions(self, found: list[tuple[str, list[str]]]) -> list[Any]:
         actions = []
@@ -95,23 +100,12 @@ class RunningGraph:
                 continue
             ends = self._ends(name + STATUS)
             if ends[0] + ends[1] - (name in self._clients) > 0:
-                actions.append((name, type_, ends[0], self._at(name + STATUS, ends)))
+                at = self._topic_nodes.at(name + STATUS, ends)
+                actions.append((name, type_, ends[0], at))
         return actions
 
     def _ends(self, name: str) -> _Ends:
         return self._node.count_publishers(name), self._node.count_subscribers(name)
-
-    def _at(self, name: str, ends: _Ends) -> list[str]:
-        """Return the nodes at a topic; they are looked up where their number is another one."""
-        known = self._nodes_at.get(name)
-        if known is None or known[0] != ends:
-            infos = [
-                *self._node.get_publishers_info_by_topic(name),
-                *self._node.get_subscriptions_info_by_topic(name),
-            ]
-            names = {_full_name((each.node_name, each.node_namespace)) for each in infos}
-            known = self._nodes_at[name] = ends, sorted(names)
-        return known[1]
 
 
 def _full_name(node: tuple[str, str]) -> str:

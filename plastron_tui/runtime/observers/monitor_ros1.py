@@ -113,6 +113,10 @@ class _Monitor:
 
         threading.Thread(target=run, daemon=True).start()
 
+    def close(self) -> None:
+        """Send nothing any more, because the studio is gone."""
+        self._sendings.close()
+
     def turn(self) -> None:
         """Tell what is new."""
         now = time.monotonic()
@@ -265,6 +269,7 @@ def main() -> None:
                     return
                 monitor.do(order)
     finally:
+        monitor.close()
         # The master forgets what it knows of this node.
         rospy.signal_shutdown("the studio has enough")
 

@@ -132,6 +132,10 @@ class _Monitor:
         except Exception as error:  # a type that is not installed, a value that does not fit, …
             answer(order, str(error) or type(error).__name__, is_failure=True)
 
+    def close(self) -> None:
+        """Send nothing any more, because the studio is gone."""
+        self._sendings.close()
+
     def turn(self) -> None:
         """Take what came, and tell of it."""
         now = time.monotonic()
@@ -278,6 +282,7 @@ def main() -> None:
         monitor.turn()
         for order in orders.take(monitor.turn_time):
             if order.get("do") == "leave":
+                monitor.close()
                 return
             monitor.do(order)
 

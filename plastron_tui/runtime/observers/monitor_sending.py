@@ -32,10 +32,14 @@ class Sending:
         send(tell="sending", name=order["name"], rate=order["rate"], text=text)
         self._thread.start()
 
-    def stop(self) -> None:
-        """Send no more, and tell so."""
+    def end(self) -> None:
+        """Send no more."""
         self._end.set()
         self._thread.join(_LONGEST_STOP)
+
+    def stop(self) -> None:
+        """Send no more, and tell so."""
+        self.end()
         send(tell="sending", name=self._order["name"], rate=0, text="")
 
     def _run(self) -> None:
@@ -83,3 +87,8 @@ class Sendings:
         if sending is not None and close is not None:
             sending.stop()
             close()
+
+    def close(self) -> None:
+        """Send no more at all; nobody is there any more who could be told."""
+        for sending, _ in self._running.values():
+            sending.end()

@@ -12,12 +12,12 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from plastron_tui.model.kinds import Condition
-from plastron_tui.model.kinds.computed import type_received
-from plastron_tui.model.kinds.ranges import Interval, field_range, range_of_calculated
-from plastron_tui.model.values import Computed, OfReceived
+from plastron_tui.model.kinds.ranges import Interval, field_range
+from plastron_tui.model.kinds.received import type_received
+from plastron_tui.model.values import Computed, Number, OfReceived
 from plastron_tui.ros.interfaces import Field, FieldType
 from plastron_tui.ros.parameters import INTEGERS
-from plastron_tui.sources.computing import BaseComputing, Source
+from plastron_tui.sources.computing import BaseComputing, Formula, Source, may_be_zero
 
 from . import literals
 from .interface_types import scalar_class
@@ -25,6 +25,7 @@ from .interface_types import scalar_class
 _INT64 = Interval(INTEGERS[0], INTEGERS[-1])
 _IN_RANGE = "in_range"
 _ALL_IN_RANGE = "all_in_range"
+_DIVISOR = "divisor"
 _AS_VECTOR = "as_vector"
 _ALGORITHMS = {"any": "std::any_of", "all": "std::all_of"}
 
@@ -57,10 +58,10 @@ class Computing(BaseComputing):
             holder: what holds the message or the request that is received.
             heard: its fields.
         """
-        source = self.source_of(value.source, holder, heard)
-        if value.type.is_array and source.type != value.type:
-            return self._list(target, value, source)
-        return [f"{target} = {self._scalar(value, source)};"]
+        formula = self.formula_of(value, holder, heard)
+        if value.type.is_array and formula.source.type != value.type:
+            return self._list(target, value, formula)
+        return [f"{target} = {self._scalar(value, formula)};"]
 
     def condition(
         self, condition: Condition, holder: str, heard: Sequence[Field], value: str
@@ -124,32 +125,44 @@ class Computing(BaseComputing):
         is_sure = not self.lacks(source, heard)
         return f"{text}[{source.position}]" if is_sure else f"{text}.at({source.position})"
 
-    def _scalar(self, value: Computed, source: Source) -> str:
+    def _scalar(self, value: Computed, formula: Formula) -> str:
         """Write a value as its field takes it, whatever it is calculated of."""
-        text = self._calculated(value, source) if value.steps else source.text
-        if self.limits(value, source) is None:
+        text = self._calculated(formula) if value.steps else formula.source.text
+        if self.limits(value, formula) is None:
             return text
         return f"{self.functions.use(_IN_RANGE)}<{self._class(value.type)}>({text})"
 
-    def _calculated(self, value: Computed, source: Source) -> str:
-        """Write what is calculated: of whole numbers in 64 bits, or in more where they may pass."""
-        assert source.range is not None  # only numbers are calculated with
-        is_whole = source.is_whole and not value.is_float
-        wide = "double"
-        if is_whole:
-            ends = (
-                range_of_calculated(source.range, value.steps[:count])
-                for count in range(1, len(value.steps) + 1)
-            )
-            terms = all(map(_INT64.contains, ends)) and _INT64.contains(source.range)
-            wide = "int64_t" if terms else "long double"
-        text = source.text if self._is(source, wide) else f"static_cast<{wide}>({source.text})"
-        for operator, number in value.steps:
-            written = literals.integer(int(number)) if is_whole else literals.real(float(number))
-            if wide == "long double":
-                written = f"{literals.real(float(number))}L"
+    def _calculated(self, formula: Formula, wide: str = "") -> str:
+        """Write what is calculated: of whole numbers in 64 bits, or in more where they may pass.
+
+        Args:
+            formula: what is calculated.
+            wide: the type to calculate in, "" for one that holds it.
+        """
+        if not wide and formula.is_whole:
+            wide = "int64_t" if all(map(_INT64.contains, formula.ranges)) else "long double"
+        wide = wide or "double"
+        text = self._as(wide, formula.source)
+        for operator, operand in formula.steps:
+            written = self._as(wide, operand)
+            if operator == "/" and isinstance(operand, Source) and may_be_zero(operand):
+                written = self._divisor(written)
             text += f" {operator} {written}"
         return text
+
+    def _divisor(self, text: str) -> str:
+        """Write a number to divide by, which may be 0."""
+        return f"{self.functions.use(_DIVISOR)}({text})"
+
+    def _as(self, wide: str, operand: Number | Source) -> str:
+        """Write what is calculated with as a number of a type."""
+        if isinstance(operand, Source):
+            text = operand.text
+            return text if self._is(operand, wide) else f"static_cast<{wide}>({text})"
+        if wide == "int64_t":
+            return literals.integer(int(operand))
+        suffix = "L" if wide == "long double" else ""
+        return f"{literals.real(float(operand))}{suffix}"
 
     def _is(self, source: Source, wide: str) -> bool:
         """Tell whether a source is of a type already."""
@@ -159,9 +172,10 @@ class Computing(BaseComputing):
         own = "double" if not source.is_whole else "int64_t" if self.ros_version == 2 else "int"
         return wide == own
 
-    def _list(self, target: str, value: Computed, source: Source) -> list[str]:
+    def _list(self, target: str, value: Computed, formula: Formula) -> list[str]:
         """Write what gives a list of another type its elements."""
-        is_checked = self.limits(value, source) is not None
+        source = formula.source
+        is_checked = self.limits(value, formula) is not None
         class_ = self._class(value.type)
         if source.type is None:
             make = self.functions.use(_ALL_IN_RANGE if is_checked else _AS_VECTOR)

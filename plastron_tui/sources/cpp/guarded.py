@@ -12,7 +12,7 @@ from dataclasses import dataclass, field
 from plastron_tui.model.kinds.ranges import EVERY_INTEGER, Interval
 from plastron_tui.model.values import Computed, OfReceived
 from plastron_tui.ros.interfaces import Field
-from plastron_tui.sources.computing import Source
+from plastron_tui.sources.computing import Formula, Source
 
 from . import literals
 from .computed import Computing
@@ -23,6 +23,19 @@ class Conditions:
     """What must hold so that fields can hold what is computed for them."""
 
     required: dict[str, None] = field(default_factory=dict)
+    _longest: dict[str, int] = field(default_factory=dict)
+
+    def element(self, holder: str, position: int) -> None:
+        """Require a list to have an element."""
+        known = self._longest.get(holder)
+        self._longest[holder] = max(position, known or 0)
+        condition = f"{holder}.size() > {self._longest[holder]}"
+        if known is None:
+            self.required[condition] = None
+            return
+        before = f"{holder}.size() > {known}"
+        found = [condition if each == before else each for each in self.required]
+        self.required = dict.fromkeys(found)
 
     def within(self, text: str, limits: Interval, *, is_whole: bool) -> None:
         """Require a number to be in the limits of a field."""
@@ -58,20 +71,34 @@ class GuardedComputing(Computing):
         if source.position is None:
             return text
         if self.lacks(source, heard):
-            self.conditions.required[f"{text}.size() > {source.position}"] = None
+            self.conditions.element(text, source.position)
         return f"{text}[{source.position}]"
 
-    def _scalar(self, value: Computed, source: Source) -> str:
-        text = self._calculated(value, source) if value.steps else source.text
-        limits = self.limits(value, source)
-        if limits is None:
+    def _divisor(self, text: str) -> str:
+        self.conditions.required[f"{text} != 0"] = None
+        return text
+
+    def _scalar(self, value: Computed, formula: Formula) -> str:
+        limits = self.limits(value, formula)
+        # Hardly anything passes 64 bits: what is not checked is written as somebody would.
+        wide = "int64_t" if limits == EVERY_INTEGER and self._fit_64_bits(formula) else ""
+        text = self._calculated(formula, wide) if value.steps else formula.source.text
+        if limits is None or wide:
             return text
-        self.conditions.within(text, limits, is_whole=source.is_whole and not value.is_float)
+        self.conditions.within(text, limits, is_whole=formula.is_whole)
         return f"static_cast<{self._class(value.type)}>({text})"
 
-    def _list(self, target: str, value: Computed, source: Source) -> list[str]:
+    def _fit_64_bits(self, formula: Formula) -> bool:
+        """Tell whether each number that is calculated with fits, whatever comes of them."""
+        operands = (operand for _, operand in formula.steps if isinstance(operand, Source))
+        sources = (formula.source, *operands)
+        return all(
+            each.range is not None and EVERY_INTEGER.contains(each.range) for each in sources
+        )
+
+    def _list(self, target: str, value: Computed, formula: Formula) -> list[str]:
         class_ = self._class(value.type)
-        limits = self.limits(value, source)
+        source, limits = formula.source, self.limits(value, formula)
         name = source.text
         if limits is not None:
             checks = Conditions()

@@ -25,6 +25,7 @@ _PIECE = re.compile(r"(?:\\(?:[0-7]{1,3}|.)|[^\\ ])*(?: +|$)")
 
 _ATOM = re.compile(r"\\(?:[0-7]{1,3}|.)|.")
 _DECLARATION = re.compile(r"(?P<type>[\w:<>, ]*[\w>]) (?P<name>\w+;)")
+_ARITHMETIC = ("+", "-", "*", "/")
 _CONDITION = re.compile(r"\s*(?:if|for|while|switch) \(")
 
 
@@ -92,15 +93,34 @@ def _flat(parts: list[_Part]) -> str:
     return "".join(map(str, parts))
 
 
-def _broken(parts: list[_Part], margin: str, limit: int) -> list[str]:
-    """Return the lines of a statement that is too long for one."""
+def _broken(parts: list[_Part], margin: str, limit: int, continuation: str = _INDENT) -> list[str]:
+    """Return the lines of a statement, or of what is in brackets, that is too long for one."""
     text = _flat(parts)
     if width(margin + text) <= limit:
         return [margin + text]
     at = _where(parts, margin, limit)
     if at is None:
         return _without_brackets(parts, margin, limit)
-    return _opened(parts, at, margin, margin + _INDENT, limit)
+    lines = _opened(parts, at, margin, margin + _INDENT, limit)
+    is_long = any(width(line) > limit for line in lines)
+    return (_calculation(parts, margin, limit, continuation) if is_long else []) or lines
+
+
+def _calculation(parts: list[_Part], margin: str, limit: int, continuation: str) -> list[str]:
+    """Break what is calculated behind operators; return nothing where that does not help."""
+    pieces = [""]
+    for index, part in enumerate(parts):
+        pieces[-1] += str(part)
+        if part == " " and parts[index - 1] in _ARITHMETIC and parts[index - 2] == " ":
+            pieces.append("")
+    lines = [margin + pieces[0]]
+    for piece in pieces[1:]:
+        if width((lines[-1] + piece).rstrip()) <= limit:
+            lines[-1] += piece
+        else:
+            lines.append(margin + continuation + piece)
+    found = [line.rstrip() for line in lines]
+    return found if all(width(line) <= limit for line in found) else []
 
 
 def _opened(parts: list[_Part], at: int, margin: str, inner: str, limit: int) -> list[str]:
@@ -140,7 +160,7 @@ def _filled(items: list[list[_Part]], tail: str, margin: str, limit: int) -> lis
         current = margin + text
         if width(current) > limit:
             parts = [*items[index], "," if index < len(items) - 1 else tail]
-            *done, current = _chain(parts, margin, limit) or _broken(parts, margin, limit)
+            *done, current = _chain(parts, margin, limit) or _broken(parts, margin, limit, "")
             lines += done
     return [*lines, current]
 

@@ -13,11 +13,11 @@ from dataclasses import dataclass
 from typing import Protocol
 
 from plastron_tui.model.kinds import Condition
-from plastron_tui.model.kinds.computed import type_received
-from plastron_tui.model.kinds.ranges import Interval, field_range, range_of_calculated
-from plastron_tui.model.values import Computed, OfReceived
+from plastron_tui.model.kinds.ranges import Interval, field_range
+from plastron_tui.model.kinds.received import type_received
+from plastron_tui.model.values import Computed, Number, OfReceived
 from plastron_tui.ros.interfaces import Field, FieldType
-from plastron_tui.sources.computing import BaseComputing, Source
+from plastron_tui.sources.computing import BaseComputing, Formula, Source, may_be_zero
 
 from . import literals
 from .dialect import Dialect
@@ -37,6 +37,9 @@ class Guard(Protocol):
 
     def element(self, holder: str, position: int) -> None:
         """Note that a list may have too few elements."""
+
+    def divisor(self, text: str) -> str:
+        """Return a number to divide by, which may be 0."""
 
 
 _OCTET = "octet"
@@ -63,15 +66,26 @@ class Computing(BaseComputing):
             holder: what holds the message or the request that is received.
             heard: its fields.
         """
-        source = self.source_of(value.source, holder, heard)
+        formula = self.formula_of(value, holder, heard)
+        source = formula.source
         if source.type == value.type and not value.steps:
             return source.text
         if value.type.is_array:
-            return self._list(value, source)
-        text = source.text if source.type is None else self._as_number(source.text, source.type)
-        for operator, number in value.steps:
-            text += f" {operator} {literals.number(number)}"
-        return self._fitting(value, source, text)
+            return self._list(value, formula)
+        text = self._term(source)
+        for operator, operand in formula.steps:
+            text += f" {operator} {self._operand(operator, operand)}"
+        return self._fitting(value, formula, text)
+
+    def _term(self, source: Source) -> str:
+        """Write what comes from somewhere as something to calculate with."""
+        return source.text if source.type is None else self._as_number(source.text, source.type)
+
+    def _operand(self, operator: str, operand: Number | Source) -> str:
+        if not isinstance(operand, Source):
+            return literals.number(operand)
+        text = self._term(operand)
+        return self.guard.divisor(text) if operator == "/" and may_be_zero(operand) else text
 
     def condition(
         self, condition: Condition, holder: str, heard: Sequence[Field], value: str
@@ -129,8 +143,9 @@ class Computing(BaseComputing):
     def _is_rclpy(self) -> bool:
         return self.ros_version == 2
 
-    def _list(self, value: Computed, source: Source) -> str:
+    def _list(self, value: Computed, formula: Formula) -> str:
         """Write a list as a field of lists takes it."""
+        source = formula.source
         text = source.text
         is_bytes = source.type is not None and source.type.name == "byte" and self._is_rclpy
         if is_bytes:
@@ -138,10 +153,10 @@ class Computing(BaseComputing):
         elif self._is_rclpy and source.type is not None and source.range is not None:
             # An array of another type is no list: its memory would be taken as it is.
             text = f"{text}.tolist()"
-        limits = self.limits(value, source)
+        limits = self.limits(value, formula)
         if limits is not None:
             text = self.guard.numbers(text, limits)
-        made = self._made_of(value, source)
+        made = self._made_of(value, formula)
         if made == _OCTET:
             return f"[bytes([each]) for each in {text}]"
         if made:
@@ -149,25 +164,25 @@ class Computing(BaseComputing):
         is_list = not self._is_rclpy or text != source.text
         return text if is_list else f"list({text})"
 
-    def _fitting(self, value: Computed, source: Source, text: str) -> str:
+    def _fitting(self, value: Computed, formula: Formula, text: str) -> str:
         """Write a value of which the text is known as the field takes it."""
-        limits = self.limits(value, source)
+        limits = self.limits(value, formula)
         if limits is not None:
             text = self.guard.number(text, limits)
-        made = self._made_of(value, source)
+        made = self._made_of(value, formula)
         if made == _OCTET:
             return f"bytes([{text}])"
         return f"{made}({text})" if made else text
 
-    def _made_of(self, value: Computed, source: Source) -> str:
+    def _made_of(self, value: Computed, formula: Formula) -> str:
         """Return what makes a number one that the field takes, "" where it is one."""
-        target = field_range(value.type, self.ros_version)
-        if source.range is None or target is None:
+        target, range_ = field_range(value.type, self.ros_version), formula.range
+        if range_ is None or target is None:
             return ""
         if isinstance(target.least, int):
             return _OCTET if self._is_rclpy and value.type.name == "byte" else ""
         is_short = value.type.name == "float32"
-        is_long = not target.contains(range_of_calculated(source.range, value.steps))
+        is_long = not target.contains(range_)
         made = self.guard.short() if is_short and is_long else ""
-        is_whole = source.is_whole and not value.is_float
+        is_whole = formula.is_whole and not value.is_float
         return made or ("float" if self._is_rclpy and is_whole else "")

@@ -119,9 +119,9 @@ def _break(parts: list[_Part], margin: str, tail: str, style: Brackets) -> list[
     if width(flat) <= style.limit:
         return [flat]
     at = next((i for i in reversed(range(len(parts))) if _is_breakable(parts[i])), None)
+    if at != len(parts) - 2 and (lines := _break_condition(parts, margin, style)):
+        return lines
     if at is None:
-        if lines := _break_condition(parts, margin, style):
-            return lines
         pieces = _break_string(_flat(parts), margin, tail, style) if style.splits_strings else []
         return pieces or [flat]
     group = parts[at]

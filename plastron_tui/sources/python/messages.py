@@ -37,7 +37,8 @@ class Conditions:
         """Require nothing yet; `name` returns a free name like a wanted one."""
         self._name = name
         self._named: dict[str, str] = {}
-        self._required: dict[str, None] = {}
+        self._required: dict[str, bool] = {}
+        self._longest: dict[str, int] = {}
 
     def number(self, text: str, limits: Interval) -> str:
         """Require a number to be in the limits of a field; what is read for it is read once."""
@@ -69,23 +70,49 @@ class Conditions:
 
     def element(self, holder: str, position: int) -> None:
         """Require a list to have an element."""
-        self.require(f"len({holder}) > {position}")
+        known = self._longest.get(holder)
+        self._longest[holder] = max(position, known or 0)
+        condition = f"len({holder}) > {self._longest[holder]}"
+        if known is None:
+            self._required[condition] = True
+            return
+        before = f"len({holder}) > {known}"
+        self._required = {
+            condition if each == before else each: is_first
+            for each, is_first in self._required.items()
+        }
+
+    def divisor(self, text: str) -> str:
+        """Require a number to divide by not to be 0."""
+        self._required[f"{text} != 0"] = True
+        return text
 
     def require(self, condition: str) -> None:
-        """Require that something holds."""
-        self._required[condition] = None
+        """Require that something holds, once there is all that is calculated with."""
+        self._required.setdefault(condition, False)
 
     def __bool__(self) -> bool:
         """Whether anything is required."""
         return bool(self._required)
 
     def around(self, lines: Sequence[str]) -> list[str]:
-        """Write lines that are only run where all of that holds."""
-        if not self:
-            return [*lines]
-        named = (f"{name} = {text}" for text, name in self._named.items())
-        required = " and ".join(self._required)
-        return [*named, f"if {required}:", *(f"\t{line}" for line in lines)]
+        """Write lines that are only run where all of that holds.
+
+        A name is given to what is calculated once there is all that it is calculated of.
+        """
+        named = [f"{name} = {text}" for text, name in self._named.items()]
+        if not named:
+            return _if([*self._required], lines)
+        first = [condition for condition, is_first in self._required.items() if is_first]
+        then = [condition for condition, is_first in self._required.items() if not is_first]
+        return _if(first, [*named, *_if(then, lines)])
+
+
+def _if(conditions: Sequence[str], lines: Sequence[str]) -> list[str]:
+    """Write lines that are only run where conditions hold, if there are any."""
+    if not conditions:
+        return [*lines]
+    return [f"if {' and '.join(conditions)}:", *(f"\t{line}" for line in lines)]
 
 
 class _Unguarded:
@@ -102,6 +129,9 @@ class _Unguarded:
 
     def element(self, holder: str, position: int) -> None:
         pass
+
+    def divisor(self, text: str) -> str:
+        return text
 
 
 def _within(text: str, limits: Interval) -> str:

@@ -255,9 +255,9 @@ COMMANDS: tuple[Command, ...] = (
     Command("definition", "Go to definition", "f12", _program("go_to_definition"),
             "Go to where a variable or a part is made, to the next statement about a name, to the "
             "code of a function.", "alt+g"),
-    Command("uses", "List where it is used", "shift+f12,alt+h", _program("list_uses"),
+    Command("uses", "List where it is used", "alt+h", _program("list_uses"),
             "List the lines with the variable, name, function or type at the cursor; Enter goes "
-            "to one.", "f24"),
+            "to one.", "shift+f12,f24"),
     Command("rename", "Rename everywhere", "f2", _program("ask_name"),
             "Give the variable, name, function or part of a robot another name.", asks=True),
     Command("format", "Format", "ctrl+l", _program("format_program"),

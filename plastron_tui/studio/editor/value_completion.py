@@ -7,8 +7,10 @@ from typing import TYPE_CHECKING
 
 from plastron_tui.language import SlotKind
 from plastron_tui.language.expectations import Expectation, ValuePlace
+from plastron_tui.language.open_values import ARITHMETIC
 from plastron_tui.model.kinds import INTERFACES, Parameter
-from plastron_tui.model.kinds.computed import fits, what_of
+from plastron_tui.model.kinds.computed import fits
+from plastron_tui.model.kinds.received import what_of
 from plastron_tui.ros.interfaces import Field, FieldType, Interface, InterfaceKind
 
 from .candidate import Candidate
@@ -30,9 +32,6 @@ def resolver(catalog: Catalog) -> TypeResolver:
     from plastron_tui.model.types import TypeResolver
 
     return TypeResolver(catalog)
-
-
-# Parameters.
 
 
 def rates(expected: Expectation, vocabulary: Vocabulary) -> Iterator[Candidate]:
@@ -57,9 +56,6 @@ def default_values(expected: Expectation) -> Iterator[Candidate]:
     is_first = not expected.written or expected.written[-1] in _BEFORE_VALUE
     if is_first and expected.filled.get("type", "").startswith("bool"):
         yield from _TRUTH
-
-
-# What is received.
 
 
 def conditions(
@@ -176,9 +172,6 @@ def fields_of(found: Iterable[object]) -> Iterable[Field]:
     return {field.name: field for field in fields}.values()
 
 
-# Values.
-
-
 def values(expected: Expectation, vocabulary: Vocabulary, catalog: Catalog) -> Iterator[Candidate]:
     """Offer names of fields, and what can be a value."""
     place = expected.values
@@ -188,11 +181,17 @@ def values(expected: Expectation, vocabulary: Vocabulary, catalog: Catalog) -> I
     if written and written[-1] == "parameter":
         yield from _parameters(_all_parameters(expected, vocabulary), written)
         return
-    if written and written[-1] not in _BEFORE_VALUE:
+    is_operand = _is_operand(written)
+    if written and written[-1] not in _BEFORE_VALUE and not is_operand:
         return
     heard = list(_heard_fields(expected, vocabulary, catalog))
     if expected.prefix.startswith(_RECEIVED):
         yield from (each.candidate for each in _received(heard, expected.prefix, catalog))
+        return
+    if is_operand:
+        if heard:
+            yield Candidate("received", "what arrives", ".")
+            yield from _parameters(_all_parameters(expected, vocabulary), written)
         return
     fields = _fields_at(place, _own_fields(expected, catalog), catalog)
     if fields is None:
@@ -204,6 +203,13 @@ def values(expected: Expectation, vocabulary: Vocabulary, catalog: Catalog) -> I
         yield from _parameters(_all_parameters(expected, vocabulary), written)
         if heard:
             yield Candidate("received", "what arrives", ".")
+
+
+def _is_operand(written: Sequence[str]) -> bool:
+    """Tell whether something that is calculated with comes next."""
+    *_, before, last = ("", "", *written)
+    is_origin = before.startswith(_RECEIVED) or before[:1] == "'" or before == "]"
+    return last in ARITHMETIC and (is_origin or before.replace(".", "").isdigit())
 
 
 def _all_parameters(expected: Expectation, vocabulary: Vocabulary) -> Iterable[str]:

@@ -258,9 +258,7 @@ class EditorView(ScrollView, can_focus=True, inherit_bindings=False):
             there = self.scrollable_content_region.width
             if wide <= there:
                 width = min(width, there)
-        size = Size(width, height)
-        if size != self.virtual_size:
-            self.virtual_size = size
+        self.virtual_size = Size(width, height)
 
     def offer(
         self, candidates: Sequence[Candidate], detail: Callable[[Candidate], str], offset: int

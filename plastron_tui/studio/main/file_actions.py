@@ -245,11 +245,11 @@ class FileActions:
             self.screen.notify(message, markup=False)
         return self.take_file(path)
 
-    async def save(self, *, other: bool = False) -> bool:
+    async def save(self, *, other: bool = False, title: str = "Save as") -> bool:
         """Save, and ask what has to be asked; tell whether it was done."""
         path = self.program.path
         if path is None or other:
-            path = await self._ask_path()
+            path = await self._ask_path(title)
             if path is None:
                 return False
         open_ = self.program.open

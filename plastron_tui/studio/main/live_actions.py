@@ -85,7 +85,6 @@ class LiveActions:
         """Show that nodes are about to run, and nothing of those before."""
         self.end()
         self._graphs, self._answers, self._commands = {}, {}, ()
-        self._asked.clear()
         self._said.clear()
         self._tell(STARTING)
 
@@ -105,17 +104,11 @@ class LiveActions:
         Args:
             commands: what starts their monitors.
         """
-        old, new = (
-            {each.ros_version: each for each in known} for known in (self._commands, commands)
-        )
+        kept = {each.ros_version for each in commands if each in self._commands}
+        for version in self._monitors.keys() - kept:
+            self._close(version)
         self._commands = commands
         self._retried.clear()
-        for each in old.keys() - new.keys():
-            self._close(each)
-        for version, command in new.items():
-            before = old.get(version, command)
-            if (before.command, before.environ) != (command.command, command.environ):
-                self._close(version)
         if not any(graph.is_known for graph in self._graphs.values()):
             self._tell(LOOKING)
         self._start_missing()
@@ -180,6 +173,7 @@ class LiveActions:
         if monitor is not None:
             monitor.close()
             self._graphs[version].drop_orders()
+            self._drop_asked(version)
         self._watching.pop(version, None)
         self._silent.discard(version)
 
@@ -365,6 +359,14 @@ class LiveActions:
             return False
         self._asked[number] = row, form
         return True
+
+    def _drop_asked(self, version: int) -> None:
+        """Wait for no answer any more of a generation of ROS; forms are told."""
+        for number, (row, form) in list(self._asked.items()):
+            if version == row.ros_version:
+                del self._asked[number]
+                if form is not None and form.is_current:
+                    form.answered("nobody answered: try again", is_failure=True)
 
     def _take_answer(self, report: Any) -> bool:
         row, form = self._asked.pop(report.get("id", 0), (None, None))

@@ -22,7 +22,7 @@ _LOOK = 0.01
 """Seconds after which is looked again whether the worker knows what the text means."""
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(eq=False)
 class Readiness:
     """Makes sure that the program in front can be written, or run.
 
@@ -43,7 +43,7 @@ class Readiness:
     notes: SaidNotes = field(init=False)
 
     def __post_init__(self) -> None:
-        object.__setattr__(self, "notes", SaidNotes(self.screen))
+        self.notes = SaidNotes(self.screen)
 
     async def to_write(self, *, to_run: bool = False) -> bool:
         """Make sure that there is a folder, no mistake, and something to write or to run."""
@@ -69,8 +69,7 @@ class Readiness:
         """Make sure that there is a folder to generate into: that of the program."""
         if self.program.path is not None:
             return True
-        self.notes.say("the files go beside the program: save it first", timeout=4)
-        return await self.files.save()
+        return await self.files.save(title="Save the program first: its files go beside it")
 
     async def _has_errors(self) -> bool:
         """Find out, as soon as that is known, whether the text has mistakes; then show them."""

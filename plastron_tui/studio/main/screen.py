@@ -53,6 +53,7 @@ class MainScreen(FirstScreen, Paged):
 
     def __init__(self, open_: Open, profile: Profile, others: Sequence[Open] = ()) -> None:
         super().__init__()
+        # In this order: the first has another compositor put in place, which the second mends.
         draw_sparingly(self)
         tell_first_sizes(self)
         self.profile = profile

@@ -16,6 +16,7 @@ from textual.strip import Strip
 
 from plastron_tui.diagnostics.terminal import visible
 
+from ..cells import end_of
 from ..files import SUFFIX
 from ..open_program import Open
 from ..panels.styles import Toned
@@ -46,7 +47,7 @@ def names_of(programs: Sequence[Open]) -> list[str]:
     """
     short = [_short_name(open_.name) for open_ in programs]
     names = [
-        _end_of(_in_folders(open_, name, programs) if short.count(name) > 1 else name)
+        end_of(_in_folders(open_, name, programs) if short.count(name) > 1 else name, _WIDEST)
         for open_, name in zip(programs, short, strict=True)
     ]
     times = Counter[str]()
@@ -82,13 +83,6 @@ def _in_folders(open_: Open, name: str, programs: Sequence[Open]) -> str:
 def _folders(path: Path) -> tuple[str, ...]:
     """Return the names of the folders that a file is in, the innermost first."""
     return tuple(each.name for each in path.absolute().parents)
-
-
-def _end_of(name: str) -> str:
-    """Return a name of which the end is seen, where it is too long."""
-    while cell_len(name) > _WIDEST:
-        name = "…" + name.lstrip("…")[1:]
-    return name
 
 
 def window_of(widths: Sequence[int], active: int, room: int) -> tuple[int, int]:

@@ -16,8 +16,8 @@ class FilterBar(Horizontal):
     """A field for words, and how much has them."""
 
     BINDINGS: ClassVar[list[BindingType]] = [
-        Binding("escape", "close", "Show all", id="output.show_all"),
-        Binding("enter,down,up", "keep", "Back to the lines", id="output.keep_filter"),
+        Binding("escape", "close", "Show all"),
+        Binding("enter,down,up", "keep", "Back to the lines"),
     ]
 
     def __init__(

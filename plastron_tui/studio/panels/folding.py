@@ -43,7 +43,9 @@ def _rows(line: Line, width: int) -> Iterator[Line]:
         return
     cells = [(character, piece.tone) for piece in line for character in piece.text]
     text = "".join(character for character, _ in cells)
-    indent = len(text) - len(text.lstrip(" ")) + _MORE
+    # The mark of a line of a diff stands before its indent.
+    unmarked = text[1:] if text[:1] in ("+", "-") else text
+    indent = len(text) - len(unmarked.lstrip(" ")) + _MORE
     at_most = width // 2
     before = " " * (min(indent, at_most) if width >= _ROOMY or indent <= at_most else 0)
     end = _end(cells, width)
@@ -64,7 +66,8 @@ def _end(cells: list[Cell], width: int) -> int:
         if used > width and number:
             good = (end for end in (after_space, after_mark) if end * _EMPTY > number)
             return next(good, number)
-        begins = begins or character != " "
+        # Behind the mark of a line of a diff stands its indent.
+        begins = begins or not (character == " " or (number == 0 and character in "+-"))
         if character == " " and begins:
             after_space = number + 1
         elif character in _MARKS:

@@ -9,7 +9,7 @@ from rich.cells import cell_len
 
 from plastron_tui.diagnostics.terminal import visible
 
-from ..cells import cut, fitted
+from ..cells import cut, end_of, fitted
 from .live_row import Kind, LiveRow
 from .sparkline import sparkline
 from .styles import Line, Piece
@@ -68,7 +68,8 @@ def line_of(row: LiveRow, columns: Columns, width: int) -> Line:
     sign, tone = _SIGNS.get(row.kind, ("", ""))
     before = f" {fold} " if sign else " " * _BEFORE
     indent = "" if sign else " " * (2 * row.depth)
-    name = fitted(indent + _cut_before(row.name, columns.name - len(indent)), columns.name)
+    # The last part of a name is the one that tells.
+    name = fitted(indent + end_of(row.name, columns.name - len(indent)), columns.name)
     is_dim = row.is_old or row.is_foreign
     pieces = [Piece(before, "dim"), Piece(f"{sign} " if sign else "", "dim" if is_dim else tone)]
     strength = "strong" if row.depth == 0 else ""
@@ -90,14 +91,3 @@ def line_of(row: LiveRow, columns: Columns, width: int) -> Line:
     # The last cell is the frame's distance.
     curve = sparkline(row.samples, columns.curve - 1).rjust(columns.curve - 1)
     return (*pieces, Piece(f"{curve} ", "accent"))
-
-
-def _cut_before(name: str, cells: int) -> str:
-    """Return the end of a name that is too long: its last part is the one that tells."""
-    if cell_len(name) <= cells:
-        return name
-    # At least one cell each.
-    name = name[-max(1, cells) :]
-    while name and cell_len(name) >= cells:
-        name = name[1:]
-    return f"…{name}"

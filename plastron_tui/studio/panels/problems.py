@@ -15,7 +15,6 @@ if TYPE_CHECKING:
 
 
 _EMPTY = "no problems"
-_HELP = "help "
 
 
 def make(analysis: Analysis, _: object) -> Entries:
@@ -29,8 +28,15 @@ def make(analysis: Analysis, _: object) -> Entries:
 
 def without(entries: Entries, held: Collection[Diagnostic]) -> Entries:
     """Return the entries of problems without those of some mistakes of the program itself."""
-    keys = {(prefix + _key(each), each.span) for each in held for prefix in ("", _HELP)}
-    return Entries((each for each in entries.all if (each.key, each.span) not in keys), _EMPTY)
+    keys = {(_key(each), each.span) for each in held}
+    left = []
+    is_left = True
+    for entry in entries.all:
+        if not entry.depth:
+            is_left = (entry.key, entry.span) not in keys
+        if is_left:
+            left.append(entry)
+    return Entries(left, _EMPTY)
 
 
 def _key(found: Diagnostic) -> str:
@@ -59,14 +65,14 @@ def _problem(
         name=None if own else where,
         edits=found.fix.edits if found.fix is not None and own else (),
         warning=found.fix.title if found.fix is not None and own else "",
-        is_branch=found.help is not None,
+        is_branch=found.help is not None or bool(found.labels),
         file=found.file,
         line=line,
     )
     if found.help is not None:
         span = found.span if own else None
         yield Entry(
-            f"{_HELP}{key}",
+            f"help {key}",
             found.help,
             sign="=",
             depth=1,
@@ -76,6 +82,18 @@ def _problem(
             file=found.file,
             line=line,
             part_of=key,
+        )
+    if not own or index is None:
+        return
+    for number, label in enumerate(found.labels):
+        yield Entry(
+            f"label {number} {key}",
+            label.message,
+            f"line {index.position(label.span.start).line}",
+            "→",
+            depth=1,
+            span=label.span,
+            subject=Subject.PROBLEM,
         )
 
 

@@ -90,7 +90,7 @@ class ChooseFile(Dialog["Path | None"]):
             options.append(Option(Content.styled(visible(_shown(folder)), "$text-muted"),
                                   disabled=True))  # fmt: skip
         options.append(Option("../", id=".."))
-        names = _names(folder, self._must_be)
+        names = _names(folder)
         options += [
             Option(visible(name), id=name) for name in names if part.lower() in name.lower()
         ]
@@ -118,10 +118,11 @@ class ChooseFile(Dialog["Path | None"]):
 
     @on(Input.Submitted)
     def submitted(self) -> None:
-        """Take what is written; of an existing file the only one that fits will do."""
+        """Take what is written; where a file has to be there, what is lit fits as well."""
         folder, part = self._split()
         path = folder / part if part else folder
-        if path.is_dir():
+        is_any = self._must_be and not self.query_one(Input).value.strip()
+        if path.is_dir() and not is_any:
             self._enter(path)
         elif path.is_file() or (part and not self._must_be):
             self.dismiss(path)
@@ -136,7 +137,8 @@ class ChooseFile(Dialog["Path | None"]):
                 lit = options_list.get_option_at_index(options_list.highlighted or 0).id
                 self._take(lit if lit in fitting else fitting[0])
             else:
-                self.notify(f"there is no file {part}", severity="warning", markup=False)
+                said = f"there is no file {part}" if part else "there is no program here"
+                self.notify(said, severity="warning", markup=False)
 
     @on(OptionList.OptionSelected)
     def selected(self, event: OptionList.OptionSelected) -> None:
@@ -193,7 +195,7 @@ def _recent_option(path: Path) -> Option:
     return Option(text, id=os.fspath(path))
 
 
-def _names(folder: Path, only_programs: bool) -> list[str]:
+def _names(folder: Path) -> list[str]:
     folders, files = [], []
     with suppress(OSError), os.scandir(folder) as entries:
         for entry in entries:

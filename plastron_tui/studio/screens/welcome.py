@@ -24,6 +24,7 @@ from .dialog import Dialog
 
 _TITLE = "Plastron"
 _ABOUT = "ROS nodes and robots, described in sentences"
+_KEYS = "↑ ↓ choose   Enter opens it   Esc starts writing"
 _FRAME = 4
 """Rows around the list: the border, the title, and the line with the keys."""
 _GAPS = 2
@@ -76,7 +77,7 @@ class Welcome(Dialog["Answer | None"]):
         with Vertical(id="welcome"):
             yield Label(about, id="welcome-title")
             yield OptionList(*self._rows, id="welcome-list", compact=True)
-            yield Label("↑ ↓ choose   Enter opens it   Esc starts writing", id="welcome-keys")
+            yield Label(_KEYS, id="welcome-keys")
 
     def _options(self) -> list[Option]:
         options: list[Option] = []
@@ -116,6 +117,9 @@ class Welcome(Dialog["Answer | None"]):
         room = event.size.height - _FRAME + (not title.display)
         options = self.query_one(OptionList)
         options.styles.max_height = max(room, 1)
+        hidden = len(self._rows) - max(room, 1)
+        words = f"{_KEYS}   ↓ {hidden} more below" if hidden > 0 else _KEYS
+        self.query_one("#welcome-keys", Label).update(words)
         is_roomy = len(self._rows) + len(self._heads) + _GAPS <= room
         if is_roomy != self.has_class("-roomy"):
             self.set_class(is_roomy, "-roomy")

@@ -9,6 +9,8 @@ from dataclasses import dataclass, field
 from plastron_tui.language import SlotKind
 from plastron_tui.language.corrections import corrected
 from plastron_tui.model.kinds import INTERFACES, Parameter
+from plastron_tui.model.kinds.computed import fits
+from plastron_tui.model.kinds.received import What, what_of
 from plastron_tui.ros.catalog import Catalog
 from plastron_tui.ros.interfaces import Field, FieldType, InterfaceKind
 
@@ -21,12 +23,15 @@ _NAME = re.compile(
     rf"(?<![\w.])(?:parameter\s*{_QUOTES}(?P<parameter>[\w.]+){_QUOTES}|[A-Za-z]\w*(?:\.\w+)*)",
     re.ASCII,
 )
-_OPERATOR = re.compile("[-+*/]")
-_TWO = (
-    "two values are put together in the node's code: leave this empty; after Finish, Alt-C opens "
-    "the code"
+_BRACKETS = re.compile("[()]")
+_SUMMED = range(2, 5)
+"""Of how many numbers the sum is offered."""
+
+_NUMBERS = frozenset({What(int, is_list=False), What(float, is_list=False)})
+_NO_BRACKETS = (
+    "a calculation has no brackets; for one that needs them leave this empty: after Finish, Alt-C "
+    "opens the code"
 )
-_NO_BRACKETS = "what is calculated has no brackets: a value, and numbers behind it"
 
 
 @dataclass(frozen=True, slots=True)
@@ -37,11 +42,13 @@ class Sources:
         parameters: the parameters, by the names that programs write.
         heard: the fields of what is received then.
         catalog: the types.
+        is_asked: whether what is received is the request of a service, which is answered.
     """
 
     parameters: Mapping[str, Parameter]
     heard: tuple[Field, ...]
     catalog: Catalog
+    is_asked: bool
     _known: dict[FieldType, list[Choice]] = field(default_factory=dict)
 
     def choices(self, entry: Entry) -> list[Choice]:
@@ -51,7 +58,22 @@ class Sources:
                 Choice(each.text, each.detail)
                 for each in fitting(entry.type, self.parameters, self.heard, self.catalog)
             ]
-        return self._known[entry.type]
+        offered, total = self._known[entry.type], self._sum(entry)
+        if total is None:
+            return offered
+        return [total, *offered] if entry.path[-1] == "sum" else [*offered, total]
+
+    def _sum(self, entry: Entry) -> Choice | None:
+        """Return the sum of all numbers that are asked for, None where no answer can be it."""
+        version = self.catalog.ros_version
+        if not self.is_asked or len(self.heard) not in _SUMMED or entry.type.is_array:
+            return None
+        kinds = {what_of(each.type, version) for each in self.heard}
+        is_sum = kinds <= _NUMBERS and all(
+            fits(entry.type, each.type, version) for each in self.heard
+        )
+        written = " + ".join(f"received.{each.name}" for each in self.heard)
+        return Choice(written, "the sum") if is_sum else None
 
     def example(self, entry: Entry) -> str:
         """Return an example of each kind that a field can take, "" where there is none."""
@@ -72,11 +94,8 @@ class Sources:
         meant = self.mended(text)
         if meant is not None:
             return f"write `{meant}`"
-        parts = (part.strip("() ") for part in _OPERATOR.split(text))
-        meant_parts = [part for part in parts if is_computed(part) or self.mended(part)]
-        if len(meant_parts) > 1:
-            return _TWO
-        return _NO_BRACKETS if meant_parts and "(" in text else problem
+        is_calculated = "(" in text and self.mended(_BRACKETS.sub("", text)) is not None
+        return _NO_BRACKETS if is_calculated else problem
 
     def mended(self, text: str) -> str | None:
         """Return what somebody means who does not write it as a program does, None for nothing."""
@@ -102,7 +121,8 @@ def sources_of(ask: Ask) -> Sources:
     names_node = ask.form.slot_of(SlotKind.NODE) is not None or ask.form.parent is not None
     parameters = ask.scene.parameters(ask.node if names_node else None)
     catalog = ask.scene.catalog(ask.version)
-    return Sources(parameters, tuple(fields_of(_heard(ask))), catalog)
+    is_asked = ask.slot.kind is SlotKind.ANSWER
+    return Sources(parameters, tuple(fields_of(_heard(ask))), catalog, is_asked)
 
 
 def _heard(ask: Ask) -> Iterable[object]:
@@ -122,6 +142,7 @@ def _heard(ask: Ask) -> Iterable[object]:
 
 def is_about(message: str, text: str) -> bool:
     """Tell whether a message names what a value is computed of."""
-    found = _NAME.match(text.strip())
-    name = None if found is None else found["parameter"] or found[0].removeprefix("received.")
-    return name is not None and re.search(rf"[`.']{re.escape(name)}\b", message) is not None
+    names = (
+        each["parameter"] or each[0].removeprefix("received.") for each in _NAME.finditer(text)
+    )
+    return any(re.search(rf"[`.']{re.escape(name)}\b", message) for name in names)

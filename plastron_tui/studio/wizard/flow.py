@@ -2,25 +2,22 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-from enum import Enum, auto
-from typing import NamedTuple
-
 from plastron_tui.language import Declaration, SlotKind
 from plastron_tui.language import statements as st
 from plastron_tui.model.kinds import INTERFACES
 from plastron_tui.session import Session
 
+from . import driving_lines
 from .ask import Choice
 from .context import Scene, Surroundings
-from .extra import Extra
-from .filling import Filled, Filler, filled_of
+from .filling import Filled, Filler
 from .followers import chosen, extras_of
 from .form import Form
 from .goals import Aim, aim_of, answering
 from .helps import helps_of
-from .menu import RECIPES, Offer, Option
+from .menu import RECIPES, Offer, Option, recipe_offers
 from .offers import Offering, give
+from .pages import Heard, Look, Page, PageKind
 from .program_trial import Finding, Outcome, Placed, check, node_of
 from .values import Path
 from .where_mended import where_mended
@@ -35,60 +32,6 @@ MOST_CHOICES = 200
 """The most choices that are listed; who has more of them writes a part of the name."""
 
 
-class PageKind(Enum):
-    """What is asked on a page."""
-
-    START = auto()
-    PURPOSE = auto()
-    RECIPES = auto()
-    FORM = auto()
-    REVIEW = auto()
-
-
-@dataclass(frozen=True, slots=True)
-class Page:
-    """A page; `form` is the form that it shows."""
-
-    kind: PageKind
-    form: Form | None = None
-
-
-@dataclass(frozen=True, slots=True)
-class Look:
-    """All that follows from what was entered so far.
-
-    Attributes:
-        filled: the forms that are on the way, filled.
-        outcome: the program with their statements; None where nothing is asked for yet.
-        problems: what is wrong, what the slots know first.
-        node: the variable of the node that it is about.
-        robot: the variable of the robot that it is about.
-        part: the link or the joint that it is about.
-        can_generate: whether the node could be generated along with it.
-        extras: what else can follow.
-    """
-
-    filled: tuple[Filled, ...] = ()
-    outcome: Outcome | None = None
-    problems: tuple[Finding, ...] = ()
-    node: str | None = None
-    can_generate: bool = False
-    extras: tuple[Extra, ...] = ()
-    robot: str | None = None
-    part: str = ""
-
-    def of(self, form: Form) -> Filled | None:
-        """Return a form as it is filled."""
-        return filled_of(form, self.filled)
-
-
-class Heard(NamedTuple):
-    """A topic that a node listens to."""
-
-    node: str
-    topic: str
-
-
 class Course:
     """The state of the wizard, without a screen.
 
@@ -98,6 +41,7 @@ class Course:
         generates: whether the node is to be generated along with it.
         wanted: by key, whether what may follow a statement is wanted; what is not there is.
         drives: whether what was chosen drives a robot until something is near.
+        takes_away: whether the menu of what can be taken away was chosen.
     """
 
     def __init__(self, session: Session, surroundings: Surroundings | None = None) -> None:
@@ -111,6 +55,7 @@ class Course:
         self.group: Aim | None = None
         self._is_recipes = False
         self.drives = False
+        self.takes_away = False
         self._forms: dict[tuple[Declaration | None, Declaration, bool], Form] = {}
         self._filler = Filler()
 
@@ -123,7 +68,9 @@ class Course:
 
     def take(self, offer: Offer) -> None:
         """Take an entry of the menu that is shown, and go on."""
-        if offer.group is not None:
+        if offer.takes_away:
+            self.choose_what_goes()
+        elif offer.group is not None:
             self.choose_group(offer.group)
         elif offer.declaration is not None:
             self.choose(offer.declaration, drives=offer.drives)
@@ -136,17 +83,25 @@ class Course:
             self._is_recipes = False
             self.group = None
             if declaration != self.head:
-                self.purpose = None
+                self.purpose, self.takes_away = None, False
             self.head = declaration
         else:
+            self.takes_away = self.page.kind is PageKind.AWAY
             self.purpose = declaration
             self.drives = drives
+        self.at += 1
+
+    def choose_what_goes(self) -> None:
+        """Go on to the menu of what can be taken away."""
+        if not self.takes_away:
+            self.purpose = None
+        self.takes_away = True
         self.at += 1
 
     def choose_group(self, group: Aim) -> None:
         """Go on to a menu of its own."""
         if group is not self.group:
-            self.purpose = None
+            self.purpose, self.takes_away = None, False
         self._is_recipes, self.group = False, group
         self.head = None
         self.at += 1
@@ -155,6 +110,7 @@ class Course:
         """Go on to the programs that work."""
         self._is_recipes, self.group = True, None
         self.head = self.purpose = None
+        self.takes_away = False
         self.at = 1
 
     def answer(self, heard: Heard) -> None:
@@ -182,7 +138,9 @@ class Course:
 
     def is_chosen(self, offer: Offer) -> bool:
         """Tell whether an entry of the menu that is shown was taken before."""
-        if self.page.kind is PageKind.PURPOSE:
+        if self.page.kind in (PageKind.PURPOSE, PageKind.AWAY):
+            if offer.takes_away or (self.takes_away and self.page.kind is PageKind.PURPOSE):
+                return offer.takes_away and self.takes_away
             return offer.declaration is self.purpose and offer.drives == self.drives
         if offer is RECIPES:
             return self._is_recipes
@@ -194,6 +152,10 @@ class Course:
     def is_filled_in(self) -> bool:
         """Whether somebody wrote or chose something in a form."""
         return any(form.is_filled_in for form in self._forms.values())
+
+    def go_on(self) -> None:
+        """Go on a page."""
+        self.at += 1
 
     def back(self) -> bool:
         """Go back a page; False on the first one."""
@@ -243,6 +205,8 @@ class Course:
             pages += self._form_pages(head, look)
         if self._has_purpose:
             pages.append(Page(PageKind.PURPOSE))
+            if self.takes_away:
+                pages.append(Page(PageKind.AWAY))
             if main is None:
                 return pages
             pages += self._form_pages(main, look)
@@ -295,11 +259,18 @@ class Course:
         extras = extras_of(filled[-1])
         if extras:
             placed, extras = chosen(self.session, placed, extras, self.wanted)
+        driving: tuple[int, ...] = ()
+        accepted: frozenset[str] = frozenset()
+        if driving_lines.is_asked(placed):
+            driving = driving_lines.numbers_of(self.session.document.text, placed)
+            if not self._replaces:
+                placed, accepted = driving_lines.kept(placed), driving_lines.LIVED_WITH
         has_work = self.main_form is not None and node is not None
-        outcome = check(self.session, placed, generates=has_work and self.generates)
-        can = has_work and self._can_generate(placed, node, outcome)
-        if has_work and self.generates and not can:
-            outcome = check(self.session, placed)
+        generates = has_work and self.generates
+        outcome = check(self.session, placed, generates=generates, accepted=accepted)
+        can = has_work and self._can_generate(placed, node, outcome, accepted)
+        if generates and not can:
+            outcome = check(self.session, placed, accepted=accepted)
         known = [problem for each in filled for problem in each.all_problems]
         places = {(each.form, each.slot, each.path) for each in known}
         broken = {each.form for each in known}
@@ -310,10 +281,33 @@ class Course:
             if (each.form, each.slot, each.path) not in places
             and not (broken and (each.form in broken or each.form is None))
         ]
-        robot, part = filled[-1].robot, filled[-1].part
-        return Look(tuple(filled), outcome, (*known, *more), node, can, tuple(extras), robot, part)
+        return Look(
+            tuple(filled),
+            outcome,
+            (*known, *more),
+            node,
+            can,
+            tuple(extras),
+            filled[-1].robot,
+            filled[-1].part,
+            self._before(filled),
+            driving,
+        )
 
-    def _can_generate(self, placed: list[Placed], node: str | None, plain: Outcome) -> bool:
+    @property
+    def _replaces(self) -> bool:
+        """Whether lines that drive whatever arrives are to give way."""
+        return self.wanted.get(driving_lines.REPLACES, True)
+
+    def _before(self, filled: list[Filled]) -> Session:
+        """Return the program without what a node shall do, but with that node."""
+        if len(filled) == 1:
+            return self.session
+        return check(self.session, filled[0].written).session
+
+    def _can_generate(
+        self, placed: list[Placed], node: str | None, plain: Outcome, accepted: frozenset[str]
+    ) -> bool:
         if node is None:
             return False
         generated = {made.node.variable for made in self.session.workspace.generations}
@@ -321,7 +315,7 @@ class Course:
             return False
         if self.generates:
             return not any(each.form is None for each in plain.findings)
-        return not check(self.session, placed, generates=True).findings
+        return not check(self.session, placed, generates=True, accepted=accepted).findings
 
     def options(self, look: Look) -> list[Option]:
         """Return what may be written along with the statements."""
@@ -331,6 +325,9 @@ class Course:
         if look.can_generate:
             words = f"write {look.node} to its file, too"
             options.insert(0, Option(GENERATES, words, self.generates))
+        if look.driving:
+            text = self.session.document.text
+            options.insert(0, driving_lines.option(text, look.driving, is_wanted=self._replaces))
         return options
 
     def want(self, key: str, is_wanted: bool) -> None:
@@ -385,12 +382,15 @@ class Course:
 
     # Menus.
 
-    def start_offers(self) -> list[Offer]:
-        """Return the entries of the first menu."""
-        return Offering(self.scene, self._filler).start()
-
-    def purpose_offers(self) -> list[Offer]:
-        """Return what a node can do, or the entries of another menu of its own."""
+    def offers(self) -> list[Offer]:
+        """Return the entries of the menu that is shown, none where it is no menu."""
         offering = Offering(self.scene, self._filler)
+        kind, group = self.page.kind, self.group or Aim.MORE
         is_new = self.head is not None and aim_of(self.head) is Aim.NODE
-        return offering.purposes(self.group or Aim.MORE, self.head_form, is_new=is_new)
+        if kind is PageKind.START:
+            return offering.start()
+        if kind is PageKind.PURPOSE:
+            return offering.purposes(group, self.head_form, is_new=is_new)
+        if kind is PageKind.AWAY:
+            return offering.takeaways(group, self.head_form)
+        return recipe_offers() if kind is PageKind.RECIPES else []

@@ -24,9 +24,9 @@ from .definition_rows import field_slots, row_path
 from .filling import Filled
 from .form import NEW, Form, new_words
 from .form_rows import Key, Spec, matters, specs
-from .goals import DRIVE, told
 from .program_trial import Finding
 from .rows import Entered, Reached, Row
+from .strings import about
 from .values import Path
 
 
@@ -41,6 +41,14 @@ class Put(Message):
         self.text = text
 
 
+class Stepped(Message):
+    """The focus is to go to the next row, or with -1 to the one before."""
+
+    def __init__(self, by: int) -> None:
+        super().__init__()
+        self.by = by
+
+
 class Looked(Message):
     """Another row got the focus, or its choices are wanted for another text."""
 
@@ -53,6 +61,8 @@ class FormPage(Vertical):
     """Shows a form, the choices for the row with the focus, and what is wrong."""
 
     BINDINGS: ClassVar[list[BindingType]] = [
+        Binding("tab", "step(1)", "Next field", show=False),
+        Binding("shift+tab", "step(-1)", "Field before", show=False),
         Binding("down", "choose(1)", "Next choice", show=False),
         Binding("up", "choose(-1)", "Choice before", show=False),
         Binding("pagedown", "choose(6)", "Choices on", show=False),
@@ -73,8 +83,7 @@ class FormPage(Vertical):
 
     def compose(self) -> ComposeResult:
         """Make the parts; the rows come with what is known of them."""
-        about = DRIVE[2] if self.form.drives else told(self.form.declaration)
-        yield Label(about, id="wizard-about", markup=False)
+        yield Label(about(self.form), id="wizard-about", markup=False)
         yield Rows(id="wizard-rows", can_focus=False)
         yield Label("", id="wizard-help", markup=False)
         choices = OptionList(id="wizard-choices", compact=True, markup=False)
@@ -210,6 +219,10 @@ class FormPage(Vertical):
             return False
         first.box.focus()
         return True
+
+    def action_step(self, by: int) -> None:
+        """Go to the next row, once the rows are those that follow from what was entered."""
+        self.post_message(Stepped(by))
 
     # Choices.
 

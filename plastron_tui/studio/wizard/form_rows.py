@@ -25,6 +25,14 @@ _LEFT_OUT = {
 """What is shown in a slot that is left out, where there is more to say of it."""
 
 
+_NOTES = {
+    SlotKind.NODE_NAME: "its name in ROS",
+    SlotKind.NEW_NODE: "its name in here",
+    SlotKind.MANAGED: "switched on later",
+}
+"""What stands beside a slot, for who reads the form before going through it."""
+
+
 class Spec(NamedTuple):
     """A row, or a heading between rows."""
 
@@ -65,9 +73,11 @@ def specs(filled: Filled) -> list[Spec]:
         left_out = _LEFT_OUT.get(slot.kind, "may stay empty")
         placeholder = left_out if slot.name in optional and not is_flag else ""
         is_fixed = bool(cell.reason)
-        note = cell.reason
+        note = cell.reason or _NOTES.get(slot.kind, "")
         if slot.kind is SlotKind.LIBRARY:
             note = ros_of(filled.scene, cell.text)
+            # What it is as long as nobody says another one.
+            placeholder = filled.scene.session.library
         key = (slot.name, None)
         specs.append(Spec(key, slot, None, label, text, note, is_fixed, placeholder))
     return specs
@@ -117,7 +127,7 @@ def _field_specs(slot: Slot, filled: Filled) -> list[Spec]:
 def matters(row: Row, workspace: Workspace) -> bool:
     """Tell whether somebody has to think of a row: most leave a name that is suggested."""
     kind = row.slot.kind
-    if kind is SlotKind.MESSAGE and row.text == new_words(row.slot):
+    if kind is SlotKind.NAMED or (kind is SlotKind.MESSAGE and row.text == new_words(row.slot)):
         return False
     if kind.form is Written.VARIABLE and kind.makes is not None:
         return False

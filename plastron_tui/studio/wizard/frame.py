@@ -8,6 +8,8 @@ from typing import ClassVar
 from textual import events
 from textual.app import ComposeResult
 from textual.containers import Horizontal, Vertical
+from textual.content import Content
+from textual.geometry import Size
 from textual.types import CSSPathType
 from textual.widget import Widget
 from textual.widgets import Button, Label
@@ -15,13 +17,15 @@ from textual.widgets import Button, Label
 from ..key_order import Paged
 from ..screens.dialog import Dialog
 from . import strings
-from .flow import Course, Heard, Look, Page, PageKind
+from .done_menu import DONE, done_items
+from .flow import Course
 from .form import Form
 from .form_page import FormPage
 from .form_rows import Key
 from .key_hints import drawn_keys
 from .menu import Offer
 from .menu_page import Item, MenuPage, ReviewPage
+from .pages import Heard, Look, Page, PageKind
 from .result_view import ResultView
 from .statement_view import StatementView
 from .style_sheets import STYLES
@@ -29,14 +33,28 @@ from .view import View
 
 NARROW = 76
 """With fewer columns the code and the graph have a page of their own."""
-MENUS = (PageKind.START, PageKind.PURPOSE, PageKind.RECIPES)
+MENUS = (PageKind.START, PageKind.PURPOSE, PageKind.AWAY, PageKind.RECIPES)
 """The pages on which an entry is chosen."""
 SPACIOUS = 110
 """From so many columns on the page has the width of a text, and the code all the rest."""
+STATEMENTS = 6
+"""The most rows of statements, but for the last page, where they are what is looked at."""
 LOW = 22
 """With fewer rows the form does without the sentence above it."""
 HIGH = 32
-"""From so many rows on there are empty ones around what is asked."""
+"""From so many rows on there are empty ones around what is asked, and frames."""
+
+
+def _size_classes(size: Size) -> dict[str, bool]:
+    """Return the classes of the screen, and whether a size has them."""
+    return {
+        "-narrow": size.width < NARROW,
+        "-tight": size.width < SPACIOUS,
+        "-spacious": size.width >= SPACIOUS,
+        "-framed": size.width >= SPACIOUS and size.height >= HIGH,
+        "-low": size.height < LOW,
+        "-high": size.height >= HIGH,
+    }
 
 
 class Buttons(Horizontal):
@@ -55,6 +73,24 @@ class Buttons(Horizontal):
         leave.can_focus = False
         yield leave
         yield Label("", id="wizard-keys", markup=False)
+
+    def show(self, course: Course, look: Look, *, is_done: bool, is_narrow: bool) -> None:
+        """Show the buttons that the page has.
+
+        Args:
+            course: the state of the wizard.
+            look: what follows from it.
+            is_done: whether the statements are in the program.
+            is_narrow: whether the code has a page of its own.
+        """
+        kind = course.page.kind
+        self.query_one("#wizard-back", Button).display = not is_done and course.at > 0
+        following = self.query_one("#wizard-next", Button)
+        following.display = not (is_done or kind in MENUS)
+        following.label = "Finish" if kind is PageKind.REVIEW else "Next"
+        self.query_one("#wizard-turn", Button).display = is_narrow and look.outcome is not None
+        # At the end the menu has an entry that leaves.
+        self.query_one("#wizard-leave", Button).display = not is_done
 
 
 class Frame(Paged, Dialog[str]):
@@ -133,9 +169,9 @@ class Frame(Paged, Dialog[str]):
         course = self.course
         if self.is_done:
             heard = self._heard.topic if self._heard else ""
-            items = strings.done_items(course.session, heard, self._unanswered)
+            items = done_items(course.session, heard, self._unanswered)
             self._items, self._actions = list(items.values()), list(items)
-            return MenuPage(strings.DONE, self._items)
+            return MenuPage(DONE, self._items)
         if page.kind is PageKind.FORM and page.form is not None:
             return FormPage(page.form, self._places.get(page.form))
         if page.kind is PageKind.REVIEW:
@@ -147,38 +183,27 @@ class Frame(Paged, Dialog[str]):
 
     def _show_frame(self, page: Page, look: Look) -> None:
         """Show what is around the page."""
-        pages = self.course.pages(look)
-        self.query_one("#wizard-title", Label).update(
-            strings.title(page, self.is_done, self.course.group)
-        )
+        title = strings.title(page, self.is_done, self.course.group)
         step = "" if self.is_done or page.kind is PageKind.START else f"step {self.course.at}"
+        self.query_one("#wizard-title", Label).update(title)
         self.query_one("#wizard-step", Label).update(step)
-        is_menu = self.is_done or page.kind in MENUS
-        is_last = page.kind is PageKind.REVIEW
-        back = self.query_one("#wizard-back", Button)
-        back.display = not self.is_done and self.course.at > 0
-        following = self.query_one("#wizard-next", Button)
-        following.display = not is_menu
-        following.label = "Finish" if is_last else "Next"
-        turn = self.query_one("#wizard-turn", Button)
-        turn.display = self.has_class("-narrow") and look.outcome is not None
-        self.query_one("#wizard-leave", Button).label = "Close" if self.is_done else "Leave"
+        frame = self.query_one("#wizard-page", Vertical)
+        frame.border_title, frame.border_subtitle = Content(title), Content(step)
+        is_narrow = self.has_class("-narrow")
+        buttons = self.query_one(Buttons)
+        buttons.show(self.course, look, is_done=self.is_done, is_narrow=is_narrow)
         self._show_keys()
         outcome = look.outcome
         self.set_class(outcome is None, "-empty")
+        self.set_class(page.kind is PageKind.REVIEW, "-last")
+        self.set_class(self.is_done or page.kind in MENUS, "-menu")
         shown = self.query_one("#wizard-statements", StatementView)
         if outcome is not None:
-            here = [
-                number
-                for number, line in enumerate(outcome.lines)
-                if page.form is not None and line == self._text_of(page.form, look)
-            ]
-            shown.show(outcome.lines, frozenset(here[:1]))
-        if is_last and not self.is_done and pages:
-            review = self.query(ReviewPage)
-            if review:
-                problem = look.problems[0].words if look.problems else ""
-                review.first().say(problem)
+            filled = None if page.form is None else look.of(page.form)
+            rows = self.size.height // 2 if page.kind is PageKind.REVIEW else STATEMENTS
+            shown.show(outcome.lines, "" if filled is None else filled.text, rows)
+        for review in self.query(ReviewPage):
+            review.say(strings.review(look), look.problems[0].words if look.problems else "")
 
     def on_descendant_focus(self) -> None:
         """Say what the keys do where the focus is."""
@@ -189,16 +214,10 @@ class Frame(Paged, Dialog[str]):
         words = strings.keys(self.course.page, self.is_done, is_turn=is_turn)
         self.query_one("#wizard-keys", Label).update(drawn_keys(words))
 
-    def _text_of(self, form: Form, look: Look) -> str:
-        filled = look.of(form)
-        return "" if filled is None else filled.text
-
     def on_resize(self, event: events.Resize) -> None:
         """Make the best of another size."""
-        self.set_class(event.size.width < NARROW, "-narrow")
-        self.set_class(event.size.width >= SPACIOUS, "-spacious")
-        self.set_class(event.size.height < LOW, "-low")
-        self.set_class(event.size.height >= HIGH, "-high")
+        for name, is_so in _size_classes(event.size).items():
+            self.set_class(is_so, name)
         if event.size.width >= NARROW:
             self.remove_class("-turned")
         self.changed()

@@ -76,7 +76,7 @@ GROUPS = {
 DRIVE = (
     "drive until something is near",
     "subscriber and publisher",
-    "Goes ahead as long as a laser says that nothing is near, and stops else.",
+    "Goes ahead as long as a laser says that nothing is near, and otherwise stops.",
 )
 """The entry that drives a robot by its laser: its words, the word of ROS, a sentence."""
 

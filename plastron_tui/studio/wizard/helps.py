@@ -50,7 +50,9 @@ def helps_of(filled: Filled, ask: Callable[[Slot], Ask]) -> dict[tuple[str, Path
                 if isinstance(each, Entry):
                     known = each.meaning.said if each.meaning is not None else each.comment
                     about = f": {known}" if known else ""
-                    others = sources.example(each)
+                    # Nobody drives as fast as a laser's angles say.
+                    is_driving = filled.form.parent is not None and filled.form.parent[0].drives
+                    others = "" if is_driving else sources.example(each)
                     others = f", or {others}" if others else ""
                     said[slot.name, each.path] = f"{each.name} ({each.note}){others}{about}"
     return said

@@ -8,7 +8,6 @@ from plastron_tui.language import SlotKind
 from plastron_tui.language import statements as st
 from plastron_tui.language.keywords import KEYWORDS
 from plastron_tui.model.graph import NOUNS
-from plastron_tui.model.kinds import Publisher
 from plastron_tui.ros.interfaces import InterfaceKind
 from plastron_tui.ros.names import check_service_name, check_topic_name
 
@@ -39,12 +38,12 @@ from .launch_kinds import (
     StartedKind,
 )
 from .libraries import LibraryKind
+from .message_kinds import MessageKind
 from .node_files import FileKind, NodeOfFileKind
 from .node_names import NodeNameKind
 from .obstacles import (
     LASER_TOPIC,
     VELOCITY_TOPIC,
-    driven,
     is_laser_wanted,
     is_to_drive,
     measures_distance,
@@ -142,47 +141,6 @@ def _can_make(ask: Ask) -> bool:
     if maker_of(ask.slot.kind) is None:
         return False
     return first_that_works(ask, [NEW]) is not None
-
-
-class MessageKind(Kind):
-    """A message of the program."""
-
-    def suggest(self, ask: Ask) -> str:
-        """Return what fits the rest of the form and of the program."""
-        workspace = ask.scene.workspace
-        sent = {
-            publication.message.variable
-            for node in workspace.nodes.values()
-            for publisher in node.of(Publisher).values()
-            for publication in publisher.publications
-        }
-        wanted = [name for name in reversed(workspace.messages) if name not in sent]
-        if is_to_drive(ask):
-            # By the same message as before: that line of the program then gives way.
-            moving = driven(workspace.nodes.get(ask.node), VELOCITY_TOPIC)
-            wanted = [*(each.message.variable for each in moving), *wanted]
-        return first_that_works(ask, wanted[:3]) or NEW
-
-    def choices(self, ask: Ask, query: str) -> list[Choice]:
-        """Return what there is, and what is closed."""
-        found = [Choice(NEW, "", "a later screen asks for its values", label="a new message")]
-        messages = ask.scene.workspace.messages
-        names = list(reversed(messages))
-        reasons = closed_by(ask, names)
-        for variable in names:
-            type_ = str(messages[variable].value.type)
-            found.append(Choice(variable, type_, closed=reasons.get(variable, "")))
-        return found
-
-    def problem(self, ask: Ask, text: str) -> str | None:
-        """Tell why a text cannot stand there."""
-        if text in ask.scene.workspace.messages:
-            return None
-        if ask.scene.resolve(text, InterfaceKind.MESSAGE, ask.version) is not None:
-            return f"`{text}` is a type: take `a new message` here, and the type comes further down"
-        if not text or not ask.scene.workspace.messages:
-            return "a message is needed: take `a new message`, or another one of the list"
-        return f"there is no message `{text}`: {OF_THE_LIST}"
 
 
 class MeetingKind(Kind):
@@ -290,7 +248,12 @@ class TimerKind(FunctionKind):
         """Return a name for it; of those that are to end, the first."""
         if ask.form.declaration.undoes is not None:
             return next((each.text for each in taken_back(ask) if not each.closed), "")
-        return free_name("tick", ask.scene.ended_by(ask.node, st.StopRepeating))
+        known = ask.scene.ended_by(ask.node, st.StopRepeating)
+        node = ask.scene.workspace.nodes.get(ask.node)
+        # Who changes a file that has one timer mostly wants another rate for that.
+        if node is not None and node.source is not None and len(known) == 1:
+            return known[0]
+        return free_name("tick", known)
 
     def choices(self, ask: Ask, query: str) -> list[Choice]:
         """Return those that are called already: to end one, or to call it at another rate."""

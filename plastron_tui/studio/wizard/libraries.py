@@ -49,7 +49,7 @@ def _why(ask: Ask, default: str) -> str:
         return "which the node is for"
     if ask.scene.session.ros.is_chosen:
         return "which is chosen for this program"
-    return "what there is here; another machine may take another one"
+    return "which is found on this machine"
 
 
 def _installation(library: str) -> Installation | None:

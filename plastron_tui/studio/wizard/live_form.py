@@ -69,6 +69,7 @@ class LiveForm(Dialog["dict[Path, str] | None"]):
         self.given = dict(given)
         self.ask: Callable[[dict[Path, str]], bool] | None = None
         self.other_verb, self.is_other = "", False
+        self._is_waiting = False
         self._title, self._verb, self._about = title, verb, about
         self._form = form
         self._last = last
@@ -133,15 +134,13 @@ class LiveForm(Dialog["dict[Path, str] | None"]):
     def confirmed(self, message: Confirmed) -> None:
         """Send it, if it fits."""
         message.stop()
-        self.is_other = False
         self._send()
 
     @on(Button.Pressed)
     def pressed(self, event: Button.Pressed) -> None:
         """Send it, or leave."""
-        self.is_other = event.button.id == "send-other"
         if event.button.id in ("send", "send-other"):
-            self._send()
+            self._send(is_other=event.button.id == "send-other")
         else:
             self.dismiss(None)
 
@@ -149,12 +148,17 @@ class LiveForm(Dialog["dict[Path, str] | None"]):
         """Send nothing."""
         self.dismiss(None)
 
-    def _send(self) -> None:
+    def _send(self, *, is_other: bool = False) -> None:
+        if self._is_waiting:
+            return
+        self.is_other = is_other
         found = self._check(self.given)
         if not isinstance(found, Wrong):
             if self.ask is None:
                 self.dismiss(self.given)
             elif self.ask(self.given):
+                self._is_waiting = True
+                self._say(None)
                 self.query_one("#wizard-help", Label).update("waiting for the node's answer…")
             else:
                 self._say(Wrong("nothing runs that could take it"))
@@ -166,6 +170,7 @@ class LiveForm(Dialog["dict[Path, str] | None"]):
 
     def answered(self, text: str, *, is_failure: bool) -> None:
         """End, or say why what was sent was not taken."""
+        self._is_waiting = False
         if is_failure:
             self._say(Wrong(text, next(iter(self.given), None)))
         else:

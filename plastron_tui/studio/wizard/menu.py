@@ -27,6 +27,7 @@ class Offer:
         recipe: the program that it starts from.
         group: the menu of its own that it leads to.
         drives: whether it drives a robot until something is near.
+        takes_away: whether it leads to the menu of what can be taken away.
     """
 
     declaration: Declaration | None
@@ -38,6 +39,7 @@ class Offer:
     recipe: Path | None = None
     group: Aim | None = None
     drives: bool = False
+    takes_away: bool = False
 
 
 class Option(NamedTuple):
@@ -55,6 +57,16 @@ RECIPES = Offer(
     "Opens a whole program, to be run and changed; the one at hand is closed.",
 )
 """The entry that leads to the recipes."""
+
+
+AWAY = Offer(
+    None,
+    "take something away",
+    "",
+    "Something that is there already goes again.",
+    takes_away=True,
+)
+"""The entry that leads to what can be taken away."""
 
 
 def recipe_offers() -> list[Offer]:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from textual import on
+from textual import events, on
 from textual.app import ComposeResult
 from textual.containers import Vertical
 from textual.content import Content
@@ -53,6 +53,7 @@ class Menu(OptionList):
             for number, item in enumerate(items)
         )
         super().__init__(*options, id="wizard-menu", compact=True, markup=False)
+        self._titles = [item.title for item in items]
         free = [number for number, item in enumerate(items) if not item.closed]
         advised = [number for number in free if items[number].is_advised]
         self._here = here if here in free else next(iter(advised or free), None)
@@ -76,6 +77,16 @@ class Menu(OptionList):
         step = max(1, self.scrollable_content_region.height // _LINES)
         self.highlighted = free[min(max(at + by * step, 0), len(free) - 1)]
 
+    def on_key(self, event: events.Key) -> None:
+        """Go to the next entry that begins with a letter."""
+        letter = event.character
+        if letter is None or not letter.isalnum():
+            return
+        event.stop()
+        found = next_with(letter, self._titles, self._free, self.highlighted)
+        if found is not None:
+            self.highlighted = found
+
     def action_page_down(self) -> None:
         """Go a page on."""
         self._page(1)
@@ -94,6 +105,15 @@ class Menu(OptionList):
         """Tell what was chosen."""
         event.stop()
         self.post_message(Picked(int(event.option.id or 0)))
+
+
+def next_with(
+    letter: str, titles: Sequence[str], free: Sequence[int], here: int | None
+) -> int | None:
+    """Return the next of the free entries that begins with a letter, None for none."""
+    fitting = [number for number in free if titles[number][:1].lower() == letter.lower()]
+    behind = (number for number in fitting if here is not None and number > here)
+    return next(behind, next(iter(fitting), None))
 
 
 def _words(item: Item) -> Content:
@@ -149,10 +169,8 @@ class ReviewPage(Vertical):
         """Make the words, and the questions what is to be written along."""
         yield Label(self._words, id="wizard-about", markup=False)
         for each in self._options:
-            turn = Turn(each.words, each.is_wanted, compact=True, id=f"{_PREFIX}{each.key}")
             # What would be written is said whole, on as many lines as it takes.
-            turn.styles.width, turn.styles.text_wrap = "100%", "wrap"
-            yield turn
+            yield Turn(Content(each.words), each.is_wanted, compact=True, id=f"{_PREFIX}{each.key}")
         yield Label("", id="wizard-help", markup=False)
 
     @on(Checkbox.Changed)
@@ -162,11 +180,12 @@ class ReviewPage(Vertical):
         key = (event.checkbox.id or "").removeprefix(_PREFIX)
         self.post_message(Wanted(key, event.value))
 
-    def say(self, text: str) -> None:
-        """Say what is wrong."""
+    def say(self, words: str, problem: str) -> None:
+        """Say what will be written, and what is wrong with it, "" for nothing."""
+        self.query_one("#wizard-about", Label).update(words)
         label = self.query_one("#wizard-help", Label)
-        label.set_class(bool(text), "-wrong")
-        label.update(f"✗ {text}" if text else "")
+        label.set_class(bool(problem), "-wrong")
+        label.update(f"✗ {problem}" if problem else "")
 
 
 __all__ = ["Confirmed", "Item", "Menu", "MenuPage", "Picked", "ReviewPage", "Wanted"]

@@ -11,11 +11,19 @@ from .filling import Filled, Filler
 from .followers import followed
 from .form import Form
 from .goals import DRIVE, GROUPS, Aim, answering, declarations_of, told
-from .menu import RECIPES, Offer
+from .menu import AWAY, RECIPES, Offer
 from .program_trial import Finding, check
+
+FEW = 2
+"""So many entries that take something away stand in a menu themselves, more in one of their own."""
 
 _DRIVE_AT = 2
 """Where that stands in its menu: behind to send, and to listen."""
+
+
+def undoing(group: Aim) -> list[Declaration]:
+    """Return the statements of a menu that take something away."""
+    return [each for each in declarations_of(group) if each.undoes is not None]
 
 
 def give(main: Form, filled: list[Filled]) -> None:
@@ -56,16 +64,14 @@ class Offering:
             head: the form that makes the node that it is about, None where there is none.
             is_new: whether that node is a new one, which has nothing that could be taken away.
         """
-        scene = self.scene
-        filled: list[Filled] = []
-        if head is not None:
-            filled.append(self.filler.fill(head, scene))
-            scene = self.filler.extended(scene, filled[0])
-        offers = [
-            self._offer(each, scene, filled)
-            for each in declarations_of(group)
-            if not (each.undoes is not None and is_new)
-        ]
+        scene, filled = self._with(head)
+        declared = (each for each in declarations_of(group) if each.undoes is None)
+        offers = [self._offer(each, scene, filled) for each in declared]
+        away = [] if is_new else [self._offer(each, scene, filled) for each in undoing(group)]
+        if len(away) > FEW:
+            is_closed = all(each.closed for each in away)
+            away = [replace(AWAY, closed="there is nothing yet that can go" if is_closed else "")]
+        offers += away
         if group is Aim.MORE:
             offers.insert(_DRIVE_AT, self._drive(scene, filled))
         # What most would do next stands first, and all others as they always do.
@@ -76,6 +82,24 @@ class Offering:
                 *(replace(each, is_advised=False) for each in offers if each is not first),
             ]
         return sorted(offers, key=lambda each: bool(each.closed))
+
+    def takeaways(self, group: Aim, head: Form | None) -> list[Offer]:
+        """Return the entries of the menu of what can be taken away.
+
+        Args:
+            group: the menu that leads there.
+            head: the form that makes the node that it is about, None where there is none.
+        """
+        scene, filled = self._with(head)
+        offers = [self._offer(each, scene, filled) for each in undoing(group)]
+        return sorted(offers, key=lambda each: bool(each.closed))
+
+    def _with(self, head: Form | None) -> tuple[Scene, list[Filled]]:
+        """Return the program with what a form makes, and that form as it is filled."""
+        if head is None:
+            return self.scene, []
+        filled = self.filler.fill(head, self.scene)
+        return self.filler.extended(self.scene, filled), [filled]
 
     def _drive(self, scene: Scene, filled: list[Filled]) -> Offer:
         """Return the entry that brings the laser along by which a robot is driven."""

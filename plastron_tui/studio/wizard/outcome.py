@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
-from difflib import SequenceMatcher
 
 from plastron_tui.model.graph import Graph, Hub, graph_of
 from plastron_tui.ros.interfaces import InterfaceKind
@@ -12,16 +11,21 @@ from plastron_tui.session import Session
 from ..analysis import analyse
 from ..panels.preview import Preview, previews_of
 from ..panels.styles import Line, Lines, Piece
+from .code_changes import Code, changed_rows, marked
 
 
-def code_of_robot(session: Session, robot: str) -> tuple[str, Lines]:
-    """Return the name and the lines of a robot's file; of a loaded one what changes in it."""
-    preview = previews_of(analyse(session, lambda: None), robot)[0]
-    if preview.problems and not preview.lines:
-        return preview.name, tuple((Piece(each.message, "warning"),) for each in preview.problems)
-    if preview.diff:
-        return f"{preview.name}: what changes", preview.diff
-    return preview.name, preview.lines
+def code_of_robot(before: Session | None, after: Session, robot: str) -> Code:
+    """Return a robot's file, its changes marked; of a loaded one what changes in it.
+
+    Args:
+        before: the program without the change, None where all is new.
+        after: the program with it.
+        robot: its variable.
+    """
+    old = None
+    if before is not None and robot in before.workspace.robots:
+        old = previews_of(analyse(before, lambda: None), robot)[0]
+    return _code(old, previews_of(analyse(after, lambda: None), robot)[0], is_loaded=True)
 
 
 def look_of_robot(session: Session, robot: str, part: str, width: int, height: int) -> Lines:
@@ -32,20 +36,41 @@ def look_of_robot(session: Session, robot: str, part: str, width: int, height: i
     return picture_of(shown, sides_of(session, shown), width, height, marked=part)
 
 
-def code_of(session: Session, node: str | None) -> tuple[str, Lines]:
-    """Return the name and the lines of the file that a node becomes."""
-    workspace = session.workspace
-    if node is None or node not in workspace.nodes:
-        return "", ((Piece("it comes with a node", "quiet"),),)
-    analysis = analyse(session, lambda: None)
-    preview = _main(previews_of(analysis, node), is_loaded=workspace.nodes[node].source is not None)
-    if preview is None:
-        return "", ((Piece("it comes with a node", "quiet"),),)
-    if preview.problems and not preview.lines:
-        return preview.name, tuple((Piece(each.message, "warning"),) for each in preview.problems)
-    if preview.diff and workspace.nodes[node].source is not None:
-        return f"{preview.name}: what changes", preview.diff
-    return preview.name, preview.lines
+def code_of(before: Session | None, after: Session, node: str | None) -> Code:
+    """Return the file that a node becomes, its changes marked; of a loaded one what changes in it.
+
+    Args:
+        before: the program without the change, None where all is new.
+        after: the program with it.
+        node: its variable.
+    """
+    new = None if node is None else _preview_of(after, node)
+    if node is None or new is None:
+        return Code("", ((Piece(" it comes with a node", "quiet"),),))
+    old = None if before is None else _preview_of(before, node)
+    return _code(old, new, is_loaded=after.workspace.nodes[node].source is not None)
+
+
+def _code(old: Preview | None, new: Preview, *, is_loaded: bool) -> Code:
+    if new.problems and not new.lines:
+        return Code(
+            new.name, tuple((Piece(f" {each.message}", "warning"),) for each in new.problems)
+        )
+    if new.diff and is_loaded:
+        shown = () if old is None else old.diff or ()
+        return Code(f"{new.name}: what changes", new.diff, changed_rows(shown, new.diff))
+    # Where all is new, nothing stands out.
+    before = new.lines if old is None or not old.lines else old.lines
+    return Code(new.name, *marked(before, new.lines))
+
+
+def _preview_of(session: Session, node: str) -> Preview | None:
+    """Return the file of a node that says most, None where there is no such node."""
+    found = session.workspace.nodes.get(node)
+    if found is None:
+        return None
+    previews = previews_of(analyse(session, lambda: None), node)
+    return _main(previews, is_loaded=found.source is not None)
 
 
 def _main(previews: Sequence[Preview], *, is_loaded: bool) -> Preview | None:
@@ -54,15 +79,6 @@ def _main(previews: Sequence[Preview], *, is_loaded: bool) -> Preview | None:
     if is_loaded and main is not None and main.path is not None and not main.diff:
         return next((each for each in previews if each.diff), main)
     return main
-
-
-def changed_rows(before: Lines, after: Lines) -> range:
-    """Return the rows of a file that are new, the most that hang together; empty for none."""
-    matcher = SequenceMatcher(None, before, after, autojunk=False)
-    found = [
-        range(start, end) for kind, _, _, start, end in matcher.get_opcodes() if kind != "equal"
-    ]
-    return max(found, key=len, default=range(0))
 
 
 def arrows_of(before: Session, after: Session) -> Lines:

@@ -6,6 +6,7 @@ from collections.abc import Sequence
 
 from plastron_tui.diagnostics import Edit, Span
 
+from ..screens.question import Question
 from .menu_page import Item
 
 _SHOWN = 8
@@ -33,9 +34,10 @@ def insertion(program: bytes, lines: Sequence[str]) -> Edit:
     return Edit(Span(len(program), len(program)), text)
 
 
-def question(lines: Sequence[str]) -> str:
-    """Return what is asked about lines."""
-    return f"Insert {_counted(lines)} into the program?"
+def dialog(lines: Sequence[str]) -> Question:
+    """Return what asks whether lines are to enter the program: the answer is "insert" then."""
+    answers = [("insert", "Insert"), ("cancel", "Leave them out")]
+    return Question(f"Insert {_counted(lines)} into the program?", answers, text=preview(lines))
 
 
 def preview(lines: Sequence[str]) -> str:

@@ -85,13 +85,20 @@ class Outcome:
     replaced: tuple[int, ...] = ()
 
 
-def check(session: Session, placed: Sequence[Placed], *, generates: bool = False) -> Outcome:
+def check(
+    session: Session,
+    placed: Sequence[Placed],
+    *,
+    generates: bool = False,
+    accepted: frozenset[str] = frozenset(),
+) -> Outcome:
     """Put statements where they take effect, and look at what is wrong then that was right before.
 
     Args:
         session: the program; it stays as it is.
         placed: the statements, in order; the last one is what is wanted, the others it needs.
         generates: whether a node that is not generated yet is to be, at the end.
+        accepted: the codes of diagnostics that somebody wants to live with.
     """
     node = node_of(placed)
     late: tuple[Placed, ...] = ()
@@ -109,7 +116,7 @@ def check(session: Session, placed: Sequence[Placed], *, generates: bool = False
         late=[each.text for each in late],
         is_apart=_opens_block(placed),
     )
-    return _checked(session, (*placed, *late)[: len(place.lines)], place, replaced)
+    return _checked(session, (*placed, *late)[: len(place.lines)], place, replaced, accepted)
 
 
 def node_of(placed: Sequence[Placed]) -> str | None:
@@ -127,7 +134,11 @@ def _is_generated(session: Session, node: str) -> bool:
 
 
 def _checked(
-    session: Session, placed: Sequence[Placed], place: Placing, replaced: Sequence[Span]
+    session: Session,
+    placed: Sequence[Placed],
+    place: Placing,
+    replaced: Sequence[Span],
+    accepted: frozenset[str],
 ) -> Outcome:
     start, end = place.edit.span
     written = place.edit.text.encode("utf-8", "surrogatepass")
@@ -143,7 +154,8 @@ def _checked(
             candidate.edit(line.start, line.end, b"")
         spans = tuple(without(each, gone) for each in spans)
         edits = (whole_edit(text, candidate.document.text),)
-    findings = tuple(_findings(session, candidate, placed, spans))
+    told = [each for each in candidate.diagnostics if each.code not in accepted]
+    findings = tuple(_findings(session, candidate, told, placed, spans))
     block = Span(spans[0].start, spans[-1].end)
     numbers = tuple(text.count(b"\n", 0, each.start) + 1 for each in replaced)
     return Outcome(candidate, edits, block, findings, place.lines, numbers)
@@ -159,13 +171,17 @@ def _opens_block(placed: Sequence[Placed]) -> bool:
 
 
 def _findings(
-    session: Session, candidate: Session, placed: Sequence[Placed], spans: Sequence[Span]
+    session: Session,
+    candidate: Session,
+    told: Sequence[Diagnostic],
+    placed: Sequence[Placed],
+    spans: Sequence[Span],
 ) -> Iterator[Finding]:
     known = Counter(_key(each) for each in session.diagnostics)
     said = {*map(_key, candidate.type_problems), *map(_key, session.type_problems)}
     statements = {each.span.start: each for each in candidate.program.statements}
     found: list[Diagnostic] = []
-    for each in candidate.diagnostics:
+    for each in told:
         key = _key(each)
         if known[key] > 0:
             known[key] -= 1

@@ -9,6 +9,7 @@ from textual import events
 from textual.app import ComposeResult
 from textual.binding import Binding, BindingType
 from textual.containers import Horizontal
+from textual.geometry import Size
 from textual.message import Message
 from textual.widget import Widget
 from textual.widgets import Checkbox, Input, Label
@@ -76,6 +77,13 @@ class Turn(Checkbox, inherit_bindings=False):
         Binding("enter", "confirm", "Next", show=False),
     ]
 
+    BUTTON_LEFT = BUTTON_RIGHT = ""
+    """The brackets are part of what is between the sides, which have no colour of their own."""
+
+    def get_content_height(self, container: Size, viewport: Size, width: int) -> int:
+        """Return the rows that the words take: of Textual's own it is always one."""
+        return Widget.get_content_height(self, container, viewport, width)
+
     def on_mount(self) -> None:
         """Draw what it is now."""
         self._draw()
@@ -87,7 +95,7 @@ class Turn(Checkbox, inherit_bindings=False):
 
     def _draw(self) -> None:
         # Where there are no colours, a mark that is always there reads as "on".
-        self.BUTTON_INNER = "X" if self.value else " "
+        self.BUTTON_INNER = "[X]" if self.value else "[ ]"
         self.refresh()
 
     def action_confirm(self) -> None:

@@ -22,11 +22,12 @@ from ..panels.text_view import TextView
 from ..screens.question import Question
 from ..textual_private import tell_first_sizes
 from . import pasted, strings
-from .flow import Course, Heard, Look, PageKind
-from .form_page import Looked, Put
+from .flow import Course
+from .form_page import Looked, Put, Stepped
 from .frame import MENUS, Frame
 from .menu import writes_at_once
 from .menu_page import Menu, Picked, Wanted
+from .pages import Heard, Look, PageKind
 from .program_trial import Finding
 from .result_view import ResultView
 from .rows import REST_OF_PASTE, Confirmed
@@ -66,11 +67,12 @@ class Wizard(Frame):
         self.is_done = False
         self._enter = enter
         self._going = asyncio.Lock()
-        self._nexts = 0
+        self._nexts = self._backs = 0
         self._is_turning = True
         self._looks = 0
         self._pasted = ""
         self._waiting: list[Callable[[], object]] = []
+        self._steps: list[int] = []
         self._worker: Worker[None] | None = None
 
     def on_mount(self) -> None:
@@ -122,13 +124,29 @@ class Wizard(Frame):
             self.call_after_refresh(self._drawn)
         if not self._is_stale:
             await self.query_one(ResultView).show(
-                view.look, self.course.session, self._lock, lambda: view.look is self.look
+                view.look,
+                self.course.session,
+                self._lock,
+                lambda: view.look is self.look,
+                is_last=self.course.page.kind is PageKind.REVIEW,
             )
 
     def _drawn(self) -> None:
         self._looks -= 1
         if not (self._looks or self._is_stale or self._waiting):
+            steps, self._steps = self._steps, []
+            for by in steps:
+                _step(self, by)
             self._is_turning = False
+
+    @on(Stepped)
+    def stepped(self, message: Stepped) -> None:
+        """Go to another row; keys that come before its turn are for that one."""
+        if self.is_settled:
+            _step(self, message.by)
+        else:
+            self._steps.append(message.by)
+            self._is_turning = True
 
     async def settled(self) -> Look:
         """Return what follows from all that was entered until now."""
@@ -186,7 +204,7 @@ class Wizard(Frame):
             self._turn(lambda: self.course.take(offer))
 
     def _finish_with(self, action: str) -> None:
-        if action == "more":
+        if action in ("more", "another"):
             self._start_anew(None)
         elif action == "answer":
             self._start_anew(self._heard)
@@ -231,9 +249,7 @@ class Wizard(Frame):
             self.run_worker(self._offer_lines(lines), group="paste")
 
     async def _offer_lines(self, lines: Sequence[str]) -> None:
-        answers = [("insert", "Insert"), ("cancel", "Leave them out")]
-        dialog = Question(pasted.question(lines), answers, text=pasted.preview(lines))
-        if await self.app.push_screen_wait(dialog) != "insert":
+        if await self.app.push_screen_wait(pasted.dialog(lines)) != "insert":
             return
         async with self._lock:
             edit = pasted.insertion(self.course.session.document.text, lines)
@@ -283,11 +299,8 @@ class Wizard(Frame):
         elif page.kind is PageKind.REVIEW:
             await self._finish(look)
         else:
-            self._turn(self._forwards)
+            self._turn(self.course.go_on)
             await self.settled()
-
-    def _forwards(self) -> None:
-        self.course.at += 1
 
     def _insist_on(self, finding: Finding, look: Look) -> None:
         self.app.bell()
@@ -321,7 +334,12 @@ class Wizard(Frame):
     def action_back(self) -> None:
         """Go back a page; what was entered is kept."""
         if not self.is_done:
-            self._turn(lambda: self.course.back())
+            self._backs += 1
+            self._turn(self._back)
+
+    def _back(self) -> None:
+        self._backs -= 1
+        self.course.back()
 
     @on(Button.Pressed, "#wizard-turn")
     def action_turn(self) -> None:
@@ -331,7 +349,8 @@ class Wizard(Frame):
 
     def action_step_back(self) -> None:
         """Go back a page; from the first one, and from the end, leave."""
-        if self.is_done or self.course.at == 0:
+        # A page that is gone back from already may be shown still.
+        if self.is_done or self.course.at <= self._backs:
             self.action_leave()
         else:
             self.action_back()
@@ -355,3 +374,11 @@ class Wizard(Frame):
         dialog = Question(strings.leaving(self.look), answers)
         if await self.app.push_screen_wait(dialog) == "leave":
             self.dismiss("")
+
+
+def _step(wizard: Wizard, by: int) -> None:
+    """Go to the next field, or with -1 to the one before."""
+    if by > 0:
+        wizard.focus_next()
+    else:
+        wizard.focus_previous()

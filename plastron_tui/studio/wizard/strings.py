@@ -2,21 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from dataclasses import replace
-
-from plastron_tui.diagnostics import has_errors, listed
+from plastron_tui.diagnostics import listed
 from plastron_tui.language import SlotKind
 from plastron_tui.language import statements as st
-from plastron_tui.session import Session
 
-from .context import Scene
-from .flow import Look, Page, PageKind
-from .goals import DRIVE, GROUPS, Aim
-from .menu_page import Item
-from .obstacles import measures_distance
-
-DONE = "It is in the program now. One undo (Ctrl-Z in the editor) takes it out again."
+from .driving_lines import explained
+from .form import Form
+from .goals import DRIVE, GROUPS, Aim, told
+from .pages import Look, Page, PageKind
 
 
 def unanswered(look: Look) -> str:
@@ -28,71 +21,19 @@ def unanswered(look: Look) -> str:
     return "" if cells.get(SlotKind.ANSWER) else cells.get(SlotKind.SERVICE, "")
 
 
-def done_items(session: Session, heard: str, service: str = "") -> dict[str, Item]:
-    """Return what can be done once the statements are in the program, by the actions.
-
-    Args:
-        session: the program.
-        heard: the topic to which a node listens since then, "" for none.
-        service: the service whose answer is still to be written, "" for none.
-    """
-    workspace = session.workspace
-    closed = ""
-    if has_errors(session.diagnostics):
-        closed = "a problem in the program has to be fixed first"
-    elif not workspace.is_written:
-        closed = "the program writes nothing to a file yet"
-    idle = closed or ("" if workspace.may_run else "the program has no node to run yet")
-    is_whole = not closed and Scene(session).lonely == 0
-    is_far = any(
-        name == heard and measures_distance(type_)
-        for node in workspace.nodes
-        for name, type_ in Scene(session).heard(node).items()
-    )
-    is_robot = bool(workspace.robots) and not workspace.nodes
-    held = {name for each in workspace.packages.values() for name in each.contents}
-    items: dict[str, Item] = {
-        "more": Item("something more", "",
-                     "Another node or robot, or something more for one that is there.",
-                     is_advised=not (is_whole or is_robot or is_far)),
-        "screen.generate": Item("write the files", "", "Shows each file before it is written.",
-                                closed, is_whole and bool(idle) and not is_robot),
-        "screen.run(True)": Item("run the nodes", "",
-                           "Writes the files, starts the nodes and shows what they say.", idle,
-                           is_whole and not idle and not is_robot),
-    }  # fmt: skip
-    if workspace.robots:
-        about = "Its links and joints as a tree, and how it looks from three sides."
-        items["screen.show('robots')"] = Item("look at the robot", "", about, "", is_robot)
-        about = "A link, with its shape, its weight, and where it is."
-        items["part"] = Item("give the robot another part", "", about)
-    if is_robot and not held.issuperset(workspace.robots):
-        about = "With a launch file that starts it: then it can be run."
-        items["package"] = Item("make the robot a package", "package", about)
-    if is_far:
-        about = f"It drives as long as `{heard}` says that nothing is near, and stops where it is."
-        items = {key: replace(each, is_advised=False) for key, each in items.items()}
-        items["answer"] = Item("drive until something is near", "", about, "", is_advised=True)
-    elif heard:
-        about = "A message that answers each of them, or those for which a condition holds."
-        items["answer"] = Item(f"send something for each message of `{heard}`", "", about)
-    if service:
-        about = f"The answer of `{service}` is empty: its function is where you fill it in."
-        items["screen.code"] = Item(f"write the answer of `{service}`", "", about)
-    items[""] = Item("back to the text", "", "Go on in the editor.")
-    # What most would do next stands first, and all others as they always do.
-    first = {key: each for key, each in items.items() if each.is_advised}
-    return {**first, **items}
-
-
 def title(page: Page, is_done: bool, group: Aim | None = None) -> str:
-    """Return the title of a page; `group` is the menu that was taken, None for that of nodes."""
+    """Return the title of a page; `group` is the menu that was taken, None for that of nodes.
+
+    Of what somebody wants it has what stands before the first comma: the menu has said the rest.
+    """
     if is_done:
         return "Done. And now?"
     if page.kind is PageKind.START:
         return "What do you want?"
     if page.kind is PageKind.PURPOSE:
         return GROUPS[group or Aim.MORE].question
+    if page.kind is PageKind.AWAY:
+        return "What shall go?"
     if page.kind is PageKind.RECIPES:
         return "Start from a program that works"
     if page.form is None:
@@ -100,8 +41,25 @@ def title(page: Page, is_done: bool, group: Aim | None = None) -> str:
     declaration = page.form.declaration
     if page.form.drives:
         return DRIVE[0][:1].upper() + DRIVE[0][1:]
-    words = declaration.purpose[:1].upper() + declaration.purpose[1:]
+    if _is_heard_for(page.form):
+        return "For this it has to hear something · subscriber"
+    words = declaration.purpose.partition(",")[0]
+    words = words[:1].upper() + words[1:]
     return f"{words} · {declaration.ros_term}" if declaration.ros_term else words
+
+
+def _is_heard_for(form: Form) -> bool:
+    """Tell whether a form lets a node listen to what another form makes it answer."""
+    return form.parent is not None and form.declaration.type is st.Subscribe
+
+
+def about(form: Form) -> str:
+    """Return the sentence above a form."""
+    if form.drives:
+        return DRIVE[2]
+    if _is_heard_for(form):
+        return "What it answers, or drives by, arrives on a topic: from a laser, mostly on `scan`."
+    return told(form.declaration)
 
 
 def question(page: Page, look: Look, group: Aim | None = None) -> str:
@@ -113,6 +71,8 @@ def question(page: Page, look: Look, group: Aim | None = None) -> str:
         )
     if page.kind is PageKind.RECIPES:
         return "Each is a whole program: take one, run it, then change it."
+    if page.kind is PageKind.AWAY:
+        return "Choose what is to be there no longer."
     if group not in (None, Aim.MORE):
         return GROUPS[group].about
     return f"Choose what `{look.node}` shall do." if look.node else "Choose what shall be done."
@@ -127,19 +87,12 @@ def review(look: Look) -> str:
         f"{count} {what} into the program as one step. Finish writes {it} there; Back changes {it}."
     )
     numbers = () if outcome is None else outcome.replaced
-    is_driving = bool(look.filled) and look.filled[-1].form.declaration.type is st.Publish
-    return words + _replaced(numbers, is_driving=is_driving)
-
-
-def _replaced(numbers: Sequence[int], *, is_driving: bool) -> str:
-    """Return what is said of the lines that give way, "" for none."""
+    if look.driving:
+        return f"{words} {explained(look.driving, is_kept=not numbers)}"
     if not numbers:
-        return ""
-    those, drive = ("lines", "drive") if len(numbers) > 1 else ("line", "drives")
-    words = f" That takes the place of {those} {listed([str(each) for each in numbers])}"
-    if not is_driving:
-        return f"{words}."
-    return f"{words}, which {drive} whatever arrives: with both, the robot would not stop."
+        return words
+    those = "lines" if len(numbers) > 1 else "line"
+    return f"{words} That takes the place of {those} {listed([str(each) for each in numbers])}."
 
 
 def leaving(look: Look) -> str:
@@ -159,10 +112,10 @@ def keys(page: Page, is_done: bool, *, is_turn: bool = False) -> str:
         return "Enter code and graph  Esc back"
     if page.kind is PageKind.START:
         return "↑↓ Enter choose  Esc leave"
-    if page.kind in (PageKind.PURPOSE, PageKind.RECIPES):
+    if page.kind in (PageKind.PURPOSE, PageKind.AWAY, PageKind.RECIPES):
         return "↑↓ Enter choose  Esc back"
     if page.kind is PageKind.REVIEW:
-        return "Enter finish  Esc back"
+        return "Enter finish  Tab box  Space tick  Esc back"
     return "Enter next  Tab field  ↑↓ choice  Esc back"
 
 
@@ -170,6 +123,8 @@ _KEYS = """\
 Enter           the next page
 Tab, Shift-Tab  the next field, the one before
 Up, Down        the choices of a field
+Space           tick a box, or take the tick away
+a letter        in a menu, the next entry that begins with it
 Esc, F2         the page before; nothing is lost
 F3              code and graph, in a narrow window
 Esc at first    leave; what was not finished leaves no trace"""

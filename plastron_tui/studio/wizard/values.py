@@ -36,11 +36,8 @@ NUMBER = re.compile(r"[+-]?(\d+(\.\d*)?|\.\d+)([eE][+-]?\d+)?", re.ASCII)
 _TEXT = re.compile(r'"(?:[^"\\]|\\.)*"')
 _LONGEST_SHOWN = 40
 _PIECE = re.compile(r'\s*("(?:[^"\\]|\\.)*"|(?:[^\s,]+(?:\s+[^\s,]+)*)?)\s*(?:,|$)')
-_COMPUTED = re.compile(
-    r"(parameter '[^']+'|received(\.[A-Za-z]\w*)+(\[\d+\])?)"
-    rf"(\s*[-+*/]\s*({NUMBER.pattern}))*",
-    re.ASCII,
-)
+_ORIGIN = r"(parameter '[^']+'|received(\.[A-Za-z]\w*)+(\[\d+\])?)"
+_COMPUTED = re.compile(rf"{_ORIGIN}(\s*[-+*/]\s*({NUMBER.pattern}|{_ORIGIN}))*", re.ASCII)
 _SPEEDS = frozenset({"m/s", "rad/s"})
 _TRUE = frozenset({"true", "yes", "on", "1"})
 _FALSE = frozenset({"false", "no", "off", "0"})

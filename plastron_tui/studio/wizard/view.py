@@ -5,10 +5,11 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from .ask import Choice
-from .flow import Course, Look, PageKind
+from .flow import Course
 from .form import Form
 from .form_rows import Key
-from .menu import Offer, recipe_offers
+from .menu import Offer
+from .pages import Look
 from .values import Path
 
 Asked = tuple[Form, str, "Path | None", str]
@@ -40,16 +41,11 @@ def view_of(course: Course, asked: Asked | None, *, is_done: bool) -> View:
     choices: list[Choice] = []
     if is_done:
         return View(look, helps, choices, offers)
-    if page.kind is PageKind.START:
-        offers = course.start_offers()
-    elif page.kind is PageKind.PURPOSE:
-        offers = course.purpose_offers()
-    elif page.kind is PageKind.RECIPES:
-        offers = recipe_offers()
-    elif page.form is not None:
-        filled = look.of(page.form)
-        if filled is not None:
-            helps = course.helps(filled)
-            if asked is not None and asked[0] is page.form:
-                choices = course.choices(filled, *asked[1:])
+    if page.form is None:
+        return View(look, helps, choices, course.offers())
+    filled = look.of(page.form)
+    if filled is not None:
+        helps = course.helps(filled)
+        if asked is not None and asked[0] is page.form:
+            choices = course.choices(filled, *asked[1:])
     return View(look, helps, choices, offers)

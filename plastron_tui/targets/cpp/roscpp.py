@@ -9,7 +9,8 @@ from .target import CppTarget
 
 # What the templates give to methods, attributes and functions of a file.
 _ATTRIBUTES = """
-    all_in_range as_vector follow_rates in_range is_list nh parameters_mutex private_nh rates_timer
+    all_in_range as_vector divisor follow_rates in_range is_list nh parameters_mutex private_nh
+    rates_timer
 """
 _TASK_NAMES = """
     SERVICE_TIMEOUT WARNING_PERIOD ask end_goals exit_status is_ending is_running is_served run

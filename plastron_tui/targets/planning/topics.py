@@ -92,9 +92,10 @@ def _sends(
 def _is_heard(reaction: _Reactions, found: list[Publication]) -> bool:
     """Tell whether what is sent, or whether it is, depends on the message that is received."""
     return reaction.condition is not None or any(
-        isinstance(value.source, OfReceived)
+        isinstance(origin, OfReceived)
         for each in found
         for value in computed_in(each.message.value)
+        for origin in value.origins
     )
 
 

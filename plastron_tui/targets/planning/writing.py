@@ -9,13 +9,7 @@ from typing import NoReturn, Protocol
 from plastron_tui.diagnostics import Code, Diagnostic, Span, codes
 from plastron_tui.model.kinds import Condition, Endpoint, Parameter
 from plastron_tui.model.kinds.ranges import EVERY_FLOAT, EVERY_INTEGER, Interval, limits_of
-from plastron_tui.model.values import (
-    Computed,
-    MessageValue,
-    OfParameter,
-    OfReceived,
-    computed_in,
-)
+from plastron_tui.model.values import Computed, MessageValue, Origin, computed_in
 from plastron_tui.model.workspace import Node
 from plastron_tui.ros.catalog import Catalog, moved
 from plastron_tui.ros.interfaces import Field, Interface, InterfaceKind, InterfaceName
@@ -44,7 +38,7 @@ class Computing(Protocol):
     def may_fail(self, value: Computed, heard: Sequence[Field]) -> bool:
         """Tell whether there may be no value, or one that its field does not take."""
 
-    def lacks(self, source: OfParameter | OfReceived, heard: Sequence[Field]) -> bool:
+    def lacks(self, source: Origin, heard: Sequence[Field]) -> bool:
         """Tell whether a list may have too few elements."""
 
     def condition(
@@ -212,7 +206,7 @@ class Writing(ABC):
     def unsure(self, value: MessageValue) -> tuple[str, ...]:
         """Name what a message is computed of that may not be there, or fit no field."""
         found = (each for each in computed_in(value) if self.computing.may_fail(each, self._heard))
-        return tuple(dict.fromkeys(str(each.source) for each in found))
+        return tuple(dict.fromkeys(str(origin) for each in found for origin in each.origins))
 
     def parameter_of(self, name: str) -> Parameter:
         """Return the parameter of the node that a value names."""

@@ -130,7 +130,7 @@ DIALECT = _Rclpy(
     task_symbols=(("rclpy.task", "Future"),),
     module_names=frozenset(
         {"SERVICE_TIMEOUT", "WARNING_PERIOD", "all_in_range", "as_float32", "ctypes", "in_range"}
-        | {"main", "node"}
+        | {"divisor", "main", "node"}
     ),
     method_names=frozenset((_NODE_METHODS + _NODE_PRIVATE).split()),
     attribute_names=frozenset({"follow_rates"}),

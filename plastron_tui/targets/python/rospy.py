@@ -65,7 +65,7 @@ DIALECT = _Rospy(
     task_symbols=(),
     module_names=frozenset(
         {"SERVICE_TIMEOUT", "WARNING_PERIOD", "all_in_range", "as_float32", "ctypes", "in_range"}
-        | {"interrupt", "main", "node", "worker"}
+        | {"divisor", "interrupt", "main", "node", "worker"}
     ),
     method_names=frozenset(),
     attribute_names=frozenset({"follow_rates"}),

@@ -23,6 +23,7 @@ AS_FLOAT32 = "as_float32"
 
 _IN_RANGE = "in_range"
 _ALL_IN_RANGE = "all_in_range"
+_DIVISOR = "divisor"
 
 _RANGES = {ParameterType.INT: "IntegerRange", ParameterType.FLOAT: "FloatingPointRange"}
 _RANGE_FIELDS = {ParameterType.INT: "integer_range", ParameterType.FLOAT: "floating_point_range"}
@@ -36,7 +37,7 @@ _CHECKS = {
 """How a value of ROS 1 is seen to be of a type."""
 
 
-class _Functions(set[str]):
+class Functions(set[str]):
     """The functions of a file that keep from a field what it cannot hold."""
 
     def number(self, text: str, limits: Interval) -> str:
@@ -57,6 +58,11 @@ class _Functions(set[str]):
     def element(self, holder: str, position: int) -> None:
         """Let Python raise the error."""
 
+    def divisor(self, text: str) -> str:
+        """Let a number through that is not 0."""
+        self.add(_DIVISOR)
+        return f"{_DIVISOR}({text})"
+
 
 class PythonWriting(Writing):
     """Writes the expressions of one Python file.
@@ -76,7 +82,7 @@ class PythonWriting(Writing):
         super().__init__(node, catalog, dialect.ros_version, naming.Scope(taken), dialect.serving)
         self.dialect = dialect
         self.imports = imports
-        self.functions = _Functions()
+        self.functions = Functions()
 
     @property
     def computing(self) -> Computing:

@@ -12,6 +12,8 @@ from collections.abc import Callable
 from pathlib import Path
 
 import pytest
+from calculations import HEARD as HEARD_LISTS
+from calculations import calculations
 
 from plastron_tui.diagnostics import Span
 from plastron_tui.model.kinds import Condition
@@ -215,6 +217,30 @@ def test_a_list_is_stored_as_the_language_means_it(tmp_path: Path) -> None:
         (block, got, want)
         for block, got, want in zip(blocks, shown, wanted, strict=True)
         if not is_same(got.split(" ")[1] if " " in got else got, want)
+    ]
+    assert wrong == []
+
+
+@pytest.mark.long(0.3)
+def test_what_is_calculated_of_several_is_what_the_language_means(tmp_path: Path) -> None:
+    functions = Functions()
+    writer = computing(2, functions)
+    found = list(calculations(500, 5))
+    blocks = []
+    for each in found:
+        lines = [
+            f"received.{name} = {{{literal(name.removesuffix('s'), number)}}};"
+            for name, number in each.received.items()
+        ]
+        lines.append(f"{scalar_class(each.value.type.name, 2)} target{{}};")
+        lines += [*writer.set("target", each.value, "received", HEARD_LISTS), "show(target);"]
+        blocks.append("\n".join(f"  {line}" for line in lines))
+    shown = results(tmp_path, blocks, functions)
+    wrong = [
+        (block, got, each.wanted)
+        for block, got, each in zip(blocks, shown, found, strict=True)
+        if got != str(each.wanted)
+        and (isinstance(each.wanted, int) or not is_same(got, each.wanted))
     ]
     assert wrong == []
 

@@ -25,6 +25,16 @@ BROKEN = {
         "  the_very_long_name_ =\n    create_publisher<some::long_type::Name>(\n"
         '    "out", 10, a, b);',
     ),
+    "a calculation": (
+        "  out.data = value(longest) / value(b) * value(more) - value(last) + value(rest) - c;",
+        "  out.data = value(longest) / value(b) * value(more) -\n"
+        "    value(last) + value(rest) - c;",
+    ),
+    "a calculation in brackets": (
+        "  out.data = to(value(longest) / value(b) * value(more) - value(last) + value(rest) - c);",
+        "  out.data = to(\n    value(longest) / value(b) * value(more) - value(last) +\n"
+        "    value(rest) - c);",
+    ),
     "a string": (
         '  log("words that go on and on, until there is no room for more");',
         '  log(\n    "words that go on and on, until there is no room for "\n    "more");',

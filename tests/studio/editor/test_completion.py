@@ -216,6 +216,14 @@ STOP = "robot publish stop to 'x' of message_type Twist "
             "robot provides_service 'a' of service_type AddTwoInts answering sum=received.",
             ["received.a", "received.b"],
         ),
+        (
+            "robot provides_service 'a' of service_type AddTwoInts answering received.a + ",
+            ["received"],
+        ),
+        (
+            "robot provides_service 'a' of service_type AddTwoInts answering received.a /received.",
+            ["received.a", "received.b"],
+        ),
         ("old renames ", ["parameter"]),
         ("robot renames parameter ", ["'speed'", "'frame'", "'quiet'"]),
         ("create_node 'arm' as arm ", ["managed", "using"]),

@@ -71,8 +71,12 @@ def test_an_answer_offers_what_is_asked() -> None:
     form.enter("type", "AddTwoInts")
     filled = values_of(it, form)
     offered = [each.text for each in it.choices(filled, "answer", ("sum",), "")]
-    assert offered == ["received.a", "received.b"]
-    assert it.helps(filled)["answer", ("sum",)].endswith(", or `received.a`")
+    assert offered == ["received.a + received.b", "received.a", "received.b"]
+    help_ = it.helps(filled)["answer", ("sum",)]
+    assert help_.endswith(", or `received.a + received.b`: both together")
+    for text in offered:
+        filled.form.values["sum",] = text
+        assert it.blocking(it.look()) == (), text
 
 
 def test_a_message_that_nobody_sends_yet_offers_what_there_is() -> None:
@@ -95,11 +99,11 @@ MEANT = [
     ("0.5 * received.axes[1] + 1", "write `received.axes[1] * 0.5 + 1`"),
     ("-axes[1]", "write `received.axes[1] * -1`"),
     ("2 - axes[1] * 3", "write `received.axes[1] * -1 * 3 + 2`"),
-    (
-        "received.axes[1] * parameter 'speed'",
-        "leave this empty; after Finish, Alt-C opens the code",
-    ),
-    ("(received.axes[1] + 1) * 2", "what is calculated has no brackets"),
+    ("axes[1] * speed - 1", "write `received.axes[1] * parameter 'speed' - 1`"),
+    ("joy.axes[1] + axes[0]", "write `received.axes[1] + received.axes[0]`"),
+    ("received.axes[1] * received.axis[0]", "did you mean `axes`?"),
+    ("received.axes[1] * parameter 'frame'", "`parameter 'frame'` is a text"),
+    ("(received.axes[1] + 1) * 2", "a calculation has no brackets"),
     ("fast", f"x takes a number, such as 0.5, {EXAMPLE}"),
     ("parameter", f"x takes a number, such as 0.5, {EXAMPLE}"),
     ("(1, 2)", f"x takes a number, such as 0.5, {EXAMPLE}"),

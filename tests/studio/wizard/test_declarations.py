@@ -31,11 +31,11 @@ from plastron_tui.language.declaration import slot, statement
 from plastron_tui.model.interpreter import HANDLERS
 from plastron_tui.session import Options, Session
 from plastron_tui.studio.wizard.filling import Filler
-from plastron_tui.studio.wizard.flow import PageKind
 from plastron_tui.studio.wizard.form import Form
 from plastron_tui.studio.wizard.form_rows import specs
 from plastron_tui.studio.wizard.goals import Aim, aim_of, declarations_of
 from plastron_tui.studio.wizard.kinds import KINDS
+from plastron_tui.studio.wizard.pages import PageKind
 
 MORE_TO_DO = """\
 talker has_parameter 'speed' of parameter_type float with default 0.5
@@ -127,7 +127,7 @@ def test_a_file_that_is_loaded_can_be_changed_in_every_way(
     assert not problems
     (tmp_path / "robot.py").write_bytes(plan.files[0].text)
     it = course("", tmp_path)
-    choose(it, CHANGE, declaration.purpose)
+    choose(it, CHANGE, *way_to(declaration)[1:])
     look = to_menu_or_review(it)
     assert look.problems == () and look.outcome is not None
     assert look.outcome.lines[0] == "load 'robot.py' as robot"
@@ -229,7 +229,7 @@ def test_a_statement_about_nodes_alone_is_something_that_a_node_does(watch: Decl
     assert watch not in declarations_of(Aim.WRITE)
     it = course(TWO_NODES)
     choose(it, MORE)
-    assert "let a node watch another one" in [each.title for each in it.purpose_offers()]
+    assert "let a node watch another one" in [each.title for each in it.offers()]
     filled = Filler().fill(Form(watch), it.scene)
     assert filled.text == "watch listener with talker"
     assert [spec.label for spec in specs(filled)] == ["node", "other"]
@@ -273,7 +273,7 @@ def test_a_statement_that_is_added_has_its_form(whistle: Declaration) -> None:
     assert aim_of(whistle) is Aim.MORE
     it = course(TWO_NODES)
     choose(it, MORE)
-    assert "let a node whistle a message" in [each.title for each in it.purpose_offers()]
+    assert "let a node whistle a message" in [each.title for each in it.offers()]
     filled = Filler().fill(Form(whistle), it.scene)
     assert filled.text == (
         "listener whistle chatter_2_message to 'chatter_2' of message_type String at 10 hz"

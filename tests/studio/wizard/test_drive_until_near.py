@@ -7,7 +7,7 @@ from wizard_courses import MAKE, MORE, SEND, applied, choose, course, form_after
 
 from plastron_tui.session import Session
 from plastron_tui.studio.wizard import strings
-from plastron_tui.studio.wizard.flow import Heard
+from plastron_tui.studio.wizard.pages import Heard
 
 DRIVE = "drive until something is near"
 NODE = "create_node 'driver' as driver\n"
@@ -51,8 +51,27 @@ def test_a_robot_stops_whatever_it_was_told_before(before: str, line: int) -> No
     assert ["> 0.5" in each or "< 0.5" in each for each in lines if "'cmd_vel'" in each] == [
         True
     ] * 2
-    said = f"That takes the place of line {line}, which drives whatever arrives"
+    said = f"Line {line} drives whatever arrives: with both, the robot would not stop."
     assert (said in strings.review(look)) == bool(line)
+
+
+def test_a_line_that_drives_on_stays_for_who_wants_that() -> None:
+    before = NODE + DRIVING + HEARING + END
+    it = course(before)
+    choose(it, MORE, DRIVE)
+    look = to_menu_or_review(it)
+    box = it.options(look)[0]
+    assert box.is_wanted and box.words == (
+        "take the place of line 3: driver publish ahead to 'cmd_vel' of message_type Twist at 10 hz"
+    )
+    it.want(box.key, False)
+    look = it.look()
+    # It is told what comes of it, and may be written all the same.
+    assert it.blocking(look) == () and look.outcome is not None
+    assert strings.review(look).endswith("Line 3 drives whatever arrives: the robot will not stop.")
+    text = applied(before.encode(), look.outcome.edits).decode()
+    assert DRIVING in text and text.count("for_each 'scan'") == 2
+    assert not it.options(look)[0].is_wanted
 
 
 def test_the_proposal_after_the_laser_takes_the_place_of_what_drove() -> None:

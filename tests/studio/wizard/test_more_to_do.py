@@ -19,8 +19,9 @@ from wizard_courses import (
     to_menu_or_review,
 )
 
-from plastron_tui.studio.wizard.flow import Course, Heard
+from plastron_tui.studio.wizard.flow import Course
 from plastron_tui.studio.wizard.form import NEW, Form
+from plastron_tui.studio.wizard.pages import Heard
 
 ROBOT = """\
 create_node 'robot' as robot using rclpy
@@ -99,7 +100,8 @@ def test_what_is_entered_is_written(way: str, entered: dict[str, str], end: str)
 
 
 ANSWERS = [
-    ({}, "of service_type AddTwoInts"),
+    ({("sum",): ""}, "of service_type AddTwoInts"),
+    ({}, "of service_type AddTwoInts answering received.a + received.b"),
     ({("sum",): "5"}, "of service_type AddTwoInts answering 5"),
     ({("sum",): "received.a + 1"}, "of service_type AddTwoInts answering received.a + 1"),
 ]

@@ -16,8 +16,8 @@ from plastron_tui.language import Declaration
 from plastron_tui.model.kinds import Publisher, Subscription
 from plastron_tui.session import Session
 from plastron_tui.studio.main.screen import MainScreen
-from plastron_tui.studio.wizard.flow import PageKind
 from plastron_tui.studio.wizard.goals import Aim, aim_of
+from plastron_tui.studio.wizard.pages import PageKind
 
 Step = Callable[[], Awaitable[None]]
 Pick = Callable[[str], Awaitable[None]]
@@ -30,9 +30,9 @@ listener repeats look at 2 hz
 """
 """What a program has besides in which there is something of every kind to take back."""
 
-QUICK = ("publish", "load")
-"""What is gone through in every way, where `long` tests are left out."""
-BY_KEYS = (*QUICK, "stop_request")
+BY_MOUSE = ("publish", "load")
+BY_KEYS = ("publish", "stop_request")
+"""What is gone through where `long` tests are left out; one of them by mouse."""
 
 
 def keyword(declaration: Declaration) -> str:
@@ -106,14 +106,14 @@ async def test_by_keyboard_alone(declaration: Declaration, file: Path) -> None:
 
 @pytest.mark.parametrize(
     "declaration",
-    mostly_long([each for each in ALL if each.keyword in QUICK], ["load"], keyword),
+    mostly_long([each for each in ALL if each.keyword in BY_MOUSE], ["load"], keyword),
 )
 async def test_by_mouse_alone(declaration: Declaration, file: Path) -> None:
     before = program_for(declaration, file)
     async with wizard(file) as it:
         await through(it, declaration, partial(it.click, "#wizard-next"), it.click_item)
         await check_end(it, declaration, before, file)
-        await it.click("#wizard-leave")
+        await it.click_item("back to the text")
         assert not it.is_open
 
 
@@ -162,7 +162,7 @@ async def test_back_from_every_step_keeps_what_was_entered(
         await through(it, declaration, go_on, it.click_item)
         assert reviewed == [statements]
         await check_end(it, declaration, before, file)
-        await it.click("#wizard-leave")
+        await it.click_item("back to the text")
         assert not it.is_open
 
 

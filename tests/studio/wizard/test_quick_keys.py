@@ -31,12 +31,18 @@ WAYS = {
     "a value": ["enter", "enter", "down", "enter", "end", "s", "tab", "down", "down", "enter"],
     "back": ["enter", *"horn", "enter", "f2", "end", "s"],
     "a choice": ["down", "enter", "down", "enter", "down"],
+    "another type": [
+        *("enter", "enter", *["down"] * 4, "enter", "tab", "down", "down", "down", "tab", "x"),
+        *("shift+tab", "up", "tab", "y"),
+    ],
     "to the end": ["enter", *"horn", *["enter"] * 6],
     "away and on": ["down", "enter", "escape", "escape", "x"],
     "away at once": ["escape", "y"],
     "from the end": ["enter", *["enter"] * 6, "escape", "z"],
 }
 
+SLOWED = ("two pages on", "a value", "a choice", "to the end")
+"""What is also gone where what hears of a key takes its time."""
 
 HEARS = [
     (Menu, "on_option_list_option_selected"),
@@ -89,13 +95,15 @@ async def slowly(it: WizardDriver, keys: Sequence[str]) -> None:
         await it.settle()
 
 
-# What has the focus counts for the first key alone.
+# What has the focus counts for the first key alone. The other ways are gone further down.
+@pytest.mark.long
 @pytest.mark.parametrize(
     "case",
-    mostly_long(
-        [*((way, "editor") for way in WAYS), ("to the end", "nodes"), ("away at once", "nodes")],
-        [("a value", "editor")],
-    ),
+    [
+        *((way, "editor") for way in WAYS if way not in SLOWED),
+        ("to the end", "nodes"),
+        ("away at once", "nodes"),
+    ],
 )
 async def test_a_burst_does_what_single_keys_do(here: Path, case: tuple[str, str]) -> None:
     way, focus = case
@@ -113,25 +121,23 @@ async def test_a_burst_does_what_single_keys_do(here: Path, case: tuple[str, str
     assert states[1] == states[0]
 
 
-@pytest.mark.parametrize(
-    "way", mostly_long(["two pages on", "a value", "a choice", "to the end"], ["a choice"])
-)
+@pytest.mark.parametrize("way", mostly_long(SLOWED, ["a value"]))
 async def test_a_key_waits_for_all_that_follows_from_the_one_before(
     here: Path, way: str, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """However long what has the focus, and what is around it, takes to pass on what it heard."""
     states = []
-    for send in (slowly, quickly):
-        if send is quickly:
+    for number, send in enumerate((slowly, quickly, quickly)):
+        if number == 2:
             for type_, name in HEARS:
                 monkeypatch.setattr(type_, name, slowed(getattr(type_, name)))
-        path = here / f"{send.__name__}.plastron"
+        path = here / f"{number}.plastron"
         path.write_text(TWO_NODES)
         async with studio(path, SMALL) as driver:
             it = WizardDriver(driver)
             await send(it, ["ctrl+u", *WAYS[way]])
             states.append(await state(it))
-    assert states[1] == states[0]
+    assert states[1:] == states[:1] * 2
 
 
 async def test_keys_pressed_in_one_go_reach_the_first_page(here: Path) -> None:

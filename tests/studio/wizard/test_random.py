@@ -14,10 +14,11 @@ from wizard_courses import NODE_FILE, ROBOTS, TWO_NODES, applied, formatted
 from plastron_tui.language import SlotKind
 from plastron_tui.session import Session
 from plastron_tui.studio.wizard.context import Surroundings
-from plastron_tui.studio.wizard.flow import Course, Look, PageKind
+from plastron_tui.studio.wizard.flow import Course
 from plastron_tui.studio.wizard.form import NEW, Form
 from plastron_tui.studio.wizard.goals import Aim
-from plastron_tui.studio.wizard.menu import Offer
+from plastron_tui.studio.wizard.menu import RECIPES, Offer
+from plastron_tui.studio.wizard.pages import Look, PageKind
 from plastron_tui.studio.wizard.values import Entry
 from plastron_tui.studio.wizard.values import Path as Field
 
@@ -90,15 +91,7 @@ def mended(it: Course, form: Form) -> bool:
 
 
 def leads_on(offer: Offer) -> bool:
-    return offer.declaration is not None or offer.group is not None
-
-
-def choose(it: Course, offer: Offer) -> None:
-    if offer.declaration is not None:
-        it.choose(offer.declaration)
-    else:
-        assert offer.group is not None
-        it.choose_group(offer.group)
+    return offer.recipe is None and offer is not RECIPES
 
 
 def go_through(it: Course, data: st.DataObject, taken: Counter[tuple[str, bool]]) -> Look | None:
@@ -119,13 +112,12 @@ def go_through(it: Course, data: st.DataObject, taken: Counter[tuple[str, bool]]
             look = it.look()
             it.at += 1
         else:
-            is_start = page.kind is PageKind.START
-            offers = it.start_offers() if is_start else it.purpose_offers()
+            offers = it.offers()
             # Programs that work are whole ones: they have no pages to go through.
             open_offers = [each for each in offers if not each.closed and leads_on(each)]
             if not open_offers:
                 return None
-            choose(it, data.draw(st.sampled_from(open_offers), "offer"))
+            it.take(data.draw(st.sampled_from(open_offers), "offer"))
         look = it.look()
     raise AssertionError("the wizard has no end")
 

@@ -8,6 +8,7 @@ import pytest
 from wizard_courses import (
     ANSWER,
     ASK,
+    AWAY,
     CHANGE,
     DO,
     HAVE,
@@ -25,8 +26,9 @@ from wizard_courses import (
 )
 from wizard_driver import wizard
 
-from plastron_tui.studio.wizard.flow import Course, PageKind
+from plastron_tui.studio.wizard.flow import Course
 from plastron_tui.studio.wizard.form import NEW
+from plastron_tui.studio.wizard.pages import PageKind
 
 REFUSED = [
     ([MAKE], "name", "", "a node needs a name"),
@@ -260,15 +262,18 @@ def test_a_mistake_in_one_row_changes_no_suggestion_of_another(
 
 def test_what_would_leave_a_node_idle_is_closed() -> None:
     it = course(TWO_NODES.replace("talker client", "// talker client"))
-    choose(it, MORE)
-    offers = {offer.title: offer.closed for offer in it.purpose_offers()}
+    choose(it, MORE, AWAY)
+    offers = {offer.title: offer.closed for offer in it.offers()}
     assert offers["no longer ask a question"] == (
         "no node does that, so there is nothing to take away"
     )
     one = "create_node 'a' as a\nsubscribe a to 'x' of message_type String\ngenerate_node a\n"
     it = course(one)
     choose(it, MORE)
-    offers = {offer.title: offer.closed for offer in it.purpose_offers()}
+    closed = {offer.title: offer.closed for offer in it.offers()}
+    assert closed[AWAY] == "there is nothing yet that can go"
+    it.choose_what_goes()
+    offers = {offer.title: offer.closed for offer in it.offers()}
     assert offers["no longer react to what others send"] == (
         "`x` has to stay: "
         "the node would have nothing left to do, and could not be written to its file"
@@ -276,7 +281,7 @@ def test_what_would_leave_a_node_idle_is_closed() -> None:
 
 
 def test_menus_say_what_is_missing() -> None:
-    offers = {offer.title: offer.closed for offer in course("").start_offers()}
+    offers = {offer.title: offer.closed for offer in course("").offers()}
     assert offers[MORE] == "there is no node yet: make one first"
     assert offers["write a node to its file"] == "there is no node yet: make one first"
     assert offers[MAKE] == offers[CHANGE] == offers[MESSAGE] == ""

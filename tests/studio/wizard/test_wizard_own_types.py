@@ -10,7 +10,7 @@ from wizard_courses import ANSWER, MAKE, OWN, PACKAGE, REACT, SEND, TOGETHER
 from wizard_driver import WizardDriver, wizard, wizard_from_welcome
 
 from plastron_tui.session import Options, Session
-from plastron_tui.studio.wizard.flow import PageKind
+from plastron_tui.studio.wizard.pages import PageKind
 
 MOST_KEYS = 40
 """The most keys of the whole way; letters of names are not counted."""

@@ -9,8 +9,9 @@ from wizard_courses import DESCRIBE, ROBOTS, applied, choose, course, form_after
 from wizard_driver import wizard
 
 from plastron_tui.session import Session
-from plastron_tui.studio.wizard.flow import Course, Look, PageKind
-from plastron_tui.studio.wizard.strings import done_items
+from plastron_tui.studio.wizard.done_menu import done_items
+from plastron_tui.studio.wizard.flow import Course
+from plastron_tui.studio.wizard.pages import Look, PageKind
 
 NEW = "describe a robot: its parts, and how they move"
 PART = "give it a part"

@@ -12,7 +12,7 @@ from wizard_driver import wizard
 from plastron_tui.ros import installations
 from plastron_tui.ros.installations import Installation, Origin
 from plastron_tui.studio.wizard import libraries
-from plastron_tui.studio.wizard.flow import PageKind
+from plastron_tui.studio.wizard.pages import PageKind
 from plastron_tui.studio.wizard.rows import Row
 
 
@@ -129,10 +129,10 @@ async def test_the_values_are_a_form_with_a_row_a_field(here: Path) -> None:
         assert it.statements[0].endswith("and input False")
         await it.click("Turn")
         assert it.statements[0].endswith("and input none")
-        assert shown(it.row("data")) == "▐ ▌ False (default)"
+        assert shown(it.row("data")) == "[ ] False (default)"
         await it.click("Turn")
         assert it.statements[0].endswith("and input True")
-        assert shown(it.row("data")) == "▐X▌ True"
+        assert shown(it.row("data")) == "[X] True"
         # What was entered for the other type is not forgotten.
         await it.write("type", "Twist")
         assert it.statements[0].endswith("and input linear.x=0.5, angular.z=0.0")

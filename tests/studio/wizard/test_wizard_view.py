@@ -14,7 +14,7 @@ from wizard_driver import WizardDriver, wizard
 
 from plastron_tui.studio.panels.text_view import TextView
 from plastron_tui.studio.wizard.ask import Choice
-from plastron_tui.studio.wizard.flow import PageKind
+from plastron_tui.studio.wizard.pages import PageKind
 
 SIZES = [(60, 20), (80, 24), (120, 40), (200, 60)]
 
@@ -70,6 +70,16 @@ async def test_the_view_goes_to_the_code_that_changed(here: Path) -> None:
         rows = code.text.split("\n")
         wanted = next(number for number, row in enumerate(rows) if "def publish_" in row)
         assert code.scroll_offset.y <= wanted < code.scroll_offset.y + code.size.height
+        # The last page stands there as well, with more room, and marks what is new.
+        was_wide = code.size.width
+        await it.press("enter", "enter")
+        assert it.kind is PageKind.REVIEW
+        assert code.size.width > was_wide
+        rows = code.text.split("\n")
+        wanted = next(number for number, row in enumerate(rows) if "def publish_" in row)
+        assert rows[wanted][0] == "+" and rows[0] == " #!/usr/bin/env python3"
+        assert code.scroll_offset.y <= wanted < code.scroll_offset.y + code.size.height
+        await it.press("f2", "f2")
         # The field is lit, and what it has of the list only marked.
         it.form.show_choices([Choice("a"), Choice("b", closed="it is taken")])
         choices = it.screen.query_one("#wizard-choices", OptionList)
@@ -86,8 +96,9 @@ async def test_of_a_file_that_exists_the_change_is_shown(here: Path) -> None:
         await it.press("enter")
         await it.pick(REACT)
         lines = it.view("code").split("\n")
-        assert "+rospy.Subscriber('chatter', String, on_chatter)" in lines
-        assert not [line for line in lines if line.startswith("-")]
+        changed = [line.lstrip(" 0123456789") for line in lines]
+        assert "+rospy.Subscriber('chatter', String, on_chatter)" in changed
+        assert not [line for line in changed if line.startswith("-")]
 
 
 @pytest.mark.long

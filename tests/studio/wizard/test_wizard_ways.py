@@ -11,7 +11,7 @@ from wizard_courses import CHANGE, MAKE, MESSAGE, REACT, SEND, TWO_NODES
 from wizard_driver import WizardDriver, wizard
 
 from plastron_tui.studio.main.screen import MainScreen
-from plastron_tui.studio.wizard.flow import PageKind
+from plastron_tui.studio.wizard.pages import PageKind
 
 EXAMPLES = Path(__file__).parents[3] / "examples"
 

@@ -11,8 +11,9 @@ from plastron_tui.language.declaration import Statement
 from plastron_tui.model.interpreter import HANDLERS
 from plastron_tui.session import Session
 from plastron_tui.studio.wizard.context import Surroundings
-from plastron_tui.studio.wizard.flow import Course, Look, PageKind
+from plastron_tui.studio.wizard.flow import Course
 from plastron_tui.studio.wizard.form import Form
+from plastron_tui.studio.wizard.pages import Look, PageKind
 
 MAKE = "make a node"
 MESSAGE = "make a message"
@@ -22,12 +23,13 @@ REACT = "react to what others send"
 ASK = "ask a question and wait for the answer"
 ANSWER = "answer questions"
 HAVE = "have a value that can be set from outside"
-REPEAT = "do something, again and again"
+REPEAT = "do something again and again, or at another rate"
 DO = "do a task that takes its time"
 OWN = "make a type of message, service or action"
 PACKAGE = "make it a package"
 TOGETHER = "start several nodes together"
 DESCRIBE = "describe a robot"
+AWAY = "take something away"
 CHANGE = "change a node file that exists"
 
 TWO_NODES = """\
@@ -157,8 +159,7 @@ def choose(it: Course, *titles: str) -> Look:
     look = it.look()
     for title in titles:
         look = to_menu_or_review(it)
-        is_start = it.page.kind is PageKind.START
-        offers = it.start_offers() if is_start else it.purpose_offers()
+        offers = it.offers()
         offer = next(each for each in offers if each.title == title)
         assert not offer.closed, offer
         it.take(offer)

@@ -8,14 +8,15 @@ from pathlib import Path
 
 from studio_driver import Driver, studio
 from textual.widgets import Label, OptionList
-from wizard_courses import SEND
+from wizard_courses import AWAY, SEND
 
 from plastron_tui.language import Declaration
 from plastron_tui.studio.panels.text_view import TextView
-from plastron_tui.studio.wizard.flow import PageKind
 from plastron_tui.studio.wizard.form_page import FormPage
 from plastron_tui.studio.wizard.goals import GROUPS, Aim, aim_of
 from plastron_tui.studio.wizard.menu_page import Menu
+from plastron_tui.studio.wizard.offers import FEW, undoing
+from plastron_tui.studio.wizard.pages import PageKind
 from plastron_tui.studio.wizard.result_view import ResultView
 from plastron_tui.studio.wizard.rows import Row
 from plastron_tui.studio.wizard.screen import Wizard
@@ -207,7 +208,8 @@ def way_to(declaration: Declaration) -> list[str]:
     """Return the entries of the menus that lead to a statement of a program with nodes."""
     group = GROUPS.get(aim_of(declaration))
     if group is not None:
-        return [group.title, declaration.purpose]
+        is_folded = declaration.undoes is not None and len(undoing(aim_of(declaration))) > FEW
+        return [group.title, *([AWAY] if is_folded else []), declaration.purpose]
     if aim_of(declaration) in (Aim.NODE, Aim.CHANGE):
         return [declaration.purpose, SEND]
     return [declaration.purpose]

@@ -88,8 +88,8 @@ class Style:
         if inner.startswith(("if (", "while (")) and " && " in inner:
             return self._condition(tabs, inner, room)
         parts = _call_of(inner)
-        if parts is None:
-            return [line]
+        if parts is None or len(parts[0]) > room:
+            return self._calculation(tabs, inner, room)
         head, arguments, tail = parts
         longest = max(len(each) for each in arguments)
         if self.is_aligned and len(head) + longest + len(tail) <= room:
@@ -105,16 +105,19 @@ class Style:
 
     def _condition(self, tabs: str, line: str, room: int) -> list[str]:
         """Return an `if` in several lines, each but the last of which ends in `&&`."""
-        lines: list[str] = []
-        for each in re.split(r"(?<= &&) ", line):
-            if lines and len(lines[-1]) + 1 + len(each) <= room:
-                lines[-1] += f" {each}"
-            else:
-                lines.append(each)
-        first, *more = lines
+        first, *more = _together(re.split(r"(?<= &&) ", line), room)
         # What is asked stands out against what is done.
         step = "\v" if len(self.continuation) > len(self.indent) else "\v\v"
         return [f"{tabs}{first}", *(f"{tabs}{step}{each}" for each in more)]
+
+    def _calculation(self, tabs: str, line: str, room: int) -> list[str]:
+        """Return what is calculated in several lines, each but the last ending in an operator."""
+        target, sign, value = line.partition(" = ")
+        if not sign or '"' in value:
+            return [f"{tabs}{line}"]
+        begin, *parts = re.split(r"(?<= [-+*/]) ", value)
+        first, *more = _together([f"{target} = {begin}", *parts], room)
+        return [f"{tabs}{first}", *(f"{tabs}\v{each}" for each in more)]
 
     def opened(self, head: str) -> list[str]:
         """Return the line, or two, that begins a function."""
@@ -124,6 +127,17 @@ class Style:
         """Return an `if` or a loop around lines."""
         first = [head, "{"] if self.is_control_broken else [f"{head} {{"]
         return [*first, *(f"\t{each}" for each in lines), "}"]
+
+
+def _together(parts: list[str], room: int) -> list[str]:
+    """Return parts in lines, as many in each as it has room for."""
+    lines = parts[:1]
+    for each in parts[1:]:
+        if len(lines[-1]) + 1 + len(each) <= room:
+            lines[-1] += f" {each}"
+        else:
+            lines.append(each)
+    return lines
 
 
 def _filled(arguments: list[str], tail: str, room: int) -> list[str]:

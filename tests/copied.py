@@ -73,15 +73,29 @@ def _import(names: Sequence[str]) -> None:
         gc.freeze()
 
 
+def _own_folders() -> list[str]:
+    """Return the folders of the environment's Python path that this process does not know."""
+    given = os.environ.get("PYTHONPATH", "").split(os.pathsep)
+    return [folder for folder in given if folder and folder not in sys.path]
+
+
+def _is_in(module: object, folders: Sequence[str]) -> bool:
+    """Tell whether a module's file is in one of some folders, which no other copy has."""
+    file = getattr(module, "__file__", None) or ""
+    return any(file.startswith(f"{folder}{os.sep}") for folder in folders)
+
+
 def _become(asked: Mapping[str, Any]) -> None:
     """Run a command line in its folder and environment; never return."""
     status: object = 1
     before = set(sys.modules)
+    own: list[str] = []
     try:
         signal.alarm(_PATIENCE)
         os.chdir(asked["folder"])
         os.environ.clear()
         os.environ.update(asked["environ"])
+        sys.path[:0] = own = _own_folders()
         if asked["is_debian"]:
             debian = installations.Installation(installations.Origin.DEBIAN, 1, "noetic")
             setattr(installations, "installed", lambda: (debian,))  # noqa: B010
@@ -102,7 +116,11 @@ def _become(asked: Mapping[str, Any]) -> None:
         sys.stdout.flush()
         sys.stderr.flush()
         Path(asked["imported"]).write_text(
-            "\n".join(each for each in sys.modules if each not in before)
+            "\n".join(
+                name
+                for name, module in sys.modules.items()
+                if name not in before and not _is_in(module, own)
+            )
         )
         os._exit(status if isinstance(status, int) else 0)
 

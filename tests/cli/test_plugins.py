@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-import os
 import subprocess
 import sys
+from collections.abc import Callable
 from pathlib import Path
 
 import pytest
+from command_line import Run
 
 PROGRAM = """\
 create_node 'talker' as talker{using}
@@ -50,6 +51,9 @@ class RoslispTarget(Target):
 NAMES = "'rospy', 'rclpy', 'roscpp', 'nodelet', 'rclcpp', 'component', 'roslisp'"
 
 
+Plastron = Callable[..., "subprocess.CompletedProcess[str]"]
+
+
 def install(site: Path, module: str, entry: str = "roslisp_target:RoslispTarget") -> None:
     site.mkdir()
     site.joinpath("roslisp_target.py").write_text(module)
@@ -59,19 +63,16 @@ def install(site: Path, module: str, entry: str = "roslisp_target:RoslispTarget"
     metadata.joinpath("entry_points.txt").write_text(f"[plastron.targets]\nroslisp = {entry}\n")
 
 
-def plastron(folder: Path, *arguments: str) -> subprocess.CompletedProcess[str]:
-    code = "from plastron_tui.cli import main; main()"
-    environ = {name: value for name, value in os.environ.items() if not name.startswith("ROS_")}
-    result = subprocess.run(
-        [sys.executable, "-c", code, *arguments],
-        cwd=folder,
-        env={**environ, "PYTHONPATH": str(folder / "site")},
-        capture_output=True,
-        text=True,
-        timeout=60,
-    )
-    assert "Traceback" not in result.stderr, result.stderr
-    return result
+@pytest.fixture
+def plastron(run: Run) -> Plastron:
+    """Run plastron in a folder, with what is installed beside the program."""
+
+    def plastron(folder: Path, *arguments: str) -> subprocess.CompletedProcess[str]:
+        done = run(*arguments, env={"PYTHONPATH": str(folder / "site")}, cwd=folder)
+        out, err = done.stdout.decode(), done.stderr.decode()
+        return subprocess.CompletedProcess(done.args, done.returncode, out, err)
+
+    return plastron
 
 
 def program(folder: Path, using: str = "") -> None:
@@ -88,7 +89,7 @@ def folder(tmp_path: Path) -> Path:
 @pytest.mark.parametrize("where", ["using", "--target", "project file"])
 @pytest.mark.parametrize("ros_version", [1, 2])
 def test_a_registered_target_is_named_like_plastrons_own(
-    tmp_path: Path, where: str, ros_version: int
+    tmp_path: Path, where: str, ros_version: int, plastron: Plastron
 ) -> None:
     install(tmp_path / "site", MODULE.format(ros_version=ros_version))
     program(tmp_path, " using roslisp" if where == "using" else "")
@@ -101,7 +102,7 @@ def test_a_registered_target_is_named_like_plastrons_own(
     assert written.read_text() == f";; talker for ROS {ros_version}\n"
 
 
-def test_a_file_that_is_no_python_is_not_run(folder: Path) -> None:
+def test_a_file_that_is_no_python_is_not_run(folder: Path, plastron: Plastron) -> None:
     program(folder, " using roslisp")
     result = plastron(folder, "run", "a.plastron")
     assert result.returncode == 1
@@ -109,7 +110,9 @@ def test_a_file_that_is_no_python_is_not_run(folder: Path) -> None:
     assert not folder.joinpath("output").exists()
 
 
-def test_a_registered_target_reads_the_files_that_plastron_cannot(folder: Path) -> None:
+def test_a_registered_target_reads_the_files_that_plastron_cannot(
+    folder: Path, plastron: Plastron
+) -> None:
     folder.joinpath("driver.lisp").write_text(";; driver\n")
     result = plastron(folder, "inspect", "driver.lisp")
     assert (result.stderr, result.returncode) == ("", 0)
@@ -117,7 +120,9 @@ def test_a_registered_target_reads_the_files_that_plastron_cannot(folder: Path) 
     assert "roslisp" in result.stdout
 
 
-def test_a_registered_target_is_listed_where_a_name_is_wrong(folder: Path) -> None:
+def test_a_registered_target_is_listed_where_a_name_is_wrong(
+    folder: Path, plastron: Plastron
+) -> None:
     program(folder, " using elisp")
     result = plastron(folder, "check", "a.plastron")
     assert result.returncode == 1
@@ -164,7 +169,7 @@ def test_a_registered_target_is_listed_where_a_name_is_wrong(folder: Path) -> No
     ],
 )
 def test_a_target_that_cannot_be_loaded_is_a_diagnostic(
-    tmp_path: Path, module: str, entry: str, reason: str
+    tmp_path: Path, module: str, entry: str, reason: str, plastron: Plastron
 ) -> None:
     install(tmp_path / "site", module, entry)
     program(tmp_path, " using roslisp")
@@ -196,7 +201,7 @@ def test_a_target_that_cannot_be_loaded_is_a_diagnostic(
     ],
 )
 def test_a_target_that_fails_is_a_diagnostic(
-    tmp_path: Path, old: str, new: str, reason: str
+    tmp_path: Path, old: str, new: str, reason: str, plastron: Plastron
 ) -> None:
     install(tmp_path / "site", MODULE.format(ros_version=1).replace(old, new))
     program(tmp_path, " using roslisp")
@@ -205,7 +210,9 @@ def test_a_target_that_fails_is_a_diagnostic(
     assert f"error[unsupported-target]: the target `roslisp` failed: {reason}" in result.stderr
 
 
-def test_a_target_that_fails_keeps_no_file_of_others_from_being_read(tmp_path: Path) -> None:
+def test_a_target_that_fails_keeps_no_file_of_others_from_being_read(
+    tmp_path: Path, plastron: Plastron
+) -> None:
     module = MODULE.format(ros_version=1).replace('".lisp"', '".py"')
     install(
         tmp_path / "site", module.replace("name = files", "raise ValueError\n        name = files")
