@@ -72,6 +72,16 @@ async def test_what_travels_is_shown_and_nodes_are_spoken_to(program: Path, orde
         await driver.back()
         await driver.until(lambda: "done: publish (2)" in driver.notes())
         assert [each["values"] for each in asked(orders, "publish")] == [order["values"]] * 2
+        # The card of a topic says what comes there; the wizard gives the focus back.
+        assert driver.main.program.said_now("/chatter") == "2.0 Hz, 0.25"
+        assert driver.main.program.said_now("/nowhere") == ""
+        card = driver.main.program.card_at(driver.main.open.text.index(b"chatter"))
+        assert card.rows[0][:2] == ("now", "2.0 Hz, 0.25")
+        await driver.press("ctrl+u")
+        await driver.dialog("Wizard")
+        await driver.pilot.press("escape")
+        await driver.back()
+        assert live(driver).has_focus
         # A parameter.
         await driver.press("end", "right")
         await wait_shown(driver, "speed")

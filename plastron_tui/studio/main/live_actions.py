@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Callable, Mapping, Sequence
-from itertools import chain, count
+from itertools import chain, count, product
 from time import monotonic
 from typing import TYPE_CHECKING, Any
 
@@ -12,7 +12,7 @@ from textual.screen import Screen
 
 from plastron_tui.diagnostics.terminal import visible
 from plastron_tui.regular_files import reason
-from plastron_tui.runtime.live_graph import LiveGraph, NodeEnd
+from plastron_tui.runtime.live_graph import LiveGraph, LiveTopic, NodeEnd
 
 from ..delay import Delay
 from ..key_order import InOrder
@@ -90,9 +90,8 @@ class LiveActions:
 
     def forget_ends(self, commands: Sequence[MonitorCommand]) -> None:
         """Note that the nodes of a run start again, however they have ended before."""
-        for graph in self._graphs.values():
-            for command in commands:
-                graph.forget_ends(chain.from_iterable(command.nodes.values()))
+        for graph, command in product(self._graphs.values(), commands):
+            graph.forget_ends(chain.from_iterable(command.nodes.values()))
 
     def preparing(self, step: str) -> None:
         """Say what is done before the nodes start: to compile them takes its time."""
@@ -117,10 +116,8 @@ class LiveActions:
         """Follow the program in front.
 
         Args:
-            own: its nodes that run, or ran last, by the generation of ROS; None where its run has
-                not said which they are.
-            sessions: it, and the program whose nodes were started last: the types of the forms are
-                looked up in the first of them that has them.
+            own: its nodes that run, or ran last, by the generation of ROS; None where nobody said.
+            sessions: it, and the program whose nodes were started last: the forms take their types.
         """
         self._sessions = sessions
         self._own = own
@@ -176,6 +173,13 @@ class LiveActions:
             self._drop_asked(version)
         self._watching.pop(version, None)
         self._silent.discard(version)
+
+    def topic(self, name: str) -> LiveTopic | None:
+        """Return what is known of a topic, None of one that is not listened to now."""
+        for version, watching in self._watching.items():
+            if name in watching.topics:
+                return self._graphs[version].topics.get(name)
+        return None
 
     def update_subscriptions(self) -> None:
         """Have the topics and nodes in sight listened to, and no others."""

@@ -16,6 +16,7 @@ from plastron_tui.runtime.labels import ended_node
 from plastron_tui.runtime.live_graph import NodeEnd
 
 from ..delay import Delay
+from ..panels.live_rows import said_now
 from ..panels.output_log import Record
 from .active_program import ActiveProgram, Tab
 from .live_actions import LiveActions
@@ -82,6 +83,7 @@ class RunActions:
         self.readiness = readiness
         self.watched = WatchedRun(LiveActions(screen, panels.live, program), panels)
         self.watched.live.on_written = self._note_written
+        program.said_now = self._said_now
 
     @property
     def _run(self) -> TabRun:
@@ -112,6 +114,10 @@ class RunActions:
         """Follow what the text in front means."""
         self.readiness.known(analysis.diagnostics)
         self._run.compare(analysis.text)
+
+    def _said_now(self, name: str) -> str:
+        topic = self.watched.live.topic(name)
+        return "" if topic is None else said_now(topic)
 
     def _note_written(self) -> None:
         """Note that the text has got what its nodes have: no run is older for that."""

@@ -175,6 +175,11 @@ def _fields(key: str, topic: LiveTopic, version: int, *, is_foreign: bool) -> It
         )
 
 
+def said_now(topic: LiveTopic) -> str:
+    """Return how often a message comes, and what is in the last one; "" before the first."""
+    return ", ".join(filter(None, (_rate(topic), one_line(topic.text)))) if topic.text else ""
+
+
 def _rate(topic: LiveTopic) -> str:
     if topic.is_gone:
         return "gone"
