@@ -26,6 +26,14 @@ class LiveField(NamedTuple):
     text: str
 
 
+class LiveEnd(NamedTuple):
+    """A node at a topic: whether it publishes there, and with which quality of service."""
+
+    node: str
+    sends: bool
+    qos: str = ""
+
+
 @dataclass(slots=True)
 class LiveTopic:
     """A topic of a running graph.
@@ -36,6 +44,7 @@ class LiveTopic:
         publishers: how many publish to it.
         subscribers: how many listen.
         nodes: the nodes that publish or listen; nothing where nobody said.
+        ends: the same, by what they do there.
         count: how many messages were seen while it was looked at.
         rate: messages a second.
         text: the last message in a line, "" before the first one.
@@ -50,6 +59,7 @@ class LiveTopic:
     publishers: int = 0
     subscribers: int = 0
     nodes: frozenset[str] = frozenset()
+    ends: tuple[LiveEnd, ...] = ()
     count: int = 0
     rate: float = 0.0
     text: str = ""
@@ -234,12 +244,12 @@ class LiveGraph:
         self.problem = ""
         self.is_known = self.is_watched = True
         found: dict[str, LiveTopic] = {}
-        for name, type_, publishers, subscribers, *nodes in report["topics"][:_MOST_NAMES]:
+        for name, type_, publishers, subscribers, *more in report["topics"][:_MOST_NAMES]:
             topic = self.topics.get(name)
             if topic is None or topic.type != type_:
                 topic = LiveTopic(str(name), str(type_))
             topic.publishers, topic.subscribers = int(publishers), int(subscribers)
-            topic.nodes = _names(nodes)
+            topic.nodes, topic.ends = _names(more), _ends(more)
             topic.is_gone = False
             found[topic.name] = topic
         for name, topic in self.topics.items():
@@ -339,8 +349,14 @@ def _with_gone(before: Mapping[str, _Named], now: Iterable[_Named]) -> dict[str,
     return dict(sorted({**gone, **there}.items())[:_MOST_NAMES])
 
 
+def _ends(more: Sequence[Iterable[Any]]) -> tuple[LiveEnd, ...]:
+    """Return who does what at a topic: the second list of a report, if it has one."""
+    found = more[1] if len(more) > 1 else ()
+    return tuple(LiveEnd(str(node), bool(sends), str(qos)) for sends, node, qos in found)
+
+
 def _names(nodes: Sequence[Iterable[object]]) -> frozenset[str]:
-    """Return the names of nodes, of which a report has one list, or none."""
+    """Return the names of nodes, the first list of a report, if it has one."""
     return frozenset(map(str, nodes[0])) if nodes else frozenset()
 
 

@@ -80,8 +80,31 @@ def test_the_rows_say_what_runs(graph: LiveGraph) -> None:
         "   ★ /count              example_interfaces/Fibonacci",
         " nodes",
         " ▾ ● /talker",
+        "       action /count",
         "       asking for its parameters…",
     ]
+
+
+def test_who_is_at_a_topic_and_what_a_node_does_are_named(graph: LiveGraph) -> None:
+    at = [[True, "/talker", "reliable"], [False, "/ear", "best effort, transient local"]]
+    many = [[False, f"/n{number}", ""] for number in range(10)]
+    graph.feed({
+        "tell": "graph", "nodes": ["/talker"],
+        "topics": [["/speed", "std_msgs/Float64", 1, 1, ["/ear", "/talker"], at],
+                   ["/scan", "p/T", 0, 10, ["/talker"], [*many, [False, "/talker", ""]]]],
+        "services": [["/add", "p/S", ["/talker"]], ["/sub", "p/S", ["/other"]]],
+        "actions": [["/count", "p/A", 1, ["/talker"]]],
+    })  # fmt: skip
+    lines = drawn(graph, 90, {"2 topic /speed", "2 topic /scan", "2 node /talker"})
+    about = lines.index("       std_msgs/Float64, 1 publisher, 1 subscriber")
+    assert lines[about + 1 : about + 3] == [
+        "       from /talker  reliable", "       to /ear  best effort, transient local"
+    ]  # fmt: skip
+    assert "       to /n7" in lines and "       and 3 more" in lines
+    assert lines[lines.index(" ▾ ● /talker") + 1 :] == [
+        "       sends /speed", "       hears /scan", "       offers /add", "       action /count",
+        "       asking for its parameters…",
+    ]  # fmt: skip
 
 
 def test_nothing_is_wider_than_the_panel_and_each_name_is_seen(graph: LiveGraph) -> None:

@@ -17,6 +17,7 @@ from plastron_tui.runtime.live_graph import (
     NodeEnd,
 )
 
+from .live_ends import doing_rows, end_rows
 from .live_row import WIDEST, Answer, Kind, LiveRow, one_line
 
 WAITING = "waiting for the first message…"
@@ -162,6 +163,7 @@ def _fields(key: str, topic: LiveTopic, version: int, *, is_foreign: bool) -> It
     ends = f"{counted(topic.publishers, 'publisher')}, {counted(topic.subscribers, 'subscriber')}"
     about = _with_foreign(f"{visible(topic.type)}, {ends}", is_foreign=is_foreign)
     yield LiveRow(f"{key} about", Kind.NOTE, about, topic.name, version, depth=1, tone="quiet")
+    yield from end_rows(key, topic, version)
     for path, text in topic.fields:
         yield LiveRow(
             f"{key} field {path}",
@@ -318,6 +320,7 @@ def _nodes(graph: LiveGraph, unfolded: AbstractSet[str], now: float) -> Iterator
         )
         if not is_open:
             continue
+        yield from doing_rows(key, name, graph)
         if not found:
             words = "asking for its parameters…" if found is None else "has no parameters"
             yield LiveRow(f"{key} none", Kind.NOTE, words, name, depth=1, tone="quiet")
