@@ -12,6 +12,7 @@ from plastron_tui.ros.definition import parse_definition
 from plastron_tui.ros.definition_literals import split_comment
 from plastron_tui.ros.definition_members import Value
 from plastron_tui.ros.interfaces import Constant, InterfaceKind, InterfaceName
+from plastron_tui.ros.primitives import NO_TEXT, has_surrogate
 
 from .run import Run
 from .type_members import (
@@ -102,6 +103,8 @@ def field_line(
     if len(words) < 2 or "\n" in text.strip():
         message = "this is neither a field nor a constant"
         return [Diagnostic(codes.BAD_FIELD, message, where, help='write "float64 x", say')]
+    if has_surrogate(text):
+        return [Diagnostic(codes.BAD_FIELD, NO_TEXT, where)]
     type_, rest = words[0], words[1].rstrip()
     start = text.index(type_)
     written = _Written(statement, type_, rest, start, text.index(rest, start + len(type_)))

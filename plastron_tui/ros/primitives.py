@@ -174,6 +174,14 @@ def _check_float(type_name: str, value: int | float) -> str | None:
     return None
 
 
+NO_TEXT = "half of a surrogate pair is no text, and ROS sends text as UTF-8"
+
+
+def has_surrogate(text: str) -> bool:
+    """Tell whether a text has half of a surrogate pair, which UTF-8 cannot say."""
+    return any("\ud800" <= character <= "\udfff" for character in text)
+
+
 def _check_string(
     type_name: str, value: object, ros_version: int, string_bound: int | None
 ) -> str | None:
@@ -181,8 +189,8 @@ def _check_string(
         return f"{_shown(value)} is not a string, which `{type_name}` takes"
     if string_bound is not None and len(value) > string_bound:
         return f"{len(value)} characters do not fit `{type_name}<={string_bound}`"
-    if any("\ud800" <= character <= "\udfff" for character in value):
-        return "half of a surrogate pair is no text, and ROS sends text as UTF-8"
+    if has_surrogate(value):
+        return NO_TEXT
     if ros_version == 2 and "\0" in value:
         return "a ROS 2 string ends at its first NUL character"
     return None

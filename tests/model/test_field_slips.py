@@ -55,6 +55,18 @@ def test_a_slip_in_a_field(
     assert list(run(fixed(text), "rclpy").diagnostics) == []
 
 
+@pytest.mark.parametrize(
+    "statement",
+    [
+        f'{A}A has_field "string y \\ud800"',
+        'create_message_type B with string x default "\\ud800"',
+    ],
+)
+def test_half_of_a_surrogate_pair_is_no_text(statement: str) -> None:
+    [found] = run(f"{statement}\n", "rclpy").diagnostics
+    assert "surrogate pair" in found.message
+
+
 def test_a_colon_in_quotes() -> None:
     assert fixed(f'{A}A has_field "y: float64"\n') == f'{A}A has_field "float64 y"\n'
 

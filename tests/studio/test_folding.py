@@ -62,6 +62,11 @@ def test_the_rest_of_a_line_of_a_diff_stands_as_far_in_as_the_line() -> None:
         "+    self.create_timer(",
         "         0.1, tick)",
     ]
+    line = (Piece(" 12 +", "dim"), Piece("    self.create_timer(0.1, tick)"))
+    assert [text_of(row) for row in folded((line,), 28)] == [
+        " 12 +    self.create_timer(",
+        "             0.1, tick)",
+    ]
 
 
 def test_the_ground_of_a_row_goes_on_below() -> None:

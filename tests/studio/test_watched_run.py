@@ -42,7 +42,7 @@ def test_nothing_is_watched_any_more_when_those_have_ended_that_were(
 
 
 async def test_what_was_typed_for_a_topic_is_offered_again_to_the_same_program_only() -> None:
-    panel = SimpleNamespace(show_live=lambda *_, **__: None)
+    panel = SimpleNamespace(show_live=lambda *_, **__: None, is_in_sight=False)
     live = LiveActions(cast(Any, None), cast(Any, panel))
     one, other = (cast(Tab, SimpleNamespace(name=name)) for name in ("one", "other"))
     live.start(one, ())
@@ -56,7 +56,7 @@ async def test_what_was_typed_for_a_topic_is_offered_again_to_the_same_program_o
 
 @pytest.mark.parametrize("how", ["end", "lost"])
 async def test_a_form_does_not_wait_for_who_is_gone(how: str) -> None:
-    panel = SimpleNamespace(show_live=lambda *_, **__: None)
+    panel = SimpleNamespace(show_live=lambda *_, **__: None, is_in_sight=False)
     screen = SimpleNamespace(notify=lambda *_, **__: None)
     live = LiveActions(cast(Any, screen), cast(Any, panel))
     said: list[tuple[int, bool]] = []

@@ -7,6 +7,7 @@ from pathlib import Path
 import pytest
 from file_sets import one
 from made_nodes import SPAN, catalog
+from templates_here import render_here
 
 from plastron_tui.model.kinds import (
     ActionClient,
@@ -308,7 +309,10 @@ def test_a_users_template_comes_first(tmp_path: Path) -> None:
         "{{ ''.__class__.__mro__ }}",
     ],
 )
-def test_a_broken_template_is_a_diagnostic(tmp_path: Path, template: str) -> None:
+def test_a_broken_template_is_a_diagnostic(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, template: str
+) -> None:
+    render_here(monkeypatch)
     folder = tmp_path / "rospy"
     folder.mkdir()
     (folder / "node.py.j2").write_text(template)

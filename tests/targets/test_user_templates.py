@@ -11,6 +11,7 @@ from pathlib import Path
 import pytest
 from file_sets import one
 from made_nodes import SPAN, catalog
+from templates_here import render_here
 
 from plastron_tui.model.workspace import Node
 from plastron_tui.targets import find_target, template_process
@@ -102,7 +103,10 @@ def test_the_folder_of_a_library_is_no_link_that_leads_out(folder: Path) -> None
 
 
 @pytest.mark.parametrize("name", ["../../secret", "/../../secret", "/etc/passwd"])
-def test_no_name_leads_out_of_the_folder(folder: Path, name: str) -> None:
+def test_no_name_leads_out_of_the_folder(
+    folder: Path, monkeypatch: pytest.MonkeyPatch, name: str
+) -> None:
+    render_here(monkeypatch)
     rendered = render(folder, f"{{% include '{name}' %}}")
     (diagnostic,) = rendered.diagnostics
     assert SECRET not in diagnostic.message

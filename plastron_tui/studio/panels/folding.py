@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 from itertools import groupby
 
@@ -13,6 +14,9 @@ _MARKS = frozenset("([{,.=/")
 """What a line is split behind where it has no space to be split at."""
 _MORE = 4
 """Columns by which the rest of a line stands further in than its start."""
+
+_START = re.compile(r"(?: *\d+ [ +-]|[+-])? *")
+"""What stands before the text of a line: its number and its mark in a diff, and its indent."""
 
 _EMPTY = 4
 """A row of which less than this part is used would be nearly empty."""
@@ -43,12 +47,12 @@ def _rows(line: Line, width: int) -> Iterator[Line]:
         return
     cells = [(character, piece.tone) for piece in line for character in piece.text]
     text = "".join(character for character, _ in cells)
-    # The mark of a line of a diff stands before its indent.
-    unmarked = text[1:] if text[:1] in ("+", "-") else text
-    indent = len(text) - len(unmarked.lstrip(" ")) + _MORE
+    before_text = _START.match(text)
+    lead = 0 if before_text is None else before_text.end()
+    indent = lead + _MORE
     at_most = width // 2
     before = " " * (min(indent, at_most) if width >= _ROOMY or indent <= at_most else 0)
-    end = _end(cells, width)
+    end = _end(cells, width, lead)
     rest = rest_of(line)
     yield (*_joined(cells[:end]), *rest) if end < len(cells) else line
     while end < len(cells):
@@ -58,16 +62,21 @@ def _rows(line: Line, width: int) -> Iterator[Line]:
         yield (*space, *_joined(cells[start:end]), *rest)
 
 
-def _end(cells: list[Cell], width: int) -> int:
-    """Return how many characters fit into a row, one at least."""
+def _end(cells: list[Cell], width: int, lead: int = 0) -> int:
+    """Return how many characters fit into a row, one at least.
+
+    Args:
+        cells: the characters that are left.
+        width: how many columns there are.
+        lead: how many characters there are before the text itself.
+    """
     used, after_space, after_mark, begins = 0, 0, 0, False
     for number, (character, _) in enumerate(cells):
         used += get_character_cell_size(character)
         if used > width and number:
             good = (end for end in (after_space, after_mark) if end * _EMPTY > number)
             return next(good, number)
-        # Behind the mark of a line of a diff stands its indent.
-        begins = begins or not (character == " " or (number == 0 and character in "+-"))
+        begins = begins or (number >= lead and character != " ")
         if character == " " and begins:
             after_space = number + 1
         elif character in _MARKS:

@@ -84,14 +84,22 @@ class Offering:
         return sorted(offers, key=lambda each: bool(each.closed))
 
     def takeaways(self, group: Aim, head: Form | None) -> list[Offer]:
-        """Return the entries of the menu of what can be taken away.
+        """Return the entries of the menu of what can be taken away, or has to stay.
+
+        Of what no node has nothing is said: that is most of it.
 
         Args:
             group: the menu that leads there.
             head: the form that makes the node that it is about, None where there is none.
         """
         scene, filled = self._with(head)
-        offers = [self._offer(each, scene, filled) for each in undoing(group)]
+        nodes = scene.workspace.nodes
+        offers = [
+            offer
+            for each in undoing(group)
+            if not (offer := self._offer(each, scene, filled)).closed
+            or any(scene.ended_by(node, each.type) for node in nodes)
+        ]
         return sorted(offers, key=lambda each: bool(each.closed))
 
     def _with(self, head: Form | None) -> tuple[Scene, list[Filled]]:

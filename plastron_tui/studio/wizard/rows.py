@@ -5,6 +5,7 @@ from __future__ import annotations
 from time import monotonic
 from typing import ClassVar
 
+from rich.cells import cell_len
 from textual import events
 from textual.app import ComposeResult
 from textual.binding import Binding, BindingType
@@ -22,7 +23,7 @@ from .values import Entry, Path
 REST_OF_PASTE = 0.1
 """Seconds within which the next piece of a paste comes: a terminal is read 4 KB at a time."""
 
-_SHORT = 12
+_SHORT = 8
 """A text with fewer characters is a short one."""
 
 
@@ -118,6 +119,21 @@ class ValueTurn(Turn):
         return self
 
 
+def shortened(text: str, room: int) -> str:
+    """Return of what commas part as much as there is room for, and of words where that is little.
+
+    Args:
+        text: the unit of a field and what it is, as `m/s, forward, below 0 backward`.
+        room: how many columns there are.
+    """
+    if cell_len(text) <= room:
+        return text
+    parts, words = text.split(", "), text.split(" ")
+    heads = [", ".join(parts[:count]) for count in range(len(parts) - 1, 1, -1)]
+    heads += [f"{' '.join(words[:count])}…" for count in range(len(words) - 1, 1, -1)]
+    return next((head for head in [*heads, parts[0]] if cell_len(head) <= room), text)
+
+
 class Row(Horizontal):
     """A name and what is entered for it.
 
@@ -209,7 +225,7 @@ class Row(Horizontal):
         """Show another text; nobody is told that it was entered."""
         if note != self._note:
             self._note = note
-            self.query_one(".wizard-note", Label).update(note)
+            self._show_note()
         if text == self._text:
             return
         self._text = text
@@ -224,6 +240,15 @@ class Row(Horizontal):
                 box.label = self._switch_words
             elif isinstance(box, Input):
                 box.value = text
+
+    def on_resize(self) -> None:
+        """Say beside the box as much as there is room for."""
+        self._show_note()
+
+    def _show_note(self) -> None:
+        label = self.query_one(".wizard-note", Label)
+        room = label.content_size.width if self.has_class("-number") else 0
+        label.update(shortened(self._note, room) if room else self._note)
 
     @property
     def box(self) -> Widget:

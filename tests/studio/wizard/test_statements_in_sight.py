@@ -1,10 +1,11 @@
-"""Which statements are in sight where there is no room for all, and letters in menus."""
+"""What is in sight where there is no room for all, and letters in menus."""
 
 from __future__ import annotations
 
 import pytest
 
 from plastron_tui.studio.wizard.menu_page import next_with
+from plastron_tui.studio.wizard.rows import shortened
 from plastron_tui.studio.wizard.statement_view import fitting
 
 
@@ -35,3 +36,17 @@ def test_a_letter_leads_to_the_next_entry_that_can_be_chosen(
 ) -> None:
     titles = ["drive", "send", "ask", "do", "use"]
     assert next_with(letter, titles, [0, 2, 3, 4], here) == found
+
+
+@pytest.mark.parametrize(
+    ("text", "room", "shown"),
+    [
+        ("m/s, forward, below 0 backward", 30, "m/s, forward, below 0 backward"),
+        ("m/s, forward, below 0 backward", 29, "m/s, forward"),
+        ("m/s, sideways to the left", 18, "m/s, sideways to…"),
+        ("m/s, sideways to the left", 9, "m/s"),
+        ("m/s, forward", 2, "m/s, forward"),
+    ],
+)
+def test_what_a_field_means_is_not_cut_within_a_word(text: str, room: int, shown: str) -> None:
+    assert shortened(text, room) == shown

@@ -15,6 +15,7 @@ from wizard_driver import WizardDriver, wizard
 from plastron_tui.studio.panels.text_view import TextView
 from plastron_tui.studio.wizard.ask import Choice
 from plastron_tui.studio.wizard.pages import PageKind
+from plastron_tui.studio.wizard.rows import Turn
 
 SIZES = [(60, 20), (80, 24), (120, 40), (200, 60)]
 
@@ -79,6 +80,14 @@ async def test_the_view_goes_to_the_code_that_changed(here: Path) -> None:
         wanted = next(number for number, row in enumerate(rows) if "def publish_" in row)
         assert rows[wanted][0] == "+" and rows[0] == " #!/usr/bin/env python3"
         assert code.scroll_offset.y <= wanted < code.scroll_offset.y + code.size.height
+        # What would be written is said whole, and a box is ticked by Space.
+        await it.press("shift+tab", "space")
+        assert it.statements[-1] != "generate_node talker"
+        await it.pilot.resize_terminal(30, 24)
+        await it.settle()
+        box = it.screen.query_one("#wizard-generates", Turn)
+        assert box.size.height == 2 and box.render_line(0).text.startswith("[ ] write")
+        await it.pilot.resize_terminal(80, 24)
         await it.press("f2", "f2")
         # The field is lit, and what it has of the list only marked.
         it.form.show_choices([Choice("a"), Choice("b", closed="it is taken")])
@@ -172,6 +181,10 @@ async def test_the_code_is_not_cut_and_the_form_begins_at_what_matters(
         room = code.scrollable_content_region.width
         assert all(sum(cell_len(piece.text) for piece in row) <= room for row in code.rows)
         page = it.screen.query_one("#wizard-page")
+        is_framed = size[0] >= 110
+        assert bool(it.screen.query_one("#wizard-head").region) is not is_framed
+        assert (page.styles.border_top[0] == "round") is is_framed
+        assert page.border_title == it.title == "Send something · publisher"
         assert size[0] < 110 or room >= page.size.width - 4
         await it.press("enter")
         here_now = it.form.row_here
