@@ -87,6 +87,13 @@ async def test_a_value_that_was_set_goes_into_the_program(
         assert not runner.is_older
         await driver.type("create_node 'b' as b\n")
         assert runner.is_older and "F5 stops, Alt-R runs anew" in title.text
+        # Nodes that run go on where the text has a mistake.
+        await driver.type("no")
+        await driver.press("alt+r")
+        await driver.until(lambda: "1 problem has to be fixed first" in driver.notes())
+        assert runner.is_running and not runner._run.is_stopping
+        driver.main.editor.focus()
+        await driver.press("backspace", "backspace")
         started = runner._run.started_at
         await driver.press("alt+r")
         await driver.until(lambda: runner.is_running and runner._run.started_at > started)

@@ -124,7 +124,7 @@ async def test_what_travels_is_shown_and_nodes_are_spoken_to(program: Path, orde
         assert "nothing has these words" in live(driver).entries.empty and not live(driver).lines
         await driver.press("escape")
         assert live(driver).has_focus and len(live(driver).lines) > 50 and not bar.display
-        await driver.press("end", "up", "up", "up", "up")
+        await driver.press("end", *["up"] * 5)
         assert live(driver).row.name == "/add"
         # Out of sight nothing is listened to; back in sight it is again.
         await driver.press("alt+1")

@@ -80,8 +80,8 @@ def test_the_rows_say_what_runs(graph: LiveGraph) -> None:
         "   ★ /count              example_interfaces/Fibonacci",
         " nodes",
         " ▾ ● /talker",
-        "       action /count",
         "       asking for its parameters…",
+        "       action /count",
     ]
 
 
@@ -102,8 +102,8 @@ def test_who_is_at_a_topic_and_what_a_node_does_are_named(graph: LiveGraph) -> N
     ]  # fmt: skip
     assert "       to /n7" in lines and "       and 3 more" in lines
     assert lines[lines.index(" ▾ ● /talker") + 1 :] == [
-        "       sends /speed", "       hears /scan", "       offers /add", "       action /count",
         "       asking for its parameters…",
+        "       sends /speed", "       hears /scan", "       offers /add", "       action /count",
     ]  # fmt: skip
 
 

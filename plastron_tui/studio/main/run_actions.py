@@ -144,20 +144,17 @@ class RunActions:
     async def run(self, *, anew: bool = False) -> None:
         """Save, then start the nodes; those that run are stopped, and started `anew` if asked."""
         tab, run = self._program.tab, self._run
-        if run.running is not None:
-            if not anew and monotonic() - run.started_at < TWICE:
-                return
-            if not self._panels.layout.is_in_sight("live"):
-                self._panels.layout.reveal("output")
+        if run.running is not None and not anew:
+            if monotonic() - run.started_at >= TWICE:
+                self._stop(tab, run.running)
+            return
+        # Nodes that run go on where what is to take their place cannot be started.
+        path = await self.readiness.to_run()
+        if run.running is not None and path is not None:
             self._stop(tab, run.running)
-            if not anew:
-                return
             while self.runs_in(tab):
                 await asyncio.sleep(_LOOK)
-            if tab is not self._program.tab:
-                return
-        path = await self.readiness.to_run()
-        if path is not None:
+        if path is not None and tab is self._program.tab:
             self._start(path)
 
     def stop(self) -> None:
@@ -171,6 +168,8 @@ class RunActions:
         self._screen.notify(said, timeout=2, markup=False)
 
     def _stop(self, tab: Tab, running: Running) -> None:
+        if not self._panels.layout.is_in_sight("live"):
+            self._panels.layout.reveal("output")
         running.stop()
         # What was seen last stays: nodes that end take their topics away one by one.
         self._runs[tab].is_stopping = True

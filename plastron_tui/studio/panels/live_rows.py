@@ -320,7 +320,6 @@ def _nodes(graph: LiveGraph, unfolded: AbstractSet[str], now: float) -> Iterator
         )
         if not is_open:
             continue
-        yield from doing_rows(key, name, graph)
         if not found:
             words = "asking for its parameters…" if found is None else "has no parameters"
             yield LiveRow(f"{key} none", Kind.NOTE, words, name, depth=1, tone="quiet")
@@ -336,6 +335,7 @@ def _nodes(graph: LiveGraph, unfolded: AbstractSet[str], now: float) -> Iterator
                 depth=1,
                 parameter=each,
             )
+        yield from doing_rows(key, name, graph)
 
 
 def _node_state(end: NodeEnd | None, *, is_there: bool, has_ended: bool) -> tuple[str, str]:
