@@ -325,8 +325,16 @@ async def test_of_the_nodes_of_all_tabs_those_of_the_tab_in_front_are_its_own(
         assert watched.live._sessions == (first.open.session, second.open.session)
         await driver.press("alt+e")
         await driver.until(lambda: not own())
-        runner.forget(second)
+        # Who stops nodes knows why they are gone: that is said in quiet.
+        await driver.press("alt+e")
+        runner.stop()
+        await driver.until(lambda: not runner.runs_in(first))
+        row = next(row for row in live(driver)._live if row.name == "/talker")
+        assert (row.value, row.tone) == ("stopped", "quiet") and runner.runs_in(second)
+        monkeypatch.setattr(Nodes, "monitors", (replace(command, nodes={"t": ("/talker",)}),))
+        await driver.press("f5")
         await driver.until(lambda: watched._newest is first)
+        runner.forget(second)
         assert watched.live._monitors[2] is monitor_before
         await wait_shown(driver, "≈ /chatter")
         # What was seen last of nodes that were ended is shown with their own program only.

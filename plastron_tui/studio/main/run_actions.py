@@ -172,7 +172,10 @@ class RunActions:
             self._panels.layout.reveal("output")
         running.stop()
         # What was seen last stays: nodes that end take their topics away one by one.
-        self._runs[tab].is_stopping = True
+        run = self._runs[tab]
+        run.is_stopping = True
+        run.ended = {**dict.fromkeys(run.labels, NodeEnd("stopped", False)), **run.ended}
+        self.watched.mark_ended(run)
         self._end_watch(tab)
 
     def close(self) -> None:

@@ -76,6 +76,11 @@ class TabRun:
         }
         return None if self.commands and not any(found.values()) else found
 
+    @property
+    def labels(self) -> list[str]:
+        """What the lines of the nodes are labelled with."""
+        return [label for each in self.commands for label in each.nodes]
+
     def note_commands(self) -> None:
         """Note what starts monitors of them, as soon as that is known."""
         if self.running is not None and self.running.monitors:
