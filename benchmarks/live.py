@@ -64,7 +64,7 @@ async def _studio(command: MonitorCommand, folder: Path) -> AsyncIterator[_Watch
     app = StudioApp(path)
     async with app.run_test(size=_SIZE) as pilot:
         watched = _Watched(pilot, app)
-        watched.actions.start(app.main.program.tab, [command])
+        watched.actions.watch([command])
         app.main.dock_layout.bring("live")
         app.main.editor.focus()
         await watched.until_known()

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+import time
 from collections import deque
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
@@ -13,6 +14,8 @@ MOST_SAMPLES = 60
 _MOST_NAMES = 5000
 _MOST_GOALS = 100
 NOT_WATCHED = "not watched any more"
+SHOWN_GONE = 5.0
+"""Seconds after which nobody wants to know of something that is gone, and not of the run."""
 _ANONYMOUS = re.compile(r"(_\d+)+$")
 
 
@@ -21,6 +24,14 @@ class LiveField(NamedTuple):
 
     path: str
     text: str
+
+
+class LiveEnd(NamedTuple):
+    """A node at a topic: whether it publishes there, and with which quality of service."""
+
+    node: str
+    sends: bool
+    qos: str = ""
 
 
 @dataclass(slots=True)
@@ -33,6 +44,7 @@ class LiveTopic:
         publishers: how many publish to it.
         subscribers: how many listen.
         nodes: the nodes that publish or listen; nothing where nobody said.
+        ends: the same, by what they do there.
         count: how many messages were seen while it was looked at.
         rate: messages a second.
         text: the last message in a line, "" before the first one.
@@ -47,6 +59,7 @@ class LiveTopic:
     publishers: int = 0
     subscribers: int = 0
     nodes: frozenset[str] = frozenset()
+    ends: tuple[LiveEnd, ...] = ()
     count: int = 0
     rate: float = 0.0
     text: str = ""
@@ -169,9 +182,10 @@ class LiveGraph:
         problem: what is wrong with the monitor, "" where nothing is.
         is_watched: whether a monitor says what is the case now; else all is what was seen last.
         has_ended: whether the nodes were ended, all of them.
-        own: the nodes of the run that is watched; nothing where nobody said.
+        own: the nodes of the program in front, None where nobody said which.
         domain: the domain of ROS 2.
         ended: how nodes of the run have ended that nobody asked to, by their names.
+        gone_since: when what is gone was missed first, by its key; by the clock of `monotonic`.
     """
 
     ros_version: int
@@ -186,10 +200,17 @@ class LiveGraph:
     problem: str = ""
     is_watched: bool = True
     has_ended: bool = False
-    own: frozenset[str] = frozenset()
+    own: frozenset[str] | None = None
     domain: str = "0"
     ended: dict[str, NodeEnd] = field(default_factory=dict)
+    gone_since: dict[str, float] = field(default_factory=dict)
     _marked: set[str] = field(default_factory=set)
+
+    @property
+    def is_shown(self) -> bool:
+        """Whether there is something to show: of nodes that ended only beside their program."""
+        is_of_others = self.own is not None and not self.own
+        return (self.is_known or bool(self.problem)) and not (self.has_ended and is_of_others)
 
     def feed(self, report: Mapping[str, Any]) -> bool:
         """Take a report; tell whether something is new. What is no report changes nothing."""
@@ -223,12 +244,12 @@ class LiveGraph:
         self.problem = ""
         self.is_known = self.is_watched = True
         found: dict[str, LiveTopic] = {}
-        for name, type_, publishers, subscribers, *nodes in report["topics"][:_MOST_NAMES]:
+        for name, type_, publishers, subscribers, *more in report["topics"][:_MOST_NAMES]:
             topic = self.topics.get(name)
             if topic is None or topic.type != type_:
                 topic = LiveTopic(str(name), str(type_))
             topic.publishers, topic.subscribers = int(publishers), int(subscribers)
-            topic.nodes = _names(nodes)
+            topic.nodes, topic.ends = _names(more), _ends(more)
             topic.is_gone = False
             found[topic.name] = topic
         for name, topic in self.topics.items():
@@ -249,6 +270,25 @@ class LiveGraph:
                 # Somebody has started it again.
                 self.ended.pop(name, None)
         self.nodes = {name: name in there for name in sorted({*self.nodes, *there})[:_MOST_NAMES]}
+        gone = {
+            *(f"topic {name}" for name, each in self.topics.items() if each.is_gone),
+            *(f"service {name}" for name, each in self.services.items() if each.is_gone),
+            *(f"action {name}" for name, each in self.actions.items() if each.is_gone),
+            *(f"node {name}" for name, is_there in self.nodes.items() if not is_there),
+        }
+        now = time.monotonic()
+        self.gone_since = {key: self.gone_since.get(key, now) for key in sorted(gone)}
+
+    def is_past(self, key: str, nodes: Iterable[str], now: float) -> bool:
+        """Tell whether something is gone for so long that it matters only where it is of the run.
+
+        Args:
+            key: what it is, such as `topic /chatter`.
+            nodes: the nodes that have it, or had it.
+            now: the time by the clock of `monotonic`.
+        """
+        since = self.gone_since.get(key)
+        return since is not None and now - since >= SHOWN_GONE and not self.is_own(nodes)
 
     def _take_sending(self, report: Mapping[str, Any]) -> None:
         name, rate = str(report["name"]), float(report["rate"])
@@ -270,27 +310,33 @@ class LiveGraph:
                 self.goals[number] = goal._replace(state=NOT_WATCHED, is_over=True)
 
     def is_own(self, nodes: Iterable[str]) -> bool:
-        """Tell whether one of some nodes is of the run; all are where nobody said which."""
+        """Tell whether one of some nodes is of the program; all are where nobody said which."""
         named = frozenset(nodes)
-        return not self.own or not named or any(map(self._is_of_run, named))
-
-    def _is_of_run(self, node: str) -> bool:
+        own = self.own
+        if own is None or not named:
+            return True
         # A node of ROS 1 may ask for a number behind its name ("anonymous").
-        return node in self.own or (self.ros_version == 1 and _ANONYMOUS.sub("", node) in self.own)
+        is_numbered = self.ros_version == 1
+        return any(
+            node in own or (is_numbered and _ANONYMOUS.sub("", node) in own) for node in named
+        )
 
     def mark_ended(self, names: Iterable[str], end: NodeEnd) -> bool:
-        """Note how nodes of the run have ended; tell whether that is new."""
+        """Note how nodes have ended; tell whether that is new."""
         new = [name for name in names if name not in self._marked]
         self._marked.update(new)
         self.ended.update(dict.fromkeys(new, end))
         return bool(new)
 
+    def forget_ends(self, names: Iterable[str]) -> None:
+        """Note that nodes start again."""
+        for name in names:
+            self._marked.discard(name)
+            self.ended.pop(name, None)
+
     def end(self) -> None:
-        """Note that the nodes have ended: nothing is sent any more."""
+        """Note that the nodes have ended: all is what was seen last."""
         self.has_ended = True
-        for topic in self.topics.values():
-            topic.rate = 0.0
-        self.nodes = dict.fromkeys(self.nodes, False)
 
 
 _Named = TypeVar("_Named", LiveService, LiveAction)
@@ -303,8 +349,14 @@ def _with_gone(before: Mapping[str, _Named], now: Iterable[_Named]) -> dict[str,
     return dict(sorted({**gone, **there}.items())[:_MOST_NAMES])
 
 
+def _ends(more: Sequence[Iterable[Any]]) -> tuple[LiveEnd, ...]:
+    """Return who does what at a topic: the second list of a report, if it has one."""
+    found = more[1] if len(more) > 1 else ()
+    return tuple(LiveEnd(str(node), bool(sends), str(qos)) for sends, node, qos in found)
+
+
 def _names(nodes: Sequence[Iterable[object]]) -> frozenset[str]:
-    """Return the names of nodes, of which a report has one list, or none."""
+    """Return the names of nodes, the first list of a report, if it has one."""
     return frozenset(map(str, nodes[0])) if nodes else frozenset()
 
 

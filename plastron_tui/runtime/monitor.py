@@ -81,6 +81,32 @@ def monitor_commands(
     return tuple(commands)
 
 
+_PATHS = ("AMENT_PREFIX_PATH", "LD_LIBRARY_PATH", "PYTHONPATH", "ROS_PACKAGE_PATH")
+"""Variables with folders in which types are found."""
+
+
+def joined(runs: Iterable[Sequence[MonitorCommand]]) -> tuple[MonitorCommand, ...]:
+    """Return what starts monitors of the nodes of several runs, which see each other.
+
+    Args:
+        runs: what starts those of each run; of two the first one's Python and variables are taken,
+            with the folders of both. Which nodes they have is left out.
+    """
+    found: dict[int, MonitorCommand] = {}
+    for each in (command for run in runs for command in run):
+        first = found.setdefault(each.ros_version, each)
+        folders = [
+            (variable, Path(folder))
+            for variable in _PATHS
+            for environ in (first.environ, each.environ)
+            for folder in environ.get(variable, "").split(os.pathsep)
+            if folder
+        ]
+        environ = with_folders(first.environ, folders)
+        found[each.ros_version] = replace(first, environ=environ, nodes={})
+    return tuple(found.values())
+
+
 def announcement(commands: Iterable[MonitorCommand]) -> str:
     """Return a line that says what starts monitors, for `announced`."""
     told = [

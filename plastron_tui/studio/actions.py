@@ -68,6 +68,8 @@ ACTIONS: tuple[Action, ...] = (
            "are in.", footer=True, kept=True, chosen="screen.help(False)"),
     Action("run", "Run", "screen.run", "f5",
            "Write and start the nodes; while they run, stop them.", footer=True, kept=True),
+    Action("run_anew", "Run anew", "screen.run(True)", "alt+r",
+           "Stop the nodes, and start them from the text as it is now."),
     Action("stop", "Stop the nodes", "screen.stop", "shift+f5", "Stop the nodes that run."),
     Action(
         "generate", "Generate", "screen.generate", "f6",

@@ -90,6 +90,12 @@ def test_what_runs_is_seen_and_spoken_to(graph: Graph, tmp_path: Path, watched: 
     topics = known.topics
     assert (topics["/cmd_vel"].publishers, topics["/goal"].subscribers) == (1, 1)
     assert topics["/cmd_vel"].type == "geometry_msgs/Twist"
+    qos = "" if graph.target == "rospy" else "reliable"
+
+    def ends(name: str) -> bool:
+        return known.topics[name].ends == (("/robot", name == "/cmd_vel", qos),)
+
+    watched.until(lambda: ends("/cmd_vel") and ends("/goal"), "who is there")
     watched.until(lambda: list(known.services) == ["/switch"], "the service")
     # Nobody looks, and nothing is listened to.
     assert topics["/cmd_vel"].count == 0

@@ -18,7 +18,7 @@ from supervised import all_gone
 
 from plastron_tui.runtime import monitor as monitors
 from plastron_tui.runtime.environment import Environment, Origin
-from plastron_tui.runtime.live_graph import MOST_SAMPLES, NOT_WATCHED, LiveGraph
+from plastron_tui.runtime.live_graph import MOST_SAMPLES, NOT_WATCHED, SHOWN_GONE, LiveGraph
 from plastron_tui.runtime.monitor import (
     Monitor,
     MonitorCommand,
@@ -68,8 +68,23 @@ def test_what_has_gone_stays_and_is_marked() -> None:
     assert graph.nodes == {"/listener": True, "/talker": False}
     graph.feed(GRAPH)
     assert not graph.topics["/chatter"].is_gone and graph.nodes["/talker"]
+    # What is not of the program in front is forgotten some seconds after it was missed.
+    graph.feed({**GRAPH, "topics": [], "services": [], "nodes": ["/listener"]})
+    missed = graph.gone_since["node /talker"]
+    graph.feed({**GRAPH, "topics": [], "services": [], "nodes": ["/listener"]})
+    assert set(graph.gone_since.values()) == {missed}
+    assert {key.split()[0] for key in graph.gone_since} == {"topic", "service", "node"}
+    later = missed + SHOWN_GONE
+    assert not graph.is_past("node /talker", ["/talker"], later)
+    graph.own = frozenset({"/listener"})
+    assert graph.is_past("node /talker", ["/talker"], later)
+    assert not graph.is_past("node /talker", ["/talker"], later - 0.1)
+    assert not graph.is_past("node /listener", ["/listener"], later)
+    # What was seen last stays when all nodes have ended, but not beside other programs.
     graph.end()
-    assert not any(graph.nodes.values())
+    assert graph.is_shown
+    graph.own = frozenset()
+    assert not graph.is_shown
 
 
 def test_what_is_sent_is_known_until_it_ends_or_the_monitor_does() -> None:
@@ -256,3 +271,14 @@ def test_a_monitor_that_is_stopped_ends_with_who_started_it() -> None:
     assert studio.returncode == -signal.SIGKILL
     pid = int(studio.stdout)
     all_gone(pid)
+
+
+def test_monitors_of_several_runs_know_the_types_of_all_of_them() -> None:
+    newer = MonitorCommand(2, ("a",), {"PYTHONPATH": "/own:/opt", "HOME": "/h"}, {"t": ("/t",)})
+    older = MonitorCommand(2, ("b",), {"PYTHONPATH": "/older:/opt", "HOME": "/g"})
+    (both,) = monitors.joined([[newer], [older]])
+    assert (both.command, both.environ["HOME"], both.nodes) == (("a",), "/h", {})
+    assert both.environ["PYTHONPATH"].split(":") == ["/own", "/opt", "/older"]
+    assert monitors.joined([[newer]]) == (replace(newer, nodes={}),)
+    one = MonitorCommand(1, ("c",), {})
+    assert monitors.joined([[one], [newer]]) == (one, replace(newer, nodes={}))

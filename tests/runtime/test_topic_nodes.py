@@ -25,10 +25,16 @@ class Node:
 
     def get_publishers_info_by_topic(self, name: str) -> list[Any]:
         self.asked += 1
-        return [SimpleNamespace(node_namespace=a, node_name=b) for a, b in self.publishing]
+        return [_info(*each) for each in self.publishing]
 
     def get_subscriptions_info_by_topic(self, name: str) -> list[Any]:
-        return [SimpleNamespace(node_namespace=a, node_name=b) for a, b in self.listening]
+        return [_info(*each, "TRANSIENT_LOCAL") for each in self.listening]
+
+
+def _info(namespace: str, name: str, durability: str = "VOLATILE") -> Any:
+    named = SimpleNamespace
+    qos = named(reliability=named(name="BEST_EFFORT"), durability=named(name=durability))
+    return named(node_namespace=namespace, node_name=name, qos_profile=qos)
 
 
 @pytest.mark.parametrize(
@@ -72,3 +78,7 @@ def test_the_number_tells_of_another_publisher_of_a_node_that_is_there(
     assert topic_nodes.at("/a", (1, 0)) == ["/talker"]
     node.listening = [LISTENER]
     assert topic_nodes.at("/a", (1, 1)) == ["/robot/listener", "/talker"]
+    assert topic_nodes.ends_at("/a", (1, 1)) == [
+        (True, "/talker", "best effort"),
+        (False, "/robot/listener", "best effort, transient local"),
+    ]

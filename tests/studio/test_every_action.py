@@ -87,6 +87,7 @@ WRONG = PROGRAM.replace("generate_node talker", "generate_node talkr")
 CASES: dict[str, Case] = {
     "help": Case(opens="Help", before=("f1",)),
     "run": Case(lambda driver: getattr(driver.app, "started", None) == ["talk.plastron"]),
+    "run_anew": Case(lambda driver: getattr(driver.app, "started", None) == ["talk.plastron"]),
     "stop": Case(lambda driver: "nothing runs" in driver.notes()),
     "generate": Case(opens="GenerateDialog"),
     "wizard": Case(lambda driver: driver.app.screen is not driver.main),

@@ -9,7 +9,7 @@ import pytest
 
 from plastron_tui.studio.actions import ACTIONS, KEPT
 from plastron_tui.studio.key_display import key_name
-from plastron_tui.studio.main.program_bars import Title
+from plastron_tui.studio.main.program_bars import OLDER, Title
 from plastron_tui.studio.main.tab_run import TabRun
 from plastron_tui.studio.panels.key_bar import Key, fitting
 
@@ -80,7 +80,7 @@ def test_the_footer_keeps_what_matters(width: int, titles: str) -> None:
         (80, "running", "plastron talk.plastron ● running: F5 stops  work/  rclpy (ROS 2 kilted)"),
         (70, "running", "talk.plastron ● running: F5 stops  work/  rclpy (ROS 2 kilted)"),
         (60, "running", "talk.plastron ● running: F5 stops  rclpy (ROS 2 kilted)"),
-        (50, "running", "talk.plastron ● running  rclpy (ROS 2 kilted)"),
+        (50, "running", "talk.plastron ● running: F5 stops  rclpy"),
         (40, "running", "talk.plastron ● running  rclpy"),
         (
             70,
@@ -96,6 +96,21 @@ def test_the_title_drops_first_what_matters_less(width: int, stage: str, text: s
     assert "".join(words for words, _ in (*left, *right)) == text
 
 
+@pytest.mark.parametrize(
+    ("width", "text"),
+    [
+        (90, "talk.plastron   running an older text: F5 stops, Alt-R runs anew  work/  rclpy"),
+        (76, "talk.plastron   running an older text: F5 stops, Alt-R runs anew  rclpy"),
+        (50, "talk.plastron   running an older text  rclpy"),
+    ],
+)
+def test_the_title_says_that_what_runs_is_older(width: int, text: str) -> None:
+    stage = "running an older text"
+    title = Title("talk.plastron", False, "work", "rclpy", "rclpy", stage, "F5", "Alt-R")
+    left, right = title.pieces(width)
+    assert "".join(words for words, _ in (*left, *right)).removeprefix("plastron ") == text
+
+
 def test_nodes_run_once_what_they_need_is_built() -> None:
     run = TabRun()
     assert run.stage(0.0) == ""
@@ -109,6 +124,12 @@ def test_nodes_run_once_what_they_need_is_built() -> None:
     assert run.stage(20.0) == "building other… 0 s"
     nodes.is_started = True
     assert run.stage(30.0) == "running"
+    run.text = b"a // b\n"
+    run.compare(b"a\n")
+    assert run.stage(30.0) == "running"
+    run.compare(b"b\n")
+    assert run.stage(30.0) == OLDER
+    run.compare(b"a\n")
     # What a node prints is told by it, not by the build.
     nodes.is_started = False
     run.note_progress(["talker | building `third`: no"], 31.0)

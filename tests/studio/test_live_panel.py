@@ -2,80 +2,31 @@
 
 from __future__ import annotations
 
-import json
-import os
-import sys
+from dataclasses import replace
 from pathlib import Path
 from types import SimpleNamespace
 from typing import Any, cast
 
 import pytest
-from studio_driver import PROGRAM, Driver, studio
+from stand_in_nodes import Nodes, asked, live, wait_shown, watch_stand_in
+from studio_driver import PROGRAM, studio
 from textual import events
 from textual.widgets import Label
 
 from plastron_tui.runtime import monitor
-from plastron_tui.runtime.monitor import MonitorCommand
-from plastron_tui.studio import key_order, running
+from plastron_tui.studio import key_order
 from plastron_tui.studio.main import live_actions
 from plastron_tui.studio.main.live_actions import LiveActions
 from plastron_tui.studio.main.watched_run import WatchedRun
 from plastron_tui.studio.panels.key_bar import KeyBar
-from plastron_tui.studio.panels.live_panel import LivePanel
+from plastron_tui.studio.panels.live_row import Kind
 from plastron_tui.studio.panels.live_watching import Watching
-
-STAND_IN = Path(__file__).with_name("monitor_stand_in.py")
-
-
-class Nodes:
-    """Nodes that are said to run until they are stopped."""
-
-    monitors: tuple[MonitorCommand, ...] = ()
-    is_started = True
-    has_more = False
-
-    def __init__(self, path: Path, options: object, news: Any) -> None:
-        self.status: int | None = None
-        self.was_stopped = False
-        self._news = news
-        news()
-
-    def take(self) -> list[str]:
-        return []
-
-    def stop(self) -> None:
-        self.status, self.was_stopped = 130, True
-        self._news()
-
-    close = stop
 
 
 @pytest.fixture
 def orders(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     """The file in which the monitor writes down what it is asked."""
-    log = tmp_path / "orders"
-    log.touch()
-    command = (sys.executable, str(STAND_IN), str(log))
-    monkeypatch.setattr(Nodes, "monitors", (MonitorCommand(2, command, dict(os.environ)),))
-    monkeypatch.setattr(running, "Running", Nodes)
-    return log
-
-
-def asked(orders: Path, what: str) -> list[dict[str, Any]]:
-    """Return what the monitor was asked of a kind."""
-    found = [json.loads(line) for line in orders.read_text().splitlines()]
-    return [each for each in found if each["do"] == what]
-
-
-def live(driver: Driver) -> LivePanel:
-    panel = driver.main.panels["live"]
-    assert isinstance(panel, LivePanel)
-    return panel
-
-
-async def wait_shown(driver: Driver, text: str) -> str:
-    await driver.until(lambda: any(text in line for line in live(driver).lines))
-    return next(line for line in live(driver).lines if text in line)
+    return watch_stand_in(tmp_path, monkeypatch)
 
 
 async def test_what_travels_is_shown_and_nodes_are_spoken_to(program: Path, orders: Path) -> None:
@@ -128,6 +79,16 @@ async def test_what_travels_is_shown_and_nodes_are_spoken_to(program: Path, orde
         await driver.until(lambda: form.focused.parent.path == ("linear", "y"))
         await driver.pilot.press("escape")
         await driver.back()
+        # The card of a topic says what comes there; the wizard gives the focus back.
+        assert driver.main.program.said_now("/chatter") == "2.0 Hz, 0.25"
+        assert driver.main.program.said_now("/nowhere") == ""
+        card = driver.main.program.card_at(driver.main.open.text.index(b"chatter"))
+        assert card.rows[0][:2] == ("now", "2.0 Hz, 0.25")
+        await driver.press("ctrl+u")
+        await driver.dialog("Wizard")
+        await driver.pilot.press("escape")
+        await driver.back()
+        assert live(driver).has_focus
         # A parameter.
         await driver.press("end", "right")
         await wait_shown(driver, "speed")
@@ -170,7 +131,7 @@ async def test_what_travels_is_shown_and_nodes_are_spoken_to(program: Path, orde
         assert "nothing has these words" in live(driver).entries.empty and not live(driver).lines
         await driver.press("escape")
         assert live(driver).has_focus and len(live(driver).lines) > 50 and not bar.display
-        await driver.press("end", "up", "up", "up", "up")
+        await driver.press("end", *["up"] * 5)
         assert live(driver).row.name == "/add"
         # Out of sight nothing is listened to; back in sight it is again.
         await driver.press("alt+1")
@@ -204,10 +165,16 @@ async def test_what_travels_is_shown_and_nodes_are_spoken_to(program: Path, orde
         # Nodes that have ended are marked.
         await driver.press("f5")
         await driver.until(lambda: not driver.main.runner.is_running)
-        await driver.show("live")
-        await driver.until(
-            lambda: any("/talker" in line and "gone" in line for line in live(driver).lines)
-        )
+        assert live(driver).has_focus
+        await wait_shown(driver, "ended: this was seen last")
+        await wait_shown(driver, "/chatter      2.0 Hz 0.25")
+        assert (await wait_shown(driver, "/talker")).endswith("ended")
+        # The parameters that were in sight stay as well.
+        await wait_shown(driver, "speed              0.5")
+        assert all(row.is_old for row in live(driver)._live if row.kind in (Kind.TOPIC, Kind.NODE))
+        await driver.press("home", "down")
+        assert live(driver).row.name == "/chatter" and "Publish" not in footer.text
+        assert "Open" in footer.text
 
 
 async def test_messages_at_a_rate_and_goals_are_sent_and_canceled(
@@ -290,7 +257,7 @@ def test_what_is_built_before_nodes_start_is_said_unless_others_are_watched() ->
     )
     watched.preparing(["talker | building `it`: no"])
     assert said == ["building `b`: configuring"]
-    watched._tab = cast(Any, object())
+    watched._newest = cast(Any, object())
     watched.preparing(["building `c`: compiling"])
     assert len(said) == 1
 
@@ -318,19 +285,28 @@ async def test_in_a_wide_window_the_output_stays(
         assert driver.main.runner.is_running
 
 
-async def test_the_nodes_that_were_started_last_are_watched_whichever_tab_is_theirs(
+async def test_of_the_nodes_of_all_tabs_those_of_the_tab_in_front_are_its_own(
     program: Path, orders: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     other = program.with_name("other.plastron")
     other.write_text(PROGRAM)
+    (command,) = Nodes.monitors
+
+    def own() -> bool:
+        return not next(row for row in live(driver)._live if row.name == "/talker").is_foreign
+
     async with studio(program, (160, 40)) as driver:
         main = driver.main
         runner = main.runner
+        monkeypatch.setattr(Nodes, "monitors", (replace(command, nodes={"t": ("/talker",)}),))
         await driver.press("f5")
         await wait_shown(driver, "≈ /chatter")
+        assert own()
         main.files.open_file(other)
         await driver.settle()
         first, second = main.program.tabs
+        watched = runner.watched
+        assert not own()
         # Another program's nodes are built, and that fails: those that run are watched all along.
         with monkeypatch.context() as building:
             building.setattr(Nodes, "monitors", ())
@@ -340,17 +316,38 @@ async def test_the_nodes_that_were_started_last_are_watched_whichever_tab_is_the
             runner.stop()
             await driver.until(lambda: not runner.runs_in(second))
             await wait_shown(driver, "≈ /chatter")
-        # What is sent to them is of their program's types, not of those of the one in front.
-        assert main.program.tab is second and runner.watched.live._tab is first
+        assert main.program.tab is second and watched._newest is first
         assert "gone" not in "".join(live(driver).lines)
-        # Nodes that are ready are watched, and those of before again when they have ended.
+        # One monitor watches all of them, and goes on when others start or end.
+        monitor_before = watched.live._monitors[2]
+        monkeypatch.setattr(Nodes, "monitors", (replace(command, nodes={"l": ("/listener",)}),))
         await driver.press("f5")
-        await driver.until(lambda: runner.watched.live._tab is second)
+        await driver.until(lambda: watched._newest is second)
         await wait_shown(driver, "≈ /chatter")
+        assert not own()
+        # Types are those of the program in front, else of the one that was started last.
+        assert watched.live._sessions == (second.open.session,)
+        await driver.press("alt+e")
+        await driver.until(own)
+        assert watched.live._sessions == (first.open.session, second.open.session)
+        await driver.press("alt+e")
+        await driver.until(lambda: not own())
+        # Who stops nodes knows why they are gone: that is said in quiet.
+        await driver.press("alt+e")
+        runner.stop()
+        await driver.until(lambda: not runner.runs_in(first))
+        row = next(row for row in live(driver)._live if row.name == "/talker")
+        assert (row.value, row.tone) == ("stopped", "quiet") and runner.runs_in(second)
+        monkeypatch.setattr(Nodes, "monitors", (replace(command, nodes={"t": ("/talker",)}),))
+        await driver.press("f5")
+        await driver.until(lambda: watched._newest is first)
         runner.forget(second)
-        await driver.until(lambda: runner.watched.live._tab is first)
-        await driver.until(lambda: "nothing runs" not in live(driver).entries.empty)
+        assert watched.live._monitors[2] is monitor_before
         await wait_shown(driver, "≈ /chatter")
+        # What was seen last of nodes that were ended is shown with their own program only.
+        runner.forget(first)
+        await driver.until(lambda: not live(driver).lines)
+        assert "nothing runs" in live(driver).entries.empty
 
 
 async def test_what_is_gathered_waits_while_somebody_types(

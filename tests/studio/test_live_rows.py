@@ -81,7 +81,30 @@ def test_the_rows_say_what_runs(graph: LiveGraph) -> None:
         " nodes",
         " ▾ ● /talker",
         "       asking for its parameters…",
+        "       action /count",
     ]
+
+
+def test_who_is_at_a_topic_and_what_a_node_does_are_named(graph: LiveGraph) -> None:
+    at = [[True, "/talker", "reliable"], [False, "/ear", "best effort, transient local"]]
+    many = [[False, f"/n{number}", ""] for number in range(10)]
+    graph.feed({
+        "tell": "graph", "nodes": ["/talker"],
+        "topics": [["/speed", "std_msgs/Float64", 1, 1, ["/ear", "/talker"], at],
+                   ["/scan", "p/T", 0, 10, ["/talker"], [*many, [False, "/talker", ""]]]],
+        "services": [["/add", "p/S", ["/talker"]], ["/sub", "p/S", ["/other"]]],
+        "actions": [["/count", "p/A", 1, ["/talker"]]],
+    })  # fmt: skip
+    lines = drawn(graph, 90, {"2 topic /speed", "2 topic /scan", "2 node /talker"})
+    about = lines.index("       std_msgs/Float64, 1 publisher, 1 subscriber")
+    assert lines[about + 1 : about + 3] == [
+        "       from /talker  reliable", "       to /ear  best effort, transient local"
+    ]  # fmt: skip
+    assert "       to /n7" in lines and "       and 3 more" in lines
+    assert lines[lines.index(" ▾ ● /talker") + 1 :] == [
+        "       asking for its parameters…",
+        "       sends /speed", "       hears /scan", "       offers /add", "       action /count",
+    ]  # fmt: skip
 
 
 def test_nothing_is_wider_than_the_panel_and_each_name_is_seen(graph: LiveGraph) -> None:
@@ -107,7 +130,7 @@ def test_what_is_gone_or_silent_is_marked(graph: LiveGraph) -> None:
      # The middleware believes for some seconds in a node that was killed.
      (True, NodeEnd("was ended by SIGKILL", True), False, "was ended by SIGKILL", "error"),
      (False, NodeEnd("finished", False), False, "finished", "quiet"),
-     (False, None, True, "gone", "quiet")],
+     (False, None, True, "ended", "quiet"), (True, None, True, "ended", "quiet")],
 )  # fmt: skip
 def test_a_node_that_has_done_its_work_is_not_one_that_is_gone(
     graph: LiveGraph, there: bool, end: NodeEnd | None, stopped: bool, value: str, tone: str
@@ -120,7 +143,7 @@ def test_a_node_that_has_done_its_work_is_not_one_that_is_gone(
         graph.end()
     row = live_rows([graph], set(), {})[-1]
     assert (row.name, row.value, row.tone) == ("/talker", value, tone)
-    assert row.is_branch == (there and end is None)
+    assert row.is_branch == (there and end is None and not stopped)
     if end is not None and not there:
         # Somebody has started it by hand.
         graph.feed({"tell": "graph", "topics": [], "services": [], "nodes": ["/talker"]})
@@ -138,7 +161,7 @@ def test_a_node_that_has_done_its_work_is_not_one_that_is_gone(
 def test_what_the_program_does_not_have_comes_behind_and_is_marked(
     own: tuple[str, ...], version: int, topics: list[str], nodes: list[str]
 ) -> None:
-    graph = LiveGraph(version, own=frozenset(own), domain="7")
+    graph = LiveGraph(version, own=frozenset(own) or None, domain="7")
     there = ["/x", "/y"] if version == 2 else ["/n_12_345"]
     at = [[node] for node in there] if version == 2 else [there, there]
     graph.feed({"tell": "graph", "topics": [["/a", "p/T", 1, 0, at[0]], ["/b", "p/T", 1, 0, at[1]],

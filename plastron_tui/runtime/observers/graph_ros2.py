@@ -68,7 +68,8 @@ class RunningGraph:
             subscribers = ends[1] - self._topics.hears(name)
             if publishers + subscribers > 0:
                 at = self._topic_nodes.at(name, ends)
-                topics.append((name, type_name, publishers, subscribers, at))
+                who = self._topic_nodes.ends_at(name, ends)
+                topics.append((name, type_name, publishers, subscribers, at, who))
         return topics
 
     def _found_services(self, nodes: list[tuple[str, str]]) -> list[Any]:

@@ -156,20 +156,25 @@ class _Monitor:
         at: dict[str, set[str]] = {}
         for name, owners in (*publishers, *subscribers):
             at.setdefault(name, set()).update(owners)
+        ends: dict[str, list[tuple[bool, str, str]]] = {}
+        for sends, side in ((True, publishers), (False, subscribers)):
+            for name, owners in side:
+                shown = sorted(owner for owner in owners if not _is_hidden(owner))
+                ends.setdefault(name, []).extend((sends, owner, "") for owner in shown)
         # An action is one thing, and not the five topics that it consists of.
         actions = action_types(types)
         topics = [
-            (name, types.get(name, ""), *count, sorted(at[name]))
+            (name, types.get(name, ""), *count, sorted(at[name]), ends.get(name, []))
             for name, count in sorted(counts.items())
             if is_shown(name) and any(count) and not is_part(name, actions)
         ]
-        shown = {name: own for name, own in services if self._is_offered(name, own)}
+        offered = {name: own for name, own in services if self._is_offered(name, own)}
         nodes = {owner for kind in (publishers, subscribers, services) for _, own in kind
                  for owner in own if not _is_hidden(owner)}  # fmt: skip
         return {
             "topics": topics,
             "services": [
-                (name, self._service_types.of(name), own) for name, own in sorted(shown.items())
+                (name, self._service_types.of(name), own) for name, own in sorted(offered.items())
             ],
             "actions": [
                 (name, type_, counts.get(f"{name}/status", nobody)[0], sorted(at[f"{name}/goal"]))

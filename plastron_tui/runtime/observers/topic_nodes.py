@@ -4,6 +4,9 @@ from __future__ import annotations
 
 from typing import Any
 
+End = tuple[bool, str, str]
+"""Whether a node sends, its name, and its quality of service in words."""
+
 
 class TopicNodes:
     """Looks up who publishes and who listens, and remembers it: to ask for each topic takes time.
@@ -16,7 +19,7 @@ class TopicNodes:
         """Ask a node of rclpy."""
         self._node = node
         self._nodes: list[str] = []
-        self._known: dict[str, tuple[tuple[int, int], list[str]]] = {}
+        self._known: dict[str, tuple[tuple[int, int], list[End]]] = {}
 
     def see(self, nodes: list[str]) -> None:
         """Note which nodes there are now."""
@@ -29,16 +32,30 @@ class TopicNodes:
 
         Hidden nodes, as the monitor's own, and those whose names are not known yet are left out.
         """
+        return sorted({node for _, node, _ in self.ends_at(topic, ends)})
+
+    def ends_at(self, topic: str, ends: tuple[int, int]) -> list[End]:
+        """Return the same nodes by what they do there, those that send first."""
         known = self._known.get(topic)
         if known is None or known[0] != ends:
-            infos = [
-                *self._node.get_publishers_info_by_topic(topic),
-                *self._node.get_subscriptions_info_by_topic(topic),
-            ]
-            names = {
-                f"{each.node_namespace.rstrip('/')}/{each.node_name}"
-                for each in infos
+            infos = (
+                (True, self._node.get_publishers_info_by_topic(topic)),
+                (False, self._node.get_subscriptions_info_by_topic(topic)),
+            )
+            found = {
+                (sends, f"{each.node_namespace.rstrip('/')}/{each.node_name}", _words(each))
+                for sends, side in infos
+                for each in side
                 if not each.node_name.startswith("_")
             }
-            known = self._known[topic] = ends, sorted(names)
+            shown = sorted(found, key=lambda end: (not end[0], *end[1:]))
+            known = self._known[topic] = ends, shown
         return known[1]
+
+
+def _words(info: Any) -> str:
+    """Return what matters when two ends are to match: the depth is not announced."""
+    qos = info.qos_profile
+    reliability = str(qos.reliability.name).lower().replace("_", " ")
+    is_kept = qos.durability.name == "TRANSIENT_LOCAL"
+    return f"{reliability}, transient local" if is_kept else reliability

@@ -49,6 +49,10 @@ class Card:
     kind: str
     rows: tuple[CardRow, ...]
 
+    def with_row(self, label: str, text: str) -> Card:
+        """Return the card with a row above the others."""
+        return replace(self, rows=(CardRow(label, text), *self.rows))
+
     def with_hint(self, hint: str) -> Card:
         """Return the card with a hint below it."""
         return replace(self, rows=(*self.rows, CardRow("", "", hint)))

@@ -13,7 +13,7 @@ from ..editor.state import EditingState
 from ..open_program import Open
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
+    from collections.abc import Callable, Sequence
 
     from ..analysis import Analysis
     from ..editor.card import Card
@@ -39,6 +39,7 @@ class ActiveProgram:
         tabs: all programs that are open, as the line of tabs has them.
         tab: the one in the editor.
         editor: the editor, which goes from program to program.
+        said_now: tells what comes at a topic now, "" where nobody listens.
     """
 
     def __init__(self, open_: Open, others: Sequence[Open] = ()) -> None:
@@ -46,6 +47,7 @@ class ActiveProgram:
         self.tabs = [self.tab, *map(Tab, others)]
         self.editor = ProgramEditor(open_.session, id="editor")
         self.editor.hover.card_of = self.card_at
+        self.said_now: Callable[[str], str] = lambda _: ""
         self.editor.border_title = "Program"
 
     @property
@@ -89,7 +91,9 @@ class ActiveProgram:
 
         diagnostics = analysis.diagnostics if analysis is self.analysis else ()
         meaning = analysis.program, analysis.workspace
-        return card_at(Known(self.open.session, *meaning, diagnostics), offset)
+        card = card_at(Known(self.open.session, *meaning, diagnostics), offset)
+        now = self.said_now(card.title) if card is not None and card.kind == "topic" else ""
+        return card.with_row("now", now) if card is not None and now else card
 
     def replace(self, open_: Open, cursor: int = 0) -> None:
         """Put another program in the place of the one in the editor."""

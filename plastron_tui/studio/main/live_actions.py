@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-import itertools
 from collections import Counter
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
+from itertools import chain, count, product
 from time import monotonic
 from typing import TYPE_CHECKING, Any
 
@@ -12,7 +12,7 @@ from textual.screen import Screen
 
 from plastron_tui.diagnostics.terminal import visible
 from plastron_tui.regular_files import reason
-from plastron_tui.runtime.live_graph import LiveGraph, NodeEnd
+from plastron_tui.runtime.live_graph import LiveGraph, LiveTopic, NodeEnd
 
 from ..delay import Delay
 from ..key_order import InOrder
@@ -20,11 +20,13 @@ from ..panels.live_panel import LOOKING, NOTHING_RUNS, STARTING, LivePanel
 from ..panels.live_row import Answer, Kind, LiveRow
 from ..panels.live_row_places import field_of
 from ..panels.live_watching import Watching
-from .active_program import Tab
+from .active_program import ActiveProgram
+from .live_defaults import default_place, write_default
 from .workers import start_exclusive
 
 if TYPE_CHECKING:
     from plastron_tui.runtime.monitor import Monitor, MonitorCommand
+    from plastron_tui.session import Session
 
     from ..wizard.live_form import LiveForm
     from ..wizard.values import Path
@@ -40,31 +42,40 @@ _LOOK = 2.0
 
 
 class LiveActions:
-    """Starts and ends the monitors of the nodes that run."""
+    """Starts and ends the monitors of the nodes that run.
 
-    def __init__(self, screen: Screen[None], panel: LivePanel) -> None:
+    Attributes:
+        on_written: called when the program has got a value that a node was given.
+    """
+
+    def __init__(self, screen: Screen[None], panel: LivePanel, program: ActiveProgram) -> None:
         """Start with nothing that runs.
 
         Args:
             screen: shows dialogs.
             panel: shows what is known.
+            program: what is in front.
         """
         self._screen = screen
-        self._tab: Tab | None = None
+        self._program = program
+        self.on_written: Callable[[], object] = lambda: None
+        self._sessions: Sequence[Session] = ()
         self._panel = panel
         panel.on_watched, panel.on_asked = self.update_subscriptions, self.run_order
         self._delay = Delay(screen, self._show)
         self._shown_at = 0.0
+        self._is_due = False
         self._is_in_sight = False
         self._look = Delay(screen, self._look_at_monitors)
         self._commands: Sequence[MonitorCommand] = ()
+        self._own: Mapping[int, frozenset[str]] | None = None
         self._monitors: dict[int, Monitor] = {}
         self._graphs: dict[int, LiveGraph] = {}
         self._watching: dict[int, Watching] = {}
         self._silent: set[int] = set()
         self._retried: set[int] = set()
         """Those whose monitor was started again by itself."""
-        self._numbers = itertools.count(1)
+        self._numbers = count(1)
         self._asked: dict[int, tuple[LiveRow, LiveForm | None]] = {}
         self._answers: dict[str, Answer] = {}
         self._said: Counter[str] = Counter()
@@ -79,27 +90,46 @@ class LiveActions:
         self._said.clear()
         self._tell(STARTING)
 
+    def forget_ends(self, commands: Sequence[MonitorCommand]) -> None:
+        """Note that the nodes of a run start again, however they have ended before."""
+        for graph, command in product(self._graphs.values(), commands):
+            graph.forget_ends(chain.from_iterable(command.nodes.values()))
+
     def preparing(self, step: str) -> None:
         """Say what is done before the nodes start: to compile them takes its time."""
         self._tell(f"{visible(step)}\nthe nodes start then, and what they send is shown here")
 
-    def start(self, tab: Tab, commands: Sequence[MonitorCommand]) -> None:
-        """Watch nodes.
+    def watch(self, commands: Sequence[MonitorCommand]) -> None:
+        """Watch nodes; a monitor that runs, and knows the types of all of them, goes on.
 
         Args:
-            tab: whose nodes they are, whichever is in front; its types are those of the forms.
             commands: what starts their monitors.
         """
-        if tab is not self._tab:
-            # A topic of that name may have another type there.
-            self._given.clear()
-            self._edited.clear()
-        self._tab, self._commands = tab, commands
+        kept = {each.ros_version for each in commands if each in self._commands}
+        for version in self._monitors.keys() - kept:
+            self._close(version)
+        self._commands = commands
         self._retried.clear()
-        self._drop_asked()
-        self._close()
-        self._tell(LOOKING)
+        if not any(graph.is_known for graph in self._graphs.values()):
+            self._tell(LOOKING)
         self._start_missing()
+
+    def follow(self, own: Mapping[int, frozenset[str]] | None, sessions: Sequence[Session]) -> None:
+        """Follow the program in front.
+
+        Args:
+            own: its nodes that run, or ran last, by the generation of ROS; None where nobody said.
+            sessions: it, and the program whose nodes were started last: the forms take their types.
+        """
+        self._sessions, self._own = sessions, own
+        before = [graph.own for graph in self._graphs.values()]
+        for graph in self._graphs.values():
+            graph.own = self._own_of(graph)
+        if before != [graph.own for graph in self._graphs.values()]:
+            self._tell(self._empty)
+
+    def _own_of(self, graph: LiveGraph) -> frozenset[str] | None:
+        return None if self._own is None else self._own.get(graph.ros_version, frozenset())
 
     def _start_missing(self) -> None:
         """Start the monitors that do not run."""
@@ -110,7 +140,7 @@ class LiveActions:
                 continue
             graph = self._graphs.setdefault(each.ros_version, LiveGraph(each.ros_version))
             graph.domain = each.environ.get("ROS_DOMAIN_ID", "0") if each.ros_version == 2 else "0"
-            graph.own = frozenset(itertools.chain.from_iterable(each.nodes.values()))
+            graph.own = self._own_of(graph)
             try:
                 self._monitors[each.ros_version] = Monitor(each, self._news)
             except OSError as error:
@@ -121,24 +151,36 @@ class LiveActions:
     def end(self) -> None:
         """Watch no more: the nodes have ended. What was seen last stays."""
         self._commands = ()
-        self._drop_asked()
-        self._close()
+        self._close_all()
         for graph in self._graphs.values():
             graph.end()
         self._tell(NOTHING_RUNS)
 
     def close(self) -> None:
         """End the monitors, because the studio ends."""
-        self._close()
+        self._close_all()
 
-    def _close(self) -> None:
-        for monitor in self._monitors.values():
-            monitor.close()
-        for graph in self._graphs.values():
-            graph.drop_orders()
-        self._monitors, self._watching, self._silent = {}, {}, set()
+    def _close_all(self) -> None:
+        for version in list(self._monitors):
+            self._close(version)
         self._delay.stop()
         self._look.stop()
+
+    def _close(self, version: int) -> None:
+        monitor = self._monitors.pop(version, None)
+        if monitor is not None:
+            monitor.close()
+            self._graphs[version].drop_orders()
+            self._drop_asked(version)
+        self._watching.pop(version, None)
+        self._silent.discard(version)
+
+    def topic(self, name: str) -> LiveTopic | None:
+        """Return what is known of a topic, None of one that is not listened to now."""
+        for version, watching in self._watching.items():
+            if name in watching.topics:
+                return self._graphs[version].topics.get(name)
+        return None
 
     def update_subscriptions(self) -> None:
         """Have the topics and nodes in sight listened to, and no others."""
@@ -180,7 +222,7 @@ class LiveActions:
             self._delay.start(_SHOWN_AFTER)
             return
         self._shown_at = monotonic()
-        is_new = False
+        is_new, self._is_due = self._is_due, False
         for version, monitor in list(self._monitors.items()):
             graph = self._graphs[version]
             for report in monitor.take():
@@ -201,10 +243,14 @@ class LiveActions:
 
     def _tell(self, empty: str, *, unseen: bool = True) -> None:
         self._empty = empty
-        graphs = [graph for graph in self._graphs.values() if graph.is_known or graph.problem]
+        graphs = [graph for graph in self._graphs.values() if graph.is_shown]
         self._panel.show_live(graphs, self._answers, empty, unseen=unseen)
 
     def _look_at_monitors(self) -> None:
+        if any(graph.gone_since for graph in self._graphs.values()):
+            # What is not of the program goes some seconds after it was missed.
+            self._is_due = True
+            self.show_soon()
         for version, monitor in list(self._monitors.items()):
             if not monitor.is_silent:
                 self._silent.discard(version)
@@ -217,15 +263,16 @@ class LiveActions:
         if self._monitors:
             self._look.start(_LOOK)
 
-    def mark_ended(self, ends: Mapping[str, NodeEnd]) -> None:
+    def mark_ended(self, commands: Sequence[MonitorCommand], ends: Mapping[str, NodeEnd]) -> None:
         """Mark nodes that have ended by themselves: the middleware believes in them for longer.
 
         Args:
+            commands: what starts monitors of their run.
             ends: how they have ended, by what their lines are labelled with.
         """
         is_new = False
-        for command in self._commands:
-            graph = self._graphs[command.ros_version]
+        for command in commands:
+            graph = self._graphs.get(command.ros_version, LiveGraph(command.ros_version))
             for label, end in ends.items():
                 is_new |= graph.mark_ended(command.nodes.get(label, ()), end)
         if is_new:
@@ -233,11 +280,7 @@ class LiveActions:
 
     def _lost(self, version: int, why: str) -> None:
         """Watch again, once; then say that a monitor is no more. The nodes run on."""
-        monitor = self._monitors.pop(version)
-        monitor.close()
-        self._watching.pop(version, None)
-        self._silent.discard(version)
-        self._drop_asked(version)
+        self._close(version)
         if version not in self._retried:
             self._retried.add(version)
             self._fail(version, f"not watched for the moment: {why}")
@@ -274,16 +317,19 @@ class LiveActions:
             monitor.order(do="cancel", goal=row.goal)
 
     async def _ask(self, row: LiveRow) -> None:
-        if row.ros_version not in self._monitors or self._tab is None:
+        if row.ros_version not in self._monitors or not self._sessions:
             self._say("nothing runs that could take it")
             return
         from ..wizard.live_orders import form_for
 
         topic = self._graphs[row.ros_version].topics.get(row.owner)
         seen = () if topic is None or row.kind is not Kind.TOPIC else topic.fields
-        given, edited = self._given.get(row.key, {}), self._edited.get(row.key, ())
+        # A topic of that name may have another type in another program.
+        about = f"{row.key} {row.type}"
+        given, edited = self._given.get(about, {}), self._edited.get(about, ())
         at = field_of(self._panel.row, row)
-        form = form_for(row, self._tab.open.session, given, seen, at, edited)
+        forms = [form_for(row, session, given, seen, at, edited) for session in self._sessions]
+        form = next((each for each in forms if not isinstance(each, str)), forms[0])
         if isinstance(form, str):
             self._say(form)
             return
@@ -291,14 +337,18 @@ class LiveActions:
         if row.kind is Kind.PARAMETER:
             # A node may refuse a value that fits: what was typed is still there then.
             dialog.ask = lambda given: self._order(row, form.order(given), dialog)
-            await self._screen.app.push_screen_wait(dialog)
+            if default_place(self._program, row) is not None:
+                dialog.other_verb = "Set, and write it into the program"
+        entered = await self._screen.app.push_screen_wait(dialog)
+        if entered is None:
             return
-        sent = await self._screen.app.push_screen_wait(dialog)
-        if sent is None:
+        if row.kind is Kind.PARAMETER:
+            if dialog.is_other:
+                self._say(write_default(self._program, row, entered, self.on_written))
             return
         # A parameter has a value, which is what its form begins with; this begins with the last.
-        self._given[row.key], self._edited[row.key] = sent, dialog.edited or edited
-        if not self._order(row, form.order(sent)):
+        self._given[about], self._edited[about] = entered, dialog.edited or edited
+        if not self._order(row, form.order(entered)):
             self._say("the monitor of the nodes takes nothing any more")
 
     def _order(self, row: LiveRow, order: Mapping[str, Any], form: LiveForm | None = None) -> bool:
@@ -316,10 +366,10 @@ class LiveActions:
         self._asked[number] = row, form
         return True
 
-    def _drop_asked(self, version: int | None = None) -> None:
-        """Wait for no answer any more, of one generation of ROS or of all; forms are told."""
+    def _drop_asked(self, version: int) -> None:
+        """Wait for no answer any more of a generation of ROS; forms are told."""
         for number, (row, form) in list(self._asked.items()):
-            if version in (None, row.ros_version):
+            if version == row.ros_version:
                 del self._asked[number]
                 if form is not None and form.is_current:
                     form.answered("nobody answered: try again", is_failure=True)
@@ -335,10 +385,8 @@ class LiveActions:
                 return False
         if row.kind is Kind.SERVICE:
             self._answers[row.key] = Answer(text, is_failure)
-            return True
-        if not text:
-            # It is shown there.
-            return False
+        if row.kind is Kind.SERVICE or not text:  # it is shown there
+            return row.kind is Kind.SERVICE
         severity = "warning" if is_failure else "information"
         words = f"{row.name}: {visible(text)}" if row.kind is Kind.PARAMETER else visible(text)
         # Notes that are the same are shown once, and who sends twice wants to know of both.

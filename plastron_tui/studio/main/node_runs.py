@@ -2,14 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cached_property
 from typing import TYPE_CHECKING
 
 from textual.screen import Screen
-
-from plastron_tui.diagnostics import Diagnostic
 
 from ..panels.panel import PanelWidgets
 from .active_program import ActiveProgram, Tab
@@ -18,6 +16,7 @@ from .file_actions import FileActions
 from .trust_prompt import TrustPrompt
 
 if TYPE_CHECKING:
+    from ..analysis import Analysis
     from .run_actions import RunActions
 
 
@@ -67,10 +66,10 @@ class NodeRuns:
         """How far the nodes of the program in front are, such as `running`; "" for none."""
         return "" if self._made is None else self._made.stage
 
-    def known(self, diagnostics: Sequence[Diagnostic]) -> None:
-        """Take away what was said of mistakes, where there are none any more."""
+    def known(self, analysis: Analysis) -> None:
+        """Follow what the text means: what was said of mistakes, and whether older nodes run."""
         if self._made is not None:
-            self._made.readiness.known(diagnostics)
+            self._made.known(analysis)
 
     def follow(self) -> None:
         """Show what the nodes of the program in front have printed, and which have failed."""

@@ -12,7 +12,12 @@ from ..open_program import Open
 from ..panels.bars import Bar, help_pieces
 
 if TYPE_CHECKING:
+    from collections.abc import Callable
+
     from plastron_tui.project.ros_choice import RosChoice
+
+OLDER = "running an older text"
+"""What is said of nodes that run, and whose program says something else by now."""
 
 Pieces = tuple[tuple[str, str], ...]
 
@@ -28,6 +33,7 @@ class Title(NamedTuple):
         library: that library alone.
         stage: how far the nodes are that run, "" where none do.
         stop_key: the key that stops them.
+        anew_key: the key that starts them anew where they are older than the text, else "".
     """
 
     name: str
@@ -37,6 +43,7 @@ class Title(NamedTuple):
     library: str
     stage: str
     stop_key: str
+    anew_key: str = ""
 
     def pieces(self, width: int) -> tuple[Pieces, Pieces]:
         """Return the left and the right side: what matters less goes first where room is short."""
@@ -48,7 +55,8 @@ class Title(NamedTuple):
         left = ((brand, "quiet"), (self.name, "strong"), (sign, "here"))
         running = self.stage and f"{self.stage}  "
         if running and stops and self.stop_key:
-            running = f"{self.stage}: {self.stop_key} stops  "
+            anew = f", {self.anew_key} runs anew" if self.anew_key else ""
+            running = f"{self.stage}: {self.stop_key} stops{anew}  "
         shown_folder = f"{self.folder}/  " if folder and self.folder else ""
         ros = self.ros if is_full else self.library
         return left, ((running, "here"), (shown_folder, "quiet"), (ros, "quiet"))
@@ -58,7 +66,7 @@ _TITLES = (
     ("plastron ", True, True, True),
     ("", True, True, True),
     ("", False, True, True),
-    ("", False, False, True),
+    ("", False, True, False),
     ("", False, False, False),
 )
 """How the title is written, the roomiest first: brand, folder, how to stop, the ROS in full."""
@@ -74,15 +82,18 @@ class TitleBar(Bar):
 
     _title: Title | None = None
 
-    def show_program(self, open_: Open, ros: RosChoice | None, stage: str, stop_key: str) -> None:
+    def show_program(
+        self, open_: Open, ros: RosChoice | None, stage: str, key_of: Callable[[str], str]
+    ) -> None:
         """Show a program, whether it is saved, its ROS if that is known by now.
 
-        Where nodes run, how far they are, and the key that stops them as well.
+        Where nodes run, how far they are, and the keys that stop them or start them anew as well.
         """
         words, library = ("", "") if ros is None else (ros.words, ros.library)
         folder = "" if open_.path is None else open_.path.absolute().parent.name
+        keys = key_of("run"), key_of("run_anew") if stage == OLDER else ""
         self._title = Title(
-            open_.name, open_.is_changed, folder, words, library, stage, stop_key
+            open_.name, open_.is_changed, folder, words, library, stage, *keys
         )  # fmt: skip
         self.on_resize()
 

@@ -16,15 +16,18 @@ from plastron_tui.runtime.labels import ended_node
 from plastron_tui.runtime.live_graph import NodeEnd
 
 from ..delay import Delay
+from ..panels.live_rows import said_now
 from ..panels.output_log import Record
 from .active_program import ActiveProgram, Tab
 from .live_actions import LiveActions
+from .program_bars import OLDER
 from .readiness import Readiness
 from .said_notes import SaidNotes
 from .tab_run import RunPanels, TabRun
 from .watched_run import WatchedRun
 
 if TYPE_CHECKING:
+    from ..analysis import Analysis
     from ..running import Running
 
 _SHOWN_AFTER = 0.05
@@ -78,7 +81,9 @@ class RunActions:
         self._stage = Delay(screen, self._tell_stage)
         self._runs = {program.tab: TabRun(panels.output.printed)}
         self.readiness = readiness
-        self.watched = WatchedRun(LiveActions(screen, panels.live), panels)
+        self.watched = WatchedRun(LiveActions(screen, panels.live, program), panels)
+        self.watched.live.on_written = self._note_written
+        program.said_now = self._said_now
 
     @property
     def _run(self) -> TabRun:
@@ -100,10 +105,29 @@ class RunActions:
         """How far the nodes of the program in front are, "" for none."""
         return self._run.stage(monotonic())
 
+    @property
+    def is_older(self) -> bool:
+        """Whether nodes of the program in front run that it has changed since."""
+        return self._run.is_older
+
+    def known(self, analysis: Analysis) -> None:
+        """Follow what the text in front means."""
+        self.readiness.known(analysis.diagnostics)
+        self._run.compare(analysis.text)
+
+    def _said_now(self, name: str) -> str:
+        topic = self.watched.live.topic(name)
+        return "" if topic is None else said_now(topic)
+
+    def _note_written(self) -> None:
+        """Note that the text has got what its nodes have: no run is older for that."""
+        if not self._run.is_older:
+            self._run.text = self._program.text
+
     def _tell_stage(self) -> None:
         """Tell how far the nodes in front are, each second until they run."""
         self._on_change()
-        if self.stage not in ("", "running"):
+        if self.stage not in ("", "running", OLDER):
             self._stage.start(_EACH)
 
     async def generate(self, *, only_new: bool = False) -> bool:
@@ -129,30 +153,39 @@ class RunActions:
     async def run(self, *, anew: bool = False) -> None:
         """Save, then start the nodes; those that run are stopped, and started `anew` if asked."""
         tab, run = self._program.tab, self._run
-        if run.running is not None:
-            if not anew and monotonic() - run.started_at < TWICE:
-                return
-            self._panels.layout.reveal("output")
-            run.running.stop()
-            if not anew:
-                return
+        if run.running is not None and not anew:
+            if monotonic() - run.started_at >= TWICE:
+                self._stop(tab, run.running)
+            return
+        # Nodes that run go on where what is to take their place cannot be started.
+        path = await self.readiness.to_run()
+        if run.running is not None and path is not None:
+            self._stop(tab, run.running)
             while self.runs_in(tab):
                 await asyncio.sleep(_LOOK)
-            if tab is not self._program.tab:
-                return
-        path = await self.readiness.to_run()
-        if path is not None:
+        if path is not None and tab is self._program.tab:
             self._start(path)
 
     def stop(self) -> None:
         """Stop what runs of the program in front; say where else nodes run."""
         running = self._run.running
         if running is not None:
-            running.stop()
+            self._stop(self._program.tab, running)
             return
         others = [tab.open.name for tab in self._runs if self.runs_in(tab)]
         said = f"nothing runs here; nodes run of {', '.join(others)}" if others else "nothing runs"
         self._screen.notify(said, timeout=2, markup=False)
+
+    def _stop(self, tab: Tab, running: Running) -> None:
+        if not self._panels.layout.is_in_sight("live"):
+            self._panels.layout.reveal("output")
+        running.stop()
+        # What was seen last stays: nodes that end take their topics away one by one.
+        run = self._runs[tab]
+        run.is_stopping = True
+        run.ended = {**dict.fromkeys(run.labels, NodeEnd("stopped", False)), **run.ended}
+        self.watched.mark_ended(run)
+        self._end_watch(tab)
 
     def close(self) -> None:
         """Have all nodes ended, because the studio ends."""
@@ -173,6 +206,7 @@ class RunActions:
     def follow(self) -> None:
         """Show what the nodes of the program in front have printed, and which have failed."""
         self._panels.follow(self._run)
+        self.watched.follow(self._runs, self._program.tab)
         self._tell_stage()
 
     def _start(self, path: Path) -> None:
@@ -186,9 +220,13 @@ class RunActions:
             self._screen.notify(message, severity="error", markup=False)
             return
         run.started_at = monotonic()
+        run.text = self._program.open.saved
+        run.compare(self._program.text)
         self._failures.forget()
         run.failed, run.ended, run.built, run.speaks = {}, {}, "", False
-        self.watched.starting()
+        run.is_stopping = False
+        self.watched.starting(run)
+        run.commands = ()
         self._panels.begin(run, f"plastron run {path.name}")
         self._tell_stage()
         self._panels.layout.reveal("output")
@@ -222,7 +260,7 @@ class RunActions:
         if is_in_front and self._stage.is_waiting:
             self._tell_stage()
         if status is not None and not running.has_more:
-            run.running = None
+            run.running, run.is_older = None, False
             words = "stopped" if running.was_stopped else f"ended with status {status}"
             tone = "quiet" if running.was_stopped else "success" if status == 0 else "error"
             end = Record("", words, tone)
@@ -243,7 +281,8 @@ class RunActions:
             if end.is_failure:
                 self._failures.say(f"{end.node} {end.how}", severity="error", timeout=10)
                 run.failed = {**run.failed, end.node: "has ended"}
-        self.watched.mark_ended(tab, run)
+        self.watched.mark_ended(run)
 
     def _end_watch(self, tab: Tab) -> None:
-        self.watched.end(tab, others_run=any(map(self.runs_in, self._runs)))
+        others = (each for each in self._runs if each is not tab)
+        self.watched.end(tab, others_run=any(map(self.runs_in, others)))

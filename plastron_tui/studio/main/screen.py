@@ -143,8 +143,8 @@ class MainScreen(FirstScreen, Paged):
         is_new = self.feed.take(message.analysis)
         self.show_status()
         if is_new:
+            self._runs.known(message.analysis)
             self.show_title()
-            self._runs.known(message.analysis.diagnostics)
             self._parts.trust.tell_what_waits(message.analysis)
 
     @on(AnalysisFailed)
@@ -192,7 +192,7 @@ class MainScreen(FirstScreen, Paged):
         """Show the program's name, whether it is saved, and what is the case with it; the tabs."""
         stage = self._runs.stage
         ros = self.open.session.ros if is_preloaded() else None
-        self._title.show_program(self.open, ros, stage, self.key_of("run"))
+        self._title.show_program(self.open, ros, stage, self.key_of)
         self._keys.retitle({"run": "Stop"} if stage else {})
         self.tab_line.show_programs(self.program, self._runs.runs_in)
 

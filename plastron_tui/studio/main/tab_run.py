@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
+from itertools import chain
 from typing import TYPE_CHECKING
 
 from textual.widget import Widget
@@ -16,9 +17,13 @@ from ..panels.entry_list import EntryList
 from ..panels.live_panel import LivePanel
 from ..panels.output import OutputPanel
 from ..panels.output_log import OutputLog, Record, printed_record
+from ..same_meaning import says_the_same
 from .dock_layout import DockLayout
+from .program_bars import OLDER
 
 if TYPE_CHECKING:
+    from plastron_tui.runtime.monitor import MonitorCommand
+
     from ..running import Running
 
 _BUILDING = re.compile(r"building `([^`]+)`: ")
@@ -38,6 +43,10 @@ class TabRun:
         built: the package that is built before they start, "" for none.
         built_since: when that was begun.
         speaks: whether a node has printed something.
+        commands: what starts monitors of them, also when they have ended.
+        is_stopping: whether they were asked to end.
+        text: the program that they were started from.
+        is_older: whether the program says something else by now.
     """
 
     log: OutputLog = field(default_factory=OutputLog)
@@ -48,6 +57,38 @@ class TabRun:
     built: str = ""
     built_since: float = 0.0
     speaks: bool = False
+    commands: Sequence[MonitorCommand] = ()
+    is_stopping: bool = False
+    text: bytes = b""
+    is_older: bool = False
+
+    @property
+    def is_ready(self) -> bool:
+        """Whether they can be watched."""
+        return self.running is not None and bool(self.running.monitors) and not self.is_stopping
+
+    @property
+    def own(self) -> Mapping[int, frozenset[str]] | None:
+        """Their names by the generation of ROS; None where the run has not said them."""
+        found = {
+            each.ros_version: frozenset(chain.from_iterable(each.nodes.values()))
+            for each in self.commands
+        }
+        return None if self.commands and not any(found.values()) else found
+
+    @property
+    def labels(self) -> list[str]:
+        """What the lines of the nodes are labelled with."""
+        return [label for each in self.commands for label in each.nodes]
+
+    def note_commands(self) -> None:
+        """Note what starts monitors of them, as soon as that is known."""
+        if self.running is not None and self.running.monitors:
+            self.commands = self.running.monitors
+
+    def compare(self, text: bytes) -> None:
+        """Note whether the program says something else than the nodes were started from."""
+        self.is_older = self.running is not None and not says_the_same(self.text, text)
 
     def note_progress(self, printed: Iterable[str], now: float) -> None:
         """Note which package is built, and whether nodes run, from what the run prints."""
@@ -58,7 +99,7 @@ class TabRun:
                 self.built, self.built_since = found[1], now
 
     def stage(self, now: float) -> str:
-        """Return how far the nodes are: `starting`, what is built, `running`, or "" for no nodes.
+        """Return how far the nodes are: `starting`, built, `running`, `OLDER`, or "" for none.
 
         Args:
             now: the time by the clock of `monotonic`.
@@ -66,7 +107,7 @@ class TabRun:
         if self.running is None:
             return ""
         if self.running.is_started or self.speaks:
-            return "running"
+            return OLDER if self.is_older else "running"
         if self.built:
             return f"building {self.built}… {max(0, int(now - self.built_since))} s"
         return "starting"

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from itertools import takewhile
+from time import monotonic
 from typing import ClassVar
 
 from rich.segment import Segment
@@ -149,7 +150,7 @@ class LivePanel(EntryList):
             self._show_rows()
 
     def _show_rows(self) -> None:
-        rows = live_rows(self._graphs, self._unfolded, self._answers)
+        rows = live_rows(self._graphs, self._unfolded, self._answers, monotonic())
         empty = NOTHING_FOUND if rows and self._words else self._empty
         if self._bar is not None:
             there = sum(row.depth == 0 and row.kind not in UNCOUNTED for row in rows)
@@ -252,7 +253,7 @@ class LivePanel(EntryList):
         """Offer what can be done about the row under the cursor."""
         if action == "choose":
             row = self.row
-            is_asked = row is not None and row.kind in _ENTERED
+            is_asked = row is not None and row.kind in _ENTERED and not self._has_ended(row)
             return is_asked or branch_at(self._live, self.index) is not None
         if action != "ask":
             return True
@@ -265,7 +266,14 @@ class LivePanel(EntryList):
         if what == "cancel":
             return cancelable_at(self._live, self.index)
         kind = _KINDS.get(what)
-        return None if kind is None else target_at(self._live, self.index, kind)
+        found = None if kind is None else target_at(self._live, self.index, kind)
+        return None if found is None or self._has_ended(found) else found
+
+    def _has_ended(self, row: LiveRow) -> bool:
+        """Tell whether a row is about nodes that were ended, and nobody can be asked any more."""
+        return any(
+            graph.has_ended and graph.ros_version == row.ros_version for graph in self._graphs
+        )
 
     def action_ask(self, what: str) -> None:
         """Ask for something to be done."""

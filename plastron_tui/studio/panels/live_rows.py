@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from collections.abc import Set as AbstractSet
+from typing import Protocol, TypeVar
 
 from plastron_tui.diagnostics.terminal import visible
 from plastron_tui.diagnostics.wording import counted
@@ -16,12 +17,14 @@ from plastron_tui.runtime.live_graph import (
     NodeEnd,
 )
 
+from .live_ends import doing_rows, end_rows
 from .live_row import WIDEST, Answer, Kind, LiveRow, one_line
 
 WAITING = "waiting for the first message…"
 NOBODY = "nobody publishes here yet"
 FOREIGN = "not in this program"
 UNSERVED = "nobody provides it now"
+ENDED = "ended: this was seen last"
 _USUAL_DOMAIN = ("", "0")
 _MOST_GOALS = 5
 """So many goals of an action are shown that are over; those that are not all are."""
@@ -30,7 +33,10 @@ UNCOUNTED = (Kind.HEADING, Kind.NOTE)
 
 
 def live_rows(
-    graphs: Sequence[LiveGraph], unfolded: AbstractSet[str], answers: Mapping[str, Answer]
+    graphs: Sequence[LiveGraph],
+    unfolded: AbstractSet[str],
+    answers: Mapping[str, Answer],
+    now: float = 0.0,
 ) -> list[LiveRow]:
     """Return the rows about running nodes.
 
@@ -38,6 +44,7 @@ def live_rows(
         graphs: what is known, of each generation of ROS.
         unfolded: the keys of the rows that are unfolded.
         answers: the last answer of services, by the key of their rows.
+        now: the time by the clock of `monotonic`.
     """
     rows: list[LiveRow] = []
     for graph in graphs:
@@ -46,11 +53,13 @@ def live_rows(
         if graph.problem:
             key = f"{graph.ros_version} problem"
             rows.append(LiveRow(key, Kind.NOTE, visible(graph.problem), tone="error"))
+        if graph.has_ended:
+            rows.append(LiveRow(f"{graph.ros_version} ended", Kind.NOTE, ENDED, tone="quiet"))
         parts = (
-            ("topics", _topics(graph, unfolded)),
-            ("services", _services(graph, answers)),
-            ("actions", _actions(graph)),
-            ("nodes", _nodes(graph, unfolded)),
+            ("topics", _topics(graph, unfolded, now)),
+            ("services", _services(graph, answers, now)),
+            ("actions", _actions(graph, now)),
+            ("nodes", _nodes(graph, unfolded, now)),
         )
         for part, found in parts:
             below = list(found)
@@ -88,12 +97,29 @@ def found_rows(rows: Sequence[LiveRow], words: Sequence[str]) -> tuple[list[Live
     return found, count
 
 
-def _topics(graph: LiveGraph, unfolded: AbstractSet[str]) -> Iterator[LiveRow]:
-    # What others have besides comes behind.
-    for topic in sorted(graph.topics.values(), key=lambda each: not graph.is_own(each.nodes)):
+class _Named(Protocol):
+    """What has a name, and nodes that have it."""
+
+    @property
+    def name(self) -> str: ...
+    @property
+    def nodes(self) -> frozenset[str]: ...
+
+
+_N = TypeVar("_N", bound=_Named)
+
+
+def _shown(graph: LiveGraph, kind: str, known: Iterable[_N], now: float) -> list[_N]:
+    """Return what is shown of a kind, what others have besides behind."""
+    there = [each for each in known if not graph.is_past(f"{kind} {each.name}", each.nodes, now)]
+    return sorted(there, key=lambda each: not graph.is_own(each.nodes))
+
+
+def _topics(graph: LiveGraph, unfolded: AbstractSet[str], now: float) -> Iterator[LiveRow]:
+    for topic in _shown(graph, "topic", graph.topics.values(), now):
         key = f"{graph.ros_version} topic {topic.name}"
         is_open = key in unfolded
-        value, tone = _topic_value(topic)
+        value, tone = _topic_value(topic, has_ended=graph.has_ended)
         is_old = graph.has_ended or not graph.is_watched
         is_foreign = not graph.is_own(topic.nodes)
         sending = graph.sendings.get(topic.name)
@@ -137,6 +163,7 @@ def _fields(key: str, topic: LiveTopic, version: int, *, is_foreign: bool) -> It
     ends = f"{counted(topic.publishers, 'publisher')}, {counted(topic.subscribers, 'subscriber')}"
     about = _with_foreign(f"{visible(topic.type)}, {ends}", is_foreign=is_foreign)
     yield LiveRow(f"{key} about", Kind.NOTE, about, topic.name, version, depth=1, tone="quiet")
+    yield from end_rows(key, topic, version)
     for path, text in topic.fields:
         yield LiveRow(
             f"{key} field {path}",
@@ -150,25 +177,33 @@ def _fields(key: str, topic: LiveTopic, version: int, *, is_foreign: bool) -> It
         )
 
 
+def said_now(topic: LiveTopic) -> str:
+    """Return how often a message comes, and what is in the last one; "" before the first."""
+    return ", ".join(filter(None, (_rate(topic), one_line(topic.text)))) if topic.text else ""
+
+
 def _rate(topic: LiveTopic) -> str:
+    if topic.is_gone:
+        return "gone"
     if topic.rate >= 1000:
         return f"{topic.rate / 1000:.1f} kHz"
     if topic.rate > 0:
         return f"{topic.rate:.1f} Hz"
-    return "" if topic.count < 2 or topic.is_gone else "silent"
+    return "" if topic.count < 2 else "silent"
 
 
-def _topic_value(topic: LiveTopic) -> tuple[str, str]:
+def _topic_value(topic: LiveTopic, *, has_ended: bool) -> tuple[str, str]:
     """Return the last message, or what there is to say before it, and its tone."""
-    if topic.is_gone:
-        return "gone", "quiet"
     if topic.text:
-        return one_line(topic.text), "" if topic.rate > 0 or topic.count < 2 else "quiet"
+        is_quiet = topic.is_gone or (topic.rate == 0 and topic.count >= 2)
+        return one_line(topic.text), "quiet" if is_quiet else ""
+    if topic.is_gone or has_ended:
+        return "", "quiet"
     return (WAITING if topic.publishers else NOBODY), "quiet"
 
 
-def _services(graph: LiveGraph, answers: Mapping[str, Answer]) -> Iterator[LiveRow]:
-    for service in sorted(graph.services.values(), key=lambda each: not graph.is_own(each.nodes)):
+def _services(graph: LiveGraph, answers: Mapping[str, Answer], now: float) -> Iterator[LiveRow]:
+    for service in _shown(graph, "service", graph.services.values(), now):
         key = f"{graph.ros_version} service {service.name}"
         is_foreign = not graph.is_own(service.nodes)
         yield LiveRow(
@@ -199,8 +234,8 @@ def _services(graph: LiveGraph, answers: Mapping[str, Answer]) -> Iterator[LiveR
             )
 
 
-def _actions(graph: LiveGraph) -> Iterator[LiveRow]:
-    for action in sorted(graph.actions.values(), key=lambda each: not graph.is_own(each.nodes)):
+def _actions(graph: LiveGraph, now: float) -> Iterator[LiveRow]:
+    for action in _shown(graph, "action", graph.actions.values(), now):
         key = f"{graph.ros_version} action {action.name}"
         goals = [each for each in graph.goals.values() if each.action == action.name]
         is_foreign = not graph.is_own(action.nodes)
@@ -254,17 +289,22 @@ def _with_foreign(text: str, *, is_foreign: bool) -> str:
     return f"{text}, {FOREIGN}" if is_foreign else text
 
 
-def _nodes(graph: LiveGraph, unfolded: AbstractSet[str]) -> Iterator[LiveRow]:
+def _nodes(graph: LiveGraph, unfolded: AbstractSet[str], now: float) -> Iterator[LiveRow]:
     nodes = sorted(graph.nodes.items(), key=lambda each: not graph.is_own([each[0]]))
     for name, is_there in nodes:
+        if graph.is_past(f"node {name}", [name], now):
+            continue
         is_foreign = not graph.is_own([name])
         key = f"{graph.ros_version} node {name}"
         end = graph.ended.get(name)
-        runs = is_there and end is None
-        is_open = key in unfolded and runs
+        runs = is_there and end is None and not graph.has_ended
+        found = graph.parameters.get(name)
+        # Of one that was stopped the last values stay.
+        is_branch = runs or (graph.has_ended and found is not None)
+        is_open = key in unfolded and is_branch
         value, tone = _node_state(end, is_there=is_there, has_ended=graph.has_ended)
         if is_foreign:
-            value, tone = FOREIGN if is_there else f"gone, {FOREIGN}", "quiet"
+            value, tone = FOREIGN if is_there or graph.has_ended else f"gone, {FOREIGN}", "quiet"
         yield LiveRow(
             key,
             Kind.NODE,
@@ -273,14 +313,13 @@ def _nodes(graph: LiveGraph, unfolded: AbstractSet[str]) -> Iterator[LiveRow]:
             graph.ros_version,
             value=value,
             tone=tone,
-            is_branch=runs,
+            is_branch=is_branch,
             is_open=is_open,
             is_foreign=is_foreign,
             is_old=not graph.is_watched or not runs,
         )
         if not is_open:
             continue
-        found = graph.parameters.get(name)
         if not found:
             words = "asking for its parameters…" if found is None else "has no parameters"
             yield LiveRow(f"{key} none", Kind.NOTE, words, name, depth=1, tone="quiet")
@@ -296,15 +335,16 @@ def _nodes(graph: LiveGraph, unfolded: AbstractSet[str]) -> Iterator[LiveRow]:
                 depth=1,
                 parameter=each,
             )
+        yield from doing_rows(key, name, graph)
 
 
 def _node_state(end: NodeEnd | None, *, is_there: bool, has_ended: bool) -> tuple[str, str]:
     """Return what there is to say of a node, and its tone: what nobody wanted is loud."""
     if end is not None:
         return visible(end.how), "error" if end.is_failure else "quiet"
-    if is_there:
-        return "", "quiet"
-    return "gone", "quiet" if has_ended else "warning"
+    if has_ended:
+        return "ended", "quiet"
+    return ("", "quiet") if is_there else ("gone", "warning")
 
 
 def _parameter_value(parameter: LiveParameter) -> str:

@@ -2,17 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
-from dataclasses import dataclass
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass, field, replace
 from pathlib import Path, PurePosixPath
 from typing import TYPE_CHECKING
 
-from plastron_tui.diagnostics import Diagnostic
-from plastron_tui.model.source import place_of
+from plastron_tui.diagnostics import Diagnostic, Span
+from plastron_tui.model.source import FileSet, place_of
 from plastron_tui.model.workspace import Generation, Home, Workspace
 from plastron_tui.output.plan import FilePlan, FileState, PlannedFile
 
 from .diff_lines import difference, planned_diff
+from .preview_lines import lines_of_statements
 from .source_lines import coloured
 from .styles import Lines
 
@@ -37,6 +38,7 @@ class Preview:
         problems: why there is no text.
         size: how large it will be, in bytes.
         is_main: whether it is the file of a node that the others belong to.
+        statement_lines: the lines, from 1, that statements of the program become.
     """
 
     name: str
@@ -48,6 +50,12 @@ class Preview:
     size: int = 0
     is_main: bool = False
     origin: str = ""
+    statement_lines: Mapping[Span, int] = field(default_factory=dict)
+
+    def line_at(self, offset: int) -> int | None:
+        """Return the line that the statement at an offset of the program becomes."""
+        found = (line for span, line in self.statement_lines.items() if offset in span)
+        return next(found, None)
 
 
 def previews_of(analysis: Analysis, variable: str) -> tuple[Preview, ...]:
@@ -183,6 +191,10 @@ def _previews(analysis: Analysis, generation: Generation, is_asked: bool) -> Ite
     is_own = source is not None and source.library == generation.library
     loaded = {} if source is None or not is_own else dict(source.files.texts)
     names = made.files.files.names
+    texts = tuple((name, file.text) for file, name in zip(plan.files, names, strict=False))
+    lines = (
+        lines_of_statements(plan.files[0].path, FileSet(texts), generation.node) if texts else {}
+    )
     for file, name in zip(plan.files, names, strict=False):
         diff, origin = _disk_diff(file), ""
         if diff is None and name in loaded:
@@ -190,4 +202,5 @@ def _previews(analysis: Analysis, generation: Generation, is_asked: bool) -> Ite
             origin = place_of(source.path, name).name if source is not None else ""
         state = file.state if is_asked else None
         is_main = name == names[0]
-        yield _preview(file, state, diff, made.diagnostics, is_main=is_main, origin=origin)
+        preview = _preview(file, state, diff, made.diagnostics, is_main=is_main, origin=origin)
+        yield replace(preview, statement_lines=lines.get(name, {}))

@@ -129,7 +129,10 @@ class PreviewPanel(Vertical):
         self._draw()
 
     def follow(self, offset: int) -> None:
-        """Do nothing: its files are those of the node at the cursor."""
+        """Mark the line that the statement at the cursor becomes, and bring it in sight."""
+        current = self.current
+        is_text = current is not None and not (self._shows_diff and current.diff)
+        self._view.mark_line(current.line_at(offset) if current is not None and is_text else None)
 
     def check_action(self, action: str, parameters: tuple[object, ...]) -> bool | None:
         """Offer the diff where there is one."""

@@ -75,8 +75,9 @@ PREVIEW = Panel(
     keys="alt+5",
     summary="The files that the node, or the package, at the cursor becomes.",
     about=(
-        "The files that the node, package, launch file, robot or type at the cursor becomes. "
-        "For a file that is there already: what changes in it; D shows the whole file. "
+        "The files that the node, package, launch file, robot or type at the cursor becomes; "
+        "▸ marks the line of a node's statement. For a file that is there already: what changes "
+        "in it; D shows the whole file. "
         "Many files are a tree: Enter goes to the text of one, T back to the tree."
     ),
     widget="preview_panel:PreviewPanel",

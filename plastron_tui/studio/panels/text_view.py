@@ -39,6 +39,7 @@ class TextView(Toned, ScrollView, can_focus=True):
         super().__init__(id=id)
         self.lines = lines
         self.numbers = numbers
+        self._marked: int | None = None
 
     def on_show(self) -> None:
         """Fit the first lines."""
@@ -55,6 +56,21 @@ class TextView(Toned, ScrollView, can_focus=True):
         if follow and was_at_end:
             self.scroll_end(animate=False, force=True)
         self.refresh()
+
+    def mark_line(self, line: int | None) -> None:
+        """Mark a line, from 1, where lines have numbers, and bring it in sight; None for none."""
+        if line == self._marked:
+            return
+        self._marked = line
+        self.refresh()
+        if line is not None:
+            # The lines may be there only since a moment ago, and the view not be laid out.
+            self.call_after_refresh(self._reveal, line)
+
+    def _reveal(self, line: int) -> None:
+        top, height = int(self.scroll_offset.y), self.scrollable_content_region.height
+        if line == self._marked and not top < line <= top + height:
+            self.scroll_to(y=max(0, line - 1 - height // 3), animate=False, force=True)
 
     @property
     def text(self) -> str:
@@ -89,5 +105,6 @@ class TextView(Toned, ScrollView, can_focus=True):
         line = line.crop(x, x + width - margin).extend_cell_length(width - margin, rest)
         if not margin:
             return line
-        style = base + self.tone("number", "text-view")
-        return Strip([Segment(f"{row + 1:>{margin - 1}} ", style), *line])
+        is_marked = row + 1 == self._marked
+        style = base + (self.tone("accent") if is_marked else self.tone("number", "text-view"))
+        return Strip([Segment(f"{row + 1:>{margin - 1}}{'▸' if is_marked else ' '}", style), *line])

@@ -35,6 +35,8 @@ class LiveForm(Dialog["dict[Path, str] | None"]):
         start: the field that has the focus at first, None for the first one.
         ask: sends what was entered while the form stays, and tells whether that could be done;
             `answered` ends it then. None where it ends at once, and gives what was entered.
+        other_verb: what a button says that does more than send it, "" for no such button.
+        is_other: whether that one was pressed last.
     """
 
     CSS_PATH: ClassVar[CSSPathType | None] = STYLES
@@ -71,6 +73,7 @@ class LiveForm(Dialog["dict[Path, str] | None"]):
         self.given = dict(given)
         self.edited: Path = ()
         self.ask: Callable[[dict[Path, str]], bool] | None = None
+        self.other_verb, self.is_other = "", False
         self._is_waiting = False
         self._title, self._verb, self._about = title, verb, about
         self._form = form
@@ -98,6 +101,8 @@ class LiveForm(Dialog["dict[Path, str] | None"]):
             yield Label("", id="wizard-help", markup=False)
             with Horizontal(id="dialog-buttons"):
                 yield Button(self._verb, id="send", variant="primary", compact=True)
+                if self.other_verb:
+                    yield Button(self.other_verb, id="send-other", compact=True)
                 yield Button("Cancel", id="cancel", compact=True)
 
     def _row(self, entry: Entry, label: str) -> Row:
@@ -144,8 +149,8 @@ class LiveForm(Dialog["dict[Path, str] | None"]):
     @on(Button.Pressed)
     def pressed(self, event: Button.Pressed) -> None:
         """Send it, or leave."""
-        if event.button.id == "send":
-            self._send()
+        if event.button.id in ("send", "send-other"):
+            self._send(is_other=event.button.id == "send-other")
         else:
             self.dismiss(None)
 
@@ -153,9 +158,10 @@ class LiveForm(Dialog["dict[Path, str] | None"]):
         """Send nothing."""
         self.dismiss(None)
 
-    def _send(self) -> None:
+    def _send(self, *, is_other: bool = False) -> None:
         if self._is_waiting:
             return
+        self.is_other = is_other
         found = self._check(self.given)
         if not isinstance(found, Wrong):
             if self.ask is None:
@@ -178,7 +184,7 @@ class LiveForm(Dialog["dict[Path, str] | None"]):
         if is_failure:
             self._say(Wrong(text, next(iter(self.given), None)))
         else:
-            self.dismiss(None)
+            self.dismiss(self.given)
 
     def _say(self, wrong: Wrong | None) -> None:
         label = self.query_one("#wizard-help", Label)

@@ -7,7 +7,7 @@ from typing import Any, NamedTuple
 
 from plastron_tui.ros.interfaces import InterfaceKind, InterfaceName
 from plastron_tui.ros.parameters import ParameterType
-from plastron_tui.runtime.live_graph import LiveField
+from plastron_tui.runtime.live_graph import LiveField, LiveParameter
 from plastron_tui.session import Session
 
 from ..panels.live_row import Kind, LiveRow
@@ -15,7 +15,7 @@ from .live_form import LiveForm
 from .live_rates import RATE, rate_of
 from .live_start import conditioned_fields, first_values, start_of
 from .parameter_kinds import parameter_entry
-from .sent_values import Wrong, sent_setting, sent_values, shown_setting
+from .sent_values import Wrong, sent_setting, sent_values, shown_setting, written_setting
 from .values import Path, entries_of
 
 _LONGEST = 20_000
@@ -145,6 +145,13 @@ def _setting(row: LiveRow) -> LiveOrder | str:
                       given, about)  # fmt: skip
     order = {"do": "set", "node": row.owner, "name": parameter.name, "type": type_.value}
     return LiveOrder(dialog, lambda entered: {**order, "value": check(entered)})
+
+
+def default_text(parameter: LiveParameter, given: Mapping[Path, str]) -> str | None:
+    """Return what was entered for a parameter as a program writes it; None where none can."""
+    type_ = ParameterType(parameter.type)
+    entry = parameter_entry(parameter.name, type_)
+    return written_setting(entry, type_, given.get(entry.path, ""))
 
 
 def _is_within(value: Any, limits: tuple[float, float] | None) -> bool:

@@ -16,7 +16,7 @@ from plastron_tui.ros.catalog import Catalog
 from plastron_tui.ros.interfaces import Interface
 from plastron_tui.ros.parameters import ParameterType, Setting, as_setting
 
-from .values import Entry, Heading, Path, input_text, is_computed, pieces, problem_of
+from .values import Entry, Heading, Path, input_text, is_computed, pieces, problem_of, written
 
 
 class Wrong(NamedTuple):
@@ -128,6 +128,13 @@ def sent_setting(entry: Entry, type_: ParameterType, text: str, ros_version: int
     if as_setting(type_, _value_of(type_, checked)) is None:
         return Wrong("it is too large for the parameter", entry.path)
     return _value_of(type_, text)
+
+
+def written_setting(entry: Entry, type_: ParameterType, text: str) -> str | None:
+    """Return the value of a parameter as a program writes it; None for one that none can have."""
+    plain = _unquoted(text) if type_ is ParameterType.STRING else text
+    # A node may be told `inf`.
+    return None if problem_of(entry, plain, 2) is not None else written(entry, plain)
 
 
 def _value_of(type_: ParameterType, text: str) -> Any:
