@@ -17,48 +17,35 @@ from plastron_tui.studio.panels.output_log import Record
 
 
 @pytest.mark.parametrize(
-    ("watched", "ended", "others_run", "is_over"),
+    ("watched", "ended", "others_run", "left"),
     [
-        ("one", "one", False, True),
-        ("one", "one", True, True),
-        ("one", "other", False, False),
-        ("one", "other", True, False),
+        (["one"], "one", False, None),
+        (["one", "other"], "one", True, "other"),
+        (["one", "other"], "other", True, "one"),
         # None is watched yet: those that start just now are.
-        (None, "one", False, True),
-        (None, "one", True, False),
+        ([], "one", False, None),
+        ([], "one", True, None),
     ],
 )
 def test_nothing_is_watched_any_more_when_those_have_ended_that_were(
-    watched: str | None, ended: str, others_run: bool, is_over: bool
+    watched: list[str], ended: str, others_run: bool, left: str | None
 ) -> None:
     calls: list[str] = []
     live = SimpleNamespace(end=lambda: calls.append("end"))
     run = WatchedRun(cast(LiveActions, live), cast(Any, None))
     tabs = {name: cast(Tab, SimpleNamespace(name=name)) for name in ("one", "other")}
-    run._tab = None if watched is None else tabs[watched]
+    run._watched = [tabs[each] for each in watched]
+    run._newest = run._watched[0] if watched else None
     run.end(tabs[ended], others_run=others_run)
-    assert bool(calls) == is_over
-    assert (run._tab is None) == (is_over or watched is None)
-
-
-async def test_what_was_typed_for_a_topic_is_offered_again_to_the_same_program_only() -> None:
-    panel = SimpleNamespace(show_live=lambda *_, **__: None, is_in_sight=False)
-    live = LiveActions(cast(Any, None), cast(Any, panel))
-    one, other = (cast(Tab, SimpleNamespace(name=name)) for name in ("one", "other"))
-    live.start(one, ())
-    live._given["2 topic /speed"] = {("data",): "0.5"}
-    live.start(one, ())
-    assert live._given
-    live.start(other, ())
-    assert not live._given
-    live.close()
+    assert bool(calls) != others_run
+    assert run._newest == (None if left is None else tabs[left])
 
 
 @pytest.mark.parametrize("how", ["end", "lost"])
 async def test_a_form_does_not_wait_for_who_is_gone(how: str) -> None:
     panel = SimpleNamespace(show_live=lambda *_, **__: None, is_in_sight=False)
     screen = SimpleNamespace(notify=lambda *_, **__: None)
-    live = LiveActions(cast(Any, screen), cast(Any, panel))
+    live = LiveActions(cast(Any, screen), cast(Any, panel), cast(Any, None))
     said: list[tuple[int, bool]] = []
     for version in (1, 2):
         live._graphs[version] = LiveGraph(version)

@@ -7,9 +7,6 @@ from typing import TYPE_CHECKING
 
 from textual.screen import Screen
 
-from plastron_tui.model.kinds import EndpointKind, Service
-from plastron_tui.model.workspace import Node
-
 from ..editor.name_uses import function_at
 from ..panels.entry import Entry, Subject
 from ..panels.entry_keys import Pointing
@@ -17,6 +14,8 @@ from .active_program import ActiveProgram
 from .node_runs import NodeRuns
 
 if TYPE_CHECKING:
+    from plastron_tui.model.workspace import Node
+
     from ..code_places import Found, Place
 
 
@@ -54,6 +53,8 @@ class CodeActions:
 
     async def _write_answer(self, service: str) -> None:
         """Save the program, write its files, and show where a service's answer is to be written."""
+        from plastron_tui.model.kinds import EndpointKind
+
         nodes = self._program.open.session.workspace.nodes
         node = next((each for each, node in nodes.items() if _provides(node, service)), None)
         entry = Entry("", service, subject=EndpointKind.SERVICE, node=node, name=service)
@@ -115,4 +116,6 @@ class CodeActions:
 
 
 def _provides(node: Node, service: str) -> bool:
+    from plastron_tui.model.kinds import Service
+
     return any(each.name == service for each in node.of(Service).values())
