@@ -252,8 +252,7 @@ class LivePanel(EntryList):
     def check_action(self, action: str, parameters: tuple[object, ...]) -> bool | None:
         """Offer what can be done about the row under the cursor."""
         if action == "choose":
-            row = self.row
-            is_asked = row is not None and row.kind in _ENTERED and not self._has_ended(row)
+            is_asked = _is_asked_about(self._graphs, self.row)
             return is_asked or branch_at(self._live, self.index) is not None
         if action != "ask":
             return True
@@ -267,13 +266,7 @@ class LivePanel(EntryList):
             return cancelable_at(self._live, self.index)
         kind = _KINDS.get(what)
         found = None if kind is None else target_at(self._live, self.index, kind)
-        return None if found is None or self._has_ended(found) else found
-
-    def _has_ended(self, row: LiveRow) -> bool:
-        """Tell whether a row is about nodes that were ended, and nobody can be asked any more."""
-        return any(
-            graph.has_ended and graph.ros_version == row.ros_version for graph in self._graphs
-        )
+        return None if found is None or _has_ended(self._graphs, found) else found
 
     def action_ask(self, what: str) -> None:
         """Ask for something to be done."""
@@ -320,6 +313,16 @@ class LivePanel(EntryList):
         line = line_of(row, self._columns, width)
         lit = Style.null()
         return [Segment(text, base + (lit if is_lit else self.tone(tone))) for text, tone in line]
+
+
+def _has_ended(graphs: Sequence[LiveGraph], row: LiveRow) -> bool:
+    """Tell whether a row is about nodes that were ended, and nobody can be asked any more."""
+    return any(graph.has_ended and graph.ros_version == row.ros_version for graph in graphs)
+
+
+def _is_asked_about(graphs: Sequence[LiveGraph], row: LiveRow | None) -> bool:
+    """Tell whether Enter asks for something to be done about a row."""
+    return row is not None and row.kind in _ENTERED and not _has_ended(graphs, row)
 
 
 def _is_active(row: LiveRow) -> bool:
