@@ -59,6 +59,7 @@ async def test_two_nodes_exchange_a_message_of_ones_own(here: Path) -> None:
     assert len(list(output.glob("*.py"))) == 2
 
 
+@pytest.mark.long
 async def test_nodes_become_a_package(here: Path) -> None:
     async with wizard_from_welcome() as it:
         await begin(it)

@@ -16,6 +16,7 @@ from plastron_tui.studio.wizard.pages import PageKind
 from plastron_tui.studio.wizard.rows import Row
 
 
+@pytest.mark.long
 async def test_a_type_is_found_by_what_it_is_for(here: Path) -> None:
     async with wizard() as it:
         await it.go(MAKE, SEND)
