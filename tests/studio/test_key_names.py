@@ -69,8 +69,10 @@ def test_all_keys_of_the_studio_can_be_written_and_come_through() -> None:
     [
         ("generate: Ctrl-B", {"generate": "ctrl+b"}, []),
         ("generate: ^B\n  run: [F11, alt+x]", {"generate": "ctrl+b", "run": "f11,alt+x"}, []),
-        ("run: alt+r", {"run": "alt+r"},
-         ["line 2: `Alt-R` stays the key of `find.regex` in the line that finds"]),
+        ("run: alt+r", {"run": "alt+r", "run_anew": ""},
+         ["line 2: `Alt-R` was the key of `run_anew`, which has no key now"]),
+        ("run: alt+a", {"run": "alt+a"},
+         ["line 2: `Alt-A` stays the key of `find.replace_all` in the line that finds"]),
         ("find.regex: alt+x", {"find.regex": "alt+x"}, []),
         ("find.regex: alt+c", {"find.regex": "alt+c", "find.case": "f7"},
          ["line 2: `Alt-C` is the key of `code` too, which it is not in the line that finds",
