@@ -22,28 +22,31 @@ from .computed import Computing
 class Conditions:
     """What must hold so that fields can hold what is computed for them."""
 
-    required: dict[str, None] = field(default_factory=dict)
+    _required: dict[str, str] = field(default_factory=dict)
+    """Each by itself; that a list has an element by the list, of which the last one counts."""
     _longest: dict[str, int] = field(default_factory=dict)
+
+    @property
+    def required(self) -> tuple[str, ...]:
+        """All that must hold, in the order in which it was required first."""
+        return tuple(self._required.values())
+
+    def require(self, condition: str) -> None:
+        """Require that something holds."""
+        self._required.setdefault(condition, condition)
 
     def element(self, holder: str, position: int) -> None:
         """Require a list to have an element."""
-        known = self._longest.get(holder)
-        self._longest[holder] = max(position, known or 0)
-        condition = f"{holder}.size() > {self._longest[holder]}"
-        if known is None:
-            self.required[condition] = None
-            return
-        before = f"{holder}.size() > {known}"
-        found = [condition if each == before else each for each in self.required]
-        self.required = dict.fromkeys(found)
+        longest = self._longest[holder] = max(position, self._longest.get(holder, 0))
+        self._required[holder] = f"{holder}.size() > {longest}"
 
     def within(self, text: str, limits: Interval, *, is_whole: bool) -> None:
         """Require a number to be in the limits of a field."""
         written = literals.integer if is_whole else lambda value: literals.real(float(value))
         if limits.least > EVERY_INTEGER.least:
-            self.required[f"{text} >= {written(int(limits.least))}"] = None
+            self.require(f"{text} >= {written(int(limits.least))}")
         if limits.most < EVERY_INTEGER.most:
-            self.required[f"{text} <= {written(int(limits.most))}"] = None
+            self.require(f"{text} <= {written(int(limits.most))}")
 
     def __bool__(self) -> bool:
         """Whether anything is required."""
@@ -75,7 +78,7 @@ class GuardedComputing(Computing):
         return f"{text}[{source.position}]"
 
     def _divisor(self, text: str) -> str:
-        self.conditions.required[f"{text} != 0"] = None
+        self.conditions.require(f"{text} != 0")
         return text
 
     def _scalar(self, value: Computed, formula: Formula) -> str:
@@ -106,7 +109,7 @@ class GuardedComputing(Computing):
             if checks:
                 ends = f"{name}.begin(), {name}.end()"
                 test = f"[](const auto & each) {{return {checks.text};}}"
-                self.conditions.required[f"std::all_of({ends}, {test})"] = None
+                self.conditions.require(f"std::all_of({ends}, {test})")
         if value.type.length is not None:
             return [f"std::copy({name}.begin(), {name}.end(), {target}.begin());"]
         del class_

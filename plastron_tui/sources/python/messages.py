@@ -37,7 +37,8 @@ class Conditions:
         """Require nothing yet; `name` returns a free name like a wanted one."""
         self._name = name
         self._named: dict[str, str] = {}
-        self._required: dict[str, bool] = {}
+        # Each by itself; that a list has an element by the list, of which the last one counts.
+        self._required: dict[str, tuple[str, bool]] = {}
         self._longest: dict[str, int] = {}
 
     def number(self, text: str, limits: Interval) -> str:
@@ -70,26 +71,18 @@ class Conditions:
 
     def element(self, holder: str, position: int) -> None:
         """Require a list to have an element."""
-        known = self._longest.get(holder)
-        self._longest[holder] = max(position, known or 0)
-        condition = f"len({holder}) > {self._longest[holder]}"
-        if known is None:
-            self._required[condition] = True
-            return
-        before = f"len({holder}) > {known}"
-        self._required = {
-            condition if each == before else each: is_first
-            for each, is_first in self._required.items()
-        }
+        longest = self._longest[holder] = max(position, self._longest.get(holder, 0))
+        self._required[holder] = f"len({holder}) > {longest}", True
 
     def divisor(self, text: str) -> str:
         """Require a number to divide by not to be 0."""
-        self._required[f"{text} != 0"] = True
+        condition = f"{text} != 0"
+        self._required[condition] = condition, True
         return text
 
     def require(self, condition: str) -> None:
         """Require that something holds, once there is all that is calculated with."""
-        self._required.setdefault(condition, False)
+        self._required.setdefault(condition, (condition, False))
 
     def __bool__(self) -> bool:
         """Whether anything is required."""
@@ -102,9 +95,9 @@ class Conditions:
         """
         named = [f"{name} = {text}" for text, name in self._named.items()]
         if not named:
-            return _if([*self._required], lines)
-        first = [condition for condition, is_first in self._required.items() if is_first]
-        then = [condition for condition, is_first in self._required.items() if not is_first]
+            return _if([condition for condition, _ in self._required.values()], lines)
+        first = [condition for condition, is_first in self._required.values() if is_first]
+        then = [condition for condition, is_first in self._required.values() if not is_first]
         return _if(first, [*named, *_if(then, lines)])
 
 
