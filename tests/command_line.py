@@ -4,23 +4,18 @@ from __future__ import annotations
 
 import json
 import os
-import signal
 import subprocess
 import sys
-import traceback
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from pathlib import Path
 from tempfile import TemporaryFile
 
-from plastron_tui.cli.entry import run
+from as_plastron import become
 
 PLASTRON = [sys.executable, "-c", "from plastron_tui.cli import main; main()"]
 
 Run = Callable[..., subprocess.CompletedProcess[bytes]]
-
-_PATIENCE = 120
-"""Seconds after which a command is ended; none takes more than one."""
 
 
 class Copies:
@@ -85,36 +80,19 @@ def run_in_copy(
         given.seek(0)
         child = os.fork()
         if child == 0:
-            _become(arguments, folder, environ, [given.fileno(), out.fileno(), err.fileno()])
+            streams = [given.fileno(), out.fileno(), err.fileno()]
+            become(arguments, lambda: _prepare(folder, environ, streams))
         status = os.waitstatus_to_exitcode(os.waitpid(child, 0)[1])
         out.seek(0)
         err.seek(0)
         return subprocess.CompletedProcess(["plastron", *arguments], status, out.read(), err.read())
 
 
-def _become(
-    arguments: Sequence[str], folder: Path, environ: Mapping[str, str], streams: Sequence[int]
-) -> None:
-    status: object = 1
-    try:
-        signal.alarm(_PATIENCE)
-        os.chdir(folder)
-        os.environ.update(environ)
-        for number, stream in enumerate(streams):
-            os.dup2(stream, number)
-        sys.stdin, sys.stdout, sys.stderr = (
-            os.fdopen(number, mode, encoding="utf-8") for number, mode in enumerate("rww")
-        )
-        sys.argv = ["plastron", *arguments]
-        run()
-    except SystemExit as end:
-        status = end.code
-    except BaseException:
-        traceback.print_exc()
-    finally:
-        sys.stdout.flush()
-        sys.stderr.flush()
-        os._exit(status if isinstance(status, int) else 0)
+def _prepare(folder: Path, environ: Mapping[str, str], streams: Sequence[int]) -> None:
+    os.chdir(folder)
+    os.environ.update(environ)
+    for number, stream in enumerate(streams):
+        os.dup2(stream, number)
 
 
 TALKER = """\

@@ -11,9 +11,7 @@ from __future__ import annotations
 import gc
 import json
 import os
-import signal
 import sys
-import traceback
 from collections.abc import Mapping, Sequence
 from contextlib import redirect_stderr, redirect_stdout
 from importlib import import_module
@@ -22,12 +20,10 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import Any
 
-from plastron_tui.cli.entry import run
+from as_plastron import become
+
 from plastron_tui.cli.group import cli
 from plastron_tui.ros import installations
-
-_PATIENCE = 120
-"""Seconds after which a command is ended; none takes more than one."""
 
 
 def main() -> None:
@@ -87,15 +83,15 @@ def _is_in(module: object, folders: Sequence[str]) -> bool:
 
 def _become(asked: Mapping[str, Any]) -> None:
     """Run a command line in its folder and environment; never return."""
-    status: object = 1
     before = set(sys.modules)
     own: list[str] = []
-    try:
-        signal.alarm(_PATIENCE)
+
+    def prepare() -> None:
         os.chdir(asked["folder"])
         os.environ.clear()
         os.environ.update(asked["environ"])
-        sys.path[:0] = own = _own_folders()
+        own.extend(_own_folders())
+        sys.path[:0] = own
         if asked["is_debian"]:
             debian = installations.Installation(installations.Origin.DEBIAN, 1, "noetic")
             setattr(installations, "installed", lambda: (debian,))  # noqa: B010
@@ -103,26 +99,13 @@ def _become(asked: Mapping[str, Any]) -> None:
             [("stdin", os.O_RDONLY), *[(each, os.O_RDWR) for each in ("stdout", "stderr")]]
         ):
             os.dup2(os.open(asked[name], flags), number)
-        sys.stdin, sys.stdout, sys.stderr = (
-            os.fdopen(number, mode, encoding="utf-8") for number, mode in enumerate("rww")
-        )
-        sys.argv = ["plastron", *asked["arguments"]]
-        run()
-    except SystemExit as end:
-        status = end.code
-    except BaseException:
-        traceback.print_exc()
-    finally:
-        sys.stdout.flush()
-        sys.stderr.flush()
-        Path(asked["imported"]).write_text(
-            "\n".join(
-                name
-                for name, module in sys.modules.items()
-                if name not in before and not _is_in(module, own)
-            )
-        )
-        os._exit(status if isinstance(status, int) else 0)
+
+    def leave() -> None:
+        modules = sys.modules.items()
+        new = (name for name, each in modules if name not in before and not _is_in(each, own))
+        Path(asked["imported"]).write_text("\n".join(new))
+
+    become(asked["arguments"], prepare, leave)
 
 
 if __name__ == "__main__":

@@ -18,6 +18,7 @@ from wrong_statements import (
     PUBLISH,
     REQUEST,
 )
+from wrong_values import WRONG_VALUES
 
 from plastron_tui.language import Document, lower
 from plastron_tui.model.context import Setting
@@ -25,6 +26,8 @@ from plastron_tui.model.interpreter import Interpreter
 from plastron_tui.model.kinds import Subscription
 from plastron_tui.model.workspace import Node
 from plastron_tui.ros.qos import Qos
+
+CASES = [*MISTAKES, *WRONG_VALUES]
 
 
 @cache
@@ -34,7 +37,7 @@ def before(text: str, library: str) -> dict[str, Node]:
 
 
 @pytest.mark.parametrize("library", ["rospy", "rclpy"])
-@pytest.mark.parametrize("case", MISTAKES, ids=[case[0] for case in MISTAKES])
+@pytest.mark.parametrize("case", CASES, ids=[case[0] for case in CASES])
 def test_a_statement_with_a_mistake(case: tuple[str, str, str, str | None], library: str) -> None:
     line, code, where, remedy = case
     text = f"{BEFORE}{line}\n"

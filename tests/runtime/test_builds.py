@@ -17,7 +17,7 @@ from supervised import all_gone
 
 from plastron_tui.diagnostics import Span, codes
 from plastron_tui.ros.installations import Origin
-from plastron_tui.runtime import build_tools, builds
+from plastron_tui.runtime import builds
 from plastron_tui.runtime.build_output import Progress
 from plastron_tui.runtime.builds import BuiltPackage, overlay
 from plastron_tui.runtime.environment import Environment
@@ -369,21 +369,6 @@ def test_a_build_that_is_ended_leaves_no_process(
     pids.unlink()
     write_colcon(environ, COLCON)
     assert build(environ).is_dir()
-
-
-def test_definitions_that_debian_has_in_another_package(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    monkeypatch.setattr(build_tools, "DEBIAN_SHARE", tmp_path)
-    environment = Environment(Origin.DEBIAN, 1, "noetic", Path(sys.executable))
-    package = BuiltPackage("rover", {"msg/A.msg": b"# a/b\nstereo_msgs/DisparityImage x\n"})
-    environ = {"XDG_CACHE_HOME": str(tmp_path / "cache"), "PATH": "/usr/bin:/bin"}
-    _, [found] = overlay(environment, [package], pytest.fail, environ)
-    assert found.message == (
-        "`rover` has to be built, and the definitions of `stereo_msgs` are not installed"
-    )
-    assert found.help == "install them with `sudo apt install ros-stereo-msgs`"
-    assert not (tmp_path / "cache").exists()
 
 
 def test_a_build_that_is_interrupted_in_the_background_is_not_told_as_failed(
