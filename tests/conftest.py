@@ -1,6 +1,7 @@
 from __future__ import annotations
 
 import gc
+import os
 import signal
 from collections.abc import Generator, Iterator
 from pathlib import Path
@@ -24,6 +25,12 @@ if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:
     signal.signal(signal.SIGINT, signal.default_int_handler)
 if hasattr(signal, "SIGHUP") and signal.getsignal(signal.SIGHUP) is signal.SIG_IGN:
     signal.signal(signal.SIGHUP, signal.SIG_DFL)
+
+
+# Readline says in the environment how large the terminal is that the tests were started in, and
+# the workers would pass it on to programs that have terminals of their own.
+for size in ("COLUMNS", "LINES"):
+    os.environ.pop(size, None)
 
 
 # A program that names no ROS is for the one that is here: to the tests that is Debian's ROS 1,
