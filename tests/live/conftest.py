@@ -12,11 +12,12 @@ from typing import Any
 from xmlrpc.client import ServerProxy
 
 import pytest
+from command_line import Copies
 from cpp_builds import real_prefix
 from graph import Graph
 from jazzy import jazzy_python
 from machine import domain_id, free_port, skip_or_fail, wait_until
-from processes import Process, processes
+from processes import Process, processes, use_copies
 
 from plastron_tui.ros.catalog import Catalog
 from plastron_tui.ros.installations import Origin
@@ -32,6 +33,12 @@ ROS1_INSTALL = (
     "python3-std-srvs python3-geometry-msgs python3-genpy python3-genmsg"
 )
 ROS1_MODULES = "rospy, rosmaster, roslaunch, genpy, std_msgs.msg, std_srvs.srv, geometry_msgs.msg"
+
+
+@pytest.fixture(scope="session", autouse=True)
+def plastron_is_copied(copied: Copies) -> None:
+    """Start plastron, which only makes the nodes here, as a copy; tests/cli starts it anew."""
+    use_copies(copied)
 
 
 def made_packages(

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import json
 import re
-import subprocess
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 from typing import Any
@@ -12,7 +11,7 @@ from typing import Any
 import pytest
 from graph import Graph
 from machine import mostly_long
-from processes import PLASTRON, Process, generate, own_tracebacks
+from processes import Process, generate, own_tracebacks, plastron
 
 pytestmark = pytest.mark.live
 
@@ -33,9 +32,8 @@ QUICK = {"service_and_client"}
 
 def drawn(program: Path) -> dict[str, Any]:
     """Return the topics, services and actions of a program."""
-    done = subprocess.run(
-        [PLASTRON, "graph", "--format", "json", program], capture_output=True, check=True
-    )
+    done = plastron("graph", "--format", "json", program)
+    assert done.returncode == 0, done.stderr
     found: dict[str, Any] = json.loads(done.stdout)
     return found
 
