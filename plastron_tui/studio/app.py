@@ -113,7 +113,7 @@ class StudioApp(InOrder, inherit_bindings=False):
         self._failures: set[str] = set()
         self.last_words = ""
         self._last_note = "", 0.0
-        self._is_up = False
+        self._is_up = self._is_for_editor = False
 
     def get_default_screen(self) -> Screen[None]:
         """Open the programs that were asked for."""
@@ -174,6 +174,12 @@ class StudioApp(InOrder, inherit_bindings=False):
             self.call_after_refresh(self.run_call, self._first)
         elif not self._paths:
             self.call_after_refresh(self.main.action_welcome)
+        else:
+            self._is_for_editor = True
+
+    def on_ready(self) -> None:
+        """Let the editor have the keys once it is drawn, where nothing else opens before it."""
+        self._is_up |= self._is_for_editor
 
     def _came_up(self) -> None:
         """Note that there is a screen that keys can go to."""

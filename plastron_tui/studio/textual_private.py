@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import codecs
 import sys
-from collections.abc import Callable, MutableMapping
+from collections.abc import Callable, Mapping, MutableMapping
 from functools import partial
 from typing import IO, TYPE_CHECKING, Any, cast
 
@@ -134,6 +134,26 @@ def tell_first_sizes(screen: Screen[Any]) -> None:
         return result
 
     compositor.reflow = reflow_from_told
+
+
+def leave_as_drawn(screen: Screen[Any]) -> None:
+    """Draw nothing again that a screen has just been drawn with as a whole.
+
+    The first layout lets each widget ask for being drawn, because it has a size now, and the
+    first frame follows within the same call; but what was asked for is kept, and the frame is
+    drawn once or twice more. Without this it is, and the first key waits for that.
+    """
+    compositor = getattr(screen, "_compositor", None)
+    regions = getattr(compositor, "_dirty_regions", None)
+    widgets = getattr(compositor, "visible_widgets", None)
+    if not isinstance(regions, set) or not isinstance(widgets, Mapping):
+        return
+    regions.clear()
+    for widget in (screen, *widgets):
+        asked = getattr(widget, "_repaint_regions", None)
+        if isinstance(asked, set) and hasattr(widget, "_repaint_required"):
+            asked.clear()
+            widget._repaint_required = False
 
 
 def hear_messages(hear: Callable[[Message], None]) -> None:

@@ -35,6 +35,7 @@ from plastron_tui.studio.textual_private import (
     forget_notes,
     forget_removed_widgets,
     known_sequences,
+    leave_as_drawn,
     linux_driver,
     notes_in_sight,
     output_of,
@@ -57,6 +58,9 @@ async def test_this_version_of_textual_has_it() -> None:
     assert callable(App._unnotify)
     assert notes_in_sight(App[None]()) == []
     assert issubclass(vars(textual_driver)["XTermParser"], XTermParser)
+    widget = Static()
+    assert (widget._repaint_regions, widget._repaint_required) == (set(), False)
+    assert Screen[None]()._compositor._dirty_regions == set()
 
 
 def test_a_text_that_comes_at_once_is_one_event() -> None:
@@ -196,6 +200,7 @@ def test_without_a_compositor_nothing_is_mended() -> None:
     screen = Screen[None]()
     del screen._compositor
     tell_first_sizes(screen)
+    leave_as_drawn(screen)
 
 
 def test_without_the_list_of_notes_they_go_with_time() -> None:
