@@ -12,13 +12,16 @@ from functools import partial
 from typing import IO, TYPE_CHECKING, Any, cast
 
 from textual.app import App
+from textual.dom import DOMNode
 from textual.driver import Driver
 from textual.message import Message
 from textual.notifications import Notification
+from textual.widget import Widget
 
 if TYPE_CHECKING:
     from textual._compositor import Compositor
     from textual._xterm_parser import XTermParser
+    from textual.css.styles import StylesBase
     from textual.screen import Screen
 
 
@@ -216,6 +219,35 @@ def forget_notes(app: App[Any], is_old: Callable[[Notification], bool]) -> None:
     if callable(unnotify):
         for note in filter(is_old, notes_in_sight(app)):
             unnotify(note)
+
+
+class StyledLate(Widget):
+    """A widget whose components are styled when they are first asked for, and then with it.
+
+    Textual styles all components of a widget whenever it styles the widget, at the start too; a
+    list has a dozen, of which it shows one or two. Without this they are styled as Textual does.
+    """
+
+    def __init__(self, *, id: str | None = None) -> None:  # noqa: A002 - Textual's word
+        super().__init__(id=id)
+        self._asked_for: frozenset[str] = frozenset()
+
+    def _get_component_classes(self) -> frozenset[str]:  # type: ignore[override]
+        return self._asked_for if self._is_late else super()._get_component_classes()
+
+    @property
+    def _is_late(self) -> bool:
+        return hasattr(self, "_attach") and hasattr(self, "_component_styles")
+
+    def component(self, name: str) -> StylesBase:
+        """Return the styles of one of its components."""
+        if self._is_late and name not in self._component_styles:
+            self._asked_for |= {name}
+            node = DOMNode(classes=name)
+            node._attach(self)
+            self.app.stylesheet.apply(node)
+            self._component_styles[name] = node.styles
+        return self.get_component_styles(name)
 
 
 class Failing(App[None], inherit_bindings=False):
