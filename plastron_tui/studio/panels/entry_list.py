@@ -23,6 +23,7 @@ from .styles import COMPONENTS, Toned
 class EntryList(Pointing, Toned, ScrollView, can_focus=True):
     """Entries, one a line, with a cursor."""
 
+    DEFAULT_CSS = "EntryList { background: $background; height: 1fr; overflow: auto auto; }"
     COMPONENT_CLASSES: ClassVar[set[str]] = {*COMPONENTS, "entry-list--cursor", "entry-list--here"}
     BINDINGS: ClassVar[list[BindingType]] = [
         Binding("up,k", "move(-1)", "Up", show=False, id="panel.up"),

@@ -34,6 +34,11 @@ _SMALL = 16
 class GraphPanel(Acting, Toned, ScrollView, can_focus=True):
     """A picture as large as fits, whose boxes can be chosen and acted on as entries can."""
 
+    DEFAULT_CSS = """
+    GraphPanel { background: $background; height: 1fr; overflow: auto auto; }
+    GraphPanel > .graph-panel--cursor { background: $primary 60%; text-style: bold; }
+    GraphPanel > .graph-panel--here { background: $primary 25%; }
+    """
     COMPONENT_CLASSES: ClassVar[set[str]] = {
         *COMPONENTS,
         "graph-panel--cursor",
