@@ -6,6 +6,7 @@ import pytest
 from studio_driver import PROGRAM, Driver, leave_behind, studio
 from textual.widgets import Input, Label
 
+from plastron_tui.diagnostics import Edit, Span
 from plastron_tui.session import Session
 from plastron_tui.studio.files import OnDisk
 from plastron_tui.studio.main.tab_line import names_of, window_of
@@ -222,3 +223,39 @@ async def test_nodes_go_on_while_another_program_is_in_front(
         await driver.press("alt+q")
         assert driver.main.open.path is None
         assert output.text == ""
+
+
+async def test_jumps_lead_back_and_forth_through_texts_and_tabs(program: Path, other: Path) -> None:
+    other.write_text(f"// nothing\n\n{OTHER}")
+    async with studio(program, others=[other]) as driver:
+        main, editor = driver.main, driver.main.editor
+
+        def place() -> tuple[str, int]:
+            return main.open.name, editor.state.row
+
+        editor.go_to(PROGRAM.index("greeting to"))
+        await driver.press("f12")
+        assert place() == ("talk.plastron", 1)
+        # A panel that is walked through is one step, wherever it leads.
+        await driver.show("nodes")
+        await driver.press("down", "down", "down", "enter")
+        await driver.until(lambda: place() == ("talk.plastron", 6))
+        await driver.press("alt+e")
+        assert main.open.name == "other.plastron"
+        assert editor.view.has_focus
+        await driver.press("down", "down", "alt+comma")
+        assert place() == ("talk.plastron", 6)
+        assert editor.view.has_focus
+        # What is written above moves the places along.
+        editor.apply([Edit(Span(0, 0), "// a line\n")])
+        await driver.press("alt+comma")
+        assert place() == ("talk.plastron", 2)
+        await driver.press("alt+comma")
+        assert place() == ("talk.plastron", 3)
+        await driver.press("alt+full_stop", "alt+full_stop", "alt+full_stop")
+        assert place() == ("other.plastron", 2)
+        await driver.press("alt+full_stop")
+        assert "there is no place to go forward to" in driver.notes()
+        await driver.press("alt+q")
+        await driver.press("alt+full_stop")
+        assert main.open.name == "talk.plastron"

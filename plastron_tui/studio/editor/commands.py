@@ -205,7 +205,7 @@ def _toggle_wrap(editor: ProgramEditor) -> None:
 
 def _go_to_mark(editor: ProgramEditor, mark: Mark | None) -> None:
     if mark is not None:
-        editor.go_to(mark.start)
+        editor.go_to(mark.start, walk="problems")
 
 
 def _both(

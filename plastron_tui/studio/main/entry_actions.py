@@ -38,7 +38,7 @@ class EntryActions:
         if entry.span is None:
             self._screen.notify(entry.elsewhere, markup=False)
         else:
-            self._go_to(entry.span.start)
+            self._go_to(entry.span.start, walk="panel")
 
     def do(self, asked: Asked) -> None:
         """Do what was asked about an entry."""
@@ -94,8 +94,8 @@ class EntryActions:
         self._program.editor.apply([edit])
         self._go_to(edit.span.start + edit.text.startswith("\n"))
 
-    def _go_to(self, offset: int) -> None:
-        self._program.editor.go_to(offset)
+    def _go_to(self, offset: int, walk: str = "") -> None:
+        self._program.editor.go_to(offset, walk)
         self._program.editor.focus()
 
     def _generate(self, statement: str, variable: str) -> None:

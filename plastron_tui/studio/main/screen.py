@@ -171,7 +171,7 @@ class MainScreen(FirstScreen, Paged):
     def entry_lit(self, message: Lit) -> None:
         """Bring the statement of an entry in sight; the panel keeps the focus."""
         if message.entry.span is not None:
-            self.editor.go_to(message.entry.span.start)
+            self.editor.go_to(message.entry.span.start, walk="panel")
 
     @on(Asked)
     def entry_asked(self, message: Asked) -> None:
@@ -273,6 +273,10 @@ class MainScreen(FirstScreen, Paged):
     def action_turn_tab(self, by: int) -> None:
         """Bring the next program in front, or with -1 the one before."""
         self._parts.tabs.turn(by)
+
+    def action_jump(self, by: int) -> None:
+        """Go back to where one jumped from, or with 1 forward again."""
+        self._parts.tabs.jump(by)
 
     @work(exclusive=True, group="file")
     async def action_close_tab(self) -> None:

@@ -20,6 +20,7 @@ WORDS = {
     "config": "settings preferences options remap", "suspend": "background shell",
     "quit": "exit close leave end", "problems": "errors mistakes warnings", "output": "log print",
     "preview": "code diff python", "graph": "picture diagram", "topics": "publishers subscribers",
+    "back": "jump return previous place", "forward": "jump next place",
     "editor.undo": "back revert", "editor.redo": "forward again", "editor.copy": "yank clipboard",
     "editor.paste": "clipboard insert", "editor.find": "search look",
     "editor.replace": "substitute exchange", "editor.go_to_line": "jump number",
