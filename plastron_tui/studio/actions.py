@@ -81,7 +81,7 @@ ACTIONS: tuple[Action, ...] = (
     Action("panels", "Show or hide the panels", "screen.panels", "f9",
            "Make room for the text, or show the panels again."),
     Action("menu", "Menu", "screen.menu", "f10,ctrl+p",
-           "All actions, by their names.", footer=True, kept=True),
+           "All actions, by their names, and the names of this program.", footer=True, kept=True),
     Action("zoom", "Enlarge the panel", "screen.zoom", "ctrl+t,alt+m",
            "Let the panel have the whole window, or its place again."),
     Action("wider", "Make the panel larger", "screen.resize(4)", "alt+plus,alt+equals_sign",
@@ -95,6 +95,9 @@ ACTIONS: tuple[Action, ...] = (
     ),
     Action("fix", "Fix the problem on this line", "screen.fix", "alt+enter",
            "Change the text as the help of the problem says.", "Edit"),
+    Action("names", "Go to a name", "screen.menu('@')", "alt+a",
+           "Find a node, topic, service, action, message, parameter, function, link or joint of "
+           "this program.", "Edit"),
     Action("back", "Go back", "screen.jump(-1)", "alt+comma",
            "Go to where you were before you jumped, in this program or another.", "Edit"),
     Action("forward", "Go forward", "screen.jump(1)", "alt+full_stop",

@@ -10,7 +10,7 @@ from textual import events, on, work
 from textual.app import ComposeResult
 from textual.binding import Binding, BindingType
 
-from ..actions import BY_ID, KEPT, bindings
+from ..actions import BY_ID, KEPT, Action, bindings
 from ..analysis_worker import Analysed, AnalysisFailed, Preloaded
 from ..config import Profile
 from ..editor import ProgramEditor
@@ -356,11 +356,14 @@ class MainScreen(FirstScreen, Paged):
     # Actions: help and settings.
 
     @work(exclusive=True, group="menu")
-    async def action_menu(self) -> None:
-        """Offer all actions, and do the one that is chosen."""
-        action = await choose_action(self, self.profile.remembered, self.key_of)
-        if action is not None:
-            await self.app.run_action(action.chosen or action.call, self)
+    async def action_menu(self, query: str = "") -> None:
+        """Offer all actions, and do the one that is chosen, or go to a name."""
+        names, remembered = self._parts.entries.names, self.profile.remembered
+        chosen = await choose_action(self, remembered, self.key_of, names, query)
+        if isinstance(chosen, Action):
+            await self.app.run_action(chosen.chosen or chosen.call, self)
+        elif chosen is not None:
+            self._parts.entries.go_to_name(chosen)
 
     def action_help(self, of_word: bool = True) -> None:
         """Say what the word at the cursor means; asked again, help for what has the focus."""
