@@ -259,6 +259,7 @@ class MainScreen(FirstScreen, Paged):
 
     def action_wizard(self) -> None:
         """Build statements from menus and forms."""
+        self.recovery.hush()
         self._parts.wizard.open()
 
     # Actions: tabs.

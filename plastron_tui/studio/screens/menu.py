@@ -142,14 +142,14 @@ class ActionMenu(Dialog["Action | ProgramName | None"]):
         """Return the line of a name: what it names, and at the right where that is."""
         where = visible(name.where)
         entry = name.entry
-        said = " ".join(filter(None, (visible(entry.detail), name.kind)))
-        room = max(self._width - cell_len(where) - 3, 8)
+        said = " · ".join(filter(None, (name.kind, visible(entry.detail))))
+        room = max(self._width - cell_len(where) - 4, 8)
         text = set_cell_size(f" {entry.sign} {visible(entry.text)}  ", room)
         shown = text.rstrip() + "  "
         if cell_len(shown) >= room:
             return Content.assemble(text, " ", (where, "$text-accent"), "  ")
         return Content.assemble(
-            shown, (set_cell_size(said, room - cell_len(shown)), "$text-muted"), " ",
+            shown, (set_cell_size(said, room - cell_len(shown)), "$foreground 60%"), " ",
             (where, "$text-accent"), "  ",
         )  # fmt: skip
 
