@@ -4,7 +4,7 @@ from pathlib import Path
 
 import pytest
 from studio_driver import PROGRAM, Driver, leave_behind, studio
-from textual.widgets import Input, Label
+from textual.widgets import Input, Label, OptionList
 
 from plastron_tui.diagnostics import Edit, Span
 from plastron_tui.session import Session
@@ -40,6 +40,12 @@ async def test_each_program_has_a_tab_with_its_own_undo_cursor_and_panels(
         await driver.back()
         assert tabs(driver) == "talk ● other"
         assert driver.text == OTHER
+        # What is open is not what Enter would open again.
+        await driver.pilot.press("ctrl+o")
+        listed = (await driver.dialog("ChooseFile")).query_one(OptionList)
+        assert listed.get_option_at_index(listed.highlighted).id == "talk.plastron"
+        await driver.pilot.press("escape")
+        await driver.back()
         assert [name.split()[1] for name in driver.shown("nodes")] == ["arm"]
         # What waits keeps its text and what can be undone, and not what the text means.
         assert main.program.tabs[0].open.analysis is None
@@ -223,6 +229,22 @@ async def test_nodes_go_on_while_another_program_is_in_front(
         await driver.press("alt+q")
         assert driver.main.open.path is None
         assert output.text == ""
+
+
+async def test_the_cursor_is_in_sight_in_a_tab_that_comes_back_to_a_smaller_window(
+    program: Path, other: Path
+) -> None:
+    program.write_text("// a line\n" * 60)
+    async with studio(program, (120, 40), others=[other]) as driver:
+        editor = driver.main.editor
+        editor.go_to(len("// a line\n") * 30)
+        assert editor.view.scroll_offset.y > 0
+        await driver.press(*["down"] * 10, "alt+e")
+        assert driver.text == OTHER
+        await driver.pilot.resize_terminal(80, 16)
+        await driver.press("alt+e")
+        assert editor.state.row == 40
+        assert 0 <= editor.view.cell_of(editor.cursor_offset).y < editor.view.size.height
 
 
 async def test_jumps_lead_back_and_forth_through_texts_and_tabs(program: Path, other: Path) -> None:

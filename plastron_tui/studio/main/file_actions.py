@@ -150,7 +150,8 @@ class FileActions:
             for name in self.profile.remembered.recent
             if self.program.tab_of(Path(name)) is None
         ]
-        dialog = ChooseFile("Open", start, must_be=True, recent=recent)
+        present = self.program.path
+        dialog = ChooseFile("Open", start, must_be=True, recent=recent, present=present)
         path = await self.screen.app.push_screen_wait(dialog)
         if path is not None:
             self.open_file(path)
