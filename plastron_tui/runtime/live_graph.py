@@ -132,10 +132,17 @@ class LiveGoal(NamedTuple):
 
 
 class LiveSending(NamedTuple):
-    """A message that is sent from here again and again: how often a second, and what is in it."""
+    """A message that is sent from here again and again.
+
+    Attributes:
+        rate: how often a second; 0 where it is not sent any more.
+        text: what is in it.
+        problem: why it could not be sent, "" where it is.
+    """
 
     rate: float
     text: str
+    problem: str = ""
 
 
 class LiveParameter(NamedTuple):
@@ -292,8 +299,9 @@ class LiveGraph:
 
     def _take_sending(self, report: Mapping[str, Any]) -> None:
         name, rate = str(report["name"]), float(report["rate"])
-        if rate > 0:
-            self.sendings[name] = LiveSending(rate, str(report["text"]))
+        problem = str(report.get("problem", ""))
+        if rate > 0 or problem:
+            self.sendings[name] = LiveSending(rate, str(report["text"]), problem)
         else:
             self.sendings.pop(name, None)
 

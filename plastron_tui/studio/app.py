@@ -34,7 +34,6 @@ from plastron_tui.user_folders import state_folder
 from .analysis_worker import AnalysisFailed
 from .config import Config, Profile, config_file, load_remembered, save_remembered
 from .files import OnDisk, meant_by, open_file
-from .folder_labels import not_saved
 from .journal import Kept
 from .key_display import key_name
 from .key_order import InOrder
@@ -48,6 +47,8 @@ from .textual_private import notes_in_sight, translate_colours
 
 _SAME_NOTE = 0.3
 """Seconds within which the same note again is the same one."""
+_WIZARD = "screen.wizard"
+"""The action that shows what one is to learn by watching: no note lies over it."""
 DEFAULT_THEME = "textual-dark"
 _ENDS_WITHIN = 5.0
 """Seconds that the studio has to end in good order once the system says so."""
@@ -150,10 +151,9 @@ class StudioApp(InOrder, inherit_bindings=False):
             if open_.path is not None:
                 self.profile.remembered.opened(open_.path)
         # The welcome lists them; it is not in front where something else was asked for.
-        if others and (self._paths or self._first is not None):
+        if self._first not in (None, _WIZARD) or (self._paths and self._first is None):
             page = f"the welcome page ({self.main.key_of('welcome')})"
-            text = f"{not_saved(others)}\n{page} has what was typed"
-            self.notify(text, timeout=10, markup=False)
+            self.main.recovery.tell(others, self.profile.remembered, page)
         if own or self._other_files:
             found = [*own, *self._other_files]
             self.call_after_refresh(self.main.offer_first, found, self._first)

@@ -23,6 +23,7 @@ from .completer import Completer
 from .highlights import LONGEST
 from .history import Selection
 from .hover import Hover
+from .jumps import Jumps
 from .marks import Mark, Marks, worst
 from .popup import Popup
 from .state import EditingState, TextState
@@ -51,6 +52,7 @@ class ProgramEditor(Vertical):
     Attributes:
         state: the text, its selection and its history.
         view: what shows it.
+        jumps: the places that the cursor jumped from.
         completer: what offers words.
         hover: what shows cards about words.
     """
@@ -89,6 +91,7 @@ class ProgramEditor(Vertical):
     ) -> None:
         super().__init__(name=name, id=id, classes=classes)
         self.state = TextState(session)
+        self.jumps = Jumps(self.state)
         self.view = EditorView(self.state, self)
         self.completer = Completer(self.state, self.view)
         self.hover = Hover(self, self.state, self.view)
@@ -190,7 +193,7 @@ class ProgramEditor(Vertical):
         """What finds and replaces."""
         from .finder import Finder
 
-        return Finder(self.state, self.view, self.done)
+        return Finder(self.state, self.view, self.done, self.jumps)
 
     @cached_property
     def find_bar(self) -> FindBar:
@@ -334,14 +337,9 @@ class ProgramEditor(Vertical):
         line = buffer.text[buffer.start(row) : buffer.end(row)]
         return help_in_line(line, self.expected, self.session)
 
-    def go_to(self, offset: int) -> None:
-        """Put the cursor at an offset, with the lines around it in sight."""
-        self.state.move(offset)
-        self.done(center=True)
-
-    def select(self, span: Span) -> None:
-        """Select a range, with the lines around it in sight."""
-        self.state.select(span.start, span.end)
+    def go_to(self, offset: int, walk: str = "") -> None:
+        """Jump to an offset, with the lines around it in sight; `Jumps` says what a walk is."""
+        self.jumps.jump(offset, offset, walk)
         self.done(center=True)
 
     def replace(self, span: Span, text: str) -> None:

@@ -15,9 +15,10 @@ from textual.reactive import reactive
 from textual.scroll_view import ScrollView
 from textual.strip import Strip
 
+from .broken_lines import broken
 from .entry import Entries, Entry
 from .entry_keys import Pointing
-from .styles import COMPONENTS, Toned
+from .styles import COMPONENTS, Lines, Piece, Toned
 
 
 class EntryList(Pointing, Toned, ScrollView, can_focus=True):
@@ -183,11 +184,11 @@ class EntryList(Pointing, Toned, ScrollView, can_focus=True):
         return self.rich_style, False
 
     def _render_empty(self, y: int, width: int, base: Style) -> Strip:
-        lines = self.entries.empty.split("\n")
-        if y == 0 or y > len(lines):
+        rows = empty_rows(self.entries.empty, width)
+        if y == 0 or y > len(rows):
             return Strip.blank(width, base)
-        style = base + self.tone("quiet" if y == 1 else "dim")
-        return Strip([Segment(f" {lines[y - 1]}", style)]).adjust_cell_length(width, base)
+        segments = [Segment(text, base + self.tone(tone)) for text, tone in rows[y - 1]]
+        return Strip(segments).adjust_cell_length(width, base)
 
     def _segments(self, entry: Entry, width: int, base: Style, is_lit: bool) -> list[Segment]:
         indent = " " + "  " * entry.depth
@@ -219,3 +220,10 @@ class EntryList(Pointing, Toned, ScrollView, can_focus=True):
             for text, tone in parts
             if text
         ]
+
+
+def empty_rows(text: str, width: int) -> Lines:
+    """Return what a list without entries says, in rows of at most so many cells."""
+    first, *rest = text.split("\n")
+    lines = [Piece(f" {first}", "quiet"), *(Piece(f" {line}", "dim") for line in rest)]
+    return tuple(row for line in lines for row in broken((line,), width, 1))

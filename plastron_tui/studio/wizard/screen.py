@@ -51,6 +51,7 @@ class Wizard(Frame):
         Binding("f1", "explain", "Help", priority=True),
         Binding("f3", "turn", "Code and graph", priority=True),
         Binding("enter", "next", "Next", show=False),
+        Binding("ctrl+q", "leave", "Leave", show=False, id="quit"),
     ]
 
     def __init__(self, session: Session, enter: Enter) -> None:
