@@ -24,6 +24,7 @@ from .load_package import load_package
 from .meetings import check_meetings
 from .mistake import Mistake
 from .node_statements import create_node, generate_node, load
+from .other_things import decided
 from .own_types import OwnInterfaces
 from .package_statements import contains, create_package, generate_package, no_longer_contains
 from .rename import rename
@@ -166,7 +167,7 @@ class Interpreter:
         found = self._run.found
         if program.diagnostics:
             found += [(0 if each.span is None else each.span.start, each)
-                      for each in program.diagnostics]  # fmt: skip
+                      for each in decided(self._run.workspace, program)]  # fmt: skip
             found.sort(key=lambda entry: entry[0])
         return tuple([each for _, each in found])
 
