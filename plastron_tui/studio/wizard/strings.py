@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from plastron_tui.diagnostics import listed
+from plastron_tui.diagnostics import Severity, listed
 from plastron_tui.language import SlotKind
 from plastron_tui.language import statements as st
+from plastron_tui.session import Session
 
 from .driving_lines import explained
 from .followers import STOP
@@ -90,12 +91,23 @@ def review(look: Look) -> str:
     if any(each.key == STOP for each in look.extras):
         words += " It does not notice when the laser falls silent."
     numbers = () if outcome is None else outcome.replaced
+    if outcome is not None and not look.problems:
+        words += _mistake_before(outcome.session)
     if look.driving:
         return f"{words} {explained(look.driving, is_kept=not numbers)}"
     if not numbers:
         return words
     those = "lines" if len(numbers) > 1 else "line"
     return f"{words} That takes the place of {those} {listed([str(each) for each in numbers])}."
+
+
+def _mistake_before(session: Session) -> str:
+    """Say what keeps the program from being run, and was wrong before already; "" for nothing."""
+    errors = (each for each in session.diagnostics if each.severity is Severity.ERROR)
+    first = next(errors, None)
+    if first is None:
+        return ""
+    return f" The program has a mistake already, and cannot be run before it goes: {first.message}."
 
 
 def leaving(look: Look) -> str:
