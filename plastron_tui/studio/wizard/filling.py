@@ -180,6 +180,7 @@ class Filler:
             text = "" if any(map(form.entered.get, others)) else kind.suggest(ask)
         if text == NEW:
             return Cell("", is_new=True)
+        text = kind.meant(ask, text)
         return Cell(text, written=kind.written(ask, text) if text else None)
 
     def _values(self, filled: Filled, ask: Ask) -> Cell:

@@ -11,6 +11,7 @@ from .driving_lines import explained
 from .followers import STOP
 from .form import Form
 from .goals import DRIVE, GROUPS, Aim, told
+from .obstacles import is_standing
 from .pages import Look, Page, PageKind
 
 
@@ -90,6 +91,8 @@ def review(look: Look) -> str:
     )
     if any(each.key == STOP for each in look.extras):
         words += " It does not notice when the laser falls silent."
+    if _is_standing(look):
+        words += " With this it never drives: all that it is sent is 0."
     numbers = () if outcome is None else outcome.replaced
     if outcome is not None and not look.problems:
         words += _mistake_before(outcome.session)
@@ -99,6 +102,15 @@ def review(look: Look) -> str:
         return words
     those = "lines" if len(numbers) > 1 else "line"
     return f"{words} That takes the place of {those} {listed([str(each) for each in numbers])}."
+
+
+def _is_standing(look: Look) -> bool:
+    """Tell whether what is written sends to a robot, and nothing by which it moves."""
+    last = look.filled[-1] if look.filled else None
+    if last is None or look.outcome is None or last.form.declaration.type is not st.Publish:
+        return False
+    node = look.outcome.session.workspace.nodes.get(last.cells["node"].text)
+    return is_standing(node, last.cells["topic"].text)
 
 
 def _mistake_before(session: Session) -> str:
