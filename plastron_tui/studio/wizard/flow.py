@@ -255,6 +255,9 @@ class Course:
         if not filled:
             return Look()
         placed = [each for one in filled for each in one.written]
+        if not placed:
+            found = (problem for each in filled for problem in each.all_problems)
+            return Look(tuple(filled), None, tuple(found), filled[-1].goes_on_with)
         node = node_of(placed)
         extras = extras_of(filled[-1])
         if extras:
@@ -301,7 +304,7 @@ class Course:
 
     def _before(self, filled: list[Filled]) -> Session:
         """Return the program without what a node shall do, but with that node."""
-        if len(filled) == 1:
+        if len(filled) == 1 or filled[0].goes_on_with:
             return self.session
         return check(self.session, filled[0].written).session
 

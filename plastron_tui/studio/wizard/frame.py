@@ -87,7 +87,9 @@ class Buttons(Horizontal):
         self.query_one("#wizard-back", Button).display = not is_done and course.at > 0
         following = self.query_one("#wizard-next", Button)
         following.display = not (is_done or kind in MENUS)
-        following.label = "Finish" if kind is PageKind.REVIEW else "Next"
+        is_last = kind is PageKind.REVIEW
+        following.label = "Finish" if is_last else "Next"
+        following.variant = "default" if is_last and look.problems else "primary"
         self.query_one("#wizard-turn", Button).display = is_narrow and look.outcome is not None
         # At the end the menu has an entry that leaves.
         self.query_one("#wizard-leave", Button).display = not is_done
