@@ -221,6 +221,11 @@ class NamedTypes:
         except Mistake:
             return None
 
+    @property
+    def catalogs(self) -> dict[int, Catalog]:
+        """The interface types that were asked for, by generation of ROS."""
+        return {version: resolver.catalog for version, resolver in self._resolvers.items()}
+
     def resolver(self, version: int) -> TypeResolver:
         """Return what looks types up in a generation of ROS."""
         resolver = self._resolvers.get(version)
