@@ -41,18 +41,20 @@ _STATEMENTS: dict[str, type[Statement]] = {"part": st.HasLink, "package": st.Cre
 
 Enter = Callable[[Sequence[Edit]], Session]
 
+_BINDINGS: list[BindingType] = [
+    Binding("escape", "step_back", "Back"),
+    Binding("f2,alt+left", "back", "Back", priority=True),
+    Binding("f1", "explain", "Help", priority=True),
+    Binding("f3", "turn", "Code and graph", priority=True),
+    Binding("enter", "next", "Next", show=False),
+    Binding("ctrl+q", "leave", "Leave", show=False, id="quit"),
+]
+
 
 class Wizard(Frame):
     """Builds statements; the result is an action of the main screen to go on with, or ""."""
 
-    BINDINGS: ClassVar[list[BindingType]] = [
-        Binding("escape", "step_back", "Back"),
-        Binding("f2,alt+left", "back", "Back", priority=True),
-        Binding("f1", "explain", "Help", priority=True),
-        Binding("f3", "turn", "Code and graph", priority=True),
-        Binding("enter", "next", "Next", show=False),
-        Binding("ctrl+q", "leave", "Leave", show=False, id="quit"),
-    ]
+    BINDINGS: ClassVar[list[BindingType]] = _BINDINGS
 
     def __init__(self, session: Session, enter: Enter) -> None:
         """Make the wizard.
