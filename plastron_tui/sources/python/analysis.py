@@ -110,10 +110,12 @@ class Answers:
     Attributes:
         qos_changes: its assignments to policies of quality of service, None before.
         meanings: what its names mean, None before.
+        identifiers: where a name is an identifier, by the name.
     """
 
     qos_changes: QosChanges | None = None
     meanings: Meanings | None = None
+    identifiers: dict[str, tuple[Node, ...]] = field(default_factory=dict)
 
 
 @dataclass(frozen=True, slots=True)
