@@ -11,6 +11,7 @@ they make and change nodes and messages, and none of them has a mistake.
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from operator import is_
 from typing import NamedTuple
 
 from plastron_tui.diagnostics import Diagnostic, Span
@@ -191,11 +192,12 @@ def _ground(setting: Setting) -> _Ground:
 
 def _of_nodes(statements: Sequence[Statement]) -> int:
     """Return how many of the first statements are about nodes and messages alone."""
-    found = (at for at, each in enumerate(statements) if type(each) not in _OF_NODES)
-    return next(found, len(statements))
+    if _OF_NODES.issuperset(map(type, statements)):
+        return len(statements)
+    return next(at for at, each in enumerate(statements) if type(each) not in _OF_NODES)
 
 
 def _common(earlier: Sequence[Statement], statements: Sequence[Statement]) -> int:
     """Return how many statements, from the first on, are the same objects."""
-    pairs = enumerate(zip(earlier, statements, strict=False))
-    return next((at for at, (a, b) in pairs if a is not b), min(len(earlier), len(statements)))
+    are_same = [*map(is_, earlier, statements)]
+    return are_same.index(False) if False in are_same else len(are_same)

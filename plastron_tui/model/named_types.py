@@ -157,10 +157,11 @@ class NamedTypes:
 
     def begin(self, program: Program) -> None:
         """Go on with another program, whose first package its types belong to."""
-        packages = (
-            each for each in program.statements if isinstance(each, CreatePackage | LoadPackage)
-        )
-        first = next(packages, None)
+        kinds = set(map(type, program.statements))
+        first = None
+        if not kinds.isdisjoint((CreatePackage, LoadPackage)):
+            packages = (CreatePackage, LoadPackage)
+            first = next(each for each in program.statements if isinstance(each, packages))
         self._package = self._package if first is None else self._name_of(first)
         self._uses = []
         self._later = LaterTypes(program.statements)
