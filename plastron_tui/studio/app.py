@@ -180,9 +180,10 @@ class StudioApp(InOrder, inherit_bindings=False):
 
     def _begin_with(self, theme: str) -> None:
         """Have a theme before anything is styled; a change of it would style all once more."""
-        self.set_reactive(App.theme, theme)
+        if theme != self.theme:
+            self.set_reactive(App.theme, theme)
+            self.stylesheet.set_variables(self.get_css_variables())
         self.watch_theme()
-        self.stylesheet.set_variables(self.get_css_variables())
         is_dark = self.current_theme.dark
         self.set_class(is_dark, "-dark-mode", update=False)
         self.set_class(not is_dark, "-light-mode", update=False)

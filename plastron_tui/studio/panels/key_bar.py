@@ -66,6 +66,7 @@ class KeyBar(Toned):
         self._kept = kept
         self._ranks = {id_: rank for rank, id_ in enumerate(order)}
         self._shown: tuple[Key, ...] = ()
+        self._is_old = False
         self._titles: Mapping[str, str] = {}
         self._places: list[tuple[int, int, str]] = []
 
@@ -80,10 +81,20 @@ class KeyBar(Toned):
             self._update(self.screen)
 
     def _update(self, screen: Screen[object]) -> None:
-        if not self.is_attached or screen is not self.screen or not screen.is_current:
+        """Look at the bindings again, once however often they have changed by then."""
+        if not self._is_old and self.is_attached and screen is self.screen and screen.is_current:
+            self._is_old = True
+            self.call_later(self._renew)
+
+    def _renew(self) -> None:
+        """Show the bindings, if they have changed since they were looked at."""
+        if not self._is_old:
+            return
+        self._is_old = False
+        if not self.is_attached or not self.screen.is_current:
             return
         shown: dict[str, Binding] = {}
-        for active in screen.active_bindings.values():
+        for active in self.screen.active_bindings.values():
             binding = active.binding
             if binding.show and active.enabled:
                 shown.setdefault(binding.action, binding)
@@ -111,6 +122,7 @@ class KeyBar(Toned):
 
     @property
     def _fitting(self) -> list[Key]:
+        self._renew()
         return fitting(self._shown, self._kept, self.size.width)
 
     def render_line(self, y: int) -> Strip:
