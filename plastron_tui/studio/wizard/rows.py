@@ -250,6 +250,11 @@ class Row(Horizontal):
         room = label.content_size.width if self.has_class("-number") else 0
         label.update(shortened(self._note, room) if room else self._note)
 
+    def align(self, label: int, note: int) -> None:
+        """Give the name and the note so many columns; what is entered gets the rest."""
+        self.query_one(".wizard-label").styles.width = label + 1
+        self.query_one(".wizard-note").styles.width = note + 1
+
     @property
     def box(self) -> Widget:
         """What takes the focus."""
