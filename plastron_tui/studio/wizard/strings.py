@@ -11,6 +11,7 @@ from .followers import STOP
 from .form import Form
 from .goals import DRIVE, GROUPS, Aim, told
 from .pages import Look, Page, PageKind
+from .sent_already import sent_already
 
 
 def unanswered(look: Look) -> str:
@@ -89,6 +90,7 @@ def review(look: Look) -> str:
     )
     if any(each.key == STOP for each in look.extras):
         words += " It does not notice when the laser falls silent."
+    words += "".join(f" {sent}." for each in look.filled if (sent := sent_already(each)))
     numbers = () if outcome is None else outcome.replaced
     if look.driving:
         return f"{words} {explained(look.driving, is_kept=not numbers)}"
