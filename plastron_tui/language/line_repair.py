@@ -29,8 +29,17 @@ _MOST_LINES = 4
 """How many texts that are right up to another place are gone on with after a step."""
 
 
-def fixed(source: bytes, tokens: Sequence[Token], mistake: LineMistake) -> Diagnostic:
-    """Return the mistake of a line with the fix that leaves none there, if there is one."""
+def fixed(
+    source: bytes, tokens: Sequence[Token], mistake: LineMistake, *, is_tried: bool
+) -> Diagnostic:
+    """Return the mistake of a line with the fix that leaves none there, if there is one.
+
+    Args:
+        source: the program.
+        tokens: those of the line.
+        mistake: the first mistake of it.
+        is_tried: whether changes are tried, where the mistake has no fix of its own that does.
+    """
     found, remedy = mistake.diagnostic._replace(fix=None), mistake.diagnostic.fix
     start, end = tokens[0].start, tokens[-1].end
     line = source[start:end]
@@ -42,7 +51,7 @@ def fixed(source: bytes, tokens: Sequence[Token], mistake: LineMistake) -> Diagn
         text = _edited(line, remedy.edits, start)
         if is_right(new_parser().parse(text).root_node, text):
             return mistake.diagnostic
-    if len(line) > _LONGEST or not _may_be_repaired(tokens, mistake):
+    if not is_tried or len(line) > _LONGEST or not _may_be_repaired(tokens, mistake):
         return found
     right = repaired(line)
     return found if right is None else _with_fix(found, source, _fix(line, right, start))

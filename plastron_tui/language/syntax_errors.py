@@ -17,10 +17,14 @@ from .line_repair import fixed
 from .sentence_match import intended
 from .tokens import MOST_WORDS, QUOTED_KINDS, WORD_KINDS, Token, tokens_of
 
-__all__ = ["MOST_BROKEN_LINES", "explain"]
+__all__ = ["MOST_BROKEN_LINES", "MOST_REPAIRED_LINES", "explain"]
 
 MOST_BROKEN_LINES = 1_000
 """How many lines are explained; what a machine wrote can have a mistake on each of a million."""
+
+
+MOST_REPAIRED_LINES = 20
+"""How many lines are tried with changes, some milliseconds each: a text of more is no program."""
 
 
 def explain(source: bytes, broken: Sequence[Node]) -> tuple[tuple[Diagnostic, ...], Broken]:
@@ -44,7 +48,8 @@ def explain(source: bytes, broken: Sequence[Node]) -> tuple[tuple[Diagnostic, ..
             lost += declaration is not None and not _has_variable(declaration, tokens)
         if is_explained:
             mistake = first_mistake(source, tokens, declaration)
-            diagnostics.append(fixed(source, tokens, mistake))
+            is_tried = len(diagnostics) < MOST_REPAIRED_LINES
+            diagnostics.append(fixed(source, tokens, mistake, is_tried=is_tried))
             open_ends += filter(None, [undecided(tokens)])
     found = Broken(
         frozenset(words), frozenset(declared), frozenset(unfinished), lost, tuple(open_ends)

@@ -14,8 +14,10 @@ from plastron_tui.diagnostics import Diagnostic, has_errors
 from plastron_tui.language import statements as st
 from plastron_tui.language.declaration import Statement
 from plastron_tui.language.lowering import Program
+from plastron_tui.ros.interfaces import Interface, InterfaceKind, InterfaceName
 
 from . import launch_statements, robot_statements
+from .absent_packages import absent_packages
 from .checkpoint import NOTHING, Learnt, is_clean, resume, take
 from .circles import check_circles
 from .context import Setting
@@ -82,6 +84,9 @@ def interpret(
     """
     interpreter = Interpreter(setting, earlier or NOTHING)
     diagnostics = interpreter.run(program, pulse)
+    diagnostics += tuple(
+        absent_packages(program, interpreter.workspace, setting, interpreter.type_named)
+    )
     # In a program with a mistake, the statement that generates may be the mistake.
     if not has_errors(diagnostics):
         workspace, version_of = interpreter.workspace, interpreter.version_of
@@ -154,6 +159,11 @@ class Interpreter:
     def version_of(self, node: Node) -> int:
         """Return the generation of ROS that a node is for."""
         return self._run.checks.version_of(node)
+
+    def type_named(self, text: str, kind: InterfaceKind, version: int) -> InterfaceName | None:
+        """Return the full name of a type that a program names, None for what is none."""
+        found = self._run.types.resolver(version).resolve(text, kind)
+        return found.name if isinstance(found, Interface) else None
 
     def own_types(self, version: int) -> OwnInterfaces:
         """Return the program's own interface types in a generation of ROS."""

@@ -10,6 +10,7 @@ from slips import SLIPS
 from plastron_tui.diagnostics import Diagnostic
 from plastron_tui.language import DECLARATIONS
 from plastron_tui.language.line_repair import repaired
+from plastron_tui.language.syntax_errors import MOST_REPAIRED_LINES
 
 EXAMPLES = [declaration.example for declaration in DECLARATIONS.values()]
 STRAY = ["of", "to", "with", "the", "is", "=", "type", "at", "and", "5", "x", "'a'", "for_each"]
@@ -72,3 +73,9 @@ def test_long_lines_are_not_tried() -> None:
 def test_what_two_changes_could_mean_has_no_fix() -> None:
     # `calling` or `qos` is missing, and `on_cmd` could follow both.
     assert repaired(b"subscribe b to 'c' of message_type T with on_cmd") is None
+
+
+def test_only_so_many_lines_are_tried() -> None:
+    slip = "n publish m to 'a' of type T\n"
+    found = read(slip * (MOST_REPAIRED_LINES + 2)).diagnostics
+    assert [each.fix is None for each in found] == [*[False] * MOST_REPAIRED_LINES, True, True]
