@@ -262,6 +262,7 @@ class FormPage(Vertical):
             place = 0 if by > 0 else len(free) - 1
         options.highlighted = free[place]
         row.take(_entered(row.slot, self.choices[free[place]]))
+        row.select()
 
     @on(OptionList.OptionSelected, "#wizard-choices")
     def chosen(self, event: OptionList.OptionSelected) -> None:
