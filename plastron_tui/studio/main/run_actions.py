@@ -150,8 +150,11 @@ class RunActions:
         session.files_changed()
         return True
 
-    async def run(self, *, anew: bool = False) -> None:
-        """Save, then start the nodes; those that run are stopped, and started `anew` if asked."""
+    async def run(self, *, anew: bool = False, looks: bool = False) -> None:
+        """Save, then start the nodes; those that run are stopped, and started `anew` if asked.
+
+        Who `looks` at them gets the focus in Output, and in Live once there is something.
+        """
         tab, run = self._program.tab, self._run
         if run.running is not None and not anew:
             if monotonic() - run.started_at >= TWICE:
@@ -165,6 +168,8 @@ class RunActions:
                 await asyncio.sleep(_LOOK)
         if path is not None and tab is self._program.tab:
             self._start(path)
+            if looks and run.running is not None:
+                self._panels.layout.bring("output", focus=True)
 
     def stop(self) -> None:
         """Stop what runs of the program in front; say where else nodes run."""
