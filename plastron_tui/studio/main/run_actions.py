@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import asyncio
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Sequence
 from pathlib import Path
 from time import monotonic
 from typing import TYPE_CHECKING
@@ -228,7 +228,7 @@ class RunActions:
         run.text = self._program.open.saved
         run.compare(self._program.text)
         self._failures.forget()
-        run.failed, run.ended, run.built, run.speaks = {}, {}, "", False
+        run.failed, run.ended, run.said, run.built, run.speaks = {}, {}, {}, "", False
         run.is_stopping = False
         self.watched.starting(run)
         run.commands = ()
@@ -278,11 +278,12 @@ class RunActions:
         else:
             run.add(printed, end)
 
-    def _tell_ended(self, tab: Tab, run: TabRun, printed: Iterable[str]) -> None:
+    def _tell_ended(self, tab: Tab, run: TabRun, printed: Sequence[str]) -> None:
         """Mark the nodes that have ended, and say which have failed."""
+        run.note_said(printed)
         for end in filter(None, map(ended_node, printed)):
-            words = end.how.partition(":")[0]
-            run.ended = {**run.ended, end.node: NodeEnd(words, end.is_failure)}
+            words, said = end.how.partition(":")[0], run.said.get(end.node, "")
+            run.ended = {**run.ended, end.node: NodeEnd(words, end.is_failure, said)}
             if end.is_failure:
                 self._failures.say(f"{end.node} {end.how}", severity="error", timeout=10)
                 run.failed = {**run.failed, end.node: "has ended"}
