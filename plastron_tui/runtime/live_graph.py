@@ -166,10 +166,17 @@ class LiveParameter(NamedTuple):
 
 
 class NodeEnd(NamedTuple):
-    """How a node has ended that nobody asked to: in words, and whether that is a failure."""
+    """How a node has ended that nobody asked to.
+
+    Attributes:
+        how: in words.
+        is_failure: whether that is a failure.
+        said: the last line that it printed, "" for none.
+    """
 
     how: str
     is_failure: bool
+    said: str = ""
 
 
 @dataclass(slots=True)
@@ -330,9 +337,15 @@ class LiveGraph:
         )
 
     def mark_ended(self, names: Iterable[str], end: NodeEnd) -> bool:
-        """Note how nodes have ended; tell whether that is new."""
+        """Note how nodes have ended; tell whether that is new.
+
+        One that was too quick to be seen was there all the same.
+        """
         new = [name for name in names if name not in self._marked]
         self._marked.update(new)
+        numbered = {_ANONYMOUS.sub("", name) for name in self.nodes if self.ros_version == 1}
+        unseen = (name for name in new if name not in self.nodes and name not in numbered)
+        self.nodes.update(dict.fromkeys(unseen, False))
         self.ended.update(dict.fromkeys(new, end))
         return bool(new)
 

@@ -343,7 +343,8 @@ def _nodes(graph: LiveGraph, unfolded: AbstractSet[str], now: float) -> Iterator
 def _node_state(end: NodeEnd | None, *, is_there: bool, has_ended: bool) -> tuple[str, str]:
     """Return what there is to say of a node, and its tone: what nobody wanted is loud."""
     if end is not None:
-        return visible(end.how), "error" if end.is_failure else "quiet"
+        words = f"{end.how}: {end.said}" if end.said else end.how
+        return one_line(words), "error" if end.is_failure else "quiet"
     if has_ended:
         return "ended", "quiet"
     return ("", "quiet") if is_there else ("gone", "warning")

@@ -13,7 +13,7 @@ from .context import Scene, Surroundings
 from .filling import Filled, Filler
 from .followers import chosen, extras_of
 from .form import Form
-from .goals import Aim, aim_of, answering
+from .goals import GROUPS, Aim, aim_of, answering
 from .helps import helps_of
 from .menu import RECIPES, Offer, Option, recipe_offers
 from .offers import Offering, give
@@ -124,8 +124,9 @@ class Course:
                 form.enter(slot.name, text)
 
     def begin_with(self, declaration: Declaration) -> None:
-        """Go to the form of a statement, by way of the menu of its own that has it."""
-        self.choose_group(aim_of(declaration))
+        """Go to the form of a statement, by way of the menu that has it."""
+        if aim_of(declaration) in GROUPS:
+            self.choose_group(aim_of(declaration))
         self.choose(declaration)
 
     def heard(self, look: Look) -> Heard | None:

@@ -36,7 +36,11 @@ from .view import Asked, View, view_of
 _PAUSE = 0.02
 """Seconds that keys are waited for before anything is looked up."""
 
-_STATEMENTS: dict[str, type[Statement]] = {"part": st.HasLink, "package": st.CreatePackage}
+_STATEMENTS: dict[str, type[Statement]] = {
+    "part": st.HasLink,
+    "package": st.CreatePackage,
+    "another": st.CreateNode,
+}
 """The statements that some answers to what is to be done next lead to."""
 
 Enter = Callable[[Sequence[Edit]], Session]
@@ -72,6 +76,8 @@ class Wizard(Frame):
         self._going = asyncio.Lock()
         self._nexts = self._backs = 0
         self._is_turning = True
+        # On its way from the end to a form: Esc leads back from that.
+        self._is_starting = False
         self._looks = 0
         self._pasted = ""
         self._waiting: list[Callable[[], object]] = []
@@ -207,7 +213,7 @@ class Wizard(Frame):
             self._turn(lambda: self.course.take(offer))
 
     def _finish_with(self, action: str) -> None:
-        if action in ("more", "another"):
+        if action == "more":
             self._start_anew(None)
         elif action == "answer":
             self._start_anew(self._heard)
@@ -218,8 +224,10 @@ class Wizard(Frame):
 
     def _start_anew(self, heard: Heard | None, declaration: Declaration | None = None) -> None:
         around = replace(self.course.surroundings, files=None)
+        self._is_starting = heard is not None or declaration is not None
 
         def do() -> None:
+            self._is_starting = False
             self.course = Course(self.course.session, around)
             self.is_done = False
             if heard is not None:
@@ -336,7 +344,7 @@ class Wizard(Frame):
     @on(Button.Pressed, "#wizard-back")
     def action_back(self) -> None:
         """Go back a page; what was entered is kept."""
-        if not self.is_done:
+        if self._is_starting or not self.is_done:
             self._backs += 1
             self._turn(self._back)
 
@@ -353,7 +361,8 @@ class Wizard(Frame):
     def action_step_back(self) -> None:
         """Go back a page; from the first one, and from the end, leave."""
         # A page that is gone back from already may be shown still.
-        if self.is_done or self.course.at <= self._backs:
+        is_first = self.is_done or self.course.at <= self._backs
+        if is_first and not self._is_starting:
             self.action_leave()
         else:
             self.action_back()

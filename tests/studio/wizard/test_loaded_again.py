@@ -45,6 +45,8 @@ def test_a_file_that_is_loaded_goes_on_with_its_node(tmp_path: Path) -> None:
     look = to_menu_or_review(it)
     assert it.page.kind is PageKind.REVIEW and look.outcome is not None
     assert [each.split()[0] for each in look.outcome.lines] == ["ears"]
+    # Of its one topic nobody has to choose the name that goes.
+    assert look.filled[-1].cells["old"].reason == "the only topic of `ears`"
     assert b"repeats tick at 5 hz" in look.outcome.session.document.text
     it.back()
     assert it.page.kind is PageKind.FORM
