@@ -7,7 +7,8 @@ from typing import Any
 import pytest
 from rich.cells import cell_len
 
-from plastron_tui.runtime.live_graph import LiveGraph, LiveParameter, NodeEnd
+from plastron_tui.runtime.live_graph import LiveGraph, NodeEnd
+from plastron_tui.runtime.live_parts import LiveParameter
 from plastron_tui.session import Session
 from plastron_tui.studio.panels.live_columns import columns_of, line_of
 from plastron_tui.studio.panels.live_row import Answer, Kind, LiveRow

@@ -160,8 +160,6 @@ class MainScreen(FirstScreen, Paged):
         self.feed.ask_anew()
         self.call_later(self.look_at_disk)
 
-    # What panels say.
-
     @on(Chosen)
     def entry_chosen(self, message: Chosen) -> None:
         """Go to the statement of an entry."""

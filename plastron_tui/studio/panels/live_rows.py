@@ -10,12 +10,11 @@ from plastron_tui.diagnostics.terminal import visible
 from plastron_tui.diagnostics.wording import counted
 from plastron_tui.runtime.live_graph import (
     LiveAction,
-    LiveGoal,
     LiveGraph,
-    LiveParameter,
     LiveTopic,
     NodeEnd,
 )
+from plastron_tui.runtime.live_parts import LiveGoal, LiveParameter
 
 from .live_ends import doing_rows, end_rows
 from .live_row import WIDEST, Answer, Kind, LiveRow, one_line

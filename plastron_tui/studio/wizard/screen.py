@@ -90,8 +90,6 @@ class Wizard(Frame):
             view.can_focus = False
         self.changed()
 
-    # Finding out.
-
     def changed(self, then: Callable[[], object] | None = None) -> None:
         """Find out what follows; `then` is done before, when nobody else looks at the course."""
         if then is not None:
@@ -177,8 +175,6 @@ class Wizard(Frame):
             do()
         return view_of(self.course, asked, is_done=self.is_done)
 
-    # What comes from the pages.
-
     @on(Put)
     def put(self, message: Put) -> None:
         """Take what was entered."""
@@ -238,8 +234,6 @@ class Wizard(Frame):
         self.query_one(ResultView).forget()
         self._turn(do)
 
-    # What is pasted.
-
     def on_paste(self, event: events.Paste) -> None:
         """Take a text that no field has taken; a long one comes in several pieces."""
         event.stop()
@@ -268,8 +262,6 @@ class Wizard(Frame):
         self.notify(pasted.inserted(lines), markup=False)
         self.changed()
 
-    # Going on.
-
     @on(Confirmed)
     @on(Button.Pressed, "#wizard-next")
     def action_next(self) -> None:
@@ -284,8 +276,6 @@ class Wizard(Frame):
                 await self._go()
         finally:
             self._nexts -= 1
-
-    # Keys that come before the page that they are for.
 
     @property
     def is_turning(self) -> bool:
