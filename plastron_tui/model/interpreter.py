@@ -16,7 +16,7 @@ from plastron_tui.language.declaration import Statement
 from plastron_tui.language.lowering import Program
 
 from . import launch_statements, robot_statements
-from .checkpoint import NOTHING, Learnt, is_clean, resume, take
+from .checkpoint import NOTHING, Learnt, is_clean, leave, start, take
 from .circles import check_circles
 from .context import Setting
 from .kinds import EDITABLE, EndpointKind
@@ -165,16 +165,17 @@ class Interpreter:
         run, statements = self._run, program.statements
         run.begin(program)
         earlier, self._earlier = self._earlier, NOTHING
-        start, mark = resume(run, earlier, statements)
-        checkpoint, clean = earlier.checkpoint if start else None, len(statements)
-        for first, last in _stretches(start, mark, len(statements)):
+        done, mark, self.learnt = start(run, earlier, statements)
+        checkpoint, clean = self.learnt.checkpoint, len(statements)
+        for first, last in _stretches(done, mark, len(statements)):
             if pulse is not None:
                 pulse()
-            if first == mark > start and is_clean(run):
+            if first == mark > done and is_clean(run):
                 checkpoint = take(run, statements, first)
             self._run_all(statements[first:last])
             clean = clean if is_clean(run) else min(clean, first)
-        self.learnt = Learnt(statements, run.types.fitters, checkpoint, clean)
+        if done < len(statements):
+            self.learnt = leave(run, statements, checkpoint, clean)
         found = run.found
         if program.diagnostics:
             found += [(0 if each.span is None else each.span.start, each)
