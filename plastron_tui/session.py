@@ -187,14 +187,12 @@ class Session:
     def interpret(self, pulse: Callable[[], None] | None = None) -> Interpretation:
         """Return what the program means; what `pulse` raises, now and then, ends the search."""
         if self._interpretation is None:
-            from plastron_tui.model.checkpoint import NOTHING
             from plastron_tui.model.interpreter import interpret
 
             loader = self._new_loader()
             setting = self._new_setting(loader)
             self._configuration.leave_type_problems()
-            learnt = self._learnt or NOTHING
-            self._interpretation = interpret(self.program, setting, learnt, pulse)
+            self._interpretation = interpret(self.program, setting, self._learnt, pulse)
             versions = self._interpretation.workspace.ros_versions(setting.ros_version)
             self._type_problems = self._configuration.type_problems(versions)
             self._learnt = None

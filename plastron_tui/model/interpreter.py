@@ -68,7 +68,7 @@ _STRETCH = 256
 def interpret(
     program: Program,
     setting: Setting,
-    earlier: Learnt = NOTHING,
+    earlier: Learnt | None = None,
     pulse: Callable[[], None] | None = None,
 ) -> Interpretation:
     """Run the statements of a program and return the workspace that they build.
@@ -79,7 +79,7 @@ def interpret(
         earlier: what an interpretation of the program before it was edited has left.
         pulse: called now and then; what it raises ends the interpretation.
     """
-    interpreter = Interpreter(setting, earlier)
+    interpreter = Interpreter(setting, earlier or NOTHING)
     diagnostics = interpreter.run(program, pulse)
     # In a program with a mistake, the statement that generates may be the mistake.
     if not has_errors(diagnostics):
