@@ -183,6 +183,25 @@ def test_statements_that_stand_elsewhere_mean_the_same(program: list[str], are_m
         assert (earlier.interpret().learnt.workspace is not None) == are_moved
 
 
+@pytest.mark.parametrize("line", [1, 11, 16])
+def test_what_was_behind_the_end_of_a_program_is_gone(line: int) -> None:
+    session = Session("".join(_CLEAN).encode(), environ={})
+    earlier = session.snapshot()
+    assert earlier.diagnostics == ()
+    comment = ["# ä\n"]
+    for at, count, new in (
+        *((line, 0, comment), (line, 0, comment), (line, 0, comment)),
+        *((line - 1, 99, []), (line - 1, 0, comment), (0, 99, []), (0, 0, comment)),
+    ):
+        _edit(session, at, count, new)
+        snapshot = session.snapshot()
+        snapshot.learn_from(earlier)
+        alone = Session(snapshot.document.text, environ={})
+        assert snapshot.workspace == alone.workspace
+        assert snapshot.diagnostics == alone.diagnostics
+        earlier = snapshot
+
+
 def test_statements_before_a_checkpoint_are_not_run_again() -> None:
     session = Session("".join(_PROGRAM[:20]).encode(), environ={})
     earlier = session.snapshot()

@@ -127,12 +127,14 @@ class Start(NamedTuple):
     Attributes:
         done: how many statements are done with.
         mark: before how many a checkpoint is to be taken; 0 for none.
-        learnt: what is left if nothing else is run.
+        checkpoint: the one that the run goes on from; None for none.
+        moved: what is left where all have only moved, and nothing is to be run.
     """
 
     done: int
     mark: int
-    learnt: Learnt
+    checkpoint: Checkpoint | None
+    moved: Learnt | None = None
 
 
 def is_clean(run: Run) -> bool:
@@ -158,14 +160,14 @@ def start(run: Run, earlier: Learnt, statements: tuple[Statement, ...]) -> Start
     most = min(same - _BEFORE, earlier.clean)
     mark = done + _of_nodes(statements[done:most]) if most >= done + _LEAST else 0
     mark = mark if mark >= done + _LEAST else 0
-    learnt = earlier._replace(statements=statements, checkpoint=known)
     if not mark and earlier.workspace is not None and _are_moved(run, earlier, statements, same):
         before = {} if known is None else known.nodes
         run.workspace = move(earlier.workspace, earlier.statements, statements, same, before)
-        return Start(len(statements), 0, learnt._replace(workspace=run.workspace))
+        moved = earlier._replace(statements=statements, checkpoint=known, workspace=run.workspace)
+        return Start(len(statements), 0, known, moved)
     if known is not None:
         _restore(run, known, statements[done:])
-    return Start(done, mark, learnt)
+    return Start(done, mark, known)
 
 
 def leave(

@@ -14,8 +14,10 @@ from plastron_tui.diagnostics import Diagnostic, has_errors
 from plastron_tui.language import statements as st
 from plastron_tui.language.declaration import Statement
 from plastron_tui.language.lowering import Program
+from plastron_tui.ros.interfaces import Interface, InterfaceKind, InterfaceName
 
 from . import launch_statements, robot_statements
+from .absent_packages import absent_packages
 from .checkpoint import NOTHING, Learnt, is_clean, leave, start, take
 from .circles import check_circles
 from .context import Setting
@@ -25,6 +27,7 @@ from .load_package import load_package
 from .meetings import check_meetings
 from .mistake import Mistake
 from .node_statements import create_node, generate_node, load
+from .other_things import decided
 from .own_types import OwnInterfaces
 from .package_statements import contains, create_package, generate_package, no_longer_contains
 from .rename import rename
@@ -81,6 +84,9 @@ def interpret(
     """
     interpreter = Interpreter(setting, earlier or NOTHING)
     diagnostics = interpreter.run(program, pulse)
+    diagnostics += tuple(
+        absent_packages(program, interpreter.workspace, setting, interpreter.type_named)
+    )
     # In a program with a mistake, the statement that generates may be the mistake.
     if not has_errors(diagnostics):
         workspace, version_of = interpreter.workspace, interpreter.version_of
@@ -154,6 +160,11 @@ class Interpreter:
         """Return the generation of ROS that a node is for."""
         return self._run.checks.version_of(node)
 
+    def type_named(self, text: str, kind: InterfaceKind, version: int) -> InterfaceName | None:
+        """Return the full name of a type that a program names, None for what is none."""
+        found = self._run.types.resolver(version).resolve(text, kind)
+        return found.name if isinstance(found, Interface) else None
+
     def own_types(self, version: int) -> OwnInterfaces:
         """Return the program's own interface types in a generation of ROS."""
         return self._run.types.own_interfaces(version)
@@ -165,8 +176,8 @@ class Interpreter:
         run, statements = self._run, program.statements
         run.begin(program)
         earlier, self._earlier = self._earlier, NOTHING
-        done, mark, self.learnt = start(run, earlier, statements)
-        checkpoint, clean = self.learnt.checkpoint, len(statements)
+        done, mark, checkpoint, moved = start(run, earlier, statements)
+        clean = len(statements)
         for first, last in _stretches(done, mark, len(statements)):
             if pulse is not None:
                 pulse()
@@ -174,12 +185,11 @@ class Interpreter:
                 checkpoint = take(run, statements, first)
             self._run_all(statements[first:last])
             clean = clean if is_clean(run) else min(clean, first)
-        if done < len(statements):
-            self.learnt = leave(run, statements, checkpoint, clean)
+        self.learnt = moved or leave(run, statements, checkpoint, clean)
         found = run.found
         if program.diagnostics:
             found += [(0 if each.span is None else each.span.start, each)
-                      for each in program.diagnostics]  # fmt: skip
+                      for each in decided(self._run.workspace, program)]  # fmt: skip
             found.sort(key=lambda entry: entry[0])
         return tuple([each for _, each in found])
 

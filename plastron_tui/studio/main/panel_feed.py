@@ -25,7 +25,7 @@ _PAUSE = 0.01
 """Seconds without a key after which the worker starts."""
 
 _FIRST_PAUSE = 0.05
-"""The same at the start: the worker has much to import, and the first key goes before it."""
+"""The same at the start: the worker has much to import, and the first keys go before it."""
 
 
 class PanelFeed:
@@ -76,7 +76,7 @@ class PanelFeed:
 
     def ask_soon(self) -> None:
         """Ask, as soon as no key comes, what the text means."""
-        self._pause.start(_PAUSE)
+        self._pause.start(_PAUSE if is_preloaded() else _FIRST_PAUSE)
 
     def ask_anew(self) -> None:
         """Ask what the text means now."""
