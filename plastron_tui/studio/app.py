@@ -7,7 +7,7 @@ import os
 import signal
 import sys
 import threading
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Sequence
 from contextlib import suppress
 from functools import partial
 from pathlib import Path, PurePath
@@ -34,7 +34,6 @@ from plastron_tui.user_folders import state_folder
 from .analysis_worker import AnalysisFailed
 from .config import Config, Profile, config_file, load_remembered, save_remembered
 from .files import OnDisk, meant_by, open_file
-from .folder_labels import not_saved
 from .journal import Kept
 from .key_display import key_name
 from .key_order import InOrder
@@ -45,18 +44,17 @@ from .terminal_driver import for_terminal
 from .terminal_keys import teach
 from .terminal_output import ShownScreen
 from .textual_private import notes_in_sight, translate_colours
+from .theme_colours import usual_theme, with_grounds
 
 _SAME_NOTE = 0.3
 """Seconds within which the same note again is the same one."""
-DEFAULT_THEME = "textual-dark"
+_WIZARD = "screen.wizard"
+"""The action that shows what one is to learn by watching: no note lies over it."""
 _ENDS_WITHIN = 5.0
 """Seconds that the studio has to end in good order once the system says so."""
 _AT_ONCE = 5
 """How many of the messages of the start are shown."""
-_SMALL = "ansi-dark"
-"""The theme of terminals that have only their own sixteen colours."""
 _ANSI_STYLES = Path(__file__).with_name("ansi.tcss")
-_SMALL_TERMINALS = frozenset({"linux", "xterm", "screen", "rxvt", "ansi", "vt100", "vt220"})
 
 
 class StudioApp(InOrder, inherit_bindings=False):
@@ -150,10 +148,9 @@ class StudioApp(InOrder, inherit_bindings=False):
             if open_.path is not None:
                 self.profile.remembered.opened(open_.path)
         # The welcome lists them; it is not in front where something else was asked for.
-        if others and (self._paths or self._first is not None):
+        if self._first not in (None, _WIZARD) or (self._paths and self._first is None):
             page = f"the welcome page ({self.main.key_of('welcome')})"
-            text = f"{not_saved(others)}\n{page} has what was typed"
-            self.notify(text, timeout=10, markup=False)
+            self.main.recovery.tell(others, self.profile.remembered, page)
         if own or self._other_files:
             found = [*own, *self._other_files]
             self.call_after_refresh(self.main.offer_first, found, self._first)
@@ -176,7 +173,11 @@ class StudioApp(InOrder, inherit_bindings=False):
         wanted = self.profile.config.theme or self.profile.remembered.theme
         if wanted in self.available_themes:
             return wanted
-        return _SMALL if has_few_colours(os.environ) else DEFAULT_THEME
+        return usual_theme(os.environ)
+
+    def get_css_variables(self) -> dict[str, str]:
+        """Return the colours of the theme, and which of them are the grounds of text and panels."""
+        return with_grounds(super().get_css_variables())
 
     def _begin_with(self, theme: str) -> None:
         """Have a theme before anything is styled; a change of it would style all once more."""
@@ -391,10 +392,3 @@ def shown_at_once(messages: Sequence[str], where: str = "") -> list[str]:
     first, more = messages[:_AT_ONCE], len(messages) - _AT_ONCE
     last = [": ".join(filter(None, (f"… and {more} more" if more > 0 else "", where)))]
     return ["\n".join(filter(None, (*first, *last)))] if first else []
-
-
-def has_few_colours(environ: Mapping[str, str]) -> bool:
-    """Tell whether a terminal says that it has no more than its own sixteen colours."""
-    term = environ.get("TERM", "")
-    is_small = term in _SMALL_TERMINALS or term.endswith("-16color")
-    return is_small and not environ.get("COLORTERM")

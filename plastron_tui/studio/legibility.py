@@ -70,8 +70,9 @@ def legible(color: Color, background: Color) -> Color:
     return color.blend(target, step / _STEPS, 1)
 
 
-def legible_style(style: Style, background: Color) -> Style:
-    """Return a style whose text can be read; the same one where it can be already.
+@lru_cache(4096)
+def legible_style(style: Style, background: Color) -> Style | None:
+    """Return a style whose text can be read, None where it can be as it is.
 
     Of the terminal's own colours nothing is known but the sixteen that have a number.
 
@@ -79,12 +80,6 @@ def legible_style(style: Style, background: Color) -> Style:
         style: the style of some text.
         background: what is behind text of a style that says nothing of it.
     """
-    return _moved(style, background) or style
-
-
-@lru_cache(4096)
-def _moved(style: Style, background: Color) -> Style | None:
-    """Return a style whose text can be read, None where it can be as it is."""
     front, back = style.color, style.bgcolor
     behind = None if background.ansi is not None or background.a < 1 else background
     letters, cells = _seen(front), behind if back is None else _seen(back)
@@ -129,7 +124,7 @@ def _read(segment: Segment, background: Color) -> Segment:
     text, style, control = segment
     if style is None:
         return segment
-    better = _moved(style, background)
+    better = legible_style(style, background)
     if better is None or not _READ.search(text):
         return segment
     return Segment(text, better, control)

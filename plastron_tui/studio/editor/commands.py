@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Awaitable, Callable
 from functools import partial
 from importlib import import_module
@@ -173,12 +174,22 @@ def _complete(editor: ProgramEditor) -> None:
 
 
 def _accept(editor: ProgramEditor) -> None:
-    """Take what is marked in the list; without a list offer one, and take what is alone."""
-    if not editor.popup.is_open:
-        _complete(editor)
-        if len(editor.popup.candidates) != 1:
-            return
-    editor.accept()
+    """Take what is marked in the list; without a list complete the word before the cursor.
+
+    Who has come into the text with Tab, from panel to panel, writes nothing with the next one:
+    behind a blank it lists what may stand there, at a line's start or before a word nothing.
+    """
+    if editor.popup.is_open:
+        editor.accept()
+        return
+    buffer, cursor = editor.state.buffer, editor.cursor_offset
+    row = buffer.row(cursor)
+    before, behind = buffer.text[buffer.start(row) : cursor], buffer.text[cursor : buffer.end(row)]
+    if not before.strip() or re.match(rb"[\w\x80-\xff]", behind):
+        return
+    _complete(editor)
+    if len(editor.popup.candidates) == 1 and not before[-1:].isspace():
+        editor.accept()
 
 
 def _dismiss(editor: ProgramEditor) -> None:
@@ -203,7 +214,7 @@ def _toggle_wrap(editor: ProgramEditor) -> None:
 
 def _go_to_mark(editor: ProgramEditor, mark: Mark | None) -> None:
     if mark is not None:
-        editor.go_to(mark.start)
+        editor.go_to(mark.start, walk="problems")
 
 
 def _both(

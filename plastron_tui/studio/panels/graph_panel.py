@@ -167,8 +167,6 @@ class GraphPanel(Acting, Toned, ScrollView, can_focus=True):
         self.notify(f"size: {how}", timeout=2)
         self.post_message(Resized())
 
-    # The cursor.
-
     def _place(self, box: int | None) -> Place | None:
         return None if box is None else self._fitted.places.get(box)
 
@@ -229,8 +227,6 @@ class GraphPanel(Acting, Toned, ScrollView, can_focus=True):
             here = self._here
             self._cursor = here if here is not None else min(self._fitted.places)
             self.refresh_bindings()
-
-    # Drawing.
 
     def render_line(self, y: int) -> Strip:
         """Draw a line."""

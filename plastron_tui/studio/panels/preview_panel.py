@@ -44,7 +44,7 @@ class PreviewPanel(Vertical):
     """A file, or how it would change."""
 
     DEFAULT_CSS = """
-    #preview-head { height: 1; padding: 0 1; background: $background; }
+    #preview-head { height: 1; padding: 0 1; background: $panel-ground; }
     #preview-body { height: 1fr; layout: vertical; }
     #preview-files { display: none; height: auto; max-height: 40%; min-height: 3; }
     PreviewPanel.-tree #preview-files { display: block; }
