@@ -7,8 +7,7 @@ palette as well. The configuration file binds other keys by the ids.
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NamedTuple
 
 from textual.binding import Binding
 
@@ -20,8 +19,7 @@ if TYPE_CHECKING:
     from .key_conflicts import KeyOwner
 
 
-@dataclass(frozen=True, slots=True)
-class Action:
+class Action(NamedTuple):
     """Something that can be done.
 
     Attributes:

@@ -8,6 +8,7 @@ from collections.abc import Iterable, Mapping
 from contextlib import suppress
 from dataclasses import asdict, dataclass, field
 from pathlib import Path
+from typing import NamedTuple
 
 from plastron_tui.private_files import read_private, write_private
 from plastron_tui.regular_files import reason
@@ -97,8 +98,7 @@ class Remembered:
         self.recent = [name, *others][:_MOST_RECENT]
 
 
-@dataclass(frozen=True, slots=True)
-class Profile:
+class Profile(NamedTuple):
     """What belongs to the user, and lasts longer than a program.
 
     Attributes:

@@ -13,7 +13,8 @@ from studio_driver import studio
 from plastron_tui.ros.catalog import Catalog
 from plastron_tui.ros.interfaces import InterfaceKind, InterfaceName
 from plastron_tui.ros.parameters import ParameterType
-from plastron_tui.runtime.live_graph import LiveField, LiveParameter
+from plastron_tui.runtime.live_graph import LiveField
+from plastron_tui.runtime.live_parts import LiveParameter
 from plastron_tui.runtime.observers import ros1_parameters
 from plastron_tui.session import Session
 from plastron_tui.studio.panels.live_row import Kind, LiveRow

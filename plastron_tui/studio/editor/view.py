@@ -74,10 +74,7 @@ class EditorView(ScrollView, can_focus=True, inherit_bindings=False):
         self.refresh()
 
     def show_anew(self, scroll: tuple[int, int]) -> None:
-        """Show a text that is another one as a whole, scrolled to a column and a row.
-
-        The window may be a smaller one by now: the cursor is in sight in any case.
-        """
+        """Show a text that is another one as a whole, scrolled to a column and a row."""
         self.close_popup()
         self.painter.paint.clear()
         self.painter.brackets = None
@@ -87,7 +84,7 @@ class EditorView(ScrollView, can_focus=True, inherit_bindings=False):
         self._place_lines()
         self.refresh()
         self.scroll_to(*scroll, animate=False, force=True, immediate=True)
-        self.scroll_to_cursor()
+        self.scroll_to_cursor()  # the window may be smaller by now
 
     def recolor(self) -> None:
         """Draw in the colours of another theme."""

@@ -109,8 +109,6 @@ class ProgramEditor(Vertical):
         """Give the text the focus."""
         return self.view.focus(scroll_visible)
 
-    # What keys and the mouse do.
-
     def on_mouse_move(self, event: events.MouseMove) -> None:
         """Show what is said about the word that the mouse rests on."""
         self.hover.mouse_moved(event)
@@ -186,8 +184,6 @@ class ProgramEditor(Vertical):
         self.view.sync(scroll=scroll)
         self._tell()
 
-    # The bars.
-
     @cached_property
     def finder(self) -> Finder:
         """What finds and replaces."""
@@ -233,8 +229,6 @@ class ProgramEditor(Vertical):
     def warn(self, text: str) -> None:
         """Say why something cannot be."""
         self.app.notify(text, severity="warning", markup=False)
-
-    # What others know and do.
 
     @property
     def session(self) -> Session:
@@ -372,8 +366,6 @@ class ProgramEditor(Vertical):
         """Make the step again that was undone last."""
         if self.state.redo():
             self.done()
-
-    # What is told of it.
 
     def _tell(self) -> None:
         """Post what has changed since it was last told."""

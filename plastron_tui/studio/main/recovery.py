@@ -36,8 +36,6 @@ class Recovery:
         self._has_failed = False
         self._notes = SaidNotes(screen)
 
-    # Keeping.
-
     def keep_soon(self) -> None:
         """Keep the text within half a second, also when another one is in front by then."""
         self._due.add(self._program.tab)
@@ -88,8 +86,6 @@ class Recovery:
             self._has_failed = True
             message = f"what you type is not kept: {reason(error)}; save often"
             self._screen.notify(message, severity="warning", markup=False)
-
-    # Offering.
 
     def tell(self, kept: Sequence[Kept], remembered: Remembered, page: str) -> None:
         """Say once of each text that it was not saved, and which page has it."""

@@ -160,8 +160,6 @@ class MainScreen(FirstScreen, Paged):
         self.feed.ask_anew()
         self.call_later(self.look_at_disk)
 
-    # What panels say.
-
     @on(Chosen)
     def entry_chosen(self, message: Chosen) -> None:
         """Go to the statement of an entry."""
@@ -193,7 +191,7 @@ class MainScreen(FirstScreen, Paged):
         stage = self._runs.stage
         ros = self.open.session.ros if is_preloaded() else None
         self._title.show_program(self.open, ros, stage, self.key_of)
-        self._keys.retitle({"run": "Stop"} if stage else {})
+        self._keys.retitle({"run": "Stop"} if stage else {}, ["live"] if stage else [])
         self.tab_line.show_programs(self.program, self._runs.runs_in)
 
     @on(events.DescendantFocus)
@@ -340,9 +338,12 @@ class MainScreen(FirstScreen, Paged):
             self.feed.ask_anew()
 
     @work(exclusive=True, group="run")
-    async def action_run(self, anew: bool = False) -> None:
-        """Save, then start the nodes; those that run are stopped, and started `anew` if asked."""
-        await self.runner.run(anew=anew)
+    async def action_run(self, anew: bool = False, looks: bool = False) -> None:
+        """Save, then start the nodes; those that run are stopped, and started `anew` if asked.
+
+        Who `looks` at them gets the focus there.
+        """
+        await self.runner.run(anew=anew, looks=looks)
 
     def action_stop(self) -> None:
         """Stop what runs."""

@@ -8,6 +8,7 @@ from dataclasses import replace
 from plastron_tui.diagnostics import has_errors
 from plastron_tui.model.graph import NOUNS
 from plastron_tui.ros.interfaces import InterfaceKind
+from plastron_tui.ros.motion import is_command
 from plastron_tui.session import Session
 
 from .context import Meeting, Scene
@@ -19,8 +20,9 @@ DONE = "It is in the program now. One undo (Ctrl-Z in the editor) takes it out a
 _ANOTHER = "another"
 """The key of what adds a node where one side of a topic, a service or an action is missing."""
 
-_COMMANDS = frozenset({"Twist", "TwistStamped"})
-"""The messages that a robot itself takes."""
+RUN = "screen.run(True, True)"
+"""What starts the nodes: who comes from the wizard types nothing, and wants to see them."""
+
 _SENSORS = "sensor_msgs"
 """The package of the messages that a robot itself sends."""
 
@@ -76,7 +78,7 @@ def _usual(session: Session) -> Iterator[tuple[str, Item]]:
     is_advised = is_whole and bool(idle)
     yield "screen.generate", Item("write the files", "", about, closed, is_advised)
     about = "Writes the files, starts the nodes and shows what they say."
-    yield "screen.run(True)", Item("run the nodes", "", about, idle, is_whole and not idle)
+    yield RUN, Item("run the nodes", "", about, idle, is_whole and not idle)
 
 
 def _is_robot(session: Session) -> bool:
@@ -138,7 +140,7 @@ def _is_of_robot(meeting: Meeting) -> bool:
     type_ = meeting.type
     if type_ is None:
         return False
-    return type_.package == _SENSORS if meeting.takers else type_.name in _COMMANDS
+    return type_.package == _SENSORS if meeting.takers else is_command(str(type_))
 
 
 def _said(kind: InterfaceKind, meeting: Meeting) -> str:

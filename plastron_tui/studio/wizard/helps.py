@@ -13,6 +13,7 @@ from .definition_rows import row_path
 from .filling import Filled
 from .kinds import unanswered
 from .libraries import explained
+from .sent_already import sent_already
 from .values import Entry, Path
 
 _WORDS = {
@@ -34,8 +35,12 @@ def helps_of(filled: Filled, ask: Callable[[Slot], Ask]) -> dict[tuple[str, Path
     said: dict[tuple[str, Path | None], str] = {}
     for slot in filled.form.declaration.slots:
         said[slot.name, None] = _WORDS.get(slot.kind, slot.help)
+        if slot.kind is SlotKind.CONDITION and filled.form.drives:
+            said[slot.name, None] = "it drives as long as this holds, and stops where it does not"
         if slot.kind is SlotKind.RATE:
             said[slot.name, None] = _rate(filled, slot)
+        if slot.kind is SlotKind.TOPIC and (sent := sent_already(filled)):
+            said[slot.name, None] += f"; {sent}"
         if slot.kind in (SlotKind.SERVICE, SlotKind.ACTION):
             said[slot.name, None] += unanswered(ask(slot))
         if slot.kind is SlotKind.LIBRARY:

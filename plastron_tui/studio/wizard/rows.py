@@ -269,6 +269,12 @@ class Row(Horizontal):
             box.cursor_position = len(text)
         self.post_message(Entered(self, text))
 
+    def select(self) -> None:
+        """Select what is entered, as after Tab: what is typed then takes its place."""
+        box = self.box
+        if isinstance(box, Input):
+            box.select_all()
+
     def on_input_changed(self, event: Input.Changed) -> None:
         """Tell what was written."""
         event.stop()

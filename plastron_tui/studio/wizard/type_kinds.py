@@ -6,13 +6,14 @@ from collections.abc import Sequence
 
 from plastron_tui.language import SlotKind
 from plastron_tui.ros.interfaces import InterfaceKind, InterfaceName
+from plastron_tui.ros.motion import COMMAND_TOPIC, LASER_TOPIC
 from plastron_tui.ros.search import FoundType, search_types
 
 from .ask import MEETINGS, Ask, Choice
 from .definition_kinds import own_type_to_send
 from .form import Cell
 from .kind import OF_THE_LIST, Kind
-from .obstacles import is_laser_wanted
+from .obstacles import is_laser_wanted, measures_distance
 
 MOST_TYPES = 80
 """The most types that a search lists."""
@@ -35,9 +36,9 @@ NAMES = {
 _USUAL = {
     InterfaceKind.MESSAGE: {
         "chatter": "std_msgs/String",
-        "cmd_vel": "geometry_msgs/Twist",
+        COMMAND_TOPIC: "geometry_msgs/Twist",
         "odom": "nav_msgs/Odometry",
-        "scan": "sensor_msgs/LaserScan",
+        LASER_TOPIC: "sensor_msgs/LaserScan",
         "imu": "sensor_msgs/Imu",
         "image_raw": "sensor_msgs/Image",
         "camera_info": "sensor_msgs/CameraInfo",
@@ -60,8 +61,8 @@ _USUAL = {
 
 
 _OFFERED = {
-    "cmd_vel": "how fast a robot is to go, and to turn",
-    "scan": "the distances that a laser measures",
+    COMMAND_TOPIC: "how fast a robot is to go, and to turn",
+    LASER_TOPIC: "the distances that a laser measures",
     "odom": "where a robot is by its wheels, and how fast",
     "image_raw": "what a camera sees",
     "imu": "how a robot turns and leans",
@@ -147,6 +148,10 @@ class TypeKind(Kind):
         is_name = all(part.isascii() and part.isidentifier() for part in text.split("/"))
         if not is_name or self._is_purpose(ask, text):
             return f"no type is called that: {OF_THE_LIST}"
+        if is_laser_wanted(ask):
+            found = ask.scene.resolve(text, ask.interface, ask.version)
+            if found is not None and not measures_distance(found.name):
+                return f"`{text}` does not say how far away things are: take LaserScan or Range"
         return None
 
     def _is_purpose(self, ask: Ask, text: str) -> bool:

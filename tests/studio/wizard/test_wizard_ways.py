@@ -142,7 +142,7 @@ async def test_the_file_may_be_left_out(here: Path) -> None:
 async def test_what_comes_after(two: Path, entry: str, monkeypatch: pytest.MonkeyPatch) -> None:
     done: list[str] = []
     monkeypatch.setattr(MainScreen, "action_generate", lambda _: done.append("write the files"))
-    monkeypatch.setattr(MainScreen, "action_run", lambda _: done.append("run the nodes"))
+    monkeypatch.setattr(MainScreen, "action_run", lambda *_: done.append("run the nodes"))
     async with wizard(two) as it:
         await it.pick(MESSAGE)
         await it.press("enter", "enter")
