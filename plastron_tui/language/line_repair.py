@@ -16,15 +16,19 @@ from .grammar import new_parser
 from .line_mistakes import LineMistake, first_mistake
 from .lowering import is_right
 from .mistake_place import shown
-from .repair_steps import Likelihood, Step, steps
-from .sentence_match import intended
-from .tokens import Token, text_at, tokens_of
+from .repair_steps import MARKS, Likelihood, Step, steps
+from .sentence_match import intended, match_sentence
+from .tokens import UNCLOSED_STRING, UNKNOWN, Token, text_at, tokens_of
 
 _LONGEST = 400
 """Bytes of a line that is tried with changes: a trial takes the time that the grammar takes."""
 
+_UNREADABLE = frozenset({UNKNOWN, UNCLOSED_STRING})
+"""What no change of words mends."""
 _MOST_STEPS = 3
 _MOST_TRIALS = 250
+_MOST_EXPLAINED = 10
+"""Of how many texts with another mistake it is found out after a step where that is."""
 _MOST_LINES = 4
 """How many texts that are right up to another place are gone on with after a step."""
 
@@ -59,6 +63,8 @@ def fixed(
 
 def _may_be_repaired(tokens: Sequence[Token], mistake: LineMistake) -> bool:
     """Tell whether the grammar may guess; what variable is meant for a keyword, nobody knows."""
+    if any(each.kind in _UNREADABLE and each.text not in MARKS for each in tokens):
+        return False
     is_twice = text_at(tokens, mistake.at) == text_at(tokens, mistake.at - 1)
     return mistake.diagnostic.code != codes.KEYWORD_AS_VARIABLE or is_twice
 
@@ -84,7 +90,7 @@ def repaired(line: bytes) -> bytes | None:
     seen = {line}
     for _ in range(_MOST_STEPS):
         right: dict[bytes, Likelihood] = {}
-        farther: list[_Trial] = []
+        farther: list[tuple[_Trial, _Trial]] = []
         for trial in going_on:
             for text, likelihood in trial.changed():
                 if text in right:
@@ -95,13 +101,15 @@ def repaired(line: bytes) -> bytes | None:
                 made = _Trial(text, likelihood)
                 if made.is_right:
                     right[text] = likelihood
-                elif not right and trial.leads_to(made):
-                    farther.append(made)
+                elif not right and trial.may_lead_to(made):
+                    farther.append((trial, made))
         if right:
             best = min(right.values())
             likeliest = [text for text, likelihood in right.items() if likelihood is best]
             return likeliest[0] if len(likeliest) == 1 else None
-        going_on = sorted(farther, key=lambda each: each.left)[:_MOST_LINES]
+        likeliest_first = sorted(farther, key=lambda each: each[1].unmatched)[:_MOST_EXPLAINED]
+        led_on = [made for trial, made in likeliest_first if made.left < trial.left]
+        going_on = sorted(led_on, key=lambda each: each.left)[:_MOST_LINES]
     return None
 
 
@@ -126,13 +134,26 @@ class _Trial:
     def _declaration(self) -> Declaration | None:
         return intended(self._tokens)
 
-    def leads_to(self, made: _Trial) -> bool:
+    def may_lead_to(self, made: _Trial) -> bool:
         """Tell whether another change may follow the one that this line was made into a trial by.
 
         A statement that is merely guessed has to be right at once.
         """
         is_guessed = self._declaration is None and made._likelihood is not Likelihood.PLAIN
-        return not is_guessed and made.left < self.left
+        # In values the mistake is behind what matches, and what is written makes them longer.
+        most = max(self.left, self.unmatched + len(made._line) - len(self._line))
+        return not is_guessed and made.unmatched <= most
+
+    @cached_property
+    def unmatched(self) -> int:
+        """How many bytes are behind what matches the sentence; what is in its slots may be wrong.
+
+        It is found far sooner than the first mistake is.
+        """
+        if self._declaration is None:
+            return len(self._line)
+        end = match_sentence(self._declaration, self._tokens).end
+        return 0 if end == len(self._tokens) else len(self._line) - self._tokens[end].start
 
     @property
     def left(self) -> int:
