@@ -47,6 +47,13 @@ def check_managed(run: Run, statement: st.CreateNode, library: str) -> None:
     )
 
 
+_SAME_NAME = {
+    1: "ROS 1 stops the first of two nodes of one name; choose another",
+    2: "ROS 2 runs both, and tools mix them up; choose another",
+}
+"""What comes of two nodes of one name, by the generation of ROS."""
+
+
 def check_node_name(run: Run, statement: st.CreateNode, version: int) -> None:
     """Check that a node may have its name in a generation of ROS, and that no other has it."""
     run.checks.name(statement, "name", statement.name, version)
@@ -57,7 +64,7 @@ def check_node_name(run: Run, statement: st.CreateNode, version: int) -> None:
                 codes.NODE_EXISTS,
                 f"a node `{statement.name}` exists already",
                 statement.span_of("name"),
-                help="ROS stops the first of two nodes of one name; choose another",
+                help=_SAME_NAME[version],
                 labels=(Label(earlier, "first created here"),),
             )
         )

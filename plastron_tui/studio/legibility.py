@@ -18,6 +18,8 @@ from rich.style import Style
 from textual.color import Color
 from textual.filter import LineFilter
 
+from .control_characters import ONLY_TEXT
+
 LEAST = 4.5
 """The least contrast of text with what is behind it."""
 
@@ -129,3 +131,14 @@ def _read(segment: Segment, background: Color) -> Segment:
 
 
 LEGIBLE = Legible()
+
+
+class LegibleText(LineFilter):
+    """Lets nothing in a line be obeyed, and all of it be read; makes a line anew once for both."""
+
+    def apply(self, segments: list[Segment], background: Color) -> list[Segment]:
+        """Return the segments, those as they are that need no change."""
+        return LEGIBLE.apply(ONLY_TEXT.apply(segments, background), background)
+
+
+LEGIBLE_TEXT = LegibleText()

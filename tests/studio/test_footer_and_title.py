@@ -111,6 +111,13 @@ def test_the_title_says_that_what_runs_is_older(width: int, text: str) -> None:
     assert "".join(words for words, _ in (*left, *right)).removeprefix("plastron ") == text
 
 
+def test_the_last_line_of_a_node_is_known_without_what_its_logger_puts_before_it() -> None:
+    run = TabRun()
+    run.note_said(["asker  | begun", "asker  | [INFO] [1.5] [asker]: add: sum=5", "asker  | "])
+    run.note_said(["old    | [WARN] [1.5]: it did not fit", "plain  | [1, 2]", "no label"])
+    assert run.said == {"asker": "add: sum=5", "old": "it did not fit", "plain": "[1, 2]"}
+
+
 def test_nodes_run_once_what_they_need_is_built() -> None:
     run = TabRun()
     assert run.stage(0.0) == ""

@@ -7,7 +7,8 @@ from typing import Any
 import pytest
 from rich.cells import cell_len
 
-from plastron_tui.runtime.live_graph import LiveGraph, LiveParameter, NodeEnd
+from plastron_tui.runtime.live_graph import LiveGraph, NodeEnd
+from plastron_tui.runtime.live_parts import LiveParameter
 from plastron_tui.session import Session
 from plastron_tui.studio.panels.live_columns import columns_of, line_of
 from plastron_tui.studio.panels.live_row import Answer, Kind, LiveRow
@@ -130,6 +131,7 @@ def test_what_is_gone_or_silent_is_marked(graph: LiveGraph) -> None:
      # The middleware believes for some seconds in a node that was killed.
      (True, NodeEnd("was ended by SIGKILL", True), False, "was ended by SIGKILL", "error"),
      (False, NodeEnd("finished", False), False, "finished", "quiet"),
+     (False, NodeEnd("finished", False, "sum=5\x1b"), False, "finished: sum=5\\x1b", "quiet"),
      (False, None, True, "ended", "quiet"), (True, None, True, "ended", "quiet")],
 )  # fmt: skip
 def test_a_node_that_has_done_its_work_is_not_one_that_is_gone(
@@ -148,6 +150,23 @@ def test_a_node_that_has_done_its_work_is_not_one_that_is_gone(
         # Somebody has started it by hand.
         graph.feed({"tell": "graph", "topics": [], "services": [], "nodes": ["/talker"]})
         assert live_rows([graph], set(), {})[-1].value == ""
+
+
+@pytest.mark.parametrize(
+    ("version", "seen", "shown"),
+    [(2, [], ["/asker"]), (2, ["/asker"], ["/asker"]), (2, ["/other"], ["/asker", "/other"]),
+     (1, ["/asker_12_345"], ["/asker_12_345"])],
+)  # fmt: skip
+def test_a_node_that_was_too_quick_to_be_seen_has_its_row(
+    version: int, seen: list[str], shown: list[str]
+) -> None:
+    graph = LiveGraph(version)
+    report = {"tell": "graph", "topics": [], "services": [], "nodes": seen}
+    graph.feed(report)
+    graph.mark_ended(["/asker"], NodeEnd("finished", False, "sum=5"))
+    graph.feed({**report, "nodes": []})
+    rows = [each for each in live_rows([graph], set(), {}) if each.kind is Kind.NODE]
+    assert [each.name for each in rows] == shown
 
 
 @pytest.mark.parametrize(
@@ -216,6 +235,11 @@ def test_what_is_sent_at_a_rate_is_ended_at_its_topic(graph: LiveGraph) -> None:
     assert found == {Kind.TOPIC, Kind.SENDING, Kind.FIELD, Kind.NOTE}
     owners = {each.owner for at in range(len(rows)) if (each := cancelable_at(rows, at))}
     assert owners == {"/speed"}
+    # What fails is told in the place of it, and there is nothing to end.
+    failed = {"tell": "sending", "name": "/speed", "rate": 0, "text": "", "problem": "no\nway"}
+    graph.feed(failed)
+    assert "       ⚠ not sent any more: no\\nway" in drawn(graph, 80, set())
+    assert not any(row.is_sent_to for row in live_rows([graph], set(), {}))
 
 
 @pytest.mark.parametrize(

@@ -9,6 +9,7 @@ from studio_driver import studio
 
 from plastron_tui.studio import running
 from plastron_tui.studio.main import run_actions
+from plastron_tui.studio.wizard.done_menu import RUN
 
 PROGRAM = "create_node 'a' as a\nsubscribe a to 'b' of message_type String\ngenerate_node a\n"
 
@@ -37,7 +38,9 @@ class Nodes:
     close = stop
 
 
-@pytest.mark.parametrize(("action", "count"), [("screen.run(True)", 2), ("screen.run", 1)])
+@pytest.mark.parametrize(
+    ("action", "count"), [(RUN, 2), ("screen.run(True)", 2), ("screen.run", 1)]
+)
 async def test_running_nodes_are_started_anew(
     action: str, count: int, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -50,10 +53,18 @@ async def test_running_nodes_are_started_anew(
         runner = driver.main.runner
         await driver.press("f5")
         await driver.until(lambda: runner.is_running)
+        # Who runs what is typed goes on typing, and reads how to see it.
+        assert driver.main.focused is driver.main.editor.view
+        await driver.until(lambda: "Alt-V Live" in driver.main._keys.text)
         await driver.main.run_action(action)
         await driver.until(lambda: Nodes.made[0].status is not None)
         await driver.until(lambda: runner.is_running == (count == 2))
         assert [each.status for each in Nodes.made] == [130, None][:count]
+        await driver.until(
+            lambda: ("Alt-V Live" in driver.main._keys.text) == (action != RUN and count == 2)
+        )
+        # The wizard's way to run leads to what runs.
+        assert (driver.main.dock_layout.focused_dock is not None) == (action == RUN)
 
 
 class Talkative(Nodes):

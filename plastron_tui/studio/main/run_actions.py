@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import asyncio
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Sequence
 from pathlib import Path
 from time import monotonic
 from typing import TYPE_CHECKING
@@ -150,8 +150,11 @@ class RunActions:
         session.files_changed()
         return True
 
-    async def run(self, *, anew: bool = False) -> None:
-        """Save, then start the nodes; those that run are stopped, and started `anew` if asked."""
+    async def run(self, *, anew: bool = False, looks: bool = False) -> None:
+        """Save, then start the nodes; those that run are stopped, and started `anew` if asked.
+
+        Who `looks` at them gets the focus in Output, and in Live once there is something.
+        """
         tab, run = self._program.tab, self._run
         if run.running is not None and not anew:
             if monotonic() - run.started_at >= TWICE:
@@ -165,6 +168,8 @@ class RunActions:
                 await asyncio.sleep(_LOOK)
         if path is not None and tab is self._program.tab:
             self._start(path)
+            if looks and run.running is not None:
+                self._panels.layout.bring("output", focus=True)
 
     def stop(self) -> None:
         """Stop what runs of the program in front; say where else nodes run."""
@@ -223,7 +228,7 @@ class RunActions:
         run.text = self._program.open.saved
         run.compare(self._program.text)
         self._failures.forget()
-        run.failed, run.ended, run.built, run.speaks = {}, {}, "", False
+        run.failed, run.ended, run.said, run.built, run.speaks = {}, {}, {}, "", False
         run.is_stopping = False
         self.watched.starting(run)
         run.commands = ()
@@ -273,11 +278,12 @@ class RunActions:
         else:
             run.add(printed, end)
 
-    def _tell_ended(self, tab: Tab, run: TabRun, printed: Iterable[str]) -> None:
+    def _tell_ended(self, tab: Tab, run: TabRun, printed: Sequence[str]) -> None:
         """Mark the nodes that have ended, and say which have failed."""
+        run.note_said(printed)
         for end in filter(None, map(ended_node, printed)):
-            words = end.how.partition(":")[0]
-            run.ended = {**run.ended, end.node: NodeEnd(words, end.is_failure)}
+            words, said = end.how.partition(":")[0], run.said.get(end.node, "")
+            run.ended = {**run.ended, end.node: NodeEnd(words, end.is_failure, said)}
             if end.is_failure:
                 self._failures.say(f"{end.node} {end.how}", severity="error", timeout=10)
                 run.failed = {**run.failed, end.node: "has ended"}

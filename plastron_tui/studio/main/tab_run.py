@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 
 from textual.widget import Widget
 
-from plastron_tui.runtime.labels import split_label
+from plastron_tui.runtime.labels import SIGN, split_label
 from plastron_tui.runtime.live_graph import NodeEnd
 
 from ..panels.entry_list import EntryList
@@ -28,6 +28,8 @@ if TYPE_CHECKING:
 
 _BUILDING = re.compile(r"building `([^`]+)`: ")
 """How a line begins that says how far a build is (see `ProgressLine`)."""
+_LOGGED = re.compile(r"^\[[A-Z]+\](?: \[[^\]]*\])*: ?")
+"""What a logger puts before a line: how bad it is, when it was, and who says it."""
 
 
 @dataclass(eq=False)
@@ -44,6 +46,7 @@ class TabRun:
         built_since: when that was begun.
         speaks: whether a node has printed something.
         commands: what starts monitors of them, also when they have ended.
+        said: the last line of each, by what their lines are labelled with.
         is_stopping: whether they were asked to end.
         text: the program that they were started from.
         is_older: whether the program says something else by now.
@@ -58,6 +61,7 @@ class TabRun:
     built_since: float = 0.0
     speaks: bool = False
     commands: Sequence[MonitorCommand] = ()
+    said: dict[str, str] = field(default_factory=dict)
     is_stopping: bool = False
     text: bytes = b""
     is_older: bool = False
@@ -97,6 +101,13 @@ class TabRun:
             found = _BUILDING.match(line)
             if found is not None and found[1] != self.built:
                 self.built, self.built_since = found[1], now
+
+    def note_said(self, printed: Iterable[str]) -> None:
+        """Note what each node has printed last."""
+        for line in printed:
+            label, text = split_label(line)
+            if label and text.strip():
+                self.said[label.removesuffix(SIGN).rstrip()] = _LOGGED.sub("", text).strip()
 
     def stage(self, now: float) -> str:
         """Return how far the nodes are: `starting`, built, `running`, `OLDER`, or "" for none.

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Container, Mapping, Sequence
+from collections.abc import Collection, Container, Mapping, Sequence
 from typing import ClassVar, NamedTuple
 
 from rich.cells import cell_len
@@ -12,6 +12,7 @@ from textual.binding import Binding
 from textual.screen import Screen
 from textual.strip import Strip
 
+from .dock import Dock
 from .styles import Toned
 
 _GAP = 2
@@ -66,26 +67,47 @@ class KeyBar(Toned):
         self._kept = kept
         self._ranks = {id_: rank for rank, id_ in enumerate(order)}
         self._shown: tuple[Key, ...] = ()
+        self._is_old = False
         self._titles: Mapping[str, str] = {}
+        self._added: Collection[str] = ()
+        self._kept_now: Collection[str] = ()
         self._places: list[tuple[int, int, str]] = []
 
     def on_mount(self) -> None:
         """Follow the focus."""
         self.screen.bindings_updated_signal.subscribe(self, self._update)
 
-    def retitle(self, titles: Mapping[str, str]) -> None:
-        """Call bindings, by their ids, otherwise than they are declared for now."""
-        if titles != self._titles:
-            self._titles = titles
+    def retitle(self, titles: Mapping[str, str], added: Collection[str] = ()) -> None:
+        """Call bindings, by their ids, otherwise than they are declared for now.
+
+        Args:
+            titles: what they are called.
+            added: the ids of those that are shown as well for now, while no panel has the focus.
+        """
+        if (titles, added) != (self._titles, self._added):
+            self._titles, self._added = titles, added
             self._update(self.screen)
 
     def _update(self, screen: Screen[object]) -> None:
-        if not self.is_attached or screen is not self.screen or not screen.is_current:
+        """Look at the bindings again, once however often they have changed by then."""
+        if not self._is_old and self.is_attached and screen is self.screen and screen.is_current:
+            self._is_old = True
+            self.call_later(self._renew)
+
+    def _renew(self) -> None:
+        """Show the bindings, if they have changed since they were looked at."""
+        if not self._is_old:
             return
+        self._is_old = False
+        if not self.is_attached or not self.screen.is_current:
+            return
+        focused = self.screen.focused
+        around = () if focused is None else focused.ancestors_with_self
+        self._kept_now = () if any(isinstance(each, Dock) for each in around) else self._added
         shown: dict[str, Binding] = {}
-        for active in screen.active_bindings.values():
+        for active in self.screen.active_bindings.values():
             binding = active.binding
-            if binding.show and active.enabled:
+            if (binding.show or binding.id in self._kept_now) and active.enabled:
                 shown.setdefault(binding.action, binding)
         keys = tuple(
             Key(
@@ -111,7 +133,11 @@ class KeyBar(Toned):
 
     @property
     def _fitting(self) -> list[Key]:
-        return fitting(self._shown, self._kept, self.size.width)
+        self._renew()
+        kept = [
+            each.id for each in self._shown if each.id in self._kept or each.id in self._kept_now
+        ]
+        return fitting(self._shown, kept, self.size.width)
 
     def render_line(self, y: int) -> Strip:
         """Draw the line: as many keys as fit."""

@@ -20,6 +20,9 @@ DONE = "It is in the program now. One undo (Ctrl-Z in the editor) takes it out a
 _ANOTHER = "another"
 """The key of what adds a node where one side of a topic, a service or an action is missing."""
 
+RUN = "screen.run(True, True)"
+"""What starts the nodes: who comes from the wizard types nothing, and wants to see them."""
+
 _SENSORS = "sensor_msgs"
 """The package of the messages that a robot itself sends."""
 
@@ -75,7 +78,7 @@ def _usual(session: Session) -> Iterator[tuple[str, Item]]:
     is_advised = is_whole and bool(idle)
     yield "screen.generate", Item("write the files", "", about, closed, is_advised)
     about = "Writes the files, starts the nodes and shows what they say."
-    yield "screen.run(True)", Item("run the nodes", "", about, idle, is_whole and not idle)
+    yield RUN, Item("run the nodes", "", about, idle, is_whole and not idle)
 
 
 def _is_robot(session: Session) -> bool:

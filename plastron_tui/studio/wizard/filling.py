@@ -69,8 +69,18 @@ class Filled:
         return laid_out(self.form.declaration, texts)
 
     @property
+    def goes_on_with(self) -> str:
+        """The node that it reads from a file where the program has read it already, or ""."""
+        new = self.form.slot_of(SlotKind.NEW_NODE)
+        if new is None or self.form.slot_of(SlotKind.FILE) is None:
+            return ""
+        return self.cells[new.name].text if self.cells[new.name].reason else ""
+
+    @property
     def written(self) -> list[Placed]:
-        """The statements in the order of the program."""
+        """The statements in the order of the program; none where it has them already."""
+        if self.goes_on_with:
+            return []
         before = [each for maker in self.makers for each in maker.written]
         node = self._text(SlotKind.NODE, SlotKind.NEW_NODE)
         paths = {
@@ -170,6 +180,7 @@ class Filler:
             text = "" if any(map(form.entered.get, others)) else kind.suggest(ask)
         if text == NEW:
             return Cell("", is_new=True)
+        text = kind.meant(ask, text)
         return Cell(text, written=kind.written(ask, text) if text else None)
 
     def _values(self, filled: Filled, ask: Ask) -> Cell:
@@ -215,6 +226,8 @@ class Filler:
 
     def extended(self, scene: Scene, filled: Filled) -> Scene:
         """Return the scene in which statements are written at the end of the program."""
+        if filled.goes_on_with:
+            return scene
         return Scene(check(scene.session, filled.written).session, scene.surroundings)
 
     def _find_problems(self, filled: Filled, depth: int) -> None:
@@ -311,6 +324,8 @@ class Filler:
         problems = filled.all_problems
         if problems:
             return Trial(problems[0].message, scene.lonely, _needing(problems[0], form))
+        if filled.goes_on_with:
+            return Trial(None, scene.lonely)
         outcome = check(scene.session, filled.written)
         lonely = Scene(outcome.session).lonely
         if not outcome.findings:

@@ -13,7 +13,7 @@ from .context import Scene, Surroundings
 from .filling import Filled, Filler
 from .followers import chosen, extras_of
 from .form import Form
-from .goals import Aim, aim_of, answering
+from .goals import GROUPS, Aim, aim_of, answering
 from .helps import helps_of
 from .menu import RECIPES, Offer, Option, recipe_offers
 from .offers import Offering, give
@@ -63,8 +63,6 @@ class Course:
     def scene(self) -> Scene:
         """The program as it is without the wizard."""
         return Scene(self.session, self.surroundings)
-
-    # What is chosen.
 
     def take(self, offer: Offer) -> None:
         """Take an entry of the menu that is shown, and go on."""
@@ -124,8 +122,9 @@ class Course:
                 form.enter(slot.name, text)
 
     def begin_with(self, declaration: Declaration) -> None:
-        """Go to the form of a statement, by way of the menu of its own that has it."""
-        self.choose_group(aim_of(declaration))
+        """Go to the form of a statement, by way of the menu that has it."""
+        if aim_of(declaration) in GROUPS:
+            self.choose_group(aim_of(declaration))
         self.choose(declaration)
 
     def heard(self, look: Look) -> Heard | None:
@@ -191,8 +190,6 @@ class Course:
             return None
         return self._form(self.head, self.purpose, drives=self.drives)
 
-    # The pages.
-
     def pages(self, look: Look) -> list[Page]:
         """Return the pages, as far as it is known which there will be."""
         pages = [Page(PageKind.START)]
@@ -233,8 +230,6 @@ class Course:
         pages = self.pages(self._seen)[: self.at + 1]
         return [page.form for page in pages if page.form is not None]
 
-    # What it comes to.
-
     def look(self) -> Look:
         """Find out all that follows from what was entered."""
         head, main = self.head_form, self.main_form
@@ -255,6 +250,9 @@ class Course:
         if not filled:
             return Look()
         placed = [each for one in filled for each in one.written]
+        if not placed:
+            found = (problem for each in filled for problem in each.all_problems)
+            return Look(tuple(filled), None, tuple(found), filled[-1].goes_on_with)
         node = node_of(placed)
         extras = extras_of(filled[-1])
         if extras:
@@ -301,7 +299,7 @@ class Course:
 
     def _before(self, filled: list[Filled]) -> Session:
         """Return the program without what a node shall do, but with that node."""
-        if len(filled) == 1:
+        if len(filled) == 1 or filled[0].goes_on_with:
             return self.session
         return check(self.session, filled[0].written).session
 
@@ -359,8 +357,6 @@ class Course:
                 return number
         return None
 
-    # What a form offers.
-
     def choices(self, filled: Filled, slot: str, path: Path | None, query: str) -> list[Choice]:
         """Return what can be taken for a slot, or for a field of the values."""
         found = next(each for each in filled.form.declaration.slots if each.name == slot)
@@ -379,8 +375,6 @@ class Course:
     def helps(self, filled: Filled) -> dict[tuple[str, Path | None], str]:
         """Return what is said about each row of a form."""
         return helps_of(filled, lambda slot: self._filler.ask(filled, slot))
-
-    # Menus.
 
     def offers(self) -> list[Offer]:
         """Return the entries of the menu that is shown, none where it is no menu."""

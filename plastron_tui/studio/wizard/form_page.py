@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from itertools import takewhile
 from typing import ClassVar
 
+from rich.text import Text
 from textual import on
 from textual.app import ComposeResult
 from textual.binding import Binding, BindingType
@@ -23,11 +24,15 @@ from .ask import Choice
 from .definition_rows import field_slots, row_path
 from .filling import Filled
 from .form import NEW, Form, new_words
+from .form_room import IN_SIGHT, Wanted, first_choices, room_for
 from .form_rows import Key, Spec, matters, specs
 from .program_trial import Finding
 from .rows import Entered, Reached, Row
 from .strings import about
 from .values import Path
+
+_ROWS_ALONE, _ROWS_BESIDE_CHOICES = 80, 60
+"""The most that the rows take of the page's height, in percent."""
 
 
 class Put(Message):
@@ -80,6 +85,8 @@ class FormPage(Vertical):
         self._rows: dict[Key, Row] = {}
         self._help: dict[Key, str] = {}
         self._insists = False
+        # The row that had the focus first: there the page is read before it is filled in.
+        self._first: Key | None = None
 
     def compose(self) -> ComposeResult:
         """Make the parts; the rows come with what is known of them."""
@@ -89,8 +96,6 @@ class FormPage(Vertical):
         choices = OptionList(id="wizard-choices", compact=True, markup=False)
         choices.can_focus = False
         yield choices
-
-    # What is shown.
 
     async def show(
         self, filled: Filled, problems: Sequence[Finding], helps: dict[Key, str]
@@ -160,6 +165,7 @@ class FormPage(Vertical):
             # What has to be thought of comes before what is called somehow in any case.
             found = next((row for row in free if matters(row, workspace)), next(iter(free), None))
         if found is not None:
+            self._first = self._first or (found.slot.name, found.path)
             found.box.focus()
         else:
             self.screen.set_focus(None)
@@ -196,6 +202,36 @@ class FormPage(Vertical):
         else:
             self._insists = False
             label.update(self._help.get(key, "") if key is not None else "")
+        self._share_room()
+
+    def on_resize(self) -> None:
+        """Share out another number of lines."""
+        self._share_room()
+
+    def _share_room(self) -> None:
+        """Keep what is said of the row in sight, and choices for it, where there is little room."""
+        width, height = self.content_size
+        if not width:
+            return
+        about, shown = self.query_one("#wizard-about", Label), self.query_one("#wizard-help", Label)
+        console = self.app.console
+
+        def lines(text: str) -> int:
+            return sum(len(Text(each).wrap(console, width)) for each in text.splitlines())
+
+        choices = [lines(_shown(each).plain) for each in self.choices[:IN_SIGHT]]
+        wanted = Wanted(
+            lines(str(about.content)) + 1,
+            len(self._shapes),
+            lines(str(shown.content)) + 1,
+            first_choices(choices),
+        )
+        is_read = self.key_here in (None, self._first) and not shown.has_class("-wrong")
+        room = room_for(wanted, height, is_read=is_read)
+        about.display = room.has_about
+        rows = self.query_one(Rows)
+        usual = height * (_ROWS_BESIDE_CHOICES if self.choices else _ROWS_ALONE) // 100
+        rows.styles.max_height = min(usual, room.rows)
 
     def insist(self, finding: Finding) -> None:
         """Go to what is wrong, and say it."""
@@ -224,8 +260,6 @@ class FormPage(Vertical):
         """Go to the next row, once the rows are those that follow from what was entered."""
         self.post_message(Stepped(by))
 
-    # Choices.
-
     def show_choices(self, choices: Sequence[Choice]) -> None:
         """List what can be taken for the row with the focus."""
         if list(choices) == self.choices:
@@ -238,6 +272,7 @@ class FormPage(Vertical):
             Option(_shown(choice), id=str(number), disabled=bool(choice.closed))
             for number, choice in enumerate(self.choices)
         )
+        self._share_room()
         row = self.row_here
         if row is not None:
             texts = [_entered(row.slot, each) for each in self.choices]
@@ -262,6 +297,7 @@ class FormPage(Vertical):
             place = 0 if by > 0 else len(free) - 1
         options.highlighted = free[place]
         row.take(_entered(row.slot, self.choices[free[place]]))
+        row.select()
 
     @on(OptionList.OptionSelected, "#wizard-choices")
     def chosen(self, event: OptionList.OptionSelected) -> None:
@@ -270,8 +306,6 @@ class FormPage(Vertical):
         row = self.row_here
         if row is not None:
             row.take(_entered(row.slot, self.choices[int(event.option.id or 0)]))
-
-    # What comes from the rows.
 
     def on_entered(self, message: Entered) -> None:
         """Tell what was entered."""

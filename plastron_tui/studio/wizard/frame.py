@@ -37,10 +37,11 @@ MENUS = (PageKind.START, PageKind.PURPOSE, PageKind.AWAY, PageKind.RECIPES)
 """The pages on which an entry is chosen."""
 SPACIOUS = 110
 """From so many columns on the page has the width of a text, and the code all the rest."""
-STATEMENTS = 6
-"""The most rows of statements, but for the last page, where they are what is looked at."""
+STATEMENTS, FEW_STATEMENTS = 6, 4
+"""The most rows of statements, but for the last page, where they are what is looked at: in a high
+window, and where the form needs the room."""
 LOW = 22
-"""With fewer rows the form does without the sentence above it."""
+"""With fewer rows no empty ones part the sentence, the form and what is said of it."""
 HIGH = 32
 """From so many rows on there are empty ones around what is asked, and frames."""
 
@@ -87,7 +88,9 @@ class Buttons(Horizontal):
         self.query_one("#wizard-back", Button).display = not is_done and course.at > 0
         following = self.query_one("#wizard-next", Button)
         following.display = not (is_done or kind in MENUS)
-        following.label = "Finish" if kind is PageKind.REVIEW else "Next"
+        is_last = kind is PageKind.REVIEW
+        following.label = "Finish" if is_last else "Next"
+        following.variant = "default" if is_last and look.problems else "primary"
         self.query_one("#wizard-turn", Button).display = is_narrow and look.outcome is not None
         # At the end the menu has an entry that leaves.
         self.query_one("#wizard-leave", Button).display = not is_done
@@ -200,7 +203,9 @@ class Frame(Paged, Dialog[str]):
         shown = self.query_one("#wizard-statements", StatementView)
         if outcome is not None:
             filled = None if page.form is None else look.of(page.form)
-            rows = self.size.height // 2 if page.kind is PageKind.REVIEW else STATEMENTS
+            rows = STATEMENTS if self.has_class("-high") else FEW_STATEMENTS
+            if page.kind is PageKind.REVIEW:
+                rows = self.size.height // 2
             shown.show(outcome.lines, "" if filled is None else filled.text, rows)
         for review in self.query(ReviewPage):
             review.say(strings.review(look), look.problems[0].words if look.problems else "")

@@ -35,6 +35,8 @@ def helps_of(filled: Filled, ask: Callable[[Slot], Ask]) -> dict[tuple[str, Path
     said: dict[tuple[str, Path | None], str] = {}
     for slot in filled.form.declaration.slots:
         said[slot.name, None] = _WORDS.get(slot.kind, slot.help)
+        if slot.kind is SlotKind.CONDITION and filled.form.drives:
+            said[slot.name, None] = "it drives as long as this holds, and stops where it does not"
         if slot.kind is SlotKind.RATE:
             said[slot.name, None] = _rate(filled, slot)
         if slot.kind is SlotKind.TOPIC and (sent := sent_already(filled)):

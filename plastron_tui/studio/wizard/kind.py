@@ -33,6 +33,10 @@ class Kind:
         """Return what each row of the slot is for; None for a slot of one row."""
         return None
 
+    def meant(self, ask: Ask, text: str) -> str:
+        """Return what is taken for what somebody entered."""
+        return text
+
     def written(self, ask: Ask, text: str) -> str:
         """Return a text as the program has it, without the quotes of a name."""
         return text

@@ -40,7 +40,7 @@ from .launch_kinds import (
 )
 from .libraries import LibraryKind
 from .message_kinds import MessageKind
-from .node_files import FileKind, NodeOfFileKind
+from .node_files import FileKind, NewNodeKind, NodeOfFileKind
 from .node_names import NodeNameKind
 from .obstacles import (
     is_laser_wanted,
@@ -276,7 +276,7 @@ class InputKind(Kind):
 
 KINDS: Mapping[SlotKind, Kind] = {
     SlotKind.NODE_NAME: NodeNameKind(),
-    SlotKind.NEW_NODE: NewVariableKind(),
+    SlotKind.NEW_NODE: NewNodeKind(),
     SlotKind.NEW_MESSAGE: NewVariableKind(),
     SlotKind.NODE: NodeKind(),
     SlotKind.MESSAGE: MessageKind(),

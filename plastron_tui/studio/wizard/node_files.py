@@ -20,14 +20,16 @@ from ..folder_files import MOST_ENTRIES, MOST_FILES, files_of, path_text
 from .ask import Ask, Choice
 from .form import Cell
 from .kind import OF_THE_LIST, Kind
+from .variable_kinds import NewVariableKind
 
 
 class FileKind(Kind):
     """A file that holds a node."""
 
     def suggest(self, ask: Ask) -> str:
-        """Return the first file that is not loaded yet."""
-        for choice in self.choices(ask, ""):
+        """Return the first file that is not loaded yet, or else the first one that is."""
+        choices = self.choices(ask, "")
+        for choice in sorted(choices, key=lambda each: bool(each.about)):
             if ask.try_out(choice.text, frozenset()).reason is None:
                 return choice.text
         return ""
@@ -36,8 +38,8 @@ class FileKind(Kind):
         """Return the node files of the program's folder and of the output folder."""
         session = ask.scene.session
         loaded = {
-            node.source.path
-            for node in ask.scene.workspace.nodes.values()
+            node.source.path: variable
+            for variable, node in ask.scene.workspace.nodes.items()
             if node.source is not None and node.source.label is None
         }
         around = ask.scene.surroundings
@@ -53,7 +55,7 @@ class FileKind(Kind):
             Choice(
                 path_text(path, session.folder),
                 library,
-                closed="it is loaded already" if path in loaded else "",
+                _goes_on(loaded[path]) if path in loaded else "",
             )
             for path, library in around.files
         ]
@@ -78,17 +80,21 @@ class NodeOfFileKind(Kind):
 
     def suggest(self, ask: Ask) -> str:
         """Return the first node that is not loaded yet."""
-        return next((choice.text for choice in self.choices(ask, "") if not choice.closed), "")
+        choices = sorted(self.choices(ask, ""), key=lambda each: bool(each.about))
+        return next((each.text for each in choices), "")
 
     def choices(self, ask: Ask, query: str) -> list[Choice]:
         """Return the nodes of the file."""
         source = _source(ask)
         if source is None:
             return []
-        sources = [node.source for node in ask.scene.workspace.nodes.values() if node.source]
-        loaded = {each.label for each in sources if each.path == source.path}
+        loaded = {
+            node.source.label: variable
+            for variable, node in ask.scene.workspace.nodes.items()
+            if node.source is not None and node.source.path == source.path
+        }
         return [
-            Choice(label, closed="it is loaded already" if label in loaded else "")
+            Choice(label, about=_goes_on(loaded[label]) if label in loaded else "")
             for label in _labels(source)
         ]
 
@@ -98,6 +104,36 @@ class NodeOfFileKind(Kind):
         if source is not None and text in _labels(source):
             return None
         return f"the file has no node `{text}`: {OF_THE_LIST}"
+
+
+class NewNodeKind(NewVariableKind):
+    """What the program calls a node that it makes, or reads from a file."""
+
+    def fixed(self, ask: Ask) -> Cell | None:
+        """Return what the node of a file is called that is read already: it goes on with that."""
+        variable = _loaded_as(ask)
+        return None if variable is None else Cell(variable, "loaded already: it goes on with this")
+
+
+def _goes_on(variable: str) -> str:
+    return f"loaded already: it goes on with `{variable}`"
+
+
+def _loaded_as(ask: Ask) -> str | None:
+    """Return the variable of the node that the form would read once more, None for a new one."""
+    if ask.form.slot_of(SlotKind.FILE) is None or not ask.text(SlotKind.FILE):
+        return None
+    nodes = {
+        variable: node.source
+        for variable, node in ask.scene.workspace.nodes.items()
+        if node.source is not None
+    }
+    source = _source(ask) if nodes else None
+    if source is None:
+        return None
+    label = ask.text(SlotKind.NODE_OF_FILE) or None
+    same = (name for name, each in nodes.items() if (each.path, each.label) == (source.path, label))
+    return next(same, None)
 
 
 def _source(ask: Ask) -> SourceUnit | None:

@@ -20,7 +20,9 @@ _NEAR = 0.5
 _LARGE = {"sensor_msgs/LaserScan": "all received.ranges", "sensor_msgs/Range": "received.range"}
 """What of the messages with distances has to be large."""
 
-_FREE = re.compile(r"(?P<quantifier>all )?(?P<path>received\.\w+) > (?P<value>.+)", re.ASCII)
+_FREE = re.compile(
+    r"(?P<quantifier>all )?(?P<path>received\.\w+(\[\d+\])?) > (?P<value>.+)", re.ASCII
+)
 
 
 def measures_distance(type_: InterfaceName | None) -> bool:
@@ -30,9 +32,23 @@ def measures_distance(type_: InterfaceName | None) -> bool:
 
 def way_is_free(ask: Ask) -> str:
     """Return the condition that nothing is near, "" where a form does not drive by distances."""
-    heard = ask.scene.heard(ask.node).get(ask.text(SlotKind.TRIGGER))
     drives = is_velocity(ask.text(SlotKind.MESSAGE_TYPE))
-    return f"{_LARGE[str(heard)]} > {_NEAR}" if drives and measures_distance(heard) else ""
+    far = distances_of_trigger(ask)
+    return f"{far} > {_NEAR}" if drives and far else ""
+
+
+def distances_of_trigger(ask: Ask) -> str:
+    """Return what has to be large of what a form waits for, "" where that has no distances."""
+    heard = ask.scene.heard(ask.node).get(ask.text(SlotKind.TRIGGER))
+    return _LARGE[str(heard)] if measures_distance(heard) else ""
+
+
+def is_standing(node: Node | None, topic: str) -> bool:
+    """Tell whether a node sends commands to a topic, and none by which a robot moves."""
+    publisher = None if node is None else node.of(Publisher).get(spelled(topic))
+    if publisher is None or not is_velocity(str(publisher.type)):
+        return False
+    return not any(moves(each.message.value) for each in publisher.publications)
 
 
 def is_to_drive(ask: Ask) -> bool:

@@ -143,6 +143,8 @@ class Offering:
         if anew.all_problems:
             first = anew.all_problems[0]
             return "" if _is_for_user(first, declaration) else first.message
+        if anew.goes_on_with:
+            return ""
         findings = check(scene.session, anew.written).findings
         if findings:
             # What follows it may be what it lacks.

@@ -9,6 +9,7 @@ from plastron_tui.model.rename import RENAMED
 
 from .ask import Ask, Choice
 from .context import Meeting, free_name
+from .form import Cell
 from .kind import Kind
 
 
@@ -45,6 +46,14 @@ class NamedKind(Kind):
 
 class OldNameKind(Kind):
     """A name that the node has."""
+
+    def fixed(self, ask: Ask) -> Cell | None:
+        """Return the only one that there is: nobody has to choose then."""
+        names = _names(ask, _kinds(ask))
+        entered = ask.form.entered.get(ask.slot.name, "")
+        if len(names) != 1 or entered not in ("", *names):
+            return None
+        return Cell(names[0], f"the only {ask.text(SlotKind.NAMED)} of `{ask.node}`")
 
     def suggest(self, ask: Ask) -> str:
         """Return the first."""

@@ -250,6 +250,11 @@ class Row(Horizontal):
         room = label.content_size.width if self.has_class("-number") else 0
         label.update(shortened(self._note, room) if room else self._note)
 
+    def align(self, label: int, note: int) -> None:
+        """Give the name and the note so many columns; what is entered gets the rest."""
+        self.query_one(".wizard-label").styles.width = label + 1
+        self.query_one(".wizard-note").styles.width = note + 1
+
     @property
     def box(self) -> Widget:
         """What takes the focus."""
@@ -263,6 +268,12 @@ class Row(Horizontal):
         if isinstance(box, Input):
             box.cursor_position = len(text)
         self.post_message(Entered(self, text))
+
+    def select(self) -> None:
+        """Select what is entered, as after Tab: what is typed then takes its place."""
+        box = self.box
+        if isinstance(box, Input):
+            box.select_all()
 
     def on_input_changed(self, event: Input.Changed) -> None:
         """Tell what was written."""

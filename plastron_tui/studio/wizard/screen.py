@@ -36,22 +36,29 @@ from .view import Asked, View, view_of
 _PAUSE = 0.02
 """Seconds that keys are waited for before anything is looked up."""
 
-_STATEMENTS: dict[str, type[Statement]] = {"part": st.HasLink, "package": st.CreatePackage}
+_STATEMENTS: dict[str, type[Statement]] = {
+    "part": st.HasLink,
+    "package": st.CreatePackage,
+    "another": st.CreateNode,
+}
 """The statements that some answers to what is to be done next lead to."""
 
 Enter = Callable[[Sequence[Edit]], Session]
+
+_BINDINGS: list[BindingType] = [
+    Binding("escape", "step_back", "Back"),
+    Binding("f2,alt+left", "back", "Back", priority=True),
+    Binding("f1", "explain", "Help", priority=True),
+    Binding("f3", "turn", "Code and graph", priority=True),
+    Binding("enter", "next", "Next", show=False),
+    Binding("ctrl+q", "leave", "Leave", show=False, id="quit"),
+]
 
 
 class Wizard(Frame):
     """Builds statements; the result is an action of the main screen to go on with, or ""."""
 
-    BINDINGS: ClassVar[list[BindingType]] = [
-        Binding("escape", "step_back", "Back"),
-        Binding("f2,alt+left", "back", "Back", priority=True),
-        Binding("f1", "explain", "Help", priority=True),
-        Binding("f3", "turn", "Code and graph", priority=True),
-        Binding("enter", "next", "Next", show=False),
-    ]
+    BINDINGS: ClassVar[list[BindingType]] = _BINDINGS
 
     def __init__(self, session: Session, enter: Enter) -> None:
         """Make the wizard.
@@ -69,6 +76,8 @@ class Wizard(Frame):
         self._going = asyncio.Lock()
         self._nexts = self._backs = 0
         self._is_turning = True
+        # On its way from the end to a form: Esc leads back from that.
+        self._is_starting = False
         self._looks = 0
         self._pasted = ""
         self._waiting: list[Callable[[], object]] = []
@@ -80,8 +89,6 @@ class Wizard(Frame):
         for view in self.query(TextView):
             view.can_focus = False
         self.changed()
-
-    # Finding out.
 
     def changed(self, then: Callable[[], object] | None = None) -> None:
         """Find out what follows; `then` is done before, when nobody else looks at the course."""
@@ -168,8 +175,6 @@ class Wizard(Frame):
             do()
         return view_of(self.course, asked, is_done=self.is_done)
 
-    # What comes from the pages.
-
     @on(Put)
     def put(self, message: Put) -> None:
         """Take what was entered."""
@@ -204,7 +209,7 @@ class Wizard(Frame):
             self._turn(lambda: self.course.take(offer))
 
     def _finish_with(self, action: str) -> None:
-        if action in ("more", "another"):
+        if action == "more":
             self._start_anew(None)
         elif action == "answer":
             self._start_anew(self._heard)
@@ -215,8 +220,10 @@ class Wizard(Frame):
 
     def _start_anew(self, heard: Heard | None, declaration: Declaration | None = None) -> None:
         around = replace(self.course.surroundings, files=None)
+        self._is_starting = heard is not None or declaration is not None
 
         def do() -> None:
+            self._is_starting = False
             self.course = Course(self.course.session, around)
             self.is_done = False
             if heard is not None:
@@ -226,8 +233,6 @@ class Wizard(Frame):
 
         self.query_one(ResultView).forget()
         self._turn(do)
-
-    # What is pasted.
 
     def on_paste(self, event: events.Paste) -> None:
         """Take a text that no field has taken; a long one comes in several pieces."""
@@ -257,8 +262,6 @@ class Wizard(Frame):
         self.notify(pasted.inserted(lines), markup=False)
         self.changed()
 
-    # Going on.
-
     @on(Confirmed)
     @on(Button.Pressed, "#wizard-next")
     def action_next(self) -> None:
@@ -273,8 +276,6 @@ class Wizard(Frame):
                 await self._go()
         finally:
             self._nexts -= 1
-
-    # Keys that come before the page that they are for.
 
     @property
     def is_turning(self) -> bool:
@@ -333,7 +334,7 @@ class Wizard(Frame):
     @on(Button.Pressed, "#wizard-back")
     def action_back(self) -> None:
         """Go back a page; what was entered is kept."""
-        if not self.is_done:
+        if self._is_starting or not self.is_done:
             self._backs += 1
             self._turn(self._back)
 
@@ -350,7 +351,8 @@ class Wizard(Frame):
     def action_step_back(self) -> None:
         """Go back a page; from the first one, and from the end, leave."""
         # A page that is gone back from already may be shown still.
-        if self.is_done or self.course.at <= self._backs:
+        is_first = self.is_done or self.course.at <= self._backs
+        if is_first and not self._is_starting:
             self.action_leave()
         else:
             self.action_back()

@@ -14,10 +14,11 @@ from plastron_tui.ros.primitives import primitive
 from plastron_tui.ros.qos_words import Said, is_sensor_type, offered_words, parse_words
 
 from ..editor.value_completion import Part, all_received
+from . import driving_conditions
 from .ask import Ask, Choice
 from .form import NEW, Cell, new_words
 from .kind import Kind
-from .obstacles import distances_heard, way_is_free
+from .obstacles import distances_heard, distances_of_trigger, way_is_free
 from .trials import first_that_works
 
 _CONDITION = re.compile(
@@ -92,9 +93,10 @@ class TriggerKind(Kind):
         return next(iter(distances_heard(ask)), NEW) if ask.form.drives else ""
 
     def choices(self, ask: Ask, query: str) -> list[Choice]:
-        """Return what the node listens to."""
-        heard = ask.scene.heard(ask.node).items()
-        found = [Choice(name, "" if type_ is None else str(type_)) for name, type_ in heard]
+        """Return what the node listens to; to drive by, what of that has distances."""
+        heard = ask.scene.heard(ask.node)
+        names = distances_heard(ask) if ask.form.drives else heard
+        found = [Choice(name, str(heard[name] or "")) for name in names]
         if ask.form.drives:
             about = "a later screen asks for its name"
             found.append(Choice(NEW, "", about, label=new_words(ask.slot)))
@@ -104,7 +106,8 @@ class TriggerKind(Kind):
         """Tell why a text cannot stand there."""
         heard = ask.scene.heard(ask.node)
         if text in heard:
-            return None
+            is_blind = ask.form.drives and text not in distances_heard(ask)
+            return f"`{text}` does not say how far away things are" if is_blind else None
         if not heard:
             return f"`{ask.node}` listens to no topic yet"
         return f"`{ask.node}` does not listen to `{text}`, but to {listed(list(heard))}"
@@ -122,8 +125,14 @@ class ConditionKind(Kind):
         """Return that the way is free, where a robot is driven for each reading of distances."""
         return way_is_free(ask)
 
+    def meant(self, ask: Ask, text: str) -> str:
+        """Return when it drives, of who says when it stops."""
+        return driving_conditions.meant(ask, text) if _is_to_drive(ask) else text
+
     def choices(self, ask: Ask, query: str) -> list[Choice]:
         """Return a condition for each field of what arrives, of those that are meant by a text."""
+        if _is_to_drive(ask):
+            return driving_conditions.choices(ask, query)
         type_ = ask.scene.heard(ask.node).get(ask.text(SlotKind.TRIGGER))
         catalog = ask.scene.catalog(ask.version)
         found = None if type_ is None else catalog.find(type_, InterfaceKind.MESSAGE)
@@ -143,6 +152,8 @@ class ConditionKind(Kind):
 
     def problem(self, ask: Ask, text: str) -> str | None:
         """Tell why a text is no condition."""
+        if _is_to_drive(ask):
+            return driving_conditions.problem(ask, text)
         if _CONDITION.fullmatch(text):
             return None
         offered = [each.text for each in self.choices(ask, text)]
@@ -151,6 +162,11 @@ class ConditionKind(Kind):
             return f"write `{offered[0]}`"
         example = offered[0] if offered else "received.data > 5"
         return f"it compares a field of what arrives, such as `{example}`"
+
+
+def _is_to_drive(ask: Ask) -> bool:
+    """Tell whether a form drives a robot by distances, as long as the condition holds."""
+    return ask.form.drives and bool(distances_of_trigger(ask))
 
 
 def _by_weight(interface: Interface, catalog: Catalog) -> list[Part]:

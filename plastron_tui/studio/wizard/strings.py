@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
-from plastron_tui.diagnostics import listed
+from plastron_tui.diagnostics import Severity, listed
 from plastron_tui.language import SlotKind
 from plastron_tui.language import statements as st
+from plastron_tui.session import Session
 
 from .driving_lines import explained
 from .followers import STOP
 from .form import Form
 from .goals import DRIVE, GROUPS, Aim, told
+from .obstacles import is_standing
 from .pages import Look, Page, PageKind
 from .sent_already import sent_already
 
@@ -90,14 +92,36 @@ def review(look: Look) -> str:
     )
     if any(each.key == STOP for each in look.extras):
         words += " It does not notice when the laser falls silent."
+    if _is_standing(look):
+        words += " With this it never drives: all that it is sent is 0."
     words += "".join(f" {sent}." for each in look.filled if (sent := sent_already(each)))
     numbers = () if outcome is None else outcome.replaced
+    if outcome is not None and not look.problems:
+        words += _mistake_before(outcome.session)
     if look.driving:
         return f"{words} {explained(look.driving, is_kept=not numbers)}"
     if not numbers:
         return words
     those = "lines" if len(numbers) > 1 else "line"
     return f"{words} That takes the place of {those} {listed([str(each) for each in numbers])}."
+
+
+def _is_standing(look: Look) -> bool:
+    """Tell whether what is written sends to a robot, and nothing by which it moves."""
+    last = look.filled[-1] if look.filled else None
+    if last is None or look.outcome is None or last.form.declaration.type is not st.Publish:
+        return False
+    node = look.outcome.session.workspace.nodes.get(last.cells["node"].text)
+    return is_standing(node, last.cells["topic"].text)
+
+
+def _mistake_before(session: Session) -> str:
+    """Say what keeps the program from being run, and was wrong before already; "" for nothing."""
+    errors = (each for each in session.diagnostics if each.severity is Severity.ERROR)
+    first = next(errors, None)
+    if first is None:
+        return ""
+    return f" The program has a mistake already, and cannot be run before it goes: {first.message}."
 
 
 def leaving(look: Look) -> str:

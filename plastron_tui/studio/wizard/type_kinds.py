@@ -13,7 +13,7 @@ from .ask import MEETINGS, Ask, Choice
 from .definition_kinds import own_type_to_send
 from .form import Cell
 from .kind import OF_THE_LIST, Kind
-from .obstacles import is_laser_wanted
+from .obstacles import is_laser_wanted, measures_distance
 
 MOST_TYPES = 80
 """The most types that a search lists."""
@@ -148,6 +148,10 @@ class TypeKind(Kind):
         is_name = all(part.isascii() and part.isidentifier() for part in text.split("/"))
         if not is_name or self._is_purpose(ask, text):
             return f"no type is called that: {OF_THE_LIST}"
+        if is_laser_wanted(ask):
+            found = ask.scene.resolve(text, ask.interface, ask.version)
+            if found is not None and not measures_distance(found.name):
+                return f"`{text}` does not say how far away things are: take LaserScan or Range"
         return None
 
     def _is_purpose(self, ask: Ask, text: str) -> bool:

@@ -268,6 +268,11 @@ def problem_of(entry: Entry, text: str, ros_version: int, others: str = "") -> s
     for number, piece in enumerate(found, 1):
         problem = _scalar_problem(entry, piece, ros_version, others)
         if problem is not None:
+            words = inner.replace(",", " ").split()
+            if entry.python is not str and not any(
+                _scalar_problem(entry, each, ros_version, others) for each in words
+            ):
+                return f"put commas between: {', '.join(words)}"
             shown = f"`{piece}`, " if 0 < len(piece) <= _LONGEST_SHOWN else ""
             return f"{shown}value {number} of the list: {problem}"
     count, type_ = len(found), entry.type

@@ -104,3 +104,66 @@ def test_a_command_with_a_stamp_gives_way_as_well() -> None:
     look = to_menu_or_review(it)
     assert look.problems == () and look.outcome is not None
     assert look.outcome.replaced == (3,)
+
+
+FAR = "all received.ranges > "
+
+
+@pytest.mark.parametrize(
+    ("text", "condition"),
+    [
+        ("any received.ranges < 1", FAR + "1"),
+        ("ranges<=.5", FAR + ".5"),
+        ("< 1", FAR + "1"),
+        ("", FAR + "0.5"),
+        ("12", FAR + "12"),
+        ("> 0.8 m", FAR + "0.8"),
+        ("any received.ranges > 2", FAR + "2"),
+        ("received.ranges[0] < 1", "received.ranges[0] > 1"),
+    ],
+)
+def test_when_it_stops_is_taken_for_when_it_drives(text: str, condition: str) -> None:
+    it = course("")
+    form = form_after(it, MAKE, DRIVE)
+    form.enter("condition", text)
+    look = to_menu_or_review(it)
+    assert look.problems == () and look.outcome is not None
+    assert look.filled[-1].cells["condition"].text == condition
+    written = "\n".join(look.outcome.lines)
+    stops = condition.replace("all ", "any ").replace(">", "<")
+    assert f"when {condition}\n" in written and f"when {stops}" in written
+    assert "input linear.x=0.2" in written and "linear.x=0.0" in written
+    assert "never drives" not in strings.review(look)
+
+
+def test_only_distances_are_driven_by() -> None:
+    hearing = "subscribe driver to 'battery_state' of message_type sensor_msgs/BatteryState\n"
+    it = course(NODE + hearing + HEARING)
+    form = form_after(it, MORE, DRIVE)
+
+    def choices(slot: str, query: str = "") -> list[str]:
+        filled = it.look().of(form)
+        assert filled is not None
+        return [each.text for each in it.choices(filled, slot, None, query)]
+
+    assert choices("condition") == [FAR + each for each in ("0.5", "0.3", "1", "2")]
+    assert choices("condition", "< 0.8")[:2] == [FAR + "0.8", FAR + "0.5"]
+    assert "battery_state" not in choices("trigger") and choices("trigger")[0] == "scan"
+    for slot, text, words in [
+        ("condition", "received.angle_min < 0.5", f"such as `{FAR}0.5`"),
+        ("trigger", "battery_state", "does not say how far away things are"),
+    ]:
+        kept = form.entered.copy()
+        form.enter(slot, text)
+        assert words in it.blocking(it.look())[0].words
+        form.entered = kept
+
+
+def test_a_robot_that_would_never_drive_is_told() -> None:
+    it = course("")
+    form = form_after(it, MAKE, DRIVE)
+    it.look()
+    message = form.makers["message"]
+    message.values[("linear", "x")] = "0"
+    look = to_menu_or_review(it)
+    assert strings.review(look).count("With this it never drives") == 1

@@ -15,6 +15,8 @@ from wizard_courses import (
     to_menu_or_review,
 )
 
+from plastron_tui.language import DECLARATIONS
+from plastron_tui.language import statements as st
 from plastron_tui.session import Session
 from plastron_tui.studio.wizard import strings
 from plastron_tui.studio.wizard.done_menu import done_items
@@ -55,6 +57,14 @@ def test_what_is_proposed_stands_first(program: str, first: str) -> None:
     if first == "add another node":
         assert items[0].about == "Nobody listens to the topic `chatter` yet: make a node that does."
     assert [item.title for item in items] == [first, *(each for each in ALWAYS if each != first)]
+
+
+def test_another_node_is_asked_for_at_once() -> None:
+    it = course(TALKER)
+    it.begin_with(DECLARATIONS[st.CreateNode])
+    assert it.page.form is not None and it.page.form is it.head_form
+    choose(it, REACT)
+    assert "'chatter'" in it.look().filled[-1].text
 
 
 def test_who_listens_is_proposed_to_who_speaks_alone() -> None:

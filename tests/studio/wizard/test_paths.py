@@ -205,7 +205,7 @@ def has_gone_on(driver: Driver, name: str) -> bool:
 async def test_from_nothing_to_two_nodes_that_talk_in_few_keys(
     here: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """From the welcome to two nodes that run, with every suggestion accepted: 14 keys."""
+    """From the welcome to two nodes that run, with every suggestion accepted: 13 keys."""
     runs: list[bool] = []
     monkeypatch.setattr(MainScreen, "action_run", lambda _, *given: runs.append(True))
     async with wizard_from_welcome() as it:
@@ -216,7 +216,7 @@ async def test_from_nothing_to_two_nodes_that_talk_in_few_keys(
             await driver.until(lambda: it.is_open or runs or has_gone_on(driver, name))  # noqa: B023
             if runs:
                 break
-        assert it.keys == 14
+        assert it.keys == 13
         session = Session(driver.text.encode(), environ={})
         assert session.diagnostics == ()
         (node, other) = session.workspace.nodes.values()

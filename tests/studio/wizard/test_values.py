@@ -17,6 +17,7 @@ from plastron_tui.studio.wizard.values import (
     entries_of,
     input_text,
     pieces,
+    problem_of,
     quoted,
 )
 
@@ -52,6 +53,20 @@ def test_what_is_entered_becomes_the_text(type_: str, values: dict[str, str], te
     line = f"create_message m of message_type {type_} and input {text}\n"
     session = Session(line.encode(), environ={})
     assert session.diagnostics == ()
+
+
+@pytest.mark.parametrize(
+    ("text", "problem"),
+    [
+        ("2 1", "put commas between: 2, 1"),
+        ("2, 1 0.5", "put commas between: 2, 1, 0.5"),
+        ("2 x", "`2 x`, value 1 of the list: ranges takes a number, such as 0.5"),
+        ("2, 1", None),
+    ],
+)
+def test_a_list_without_commas_is_told_where_they_go(text: str, problem: str | None) -> None:
+    ranges = next(each for each in form("LaserScan") if each.path == ("ranges",))
+    assert isinstance(ranges, Entry) and problem_of(ranges, text, 1) == problem
 
 
 def test_the_form_of_nested_messages_is_open() -> None:

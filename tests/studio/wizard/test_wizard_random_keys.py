@@ -23,7 +23,7 @@ KEYS = (
 
 @pytest.mark.parametrize("seed", mostly_long(range(3), [0]))
 async def test_random_keys(two: Path, seed: int, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(MainScreen, "action_run", lambda _: None)
+    monkeypatch.setattr(MainScreen, "action_run", lambda *_: None)
     two.with_name("sonar.py").write_text(NODE_FILE)
     chance = random.Random(seed)
     async with studio(two, chance.choice([(80, 24), (60, 20), (120, 40)])) as driver:

@@ -61,10 +61,10 @@ def test_a_new_robot_begins_with_a_body() -> None:
 def test_what_can_be_done_with_a_robot_names_it_and_its_package() -> None:
     alone = done_items(Session(f"{ROVER}generate_robot rover\n".encode(), None, environ={}), "")
     assert "robot" in alone["more"].about
-    assert alone["screen.run(True)"].closed == "the program has no node to run yet"
+    assert alone["screen.run(True, True)"].closed == "the program has no node to run yet"
     lines = "create_package 'pack' as pack\npack contains rover\ngenerate_package pack\n"
     packed = done_items(Session(f"{ROVER}{lines}".encode(), None, environ={}), "")
-    assert packed["screen.run(True)"].closed == ""
+    assert packed["screen.run(True, True)"].closed == ""
     assert alone["screen.show('robots')"].is_advised
     assert {"part", "package"} <= set(alone) and "package" not in packed
 

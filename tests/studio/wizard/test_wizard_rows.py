@@ -58,6 +58,9 @@ async def test_the_topic_that_is_there_comes_first_and_brings_its_type(here: Pat
         assert it.rows["topic"] == "camera/image_raw"
         assert it.row("type").is_fixed and it.rows["type"] == "Image"
         assert it.form.choices[0].note == "sensor_msgs/Image"
+        # What is typed after a choice takes its place, as in a field that Tab has led to.
+        await it.press("down", "x")
+        assert it.rows["topic"] == "x"
         assert it.form.choices[0].about == "from eye"
 
 

@@ -148,9 +148,9 @@ async def test_it_works_in_other_colours(here: Path, theme: str) -> None:
 
 
 async def test_a_low_window_has_its_rows_for_the_form(here: Path) -> None:
-    async with wizard(size=(80, 12)) as it:
+    async with wizard(size=(80, 10)) as it:
         await it.pick(MAKE)
-        for rows, has_sentence in ((12, False), (18, True), (17, False)):
+        for rows, has_sentence in ((10, False), (18, True), (10, False)):
             await it.pilot.resize_terminal(80, rows)
             await it.settle()
             sentence = it.form.query_one("#wizard-about")
