@@ -28,7 +28,7 @@ _UNREADABLE = frozenset({UNKNOWN, UNCLOSED_STRING})
 _MOST_STEPS = 3
 _MOST_TRIALS = 250
 _MOST_EXPLAINED = 10
-"""Of how many texts with another mistake it is found out after a step where that is."""
+"""Of how many texts that one line may become it is found out where their next mistake is."""
 _MOST_LINES = 4
 """How many texts that are right up to another place are gone on with after a step."""
 
@@ -90,8 +90,9 @@ def repaired(line: bytes) -> bytes | None:
     seen = {line}
     for _ in range(_MOST_STEPS):
         right: dict[bytes, Likelihood] = {}
-        farther: list[tuple[_Trial, _Trial]] = []
+        farther: list[_Trial] = []
         for trial in going_on:
+            made_of_it: list[_Trial] = []
             for text, likelihood in trial.changed():
                 if text in right:
                     right[text] = min(likelihood, right[text])
@@ -102,14 +103,14 @@ def repaired(line: bytes) -> bytes | None:
                 if made.is_right:
                     right[text] = likelihood
                 elif not right and trial.may_lead_to(made):
-                    farther.append((trial, made))
+                    made_of_it.append(made)
+            made_of_it.sort(key=lambda each: each.unmatched)
+            farther += (each for each in made_of_it[:_MOST_EXPLAINED] if each.left < trial.left)
         if right:
             best = min(right.values())
             likeliest = [text for text, likelihood in right.items() if likelihood is best]
             return likeliest[0] if len(likeliest) == 1 else None
-        likeliest_first = sorted(farther, key=lambda each: each[1].unmatched)[:_MOST_EXPLAINED]
-        led_on = [made for trial, made in likeliest_first if made.left < trial.left]
-        going_on = sorted(led_on, key=lambda each: each.left)[:_MOST_LINES]
+        going_on = sorted(farther, key=lambda each: each.left)[:_MOST_LINES]
     return None
 
 
