@@ -149,7 +149,7 @@ def keys(page: Page, is_done: bool, *, is_turn: bool = False) -> str:
     if page.kind in (PageKind.PURPOSE, PageKind.AWAY, PageKind.RECIPES):
         return "↑↓ Enter choose  Esc back"
     if page.kind is PageKind.REVIEW:
-        return "Enter finish  Tab box  Space tick  F1 help  Esc back"
+        return "Enter finish  Tab Space tick  F1 help  Esc back"
     return "Enter next  Tab field  ↑↓ choice  F1 help  Esc back"
 
 
