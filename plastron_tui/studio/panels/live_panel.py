@@ -62,7 +62,7 @@ _BINDINGS: list[BindingType] = [
     _asking("publish", "p", "Publish", "Send a message to the topic"),
     _asking("call", "c", "Call", "Call the service"),
     _asking("goal", "g", "Goal", "Send a goal to the action"),
-    _asking("cancel", "x", "Cancel", "Send to the topic no more, or cancel the goal"),
+    _asking("cancel", "x", "Stop sending", "Send to the topic no more, or cancel the goal"),
     _asking("set", "s", "Set", "Give the parameter another value"),
     _asking("restart", "r", "Watch again", "Start the monitor of the nodes again"),
     Binding(
@@ -258,6 +258,12 @@ class LivePanel(EntryList):
         if parameters[0] == "restart":
             return any(graph.problem for graph in self._graphs)
         return self._target(str(parameters[0])) is not None
+
+    @property
+    def key_titles(self) -> dict[str, str]:
+        """What its keys are called in the line of keys, where that hangs on the row."""
+        found = self._target("cancel")
+        return {"live.cancel": "Cancel the goal"} if found is not None and found.goal else {}
 
     def _target(self, what: str) -> LiveRow | None:
         """Return the row that something is asked for about, None where there is none."""

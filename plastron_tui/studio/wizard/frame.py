@@ -14,6 +14,8 @@ from textual.types import CSSPathType
 from textual.widget import Widget
 from textual.widgets import Button, Label
 
+from plastron_tui.diagnostics.terminal import visible
+
 from ..key_order import Paged
 from ..screens.dialog import Dialog
 from . import strings
@@ -189,7 +191,10 @@ class Frame(Paged, Dialog[str]):
     def _show_frame(self, page: Page, look: Look) -> None:
         """Show what is around the page."""
         title = strings.title(page, self.is_done, self.course.group)
-        step = "" if self.is_done or page.kind is PageKind.START else f"step {self.course.at}"
+        path = self.course.session.path
+        is_counted = not (self.is_done or page.kind is PageKind.START)
+        name = "" if path is None else visible(path.name)
+        step = strings.place(name, self.course.at if is_counted else 0)
         self.query_one("#wizard-title", Label).update(title)
         self.query_one("#wizard-step", Label).update(step)
         frame = self.query_one("#wizard-page", Vertical)
