@@ -104,7 +104,7 @@ class KeyBar(Toned):
         focused = self.screen.focused
         around = () if focused is None else focused.ancestors_with_self
         self._kept_now = () if any(isinstance(each, Dock) for each in around) else self._added
-        titles = {**self._titles, **getattr(screen.focused, "key_titles", {})}
+        titles = {**self._titles, **getattr(focused, "key_titles", {})}
         shown: dict[str, Binding] = {}
         for active in self.screen.active_bindings.values():
             binding = active.binding
