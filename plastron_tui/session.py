@@ -25,11 +25,11 @@ if TYPE_CHECKING:
     from plastron_tui.generating.generation import Generated
     from plastron_tui.language import Program
     from plastron_tui.language.incremental_lowering import Lowered
+    from plastron_tui.model.checkpoint import Learnt
     from plastron_tui.model.context import Setting
     from plastron_tui.model.interpreter import Interpretation
     from plastron_tui.model.own_types import OwnInterfaces
     from plastron_tui.model.source import FileSet
-    from plastron_tui.model.value_check import Fitter
     from plastron_tui.model.workspace import Generation, Node, Workspace
     from plastron_tui.output.plan import FilePlan
     from plastron_tui.project.configuration import Configuration
@@ -72,7 +72,7 @@ class Session:
         self._begun = begun
         self._program: Program | None = None
         self._earlier: Lowered | None = None
-        self._fitters: Mapping[int, Fitter] = {}
+        self._learnt: Learnt | None = None
         self._interpretation: Interpretation | None = None
         self._type_problems: tuple[Diagnostic, ...] = ()
 
@@ -160,12 +160,12 @@ class Session:
 
             self._earlier = Lowered(earlier.document.text, earlier._program)
         if earlier._interpretation is not None and earlier._configuration is self._configuration:
-            self._fitters = earlier._interpretation.fitters
+            self._learnt = earlier._interpretation.learnt
 
     def trust_changed(self) -> None:
         """Read the project file anew when it is asked next: the user trusts the project, or not."""
         self._configuration = self._configuration.anew()
-        self._fitters = {}
+        self._learnt = None
         self._files.starts.clear()  # what a file was made from may be read by now
         self._files.packages.clear()
         self._interpretation = None
@@ -192,10 +192,10 @@ class Session:
             loader = self._new_loader()
             setting = self._new_setting(loader)
             self._configuration.leave_type_problems()
-            self._interpretation = interpret(self.program, setting, self._fitters, pulse)
+            self._interpretation = interpret(self.program, setting, self._learnt, pulse)
             versions = self._interpretation.workspace.ros_versions(setting.ros_version)
             self._type_problems = self._configuration.type_problems(versions)
-            self._fitters = {}
+            self._learnt = None
             loader.forget_others()
         return self._interpretation
 

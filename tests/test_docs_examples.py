@@ -6,13 +6,14 @@ import os
 import re
 import shutil
 import subprocess
-import sys
+from collections.abc import Callable
 from pathlib import Path
 
 import pytest
+from command_line import Copies
 
 ROOT = Path(__file__).parents[1]
-PLASTRON = [sys.executable, "-c", "from plastron_tui.cli import main; main()"]
+Plastron = Callable[..., subprocess.CompletedProcess[str]]
 README = (ROOT / "README.md").read_text(encoding="utf-8")
 TUTORIAL = (ROOT / "docs" / "tutorial.md").read_text(encoding="utf-8")
 
@@ -37,16 +38,18 @@ def here(tmp_path: Path) -> Path:
     return tmp_path
 
 
-def plastron(here: Path, *arguments: str) -> subprocess.CompletedProcess[str]:
-    environ = {name: value for name, value in os.environ.items() if not name.startswith("ROS_")}
-    return subprocess.run(
-        [*PLASTRON, *arguments],
-        cwd=here,
-        env={**environ, "NO_COLOR": "1"},
-        capture_output=True,
-        text=True,
-        timeout=60,
-    )
+@pytest.fixture
+def plastron(copied: Copies, monkeypatch: pytest.MonkeyPatch) -> Plastron:
+    """Run plastron as a process, in a folder and with no ROS around it."""
+    for name in [name for name in os.environ if name.startswith("ROS_")]:
+        monkeypatch.delenv(name)
+
+    def plastron(folder: Path, *arguments: str) -> subprocess.CompletedProcess[str]:
+        done = copied.run(arguments, folder, b"", {"NO_COLOR": "1"}, is_debian=False)
+        out, err = done.stdout.decode(), done.stderr.decode()
+        return subprocess.CompletedProcess(done.args, done.returncode, out, err)
+
+    return plastron
 
 
 def change(here: Path, old: str, new: str, file: str = "robot.plastron") -> None:
@@ -60,14 +63,14 @@ def written(here: Path) -> set[str]:
     return {path.name for path in (here / "output").glob("*.py")}
 
 
-def test_the_readme_begins_with_a_program_that_is_right(tmp_path: Path) -> None:
+def test_the_readme_begins_with_a_program_that_is_right(tmp_path: Path, plastron: Plastron) -> None:
     (tmp_path / "a.plastron").write_text(only(README, "create_node"))
     done = plastron(tmp_path, "generate", "a.plastron")
     assert (done.returncode, done.stderr) == (0, "")
     assert written(tmp_path) == {"talker_pub.py"}
 
 
-def test_the_first_program_makes_the_files_that_are_named(here: Path) -> None:
+def test_the_first_program_makes_the_files_that_are_named(here: Path, plastron: Plastron) -> None:
     done = plastron(here, "generate", "robot.plastron")
     assert (done.returncode, done.stderr) == (0, "")
     named = set(re.findall(r"`output/(\w+\.py)`", TUTORIAL))
@@ -75,7 +78,7 @@ def test_the_first_program_makes_the_files_that_are_named(here: Path) -> None:
     assert "import rclpy" in (here / "output" / "talker_pub.py").read_text()
 
 
-def test_the_mistake_that_is_shown_is_what_is_printed(here: Path) -> None:
+def test_the_mistake_that_is_shown_is_what_is_printed(here: Path, plastron: Plastron) -> None:
     listener = "subscribe listener to 'chatter' of message_type "
     change(here, f"{listener}String", f"{listener}Int32")
     said = plastron(here, "check", "robot.plastron").stderr
@@ -85,14 +88,16 @@ def test_the_mistake_that_is_shown_is_what_is_printed(here: Path) -> None:
     assert said.startswith(only(README, "error["))
 
 
-def test_the_values_are_right(here: Path) -> None:
+def test_the_values_are_right(here: Path, plastron: Plastron) -> None:
     with (here / "robot.plastron").open("a") as program:
         program.write(only(TUTORIAL, "create_message"))
     done = plastron(here, "check", "robot.plastron")
     assert (done.returncode, done.stderr) == (0, "")
 
 
-def test_the_program_grows_and_the_code_that_was_written_by_hand_stays(here: Path) -> None:
+def test_the_program_grows_and_the_code_that_was_written_by_hand_stays(
+    here: Path, plastron: Plastron
+) -> None:
     with (here / "robot.plastron").open("a") as program:
         program.write(only(TUTORIAL, "create_node 'motor'"))
     assert plastron(here, "generate", "robot.plastron").stderr == ""
@@ -108,7 +113,7 @@ def test_the_program_grows_and_the_code_that_was_written_by_hand_stays(here: Pat
     assert "def on_alarm" in made
 
 
-def test_the_same_in_cpp_makes_the_files_that_are_named(here: Path) -> None:
+def test_the_same_in_cpp_makes_the_files_that_are_named(here: Path, plastron: Plastron) -> None:
     (command,) = re.findall(r"^plastron (generate .*--output cpp .*)$", TUTORIAL, re.MULTILINE)
     done = plastron(here, *command.split())
     assert (done.returncode, done.stderr) == (0, "")
@@ -122,13 +127,13 @@ def test_the_same_in_cpp_makes_the_files_that_are_named(here: Path) -> None:
     assert made == named
 
 
-def test_the_line_comes_before_the_node_is_generated(here: Path) -> None:
+def test_the_line_comes_before_the_node_is_generated(here: Path, plastron: Plastron) -> None:
     with (here / "robot.plastron").open("a") as program:
         program.write(only(TUTORIAL, "subscribe listener"))
     assert "warning[changed-after-generating]" in plastron(here, "check", "robot.plastron").stderr
 
 
-def test_the_node_of_somebody_else(tmp_path: Path) -> None:
+def test_the_node_of_somebody_else(tmp_path: Path, plastron: Plastron) -> None:
     shutil.copytree(ROOT / "examples", tmp_path / "examples", ignore=lambda *_: ["output"])
     program = (tmp_path / "examples" / "change_node.plastron").read_text()
     statements = [line for line in program.splitlines() if line and not line.startswith("//")]
@@ -141,7 +146,7 @@ def test_the_node_of_somebody_else(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize("page", [README, TUTORIAL], ids=["README", "tutorial"])
-def test_every_command_that_is_shown_is_one(page: str) -> None:
+def test_every_command_that_is_shown_is_one(page: str, plastron: Plastron) -> None:
     lines = [line for text in blocks(page, "sh") for line in text.splitlines()]
     shown = [line.partition("#")[0].split() for line in lines]
     commands = {words[1] for words in shown if words[:1] == ["plastron"] and len(words) > 1}

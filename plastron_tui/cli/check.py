@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import sys
 from pathlib import Path
 from typing import Any
@@ -32,11 +33,14 @@ def command(files: tuple[Path, ...], target: str | None, format_: str) -> None:
     diagnostics of all programs are one list on standard output. That nothing is wrong is said on a
     terminal only.
     """
+    from plastron_tui.ros.installations import sourced_version
     from plastron_tui.session import Options
 
     report = Report()
     found: list[dict[str, Any]] = []
-    for session in open_sessions(files, report, Options(target=target)):
+    # Of a ROS that is not sourced nobody knows whether it is the one that is to run the nodes.
+    options = Options(target, tells_absent=sourced_version(os.environ) is not None)
+    for session in open_sessions(files, report, options):
         diagnostics = session.diagnostics
         workspace = session.workspace
         if not (workspace.is_written or has_errors(diagnostics)):

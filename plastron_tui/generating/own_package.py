@@ -94,8 +94,15 @@ class OwnPackages:
         self._target_of = target_of
         self._in_place = in_place
         self._name = package_name(program, is_other)
-        targets = (target_of(each.library) for each in generations if self._is_free(each))
-        versions = {x.ros_version for x in targets if x is not None and x.language.is_built}
+        # There may be thousands of nodes, and few libraries.
+        targets = {name: target_of(name) for name in {each.library for each in generations}}
+        built = {
+            name: target.ros_version
+            for name, target in targets.items()
+            if target is not None and target.language.is_built
+        }
+        free = (each for each in generations if each.library in built and self._is_free(each))
+        versions = {built[each.library] for each in free}
         self._versions = frozenset(versions)
         is_alone = workspace is None or not (workspace.written_packages or workspace.types)
         self._is_output = len(versions) < 2 and is_alone
@@ -105,6 +112,11 @@ class OwnPackages:
         """Tell whether a node is in no package, and is not written where it comes from."""
         node = generation.node
         return node.home is None and not (self._in_place and node.source is not None)
+
+    @property
+    def are_any(self) -> bool:
+        """Whether a node has to be in one."""
+        return bool(self._versions)
 
     def placed(self, generation: Generation) -> Generation:
         """Return what is asked for, with the package that the node has to be in."""

@@ -104,8 +104,10 @@ class Derivation:
         source, origin = self.work.source, self.work.source.origin
         if origin is not None and origin.start is not None:
             return origin.start, made
-        pure = self.work.made_of_original() if self._is_from(place) else None
-        return (source.files, made) if origin is None or pure is None else (origin.files, pure)
+        if origin is None or origin.files == source.files or not self._is_from(place):
+            return source.files, made
+        pure = self.work.made_of_original()
+        return (source.files, made) if pure is None else (origin.files, pure)
 
     def _is_from(self, place: Place) -> bool:
         """Tell whether the source has the handwork of the very file that is written."""

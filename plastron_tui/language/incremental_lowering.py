@@ -90,7 +90,12 @@ class _Excerpts:
             each.moved(0 if each.span is None else self._distance(each.span))
             for each in found.diagnostics
         ]
-        return Program((*statements[:first], *made, *after), tuple(diagnostics), found.broken)
+        undecided = [
+            each._replace(span=each.span.moved(self._distance(each.span)))
+            for each in found.broken.undecided
+        ]
+        broken = found.broken._replace(undecided=tuple(undecided))
+        return Program((*statements[:first], *made, *after), tuple(diagnostics), broken)
 
     def _distance(self, span: Span) -> int:
         """Return how far a place is from where it is in the whole text."""

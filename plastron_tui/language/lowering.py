@@ -177,6 +177,25 @@ def lower(document: Document) -> Program:
     return Program(tuple(whole), (*diagnostics, *too_deep), what)
 
 
+def is_right(root: Node, source: bytes) -> bool:
+    """Tell whether a line is one statement, or only a comment, without a mistake.
+
+    Args:
+        root: the tree of the line alone.
+        source: the line.
+    """
+    if root.has_error:
+        return False
+    nodes = [node for node in root.children if node.kind_id not in COMMENTS]
+    if len(nodes) != 1:
+        return not nodes
+    plan = _PLANS.get(nodes[0].kind_id)
+    try:
+        return plan is not None and _lower_statement(nodes[0], plan, source) is not None
+    except TooDeep:
+        return False
+
+
 def _apart(
     source: bytes, found: Sequence[Statement], broken: Sequence[Node]
 ) -> tuple[list[Statement], list[Node]]:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 import re
 from collections.abc import Callable
+from fractions import Fraction
 from itertools import takewhile
 
 from plastron_tui.diagnostics import Diagnostic, Span, write
@@ -73,7 +74,7 @@ def _is_in(place: Place, *forms: Form) -> bool:
 
 
 def period(place: Place, found: Diagnostic) -> Diagnostic | None:
-    """Recognise `every 5 s` and `at 500 ms`, where a rate is wanted."""
+    """Recognise `every 5 s`, `every 0.1` and `at 500 ms`, where a rate is wanted."""
     declaration, at = place.declaration, place.at
     if declaration is None or all(slot.kind is not SlotKind.RATE for slot in declaration.slots):
         return None
@@ -84,10 +85,19 @@ def period(place: Place, found: Diagnostic) -> Diagnostic | None:
     number, unit, end = place.text(at + 1), place.text(at + 2), at + 3
     if number == "second":
         number, unit, end = "1", number, at + 2
+    elif place.text(at) != "at" and _has_exact_rate(number) and unit not in _SECONDS:
+        unit, end = "s", at + 2
     if unit not in _SECONDS or not re.fullmatch(r"\d*\.?\d+", number) or not float(number):
         return None
     rate = f"at {1 / (float(number) * _SECONDS[unit]):.6g} hz"
     return mended(found, "how often is said in hertz", place.span(at, end), rate)
+
+
+def _has_exact_rate(number: str) -> bool:
+    """Tell whether a number of seconds is a rate in few digits: 0.1 is 10, and 0.3 is none."""
+    if not re.fullmatch(r"\d{0,6}\.?\d{1,6}", number) or not float(number):
+        return False
+    return Fraction(f"{1 / float(number):.6g}") * Fraction(number) == 1
 
 
 def unit(place: Place, found: Diagnostic) -> Diagnostic | None:

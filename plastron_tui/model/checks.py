@@ -71,6 +71,7 @@ class Checks:
         self._workspace = workspace
         self._consequences = consequences
         self._versions: dict[str | None, int] = {}
+        self._shared: set[str] = set()
 
     def new_variable(self, statement: Statement, variable: str) -> None:
         """Check that a statement may give a variable its meaning."""
@@ -105,10 +106,10 @@ class Checks:
 
     def node(self, statement: Any) -> Node:
         """Return the node that a statement is about."""
-        node = self._workspace.nodes.get(statement.node)
-        if node is not None:
-            return node
         variable: str = statement.node
+        node = self._workspace.nodes.get(variable)
+        if node is not None:
+            return node if variable not in self._shared else self._own(variable)
         if self._consequences.declares(variable):
             raise Mistake
         where = statement.span_of("node")
@@ -122,6 +123,20 @@ class Checks:
         raise Mistake(
             Diagnostic(codes.UNKNOWN_NODE, f"no node `{variable}`", where, help=remedy, fix=fix)
         )
+
+    def share(self) -> None:
+        """Change no node any more that there is now, but a copy of it."""
+        self._shared = set(self._workspace.nodes)
+
+    def own_all(self) -> None:
+        """Have copies of all nodes that are shared."""
+        for variable in list(self._shared):
+            self._own(variable)
+
+    def _own(self, variable: str) -> Node:
+        self._shared.remove(variable)
+        node = self._workspace.nodes[variable] = self._workspace.nodes[variable].snapshot()
+        return node
 
     def library(self, statement: st.CreateNode | st.GenerateNode) -> str | None:
         """Return the client library that a statement names."""

@@ -29,6 +29,8 @@ class Consequences:
 
     def __init__(self) -> None:
         """Start with no mistake."""
+        self.is_used = False
+        """Whether a mistake was added, or anything asked: what the broken lines say counted."""
         self.begin(Broken())
 
     def begin(self, lines: Broken) -> None:
@@ -43,6 +45,7 @@ class Consequences:
 
     def add(self, statement: Statement) -> None:
         """Remember what a statement without effect was to make: it is broken, not missing."""
+        self.is_used = True
         declaration = DECLARATIONS[type(statement)]
         filled = [(slot.kind, getattr(statement, slot.name)) for slot in declaration.slots]
         made = (text for kind, text in filled if kind.makes is not None)
@@ -60,10 +63,12 @@ class Consequences:
 
     def add_nodes(self, variables: set[str]) -> None:
         """Note that nodes lack something that a statement meant for them."""
+        self.is_used = True
         self._nodes |= variables
 
     def declares(self, variable: str) -> bool:
         """Tell whether a variable that is not there was to be declared by a broken statement."""
+        self.is_used = True
         if variable not in self._declared and self._lost > 0:
             self._lost -= 1
             self._declared.add(variable)
@@ -71,10 +76,12 @@ class Consequences:
 
     def mentions(self, name: str) -> bool:
         """Tell whether a broken line has a word or a quoted name."""
+        self.is_used = True
         return name in self._lines.words
 
     def has_part(self, name: str) -> bool:
         """Tell whether a statement about a link or a joint of this name has no effect."""
+        self.is_used = True
         return name in self._parts
 
     def explains(self, node: Node, name: str) -> bool:
@@ -82,6 +89,7 @@ class Consequences:
 
         A program writes the private name of a parameter of ROS 1 without what says so.
         """
+        self.is_used = True
         variable, lines = node.variable, self._lines
         return (
             variable in lines.unfinished
@@ -95,10 +103,12 @@ class Consequences:
 
     def may_name(self, file: str, nodes: Mapping[str, Node]) -> bool:
         """Tell whether a file may be that of a node which a mistake kept from what it was to be."""
+        self.is_used = True
         names = {*self._uncreated, *(n.name for n in nodes.values() if self.is_unfinished(n))}
         return any(file == name or file.startswith(f"{name}_") for name in names)
 
     def is_unfinished(self, node: Node) -> bool:
         """Tell whether a mistake kept a node from having what it was to have."""
+        self.is_used = True
         variable, lines = node.variable, self._lines
         return variable in self._nodes or variable in lines.words or "" in lines.unfinished

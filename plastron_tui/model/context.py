@@ -79,6 +79,10 @@ def _no_mesh_problem(uri: str) -> tuple[str, str | None]:
     return "", None
 
 
+Absent = Callable[[int, str], "Diagnostic | None"]
+"""Says that a package of types is not installed in the ROS of a generation that is to run nodes."""
+
+
 class Setting(NamedTuple):
     """What a program is interpreted in.
 
@@ -96,6 +100,7 @@ class Setting(NamedTuple):
         mesh_bounds: tells the lowest and the highest corner of a mesh that a robot has.
         mesh_problem: says why that is not known, "" where it is, and what to do.
         is_chosen: whether somebody chose `library`; otherwise it is what there is on this machine.
+        absent: says which packages of types are not installed, None where nobody wants to know.
     """
 
     library: str
@@ -111,6 +116,7 @@ class Setting(NamedTuple):
     read_robot: RobotReader = no_robot
     mesh_bounds: MeshBounds = _no_mesh
     mesh_problem: Callable[[str], tuple[str, str | None]] = _no_mesh_problem
+    absent: Absent | None = None
 
     def ros_version(self, library: str | None) -> int:
         """Return the generation of ROS of a client library; of the program's for one unknown."""

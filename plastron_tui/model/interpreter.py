@@ -6,7 +6,7 @@ from a mistake gives none.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from functools import partial
 from typing import Any, NamedTuple
 
@@ -14,8 +14,11 @@ from plastron_tui.diagnostics import Diagnostic, has_errors
 from plastron_tui.language import statements as st
 from plastron_tui.language.declaration import Statement
 from plastron_tui.language.lowering import Program
+from plastron_tui.ros.interfaces import Interface, InterfaceKind, InterfaceName
 
 from . import launch_statements, robot_statements
+from .absent_packages import absent_packages
+from .checkpoint import NOTHING, Learnt, is_clean, resume, take
 from .circles import check_circles
 from .context import Setting
 from .kinds import EDITABLE, EndpointKind
@@ -24,6 +27,7 @@ from .load_package import load_package
 from .meetings import check_meetings
 from .mistake import Mistake
 from .node_statements import create_node, generate_node, load
+from .other_things import decided
 from .own_types import OwnInterfaces
 from .package_statements import contains, create_package, generate_package, no_longer_contains
 from .rename import rename
@@ -41,7 +45,6 @@ from .type_statements import (
     no_longer_has_field,
 )
 from .unconditional_motion import check_motion
-from .value_check import Fitter
 from .workspace import Node, Workspace
 
 
@@ -51,14 +54,13 @@ class Interpretation(NamedTuple):
     Attributes:
         workspace: what it builds.
         diagnostics: what is wrong with it.
-        fitters: what knows the values of its statements, by generation of ROS: a help with the
-            same program after an edit.
+        learnt: a help with the same program after an edit.
         own_types: its own interface types, by generation of ROS.
     """
 
     workspace: Workspace
     diagnostics: tuple[Diagnostic, ...]
-    fitters: Mapping[int, Fitter]
+    learnt: Learnt
     own_types: Mapping[int, OwnInterfaces] = {}
 
 
@@ -69,7 +71,7 @@ _STRETCH = 256
 def interpret(
     program: Program,
     setting: Setting,
-    fitters: Mapping[int, Fitter] | None = None,
+    earlier: Learnt | None = None,
     pulse: Callable[[], None] | None = None,
 ) -> Interpretation:
     """Run the statements of a program and return the workspace that they build.
@@ -77,11 +79,14 @@ def interpret(
     Args:
         program: the statements.
         setting: what they are interpreted in.
-        fitters: those of an interpretation of the program before it was edited.
+        earlier: what an interpretation of the program before it was edited has left.
         pulse: called now and then; what it raises ends the interpretation.
     """
-    interpreter = Interpreter(setting, fitters)
+    interpreter = Interpreter(setting, earlier or NOTHING)
     diagnostics = interpreter.run(program, pulse)
+    diagnostics += tuple(
+        absent_packages(program, interpreter.workspace, setting, interpreter.type_named)
+    )
     # In a program with a mistake, the statement that generates may be the mistake.
     if not has_errors(diagnostics):
         workspace, version_of = interpreter.workspace, interpreter.version_of
@@ -95,7 +100,14 @@ def interpret(
         diagnostics += tuple(check_joint_names(program, workspace))
     workspace = interpreter.workspace
     own_types = {each: interpreter.own_types(each) for each in (1, 2)} if workspace.types else {}
-    return Interpretation(workspace, diagnostics, interpreter.fitters, own_types)
+    return Interpretation(workspace, diagnostics, interpreter.learnt, own_types)
+
+
+def _stretches(start: int, mark: int, end: int) -> Iterator[tuple[int, int]]:
+    """Yield from where to where statements are run at once; one of them begins at the mark."""
+    for low, high in ((start, mark), (max(start, mark), end)):
+        for first in range(low, high, _STRETCH):
+            yield first, min(first + _STRETCH, high)
 
 
 def _end(kind: EndpointKind, run: Run, statement: Statement) -> None:
@@ -132,9 +144,12 @@ HANDLERS: dict[type[Statement], Callable[[Run, Any], None]] = {
 class Interpreter:
     """Runs programs, one after the other, in one workspace."""
 
-    def __init__(self, setting: Setting, fitters: Mapping[int, Fitter] | None = None) -> None:
+    def __init__(self, setting: Setting, earlier: Learnt = NOTHING) -> None:
         """Start with an empty workspace; the arguments are those of `interpret`."""
-        self._run = Run(setting, fitters or {})
+        self._run = Run(setting, earlier.fitters)
+        self._earlier = earlier
+        self.learnt = NOTHING
+        """What the last program leaves to the same one after an edit."""
 
     @property
     def workspace(self) -> Workspace:
@@ -145,28 +160,36 @@ class Interpreter:
         """Return the generation of ROS that a node is for."""
         return self._run.checks.version_of(node)
 
+    def type_named(self, text: str, kind: InterfaceKind, version: int) -> InterfaceName | None:
+        """Return the full name of a type that a program names, None for what is none."""
+        found = self._run.types.resolver(version).resolve(text, kind)
+        return found.name if isinstance(found, Interface) else None
+
     def own_types(self, version: int) -> OwnInterfaces:
         """Return the program's own interface types in a generation of ROS."""
         return self._run.types.own_interfaces(version)
-
-    @property
-    def fitters(self) -> dict[int, Fitter]:
-        """What knows the values of the statements, by generation of ROS."""
-        return self._run.types.fitters
 
     def run(
         self, program: Program, pulse: Callable[[], None] | None = None
     ) -> tuple[Diagnostic, ...]:
         """Run the statements of a program, and return all that is wrong with it, in its order."""
-        self._run.begin(program)
-        for first in range(0, len(program.statements), _STRETCH):
+        run, statements = self._run, program.statements
+        run.begin(program)
+        earlier, self._earlier = self._earlier, NOTHING
+        start, mark = resume(run, earlier, statements)
+        checkpoint, clean = earlier.checkpoint if start else None, len(statements)
+        for first, last in _stretches(start, mark, len(statements)):
             if pulse is not None:
                 pulse()
-            self._run_all(program.statements[first : first + _STRETCH])
-        found = self._run.found
+            if first == mark > start and is_clean(run):
+                checkpoint = take(run, statements, first)
+            self._run_all(statements[first:last])
+            clean = clean if is_clean(run) else min(clean, first)
+        self.learnt = Learnt(statements, run.types.fitters, checkpoint, clean)
+        found = run.found
         if program.diagnostics:
             found += [(0 if each.span is None else each.span.start, each)
-                      for each in program.diagnostics]  # fmt: skip
+                      for each in decided(self._run.workspace, program)]  # fmt: skip
             found.sort(key=lambda entry: entry[0])
         return tuple([each for _, each in found])
 

@@ -26,7 +26,8 @@ class LaterTypes:
         """Take the statements that make types, in their order."""
         self._made: dict[tuple[str, InterfaceKind], Statement] = {}
         self._told: dict[str, Statement] = {}
-        for each in statements:
+        has_any = not _MADE.keys().isdisjoint(map(type, statements))
+        for each in statements if has_any else ():
             kind = _MADE.get(type(each))
             if kind is not None:
                 self._made.setdefault((_bare(_type_of(each)), kind), each)

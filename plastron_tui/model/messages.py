@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping
 from contextlib import suppress
+from typing import NamedTuple
 
 from plastron_tui.diagnostics import Diagnostic, codes, guess
 from plastron_tui.language import statements as st
@@ -18,6 +19,18 @@ from .mistake import Mistake
 from .named_types import NamedTypes
 from .values import MessageValue
 from .workspace import Workspace
+
+
+class MessageHistory(NamedTuple):
+    """How the messages of a program were made, all for its own ROS.
+
+    Attributes:
+        statements: what made each, by its variable.
+        variants: what each is in another generation of ROS; None where it is nothing there.
+    """
+
+    statements: Mapping[str, st.CreateMessage]
+    variants: Mapping[tuple[str, int], Message | None]
 
 
 class Messages:
@@ -50,6 +63,22 @@ class Messages:
         """Go on with another program."""
         self._program = program
         self._here = set()
+
+    @property
+    def are_sure(self) -> bool:
+        """Whether the rest of the program had no part in how they were made so far."""
+        return not self._foreign
+
+    @property
+    def history(self) -> MessageHistory:
+        """How they were made so far."""
+        return MessageHistory(dict(self._made), dict(self._variants))
+
+    def resume(self, made: MessageHistory) -> None:
+        """Start with those that the first statements of the program have made."""
+        self._made.update(made.statements)
+        self._here.update(made.statements)
+        self._variants.update(made.variants)
 
     def create(self, statement: st.CreateMessage) -> None:
         """Make the message that a statement asks for."""

@@ -157,10 +157,11 @@ class NamedTypes:
 
     def begin(self, program: Program) -> None:
         """Go on with another program, whose first package its types belong to."""
-        packages = (
-            each for each in program.statements if isinstance(each, CreatePackage | LoadPackage)
-        )
-        first = next(packages, None)
+        kinds = set(map(type, program.statements))
+        first = None
+        if not kinds.isdisjoint((CreatePackage, LoadPackage)):
+            packages = (CreatePackage, LoadPackage)
+            first = next(each for each in program.statements if isinstance(each, packages))
         self._package = self._package if first is None else self._name_of(first)
         self._uses = []
         self._later = LaterTypes(program.statements)
@@ -220,6 +221,11 @@ class NamedTypes:
             return self._fit(use.statement, type_, use.version, use.slot)
         except Mistake:
             return None
+
+    @property
+    def catalogs(self) -> dict[int, Catalog]:
+        """The interface types that were asked for, by generation of ROS."""
+        return {version: resolver.catalog for version, resolver in self._resolvers.items()}
 
     def resolver(self, version: int) -> TypeResolver:
         """Return what looks types up in a generation of ROS."""

@@ -5,10 +5,12 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import TYPE_CHECKING
 
-from plastron_tui.diagnostics import Fix, Span, write
+from plastron_tui.diagnostics import Diagnostic, Fix, Span, write
 from plastron_tui.language import DECLARATIONS, Statement
 
 if TYPE_CHECKING:
+    from plastron_tui.language.lowering import Program
+
     from .workspace import Workspace
 
 _GENERATED_BY: Mapping[str, str] = {
@@ -36,3 +38,27 @@ def another(
     start = statement.span.start
     fix = write(right, Span(start, start + len(keyword)))
     return f"{told}: {fix.title}", fix
+
+
+def decided(workspace: Workspace, program: Program) -> tuple[Diagnostic, ...]:
+    """Return the mistakes in the lines of a program, knowing what its variables stand for.
+
+    With a node `pilot`, `generate pilot` can be nothing else than `generate_node pilot`.
+    """
+    right: dict[Span | None, str] = {}
+    for span, words, variable in program.broken.undecided:
+        found = workspace.what(variable)
+        word = None if found is None else _GENERATED_BY.get(found[0])
+        if word in words:
+            right[span] = word
+    return tuple(
+        [
+            _meant(each, right[each.span]) if each.span in right else each
+            for each in program.diagnostics
+        ]
+    )
+
+
+def _meant(found: Diagnostic, word: str) -> Diagnostic:
+    assert found.span is not None, "a mistake of a line stands in it"
+    return found._replace(help=f"did you mean `{word}`?", fix=write(word, found.span))

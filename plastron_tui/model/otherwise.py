@@ -4,8 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from plastron_tui.ros.motion import is_command
+
 from .kinds import Condition, Publication, Publisher
-from .unconditional_motion import COMMANDS, moves
+from .unconditional_motion import moves
 
 _OPPOSITE = {("all", ">"): ("any", "<"), ("all", "<"): ("any", ">"),
              (None, ">"): (None, "<"), (None, "<"): (None, ">")}  # fmt: skip
@@ -24,7 +26,7 @@ def driven_while(publisher: Publisher, stops: Sequence[Publication]) -> Conditio
         stops: what is sent under one condition.
     """
     first = stops[0].reaction
-    if str(publisher.type) not in COMMANDS or first is None or first.condition is None:
+    if not is_command(str(publisher.type)) or first is None or first.condition is None:
         return None
     if any(moves(each.message.value) for each in stops):
         return None

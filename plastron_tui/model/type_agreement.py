@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 
 from plastron_tui.diagnostics import Diagnostic, Label, codes, write
 from plastron_tui.language.declaration import Statement
@@ -27,7 +27,9 @@ _Place = tuple[InterfaceKind | None, int, str]
 @dataclass(slots=True)
 class _Use:
     type: InterfaceName
-    users: dict[_User, Statement] = field(default_factory=dict)
+    users: dict[_User, Statement]
+    owner: object
+    """Who may change it; for others it is a value."""
 
 
 class Agreements:
@@ -39,6 +41,20 @@ class Agreements:
     def __init__(self) -> None:
         """Start with nothing in use."""
         self._uses: dict[_Place, _Use] = {}
+        # Not this object itself: it would be a cycle, and the collector works seldom.
+        self._owner = object()
+
+    def fork(self) -> Agreements:
+        """Return the same once more: what happens to the one is nothing to the other."""
+        other = Agreements()
+        other._uses = dict(self._uses)
+        self._owner = object()
+        return other
+
+    def _own(self, place: _Place, use: _Use) -> _Use:
+        if use.owner is not self._owner:
+            use = self._uses[place] = _Use(use.type, dict(use.users), self._owner)
+        return use
 
     def join(
         self, node: Node, version: int, endpoint: Endpoint, statement: Statement
@@ -49,9 +65,11 @@ class Agreements:
         use = self._uses.get(place)
         if use is None:
             assert isinstance(endpoint.type, InterfaceName)
-            use = self._uses[place] = _Use(endpoint.type)
+            use = self._uses[place] = _Use(endpoint.type, {}, self._owner)
         elif use.type != endpoint.type:
             return _conflict(use, endpoint, kind, statement)
+        else:
+            use = self._own(place, use)
         use.users.setdefault((node.variable, kind), statement)
         return None
 
@@ -91,6 +109,7 @@ class Agreements:
         use = self._uses.get(place)
         if use is None:
             return
+        use = self._own(place, use)
         use.users.pop((node.variable, kind), None)
         if not use.users:
             del self._uses[place]

@@ -7,21 +7,12 @@ from collections.abc import Callable, Iterator
 from typing import NamedTuple
 
 from plastron_tui.diagnostics import Diagnostic, Label, Span, codes
+from plastron_tui.ros.motion import is_command
 from plastron_tui.ros.names import resolved_name
 
 from .kinds import Publication, Publisher
 from .values import MessageValue
 from .workspace import Node, Workspace
-
-COMMANDS = frozenset(
-    {
-        *("geometry_msgs/Twist", "geometry_msgs/TwistStamped"),
-        *("geometry_msgs/Accel", "geometry_msgs/AccelStamped"),
-        *("geometry_msgs/Wrench", "geometry_msgs/WrenchStamped"),
-        *("ackermann_msgs/AckermannDrive", "ackermann_msgs/AckermannDriveStamped"),
-    }
-)
-"""The types that say how a robot moves: of others, two messages of one topic may both be meant."""
 
 
 class _Sent(NamedTuple):
@@ -44,7 +35,8 @@ def check_motion(workspace: Workspace, version_of: Callable[[Node], int]) -> Ite
     conditional: dict[tuple[int, str], _Sent] = {}
     for node in workspace.nodes.values():
         for publisher in node.of(Publisher).values():
-            if str(publisher.type) not in COMMANDS:
+            # Of other types, two messages of one topic may both be meant.
+            if not is_command(str(publisher.type)):
                 continue
             place = version_of(node), resolved_name(node.name, publisher.name)
             for each in publisher.publications:

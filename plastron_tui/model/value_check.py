@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from functools import partial
 from math import isinf
 
@@ -56,6 +56,10 @@ _AtPath = tuple[tuple[str, ...], InputValue, SyntaxNode]
 """A value with the names that lead to its field, and what its mistakes are said of."""
 
 
+Fitted = tuple[Input, Interface, MessageValue]
+"""The values of a statement, their type, and what they are of it."""
+
+
 class Fitter:
     """Fits the values of a program to the types of one distribution.
 
@@ -68,11 +72,20 @@ class Fitter:
         self._catalog = catalog
         self._leaves: dict[InterfaceName, Leaves | None] = {}
         # By identity, which the values keep as long as they stand here too.
-        self._fitted: dict[int, tuple[Input, Interface, MessageValue]] = {}
+        self._fitted: dict[int, Fitted] = {}
         self._misfits: list[Diagnostic] = []
-        self._earlier: dict[int, tuple[Input, Interface, MessageValue]] = {}
+        self._earlier: Mapping[int, Fitted] = {}
         if earlier is not None and earlier._catalog is catalog:
             self._earlier = earlier._fitted
+
+    @property
+    def fitted(self) -> dict[int, Fitted]:
+        """What was fitted so far."""
+        return dict(self._fitted)
+
+    def resume(self, fitted: Mapping[int, Fitted]) -> None:
+        """Know what the first statements of the program have fitted."""
+        self._fitted.update(fitted)
 
     def fit(
         self, type_: Interface, fields: Sequence[Field], statement: Statement, slot: str

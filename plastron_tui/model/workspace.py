@@ -187,7 +187,7 @@ class Node:
             self.library,
             self.source,
             by_kind,
-            self.removed,
+            dict(self.removed),
             dict(self.renamed),
             is_managed=self.is_managed,
             home=self.home,

@@ -5,6 +5,7 @@ It is read when it is first asked for, and made anew when the user trusts the pr
 
 from __future__ import annotations
 
+import sys
 from collections.abc import Collection, Mapping
 from dataclasses import replace
 from functools import cached_property, partial
@@ -29,10 +30,13 @@ from plastron_tui.project.settings import (
     outside_definition,
     outside_output,
 )
+from plastron_tui.ros.installations import Origin
+from plastron_tui.ros.installed_packages import InstalledPackages, installed_packages
 from plastron_tui.targets import LIBRARIES
 
 if TYPE_CHECKING:
     from plastron_tui.generating.apply_changes import Library
+    from plastron_tui.model.context import Absent
     from plastron_tui.ros.catalog import Catalog
 
 
@@ -51,6 +55,7 @@ class Configuration:
         self.options = options
         self.environ = environ
         self._catalogs: dict[int, Catalog] = {}
+        self._packages: dict[int, InstalledPackages | None] = {}
         self._libraries: dict[str, Library | None] = {}
 
     def anew(self) -> Configuration:
@@ -130,6 +135,29 @@ class Configuration:
         installed = installed_folders(self.environ, ros_version)
         refusal = partial(outside_definition, folders=own, boundary=self.boundary)
         return Catalog(distribution, own, installed, refusal)
+
+    @property
+    def absent(self) -> Absent | None:
+        """What says which packages of types are not installed, None where it is not asked for."""
+        return self._absent if self.options.tells_absent else None
+
+    def _absent(self, ros_version: int, package: str) -> Diagnostic | None:
+        from plastron_tui.runtime.environment import Environment, missing_package
+
+        here = self._installed(ros_version)
+        catalog = self.catalog(ros_version)
+        if here is None or here.has(package) or not catalog.has_package(package):
+            return None
+        origin, _, distribution = here.installation
+        if origin is not Origin.SOURCED and catalog.table_package(package) is not None:
+            return None  # it is built when a node is run
+        environment = Environment(origin, ros_version, distribution, Path(sys.executable))
+        return missing_package(environment, package)
+
+    def _installed(self, ros_version: int) -> InstalledPackages | None:
+        if ros_version not in self._packages:
+            self._packages[ros_version] = installed_packages(ros_version, self.environ)
+        return self._packages[ros_version]
 
     def type_problems(self, versions: Collection[int] = (1, 2)) -> tuple[Diagnostic, ...]:
         """Return what is wrong with definitions that were asked for, or since they were left.

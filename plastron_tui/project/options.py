@@ -16,6 +16,7 @@ class Options(NamedTuple):
         force: whether a created node is written anew where its file was changed by hand.
         distribution: the distribution whose types count, for nodes of its generation of ROS.
         is_writing: whether files are to be written: what is not trusted is then an error.
+        tells_absent: whether a type is told of whose package the ROS of this machine lacks.
     """
 
     target: str | None = None
@@ -24,3 +25,4 @@ class Options(NamedTuple):
     force: bool = False
     distribution: str | None = None
     is_writing: bool = False
+    tells_absent: bool = False

@@ -127,6 +127,12 @@ class BuiltPlaces:
         """Return what is asked for, with the package that the node has to be in."""
         return self._own.placed(generation)
 
+    def all_placed(self, generations: Sequence[Generation]) -> tuple[Generation, ...]:
+        """Return all that is asked for, each with the package that the node has to be in."""
+        if not self._own.are_any:
+            return tuple(generations)
+        return tuple([self._own.placed(each) for each in generations])
+
     def files_around(self, made: Sequence[Generated]) -> FilesAround:
         """Return the files of the package around that change for the nodes in it."""
         homes = [(each.generation, each.generation.node.home) for each in made]

@@ -76,7 +76,7 @@ class Planner:
     @cached_property
     def placed(self) -> tuple[Generation, ...]:
         """All that is generated, each in the package that it has to be in."""
-        return tuple(self._places.placed(each) for each in self._asked)
+        return self._places.all_placed(self._asked)
 
     def generated(self) -> tuple[Generated, ...]:
         """Make the files of all that is generated.

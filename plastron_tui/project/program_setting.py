@@ -57,6 +57,7 @@ def new_setting(
         robots.read,
         robots.sizes.bounds,
         robots.sizes.problem,
+        configuration.absent,
     )
 
 

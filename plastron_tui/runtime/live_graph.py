@@ -9,6 +9,8 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any, NamedTuple, TypeVar
 
+from .live_parts import LiveEnd, LiveGoal, LiveParameter, ends_of, goal_of, parameter_of
+
 MOST_SAMPLES = 60
 """So many of the latest numbers are kept of a topic, and of each field that is looked at."""
 _MOST_NAMES = 5000
@@ -24,14 +26,6 @@ class LiveField(NamedTuple):
 
     path: str
     text: str
-
-
-class LiveEnd(NamedTuple):
-    """A node at a topic: whether it publishes there, and with which quality of service."""
-
-    node: str
-    sends: bool
-    qos: str = ""
 
 
 @dataclass(slots=True)
@@ -109,53 +103,18 @@ class LiveAction(NamedTuple):
     is_gone: bool = False
 
 
-class LiveGoal(NamedTuple):
-    """A goal that was sent from here.
+class LiveSending(NamedTuple):
+    """A message that is sent from here again and again.
 
     Attributes:
-        number: its number.
-        action: the name of the action.
-        sent: its values, in a line.
-        state: how far it is, in words.
-        text: the last feedback, or the result.
-        is_over: whether nothing comes of it any more.
-        is_failure: whether it ended, and was not reached.
+        rate: how often a second; 0 where it is not sent any more.
+        text: what is in it.
+        problem: why it could not be sent, "" where it is.
     """
-
-    number: int
-    action: str
-    sent: str
-    state: str
-    text: str = ""
-    is_over: bool = False
-    is_failure: bool = False
-
-
-class LiveSending(NamedTuple):
-    """A message that is sent from here again and again: how often a second, and what is in it."""
 
     rate: float
     text: str
-
-
-class LiveParameter(NamedTuple):
-    """A parameter of a node.
-
-    Attributes:
-        name: its name.
-        value: its value, None where it has none.
-        type: its type as programs name it, "" for one that cannot be set here.
-        range: the least and the greatest value, None where nothing limits them.
-        about: what the node says about it.
-        is_read_only: whether nobody can set it.
-    """
-
-    name: str
-    value: bool | int | float | str | tuple[Any, ...] | None
-    type: str = ""
-    range: tuple[float, float] | None = None
-    about: str = ""
-    is_read_only: bool = False
+    problem: str = ""
 
 
 class NodeEnd(NamedTuple):
@@ -230,12 +189,12 @@ class LiveGraph:
                         if name in self.topics:
                             self.topics[name].take(row)
                 case "parameters":
-                    rows = tuple(_parameter(row) for row in report["rows"])
+                    rows = tuple(parameter_of(row) for row in report["rows"])
                     self.parameters[str(report["node"])] = rows
                 case "sending":
                     self._take_sending(report)
                 case "goal":
-                    goal = _goal(report)
+                    goal = goal_of(report)
                     self.goals[goal.number] = goal
                     for number in list(self.goals)[:-_MOST_GOALS]:
                         del self.goals[number]
@@ -256,7 +215,7 @@ class LiveGraph:
             if topic is None or topic.type != type_:
                 topic = LiveTopic(str(name), str(type_))
             topic.publishers, topic.subscribers = int(publishers), int(subscribers)
-            topic.nodes, topic.ends = _names(more), _ends(more)
+            topic.nodes, topic.ends = _names(more), ends_of(more)
             topic.is_gone = False
             found[topic.name] = topic
         for name, topic in self.topics.items():
@@ -299,8 +258,9 @@ class LiveGraph:
 
     def _take_sending(self, report: Mapping[str, Any]) -> None:
         name, rate = str(report["name"]), float(report["rate"])
-        if rate > 0:
-            self.sendings[name] = LiveSending(rate, str(report["text"]))
+        problem = str(report.get("problem", ""))
+        if rate > 0 or problem:
+            self.sendings[name] = LiveSending(rate, str(report["text"]), problem)
         else:
             self.sendings.pop(name, None)
 
@@ -362,36 +322,6 @@ def _with_gone(before: Mapping[str, _Named], now: Iterable[_Named]) -> dict[str,
     return dict(sorted({**gone, **there}.items())[:_MOST_NAMES])
 
 
-def _ends(more: Sequence[Iterable[Any]]) -> tuple[LiveEnd, ...]:
-    """Return who does what at a topic: the second list of a report, if it has one."""
-    found = more[1] if len(more) > 1 else ()
-    return tuple(LiveEnd(str(node), bool(sends), str(qos)) for sends, node, qos in found)
-
-
 def _names(nodes: Sequence[Iterable[object]]) -> frozenset[str]:
     """Return the names of nodes, the first list of a report, if it has one."""
     return frozenset(map(str, nodes[0])) if nodes else frozenset()
-
-
-def _goal(report: Mapping[str, Any]) -> LiveGoal:
-    return LiveGoal(
-        int(report["id"]),
-        str(report["name"]),
-        str(report["sent"]),
-        str(report["state"]),
-        str(report["text"]),
-        bool(report["is_over"]),
-        bool(report["is_failure"]),
-    )
-
-
-def _parameter(row: Mapping[str, Any]) -> LiveParameter:
-    value, limits = row["value"], row.get("range")
-    return LiveParameter(
-        str(row["name"]),
-        tuple(value) if isinstance(value, list) else value,
-        str(row["type"]),
-        None if limits is None else (float(limits[0]), float(limits[1])),
-        str(row["about"]),
-        bool(row["is_read_only"]),
-    )

@@ -26,11 +26,15 @@ BYTES_PER_STEP = 8
 
 
 class Effort:
-    """What is left of the steps for a file, and for the question that is asked just now."""
+    """What is left of the steps for a file, and for the question that is asked just now.
+
+    Attributes:
+        in_all: what is left for the file.
+    """
 
     def __init__(self, size: int) -> None:
         """Set the size of the file, in bytes."""
-        self._in_all = LEAST_IN_ALL + size // BYTES_PER_STEP
+        self.in_all = LEAST_IN_ALL + size // BYTES_PER_STEP
         self._left = 0
         self._taken = 0
         self._depth = 0
@@ -39,7 +43,7 @@ class Effort:
         """Begin with a question, or with one that another asks in turn."""
         if self._depth == 0:
             self._taken = 0
-            self._left = min(MOST_STEPS, max(FREE_STEPS, self._in_all))
+            self._left = min(MOST_STEPS, max(FREE_STEPS, self.in_all))
         self._depth += 1
 
     def end(self) -> bool:
@@ -51,7 +55,7 @@ class Effort:
         """Take a step; tell whether there was one left, and no question too many asked another."""
         self._left -= 1
         self._taken += 1
-        self._in_all -= self._taken > FREE_STEPS
+        self.in_all -= self._taken > FREE_STEPS
         return self._left > 0 and self._depth <= MOST_NESTED
 
 

@@ -7,8 +7,7 @@ palette as well. The configuration file binds other keys by the ids.
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NamedTuple
 
 from textual.binding import Binding
 
@@ -20,8 +19,7 @@ if TYPE_CHECKING:
     from .key_conflicts import KeyOwner
 
 
-@dataclass(frozen=True, slots=True)
-class Action:
+class Action(NamedTuple):
     """Something that can be done.
 
     Attributes:
@@ -81,7 +79,7 @@ ACTIONS: tuple[Action, ...] = (
     Action("panels", "Show or hide the panels", "screen.panels", "f9",
            "Make room for the text, or show the panels again."),
     Action("menu", "Menu", "screen.menu", "f10,ctrl+p",
-           "All actions, by their names.", footer=True, kept=True),
+           "All actions, by their names, and the names of this program.", footer=True, kept=True),
     Action("zoom", "Enlarge the panel", "screen.zoom", "ctrl+t,alt+m",
            "Let the panel have the whole window, or its place again."),
     Action("wider", "Make the panel larger", "screen.resize(4)", "alt+plus,alt+equals_sign",
@@ -95,6 +93,13 @@ ACTIONS: tuple[Action, ...] = (
     ),
     Action("fix", "Fix the problem on this line", "screen.fix", "alt+enter",
            "Change the text as the help of the problem says.", "Edit"),
+    Action("names", "Go to a name", "screen.menu('@')", "alt+a",
+           "Find a node, topic, service, action, message, parameter, function, link or joint of "
+           "this program.", "Edit"),
+    Action("back", "Go back", "screen.jump(-1)", "alt+comma",
+           "Go to where you were before you jumped, in this program or another.", "Edit"),
+    Action("forward", "Go forward", "screen.jump(1)", "alt+full_stop",
+           "Go forward again, after going back.", "Edit"),
     Action("code", "Go to the code", "screen.code", "alt+c",
            "Show the file that this is in, or becomes, at its line; from there $EDITOR.", "Edit"),
     Action("new", "New program", "screen.new", "ctrl+n,alt+n", "Start an empty program.", "File"),

@@ -26,6 +26,35 @@ _ABOUT = ("node", "package", "launch", "robot", "variable", "type")
 """The slots that name what a statement is about."""
 
 
+class Kept:
+    """What was made of parts of a program, for the next analysis, which has most of them too.
+
+    What that one does not ask for is forgotten.
+    """
+
+    def __init__(self, earlier: Kept | None = None) -> None:
+        # One that was not asked for everything has kept what the one before it has.
+        self._earlier: dict[Hashable, object] = (
+            {} if earlier is None else {**earlier._earlier, **earlier._made}
+        )
+        self._made: dict[Hashable, object] = {}
+
+    def once(self, key: Hashable, make: Callable[[], _T]) -> _T:
+        """Return what is made for a key, which says all that it follows from."""
+        if key not in self._made:
+            self._made[key] = self._earlier[key] if key in self._earlier else make()
+        return cast("_T", self._made[key])
+
+    def swap(self, key: Hashable, now: _T) -> _T | None:
+        """Keep something for the next analysis; return what the one before has kept."""
+        self._made[key] = now
+        return cast("_T | None", self._earlier.get(key))
+
+    def forget(self) -> None:
+        """Forget what the one before has kept, now that all is made."""
+        self._earlier = {}
+
+
 @dataclass(repr=False)
 class Analysis:
     """What follows from a text.
@@ -38,6 +67,7 @@ class Analysis:
         diagnostics: what is wrong with it.
         counts: how much is in each panel, by the panel's name.
         made: what was made of it for the panels, by what was asked for.
+        kept: what was made for the panels of parts of it; only the worker asks.
     """
 
     session: Session
@@ -47,6 +77,7 @@ class Analysis:
     diagnostics: tuple[Diagnostic, ...]
     counts: Mapping[str, int] = field(default_factory=dict)
     made: dict[Hashable, object] = field(default_factory=dict)
+    kept: Kept = field(default_factory=Kept)
 
     @cached_property
     def graph(self) -> Graph:

@@ -20,6 +20,7 @@ from textual.message import Message
 
 from plastron_tui import collector
 
+from .discarding import Discarded
 from .editor.preload import preload
 
 if TYPE_CHECKING:
@@ -80,7 +81,9 @@ class AnalysisWorker:
         self._must_preload = False
         self._is_stopped = False
         self._is_answering = False
+        self._is_stale = False
         self._last: Analysis | None = None
+        self._past: list[Analysis] = []
         self._thread = threading.Thread(target=self._run, name="analysis", daemon=True)
         self._switch = sys.getswitchinterval()
 
@@ -111,7 +114,21 @@ class AnalysisWorker:
         with self._condition:
             if session is not None:
                 self._session = session
+                self._is_stale = False
             self._wanted = wanted
+            self._condition.notify()
+
+    def interrupt(self) -> None:
+        """End the answer about a text that was edited: a new question follows, when no key comes.
+
+        Nobody shows that answer any more, and the key's drawing would have to wait for it.
+        """
+        self._is_stale = True
+
+    def discard(self, analysis: Analysis) -> None:
+        """Let go in the thread, when nothing is asked, of an analysis that nobody else needs."""
+        with self._condition:
+            self._past.append(analysis)
             self._condition.notify()
 
     @property
@@ -122,24 +139,31 @@ class AnalysisWorker:
             return not is_asked and not self._is_answering
 
     def _run(self) -> None:
+        discarded = Discarded()
         while True:
             with self._condition:
                 self._is_answering = False
-                self._condition.wait_for(self._has_work, _REST)
+                is_resting = not self._condition.wait_for(
+                    lambda: self._has_work() or bool(self._past), _REST
+                )
                 if self._is_stopped:
                     return
+                past, self._past = self._past, []
                 must_preload, self._must_preload = self._must_preload, False
                 session, wanted = self._session, self._wanted
                 self._session = self._wanted = None
                 self._is_answering = must_preload or wanted is not None
+            while past:
+                discarded.add(past.pop())
             try:
                 if must_preload:
                     preload()
                     self._post(Preloaded())
                 if wanted is not None:
                     self._answer(session, wanted)
-                elif not must_preload:
+                elif is_resting:
                     collector.collect_if_due()
+                discarded.let_go(self._has_work)
             except Stale:
                 pass
             except Exception as error:
@@ -149,19 +173,21 @@ class AnalysisWorker:
         return self._is_stopped or self._must_preload or self._wanted is not None
 
     def _check(self) -> None:
-        if self._is_stopped or self._session is not None:
+        if self._is_stopped or self._is_stale or self._session is not None:
             raise Stale
 
     def _answer(self, session: Session | None, wanted: tuple[Request, ...]) -> None:
-        from .analysis import analyse
+        from .analysis import Kept, analyse
         from .panels.registry import BY_NAME, counts, make
 
         start = perf_counter()
         if session is not None:
             if self._last is not None:
                 session.learn_from(self._last.session)
+            kept = Kept(None if self._last is None else self._last.kept)
             # What else was asked for is asked again, if this gets stale.
             self._last = analyse(session, self._check)
+            self._last.kept = kept
             self._last.counts = counts(self._last)
         analysis = self._last
         if analysis is None:
@@ -174,6 +200,7 @@ class AnalysisWorker:
         self._post(Analysed(analysis, perf_counter() - start))
         for request in slow:
             make(analysis, request)
+        analysis.kept.forget()
         if slow:
             self._check()
             self._post(Analysed(analysis, perf_counter() - start))

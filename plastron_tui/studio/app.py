@@ -7,19 +7,17 @@ import os
 import signal
 import sys
 import threading
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Sequence
 from contextlib import suppress
 from functools import partial
-from pathlib import Path
+from pathlib import Path, PurePath
 from time import monotonic
 from types import FrameType
 from typing import Any, ClassVar
 
-from rich.segment import Segment
 from textual import events, on
 from textual.app import App
 from textual.binding import Binding, BindingType
-from textual.color import Color
 from textual.driver import Driver
 from textual.filter import LineFilter
 from textual.notifications import SeverityLevel
@@ -35,41 +33,28 @@ from plastron_tui.user_folders import state_folder
 
 from .analysis_worker import AnalysisFailed
 from .config import Config, Profile, config_file, load_remembered, save_remembered
-from .control_characters import ONLY_TEXT
 from .files import OnDisk, meant_by, open_file
-from .folder_labels import not_saved
 from .journal import Kept
 from .key_display import key_name
 from .key_order import InOrder
-from .legibility import LEGIBLE
+from .legibility import LEGIBLE_TEXT
 from .main.screen import MainScreen
 from .open_program import Open, opened
 from .terminal_driver import for_terminal
 from .terminal_keys import teach
 from .terminal_output import ShownScreen
 from .textual_private import notes_in_sight, translate_colours
+from .theme_colours import usual_theme, with_grounds
 
 _SAME_NOTE = 0.3
 """Seconds within which the same note again is the same one."""
-DEFAULT_THEME = "textual-dark"
+_WIZARD = "screen.wizard"
+"""The action that shows what one is to learn by watching: no note lies over it."""
 _ENDS_WITHIN = 5.0
 """Seconds that the studio has to end in good order once the system says so."""
 _AT_ONCE = 5
 """How many of the messages of the start are shown."""
-_SMALL = "ansi-dark"
-"""The theme of terminals that have only their own sixteen colours."""
-_SMALL_TERMINALS = frozenset({"linux", "xterm", "screen", "rxvt", "ansi", "vt100", "vt220"})
-
-
-class _LegibleText(LineFilter):
-    """Lets nothing in a line be obeyed, and all of it be read; makes a line anew once for both."""
-
-    def apply(self, segments: list[Segment], background: Color) -> list[Segment]:
-        """Return the segments, those as they are that need no change."""
-        return LEGIBLE.apply(ONLY_TEXT.apply(segments, background), background)
-
-
-_LEGIBLE_TEXT = _LegibleText()
+_ANSI_STYLES = Path(__file__).with_name("ansi.tcss")
 
 
 class StudioApp(InOrder, inherit_bindings=False):
@@ -113,7 +98,7 @@ class StudioApp(InOrder, inherit_bindings=False):
         self._failures: set[str] = set()
         self.last_words = ""
         self._last_note = "", 0.0
-        self._is_up = False
+        self._is_up = self._is_for_editor = False
 
     def get_default_screen(self) -> Screen[None]:
         """Open the programs that were asked for."""
@@ -163,10 +148,9 @@ class StudioApp(InOrder, inherit_bindings=False):
             if open_.path is not None:
                 self.profile.remembered.opened(open_.path)
         # The welcome lists them; it is not in front where something else was asked for.
-        if others and (self._paths or self._first is not None):
+        if self._first not in (None, _WIZARD) or (self._paths and self._first is None):
             page = f"the welcome page ({self.main.key_of('welcome')})"
-            text = f"{not_saved(others)}\n{page} has what was typed"
-            self.notify(text, timeout=10, markup=False)
+            self.main.recovery.tell(others, self.profile.remembered, page)
         if own or self._other_files:
             found = [*own, *self._other_files]
             self.call_after_refresh(self.main.offer_first, found, self._first)
@@ -174,6 +158,12 @@ class StudioApp(InOrder, inherit_bindings=False):
             self.call_after_refresh(self.run_call, self._first)
         elif not self._paths:
             self.call_after_refresh(self.main.action_welcome)
+        else:
+            self._is_for_editor = True
+
+    def on_ready(self) -> None:
+        """Let the editor have the keys once it is drawn, where nothing else opens before it."""
+        self._is_up |= self._is_for_editor
 
     def _came_up(self) -> None:
         """Note that there is a screen that keys can go to."""
@@ -183,16 +173,34 @@ class StudioApp(InOrder, inherit_bindings=False):
         wanted = self.profile.config.theme or self.profile.remembered.theme
         if wanted in self.available_themes:
             return wanted
-        return _SMALL if has_few_colours(os.environ) else DEFAULT_THEME
+        return usual_theme(os.environ)
+
+    def get_css_variables(self) -> dict[str, str]:
+        """Return the colours of the theme, and which of them are the grounds of text and panels."""
+        return with_grounds(super().get_css_variables())
 
     def _begin_with(self, theme: str) -> None:
         """Have a theme before anything is styled; a change of it would style all once more."""
-        self.set_reactive(App.theme, theme)
-        self.stylesheet.set_variables(self.get_css_variables())
+        if theme != self.theme:
+            self.set_reactive(App.theme, theme)
+            self.stylesheet.set_variables(self.get_css_variables())
+        self.watch_theme()
         is_dark = self.current_theme.dark
         self.set_class(is_dark, "-dark-mode", update=False)
         self.set_class(not is_dark, "-light-mode", update=False)
         translate_colours(self)
+
+    def watch_theme(self) -> None:
+        """Have the rules for a terminal's own colours where a theme leaves those as they are."""
+        if self.native_ansi_color:
+            self._add_style_sheet(_ANSI_STYLES)
+
+    watch_ansi_color = watch_theme
+
+    def _add_style_sheet(self, path: PurePath) -> None:
+        """Add a style sheet; Textual would read all of them anew, and style all screens again."""
+        if not self.stylesheet.has_source(str(path), ""):
+            self.stylesheet.add_source(Path(path).read_text("utf-8"), (str(path), ""))
 
     def _themed(self, name: str, first: str) -> None:
         if name != first or self.profile.remembered.theme is not None:
@@ -210,15 +218,10 @@ class StudioApp(InOrder, inherit_bindings=False):
         await self.run_action(call, self.main)
 
     def get_screen(self, screen: Any, screen_class: Any = None) -> Any:
-        """Return a screen, with its style sheets added to the app's.
-
-        Textual would read all style sheets anew and style all screens again, where a screen that
-        is opened has one of its own.
-        """
+        """Return a screen, with its style sheets added to the app's."""
         found: Screen[Any] = super().get_screen(screen, screen_class)
         for path in found.css_path:
-            if not self.stylesheet.has_source(str(path), ""):
-                self.stylesheet.add_source(Path(path).read_text("utf-8"), (str(path), ""))
+            self._add_style_sheet(path)
         return found
 
     def get_driver_class(self) -> type[Driver]:
@@ -231,7 +234,7 @@ class StudioApp(InOrder, inherit_bindings=False):
 
     def get_line_filters(self) -> Sequence[LineFilter]:
         """Return what each line passes through: nothing in it is obeyed, and it can be read."""
-        return [*super().get_line_filters(), _LEGIBLE_TEXT]
+        return [*super().get_line_filters(), LEGIBLE_TEXT]
 
     def notify(
         self,
@@ -389,10 +392,3 @@ def shown_at_once(messages: Sequence[str], where: str = "") -> list[str]:
     first, more = messages[:_AT_ONCE], len(messages) - _AT_ONCE
     last = [": ".join(filter(None, (f"… and {more} more" if more > 0 else "", where)))]
     return ["\n".join(filter(None, (*first, *last)))] if first else []
-
-
-def has_few_colours(environ: Mapping[str, str]) -> bool:
-    """Tell whether a terminal says that it has no more than its own sixteen colours."""
-    term = environ.get("TERM", "")
-    is_small = term in _SMALL_TERMINALS or term.endswith("-16color")
-    return is_small and not environ.get("COLORTERM")

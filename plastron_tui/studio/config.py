@@ -8,6 +8,7 @@ from collections.abc import Iterable, Mapping
 from contextlib import suppress
 from dataclasses import asdict, dataclass, field
 from pathlib import Path
+from typing import NamedTuple
 
 from plastron_tui.private_files import read_private, write_private
 from plastron_tui.regular_files import reason
@@ -73,6 +74,7 @@ class Remembered:
         tabs: the tab that each dock showed.
         toured: whether the tour was taken.
         actions: the ids of the actions that were chosen in the menu, the latest first.
+        told: the texts that were not saved, as far as that was said.
     """
 
     theme: str | None = None
@@ -82,6 +84,7 @@ class Remembered:
     tabs: dict[str, str] = field(default_factory=dict)
     toured: bool = False
     actions: list[str] = field(default_factory=list)
+    told: list[str] = field(default_factory=list)
 
     def did(self, action: str) -> None:
         """Put an action in front of those of late."""
@@ -95,8 +98,7 @@ class Remembered:
         self.recent = [name, *others][:_MOST_RECENT]
 
 
-@dataclass(frozen=True, slots=True)
-class Profile:
+class Profile(NamedTuple):
     """What belongs to the user, and lasts longer than a program.
 
     Attributes:
@@ -129,6 +131,7 @@ def load_remembered(folder: Path) -> Remembered:
                 setattr(remembered, key, value)
     remembered.recent = [name for name in remembered.recent if isinstance(name, str)]
     remembered.actions = [name for name in remembered.actions if isinstance(name, str)]
+    remembered.told = [name for name in remembered.told if isinstance(name, str)]
     sizes, tabs = remembered.sizes, remembered.tabs
     remembered.sizes = {key: size for key, size in sizes.items() if isinstance(size, int)}
     remembered.tabs = {key: tab for key, tab in tabs.items() if isinstance(tab, str)}

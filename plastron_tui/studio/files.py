@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import os
-from dataclasses import dataclass
 from pathlib import Path
+from typing import NamedTuple
 
 from plastron_tui.diagnostics import Diagnostic, Severity
 from plastron_tui.output.own_files import settled
@@ -14,8 +14,7 @@ from plastron_tui.regular_files import Stamp, is_same_file, read_regular, reason
 SUFFIX = ".plastron"
 
 
-@dataclass(frozen=True, slots=True)
-class OnDisk:
+class OnDisk(NamedTuple):
     """What a file held when it was read or written last; `text` is None where there was none."""
 
     path: Path
@@ -28,8 +27,7 @@ class OnDisk:
         return stamp_of(self.path) != self.stamp
 
 
-@dataclass(frozen=True, slots=True)
-class Opened:
+class Opened(NamedTuple):
     """A file that was asked for: what it holds, or why that is not known.
 
     Attributes:
@@ -50,8 +48,7 @@ class Opened:
         )
 
 
-@dataclass(frozen=True, slots=True)
-class Saved:
+class Saved(NamedTuple):
     """What saving led to.
 
     Attributes:

@@ -7,12 +7,11 @@ import json
 import os
 import threading
 from contextlib import suppress
-from dataclasses import dataclass
-from hashlib import sha256
 from itertools import count
 from pathlib import Path
 from time import time
-from typing import Any
+from typing import Any, NamedTuple
+from zlib import crc32
 
 from plastron_tui.private_files import is_running, process_mark, read_private, sweep, write_private
 from plastron_tui.project.program_file import LARGEST_PROGRAM
@@ -29,8 +28,7 @@ _PATIENCE = 2.0
 """Seconds to wait for a disk that is still busy with the text before."""
 
 
-@dataclass(frozen=True, slots=True)
-class Kept:
+class Kept(NamedTuple):
     """A text that was not saved.
 
     Attributes:
@@ -147,8 +145,8 @@ def _text_of(path: Path | None) -> str | None:
 
 
 def _name(path: Path) -> str:
-    whole = os.fsencode(path.absolute())
-    return f"{path.stem[:40]}-{sha256(whole).hexdigest()[:16]}"
+    # What a journal is of stands in it: its name tells it from those of this studio's other ones.
+    return f"{path.stem[:40]}-{crc32(os.fsencode(path.absolute())):08x}"
 
 
 def kept_texts(journals: Path) -> list[Kept]:

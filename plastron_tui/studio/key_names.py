@@ -83,7 +83,7 @@ def read_keys(texts: Iterable[str]) -> WrittenKeys:
     problems: list[str] = []
     for text in texts:
         # A comma is a key too, behind what is held with it.
-        for word in re.split(r"(?<!(?<!\+)\+),", text):
+        for word in re.split(r"(?<![A-Za-z][+-]),", text):
             key = read_key(word)
             if key is None:
                 hint = did_you_mean(word.strip().lower(), _NAMED)

@@ -18,6 +18,8 @@ from rich.style import Style
 from textual.color import Color
 from textual.filter import LineFilter
 
+from .control_characters import ONLY_TEXT
+
 LEAST = 4.5
 """The least contrast of text with what is behind it."""
 
@@ -68,8 +70,9 @@ def legible(color: Color, background: Color) -> Color:
     return color.blend(target, step / _STEPS, 1)
 
 
-def legible_style(style: Style, background: Color) -> Style:
-    """Return a style whose text can be read; the same one where it can be already.
+@lru_cache(4096)
+def legible_style(style: Style, background: Color) -> Style | None:
+    """Return a style whose text can be read, None where it can be as it is.
 
     Of the terminal's own colours nothing is known but the sixteen that have a number.
 
@@ -77,12 +80,6 @@ def legible_style(style: Style, background: Color) -> Style:
         style: the style of some text.
         background: what is behind text of a style that says nothing of it.
     """
-    return _moved(style, background) or style
-
-
-@lru_cache(4096)
-def _moved(style: Style, background: Color) -> Style | None:
-    """Return a style whose text can be read, None where it can be as it is."""
     front, back = style.color, style.bgcolor
     behind = None if background.ansi is not None or background.a < 1 else background
     letters, cells = _seen(front), behind if back is None else _seen(back)
@@ -127,10 +124,21 @@ def _read(segment: Segment, background: Color) -> Segment:
     text, style, control = segment
     if style is None:
         return segment
-    better = _moved(style, background)
+    better = legible_style(style, background)
     if better is None or not _READ.search(text):
         return segment
     return Segment(text, better, control)
 
 
 LEGIBLE = Legible()
+
+
+class LegibleText(LineFilter):
+    """Lets nothing in a line be obeyed, and all of it be read; makes a line anew once for both."""
+
+    def apply(self, segments: list[Segment], background: Color) -> list[Segment]:
+        """Return the segments, those as they are that need no change."""
+        return LEGIBLE.apply(ONLY_TEXT.apply(segments, background), background)
+
+
+LEGIBLE_TEXT = LegibleText()

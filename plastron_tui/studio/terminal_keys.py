@@ -13,7 +13,7 @@ from typing import NamedTuple
 from .key_table import name_of_sign
 from .textual_private import known_sequences
 
-_NAMES = {"\r": "enter", "\x7f": "backspace", **{sign: name_of_sign(sign) for sign in "-=+?"}}
+_NAMES = {"\r": "enter", "\x7f": "backspace", **{sign: name_of_sign(sign) for sign in "-=+?,."}}
 # Some terminals send these for Control and an arrow, and Textual knows that.
 _TAKEN = "bf"
 _CHORDS = {

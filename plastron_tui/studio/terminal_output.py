@@ -14,7 +14,6 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
-from dataclasses import dataclass, field
 from functools import lru_cache
 from itertools import islice, repeat
 from typing import TypeAlias
@@ -57,7 +56,6 @@ _NEAR = 4
 """Over fewer equal cells it is shorter to write them again than to move the cursor."""
 
 
-@dataclass(frozen=True, slots=True, eq=False)
 class _Style:
     """How characters are drawn: parameters of SGR, and parameters and address of a link.
 
@@ -69,10 +67,12 @@ class _Style:
         back: the colour behind them, 49 for the terminal's own.
     """
 
-    attributes: str = ""
-    front: str = "39"
-    back: str = "49"
-    link: str = ";"
+    __slots__ = ("attributes", "back", "front", "link")
+
+    def __init__(
+        self, attributes: str = "", front: str = "39", back: str = "49", link: str = ";"
+    ) -> None:
+        self.attributes, self.front, self.back, self.link = attributes, front, back, link
 
     @property
     def is_plain(self) -> bool:
@@ -141,7 +141,6 @@ def _blank_of(style: _Style) -> _Style:
     return style
 
 
-@dataclass(slots=True)
 class _Row:
     """What a line of the screen shows.
 
@@ -151,9 +150,12 @@ class _Row:
         not_read: what was written first, if nothing was since; it is taken apart when it matters.
     """
 
-    cells: list[Cell] = field(default_factory=list)
-    texts: dict[int, tuple[str, int]] = field(default_factory=dict)
-    not_read: tuple[int, str] | None = None
+    __slots__ = ("cells", "not_read", "texts")
+
+    def __init__(self) -> None:
+        self.cells: list[Cell] = []
+        self.texts: dict[int, tuple[str, int]] = {}
+        self.not_read: tuple[int, str] | None = None
 
     def read(self, columns: int) -> None:
         """Know the cells of what was written first, if they all were on the screen."""

@@ -7,18 +7,21 @@ from __future__ import annotations
 
 import codecs
 import sys
-from collections.abc import Callable, MutableMapping
+from collections.abc import Callable, Mapping, MutableMapping
 from functools import partial
 from typing import IO, TYPE_CHECKING, Any, cast
 
 from textual.app import App
+from textual.dom import DOMNode
 from textual.driver import Driver
 from textual.message import Message
 from textual.notifications import Notification
+from textual.widget import Widget
 
 if TYPE_CHECKING:
     from textual._compositor import Compositor
     from textual._xterm_parser import XTermParser
+    from textual.css.styles import StylesBase
     from textual.screen import Screen
 
 
@@ -136,6 +139,26 @@ def tell_first_sizes(screen: Screen[Any]) -> None:
     compositor.reflow = reflow_from_told
 
 
+def leave_as_drawn(screen: Screen[Any]) -> None:
+    """Draw nothing again that a screen has just been drawn with as a whole.
+
+    The first layout lets each widget ask for being drawn, because it has a size now, and the
+    first frame follows within the same call; but what was asked for is kept, and the frame is
+    drawn once or twice more. Without this it is, and the first key waits for that.
+    """
+    compositor = getattr(screen, "_compositor", None)
+    regions = getattr(compositor, "_dirty_regions", None)
+    widgets = getattr(compositor, "visible_widgets", None)
+    if not isinstance(regions, set) or not isinstance(widgets, Mapping):
+        return
+    regions.clear()
+    for widget in (screen, *widgets):
+        asked = getattr(widget, "_repaint_regions", None)
+        if isinstance(asked, set) and hasattr(widget, "_repaint_required"):
+            asked.clear()
+            widget._repaint_required = False
+
+
 def hear_messages(hear: Callable[[Message], None]) -> None:
     """Let a function hear of each message before it is handled, in this task and those it starts.
 
@@ -196,6 +219,35 @@ def forget_notes(app: App[Any], is_old: Callable[[Notification], bool]) -> None:
     if callable(unnotify):
         for note in filter(is_old, notes_in_sight(app)):
             unnotify(note)
+
+
+class StyledLate(Widget):
+    """A widget whose components are styled when they are first asked for, and then with it.
+
+    Textual styles all components of a widget whenever it styles the widget, at the start too; a
+    list has a dozen, of which it shows one or two. Without this they are styled as Textual does.
+    """
+
+    def __init__(self, *, id: str | None = None) -> None:  # noqa: A002 - Textual's word
+        super().__init__(id=id)
+        self._asked_for: frozenset[str] = frozenset()
+
+    def _get_component_classes(self) -> frozenset[str]:  # type: ignore[override]
+        return self._asked_for if self._is_late else super()._get_component_classes()
+
+    @property
+    def _is_late(self) -> bool:
+        return hasattr(self, "_attach") and hasattr(self, "_component_styles")
+
+    def component(self, name: str) -> StylesBase:
+        """Return the styles of one of its components."""
+        if self._is_late and name not in self._component_styles:
+            self._asked_for |= {name}
+            node = DOMNode(classes=name)
+            node._attach(self)
+            self.app.stylesheet.apply(node)
+            self._component_styles[name] = node.styles
+        return self.get_component_styles(name)
 
 
 class Failing(App[None], inherit_bindings=False):

@@ -70,7 +70,7 @@ def check_run(ros: Ros, said: str) -> None:
     assert not ros.processes()
 
 
-@pytest.mark.parametrize("ros", mostly_long(["rospy", "rclpy"], ["rospy"]), indirect=True)
+@pytest.mark.long
 @pytest.mark.live
 def test_types_of_the_table_that_nothing_installs(ros: Ros) -> None:
     ros.write("p.plastron", TABLE_SERVICES)

@@ -19,6 +19,7 @@ talker publish greeting to 'chatter' of message_type String at 2 hz
 
 subscribe talker too 'chatter' of message_type String
 create_message twist of message_type Twist and input linear=(1, 2, 3), angular.z=0.5
+generate talker
 generate_node talker
 """
 PIECES = st.sampled_from(

@@ -315,24 +315,3 @@ def test_what_is_too_deep_was_to_declare_its_variable_also_beside_a_broken_line(
     program = read(f"create_message deep of message_type T and input {deep}\nsubscribe b too 'x'\n")
     assert [found.code for found in program.diagnostics] == ["syntax-error", "too-deep"]
     assert "deep" in program.broken.declared
-
-
-@pytest.mark.parametrize(
-    ("line", "word", "before"),
-    [("n has_parameter 'a' of parameter_type float default 0.3", "with", "default"),
-     ("n publish m 'a' of message_type T at 5 hz", "to", "'a'"),
-     ("n publish m to 'a' message_type T at 5 hz", "of", "message_type"),
-     ("create_message m of message_type T input 1", "and", "input"),
-     # Another word is missing as well, or what stands there is none of the sentence's.
-     ("n publish m 'a' message_type T at 5 hz", None, ""),
-     ("n publish m to 'a' of message_type T sometimes", None, "")],
-)  # fmt: skip
-def test_a_word_that_is_left_out_is_written(line: str, word: str | None, before: str) -> None:
-    (found,) = lower(Document(line.encode())).diagnostics
-    if word is None:
-        assert found.fix is None
-        return
-    assert found.fix is not None and found.fix.title == f"write `{word}` before it"
-    (edit,) = found.fix.edits
-    mended = line[: edit.span.start] + edit.text + line[edit.span.end :]
-    assert f" {word} {before}" in mended and not lower(Document(mended.encode())).diagnostics

@@ -10,7 +10,7 @@ from rosbags.typesys import Stores, get_typestore
 
 from plastron_tui.diagnostics import codes
 from plastron_tui.ros.catalog import DISTRIBUTIONS, Catalog, moved, usual_distribution
-from plastron_tui.ros.catalog.distributions import END_OF_LIFE, EXTRA_DISTRIBUTION, stand_in
+from plastron_tui.ros.catalog.distributions import EXTRA_DISTRIBUTION, stand_in
 from plastron_tui.ros.interfaces import Interface, InterfaceKind, InterfaceName
 from plastron_tui.ros.primitives import primitive
 
@@ -197,8 +197,7 @@ def test_what_lyrical_has_changed() -> None:
     assert fields == ["timestamp", "stamp"]
 
 
-def test_the_facts_of_every_distribution() -> None:
-    assert list(END_OF_LIFE) == list(DISTRIBUTIONS)
+def test_the_usual_distributions() -> None:
     assert [usual_distribution(version) for version in (1, 2)] == ["noetic", EXTRA_DISTRIBUTION]
 
 

@@ -94,7 +94,9 @@ def test_what_is_sent_is_known_until_it_ends_or_the_monitor_does() -> None:
     assert graph.actions["/count"] == (*action[:3], frozenset({"/talker"}), False)
     assert graph.services["/add"].nodes == {"/talker"}
     sending = {"tell": "sending", "name": "/speed", "rate": 10, "text": "1.0"}
-    assert graph.feed(sending) and graph.sendings["/speed"] == (10, "1.0")
+    assert graph.feed(sending) and graph.sendings["/speed"] == (10, "1.0", "")
+    assert graph.feed({**sending, "rate": 0, "problem": "no"})
+    assert graph.sendings["/speed"].problem == "no"
     assert graph.feed({**sending, "rate": 0}) and not graph.sendings
     goal = {"tell": "goal", "name": "/count", "sent": "order: 5", "state": "accepted",
             "text": "", "is_over": False, "is_failure": False}  # fmt: skip

@@ -14,7 +14,7 @@ from pathlib import Path
 
 import pytest
 from jazzy import jazzy_python
-from machine import TALKING, find_ros, graph_environ, mostly_long, wait_until
+from machine import TALKING, find_ros, graph_environ, wait_until
 from processes import own_tracebacks
 from supervised import all_gone
 
@@ -172,7 +172,8 @@ def _heard(output: str, name: str = "listener") -> list[str]:
     return [line for line in _lines(output, name) if "hello" in line]
 
 
-@pytest.mark.parametrize("ros", mostly_long(["rospy", "rclpy"], ["rclpy"]), indirect=True)
+# `tests/cli/test_run.py` has the same nodes run by the command.
+@pytest.mark.long
 def test_nodes_talk_and_stop(ros: Ros) -> None:
     said = ros.run_until(lambda said: len(_heard(said)) > 20, ros.generate(TALKING, "nodes"))
     for node in ("talker", "listener", "switcher", "asker"):

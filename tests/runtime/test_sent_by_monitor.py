@@ -135,15 +135,28 @@ def test_what_cannot_be_sent_is_said_once(capsys: pytest.CaptureFixture[str]) ->
     from monitor_sending import Sendings
 
     tried: list[int] = []
+    closed: list[str] = []
 
     def publish() -> None:
         tried.append(1)
         raise ValueError("no")
 
     sendings = Sendings()
-    sendings.start(ORDER, publish, lambda: None, "a")
+    sendings.start(ORDER, publish, lambda: closed.append("a"), "a")
     sending, _ = sendings._running["/count"]
     sending._thread.join(30)
     found = told(capsys)
-    assert tried == [1] and found[-1]["rate"] == 0
-    assert [each["text"] for each in found if each.get("is_failure")] == ["no"]
+    assert tried == [1]
+    assert [(each["rate"], each.get("problem", "")) for each in found[1:]] == [(200, ""), (0, "no")]
+    # Its publisher goes, in the thread that made it, and once.
+    assert not closed
+    sendings.turn()
+    sendings.turn()
+    sendings.stop("/count")
+    assert closed == ["a"] and not sendings._running
+    assert not told(capsys)
+    # One that sends is left alone.
+    sendings.start(ORDER, lambda: None, lambda: closed.append("b"), "b")
+    sendings.turn()
+    sendings.stop("/count")
+    assert closed == ["a", "b"]

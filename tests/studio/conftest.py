@@ -1,7 +1,7 @@
 from __future__ import annotations
 
 import asyncio
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from pathlib import Path
 
 import pytest
@@ -17,31 +17,25 @@ def pytest_asyncio_loop_factories() -> Mapping[str, Callable[[], asyncio.Abstrac
     return {"idle": IdleLoop}
 
 
-@pytest.fixture(autouse=True)
-def waiting_for_events(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Let Textual's pilot go on as soon as the app has done what it was told, and not later."""
-    for module in ("textual.app", "textual.pilot"):
-        monkeypatch.setattr(f"{module}.wait_for_idle", wait_for_idle)
-    monkeypatch.setattr("textual.pilot.Pilot._wait_for_screen", wait_for_screen)
-
-
-@pytest.fixture(autouse=True)
-def styles_parsed_once(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Let what one studio has read of its style sheets serve those that the next tests start."""
-    monkeypatch.setattr("textual.css.stylesheet.Stylesheet._parse_rules", parse_rules_once)
-
-
-@pytest.fixture(autouse=True)
-def questions_answered_at_once(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Let a question hear keys as soon as it is there: a test has read it by then."""
-    monkeypatch.setattr("plastron_tui.studio.key_order.QUIET", 0.0)
-
-
-@pytest.fixture(autouse=True)
-def some_pictures_drawn(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Let a headless studio draw one of some pictures, which nobody sees."""
-    monkeypatch.setattr("textual._compositor.Compositor.render_update", render_some)
-    monkeypatch.setattr("textual.pilot.Pilot._post_mouse_events", draw_before)
+# For each module and not for each test: four of five tests of the studio start none.
+@pytest.fixture(scope="module", autouse=True)
+def headless() -> Iterator[None]:
+    """Let a studio without a terminal do nothing twice that nobody sees, and wait for no time."""
+    with pytest.MonkeyPatch.context() as patch:
+        # Textual's pilot goes on as soon as the app has done what it was told, and not later.
+        for module in ("textual.app", "textual.pilot"):
+            patch.setattr(f"{module}.wait_for_idle", wait_for_idle)
+        patch.setattr("textual.pilot.Pilot._wait_for_screen", wait_for_screen)
+        # What one studio has read of its style sheets serves those that the next tests start.
+        patch.setattr("textual.css.stylesheet.Stylesheet._parse_rules", parse_rules_once)
+        # Textual's own returns the same in Python, several hundred times for each widget.
+        patch.setattr("textual.css.model.RuleSet.__hash__", object.__hash__)
+        # A question hears keys as soon as it is there: a test has read it by then.
+        patch.setattr("plastron_tui.studio.key_order.QUIET", 0.0)
+        # One of some pictures is drawn, which nobody sees.
+        patch.setattr("textual._compositor.Compositor.render_update", render_some)
+        patch.setattr("textual.pilot.Pilot._post_mouse_events", draw_before)
+        yield
 
 
 @pytest.fixture(autouse=True)

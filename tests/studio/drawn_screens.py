@@ -18,7 +18,7 @@ from textual.app import App
 from textual.pilot import Pilot
 from textual.screen import Screen
 
-_ONE_OF = 6
+_ONE_OF = 16
 """One of so many pictures of a screen is drawn."""
 
 _render_update = Compositor.render_update

@@ -14,6 +14,9 @@ from textual.pilot import Pilot
 _SOON = 0.02
 """Seconds: what a timer does so soon belongs to what is being done."""
 
+_ROUNDS = 8
+"""In one of so many rounds of a loop that has work it is asked whether something came for it."""
+
 _LONGEST = 1.0
 """Seconds of processor time after which a loop counts as idle, though it goes on: what floods it
 may do so for ever, and a machine with much else to do gives it little time."""
@@ -35,8 +38,13 @@ class _Selector(selectors.DefaultSelector):
         super().__init__()
         self.before_sleep: list[Callable[[], object]] = []
         self.after_sleep: list[Callable[[], object]] = []
+        self._rounds = 0
 
     def select(self, timeout: float | None = None) -> list[tuple[selectors.SelectorKey, int]]:
+        if timeout == 0:
+            # Most rounds are those of a loop with work, and each question is a call of the system.
+            self._rounds += 1
+            return super().select(0) if self._rounds % _ROUNDS == 0 else []
         if timeout is not None and timeout <= (_SOON if self.before_sleep else 0):
             return super().select(timeout)
         if not self.before_sleep:

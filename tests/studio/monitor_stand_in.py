@@ -58,6 +58,9 @@ def main() -> None:
                 os.kill(os.getpid(), signal.SIGKILL)
             elif order["do"] == "set" and order["value"] == 0.25:
                 send(tell="answer", id=order["id"], text="not now", is_failure=True)
+            elif order["do"] == "set":
+                said = f"{order['name']} is {order['value']} now"
+                send(tell="answer", id=order["id"], text=said, is_failure=False)
             else:
                 send(tell="answer", id=order["id"], text=f"done: {order['do']}", is_failure=False)
 

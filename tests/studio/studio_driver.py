@@ -1,7 +1,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import AsyncIterator, Callable, Sequence
+from collections.abc import AsyncIterator, Callable, Iterable, Sequence
 from contextlib import asynccontextmanager
 from pathlib import Path
 from typing import Any
@@ -9,6 +9,7 @@ from typing import Any
 from drawn_screens import draw
 from idle_loop import until
 from machine import mostly_long
+from textual import events
 from textual.pilot import Pilot
 from textual.widgets import Label
 
@@ -31,6 +32,9 @@ generate_node listener
 """
 
 SIZES = mostly_long([(80, 24), (120, 40)], [(80, 24)])
+
+KEYS = {"\n": "enter", " ": "space", "/": "slash", "'": "apostrophe", "_": "underscore"}
+"""How Textual calls keys that no letter or digit is on."""
 
 
 def fail(*_: object) -> None:
@@ -80,9 +84,23 @@ class Driver:
         await self.settle()
 
     async def type(self, text: str) -> None:
-        for character in text:
-            await self.pilot.press({"\n": "enter", " ": "space"}.get(character, character))
+        self.send(text)
+        await self.all_in()
         await self.settle()
+
+    def send(self, keys: Iterable[str]) -> None:
+        """Press keys faster than it is looked at: what they lead to is shown once, for all."""
+        for key in keys:
+            name = KEYS.get(key, key)
+            is_character = len(key) == 1 and key != "\n"
+            self.app.post_message(events.Key(name, key if is_character else None))
+
+    async def all_in(self) -> None:
+        """Wait until no key waits for another one."""
+        app = self.app
+        await self.until(
+            lambda: not app._waiting and (not app._keys_worker or app._keys_worker.is_finished)
+        )
 
     async def settle(self) -> None:
         """Wait until what the text means is known and shown."""

@@ -13,10 +13,13 @@ from textual.message import Message
 from plastron_tui import collector
 from plastron_tui.session import Session
 from plastron_tui.studio import analysis_worker as module
+from plastron_tui.studio.analysis import analyse
 from plastron_tui.studio.analysis_worker import Analysed, AnalysisWorker
+from plastron_tui.studio.discarding import Discarded
 from plastron_tui.studio.panels.panel import Request
 
 NODES, PROBLEMS = Request("nodes", True), Request("problems", True)
+MANY = b"".join(b"create_node 'n%d' as n%d\n" % (n, n) for n in range(300))
 PROGRAM = b"create_node 'talker' as talker\ngenerate_node talker\n"
 
 
@@ -65,6 +68,52 @@ def test_what_is_no_longer_shown_is_let_go() -> None:
     found.clear()
     del first
     until(lambda: seen() is None)
+    worker.stop()
+    worker.join(5)
+
+
+def test_nobody_waits_for_what_is_let_go() -> None:
+    analysis = analyse(Session(MANY, environ={}), lambda: None)
+    seen = weakref.ref(analysis)
+    discarded = Discarded()
+    discarded.add(analysis)
+    del analysis
+    assert seen() is None
+    steps: list[None] = []
+    discarded.let_go(lambda: len(steps) == 2 or bool(steps.append(None)))
+    assert len(steps) == 2
+    discarded.let_go(lambda: bool(steps.append(None)))
+    assert len(steps) == 2 + 6
+    discarded.let_go(lambda: pytest.fail("nothing is left"))
+
+
+def test_the_entries_of_what_stands_before_an_edit_are_not_made_again() -> None:
+    found: list[Message] = []
+    worker = AnalysisWorker(found.append)
+    worker.start()
+    session = Session(MANY, environ={})
+    for number in range(1, 4):
+        worker.ask((NODES,), session.snapshot())
+        until(lambda number=number: len(found) == number)
+        session.edit(len(MANY), len(MANY), b"\n")
+    worker.stop()
+    worker.join(5)
+    before, now = (each.analysis.made[NODES].all for each in found[1:])
+    assert before == now
+    assert before[0] is now[0] and before[-1] is not now[-1]
+
+
+def test_an_answer_about_a_text_that_was_edited_is_given_up() -> None:
+    found: list[Message] = []
+    worker = AnalysisWorker(found.append)
+    session = Session(PROGRAM, environ={})
+    worker.ask((NODES,), session.snapshot())
+    worker.interrupt()
+    worker.start()
+    until(lambda: worker.is_idle)
+    assert not found
+    worker.ask((NODES,), session.snapshot())
+    until(lambda: bool(found))
     worker.stop()
     worker.join(5)
 

@@ -33,6 +33,10 @@ async def test_only_the_button_with_the_focus_is_filled(program: Path) -> None:
         await driver.until(lambda: filled() == ["no"])
         # What the dialog is for is still to be seen.
         yes, _, later = question.query(Button)
+        # The letter that gives an answer is marked.
+        marks = [[(span.start, span.end) for span in each.label.spans if "underline" in span.style]
+                 for each in question.query(Button)]  # fmt: skip
+        assert marks == [[(0, 1)]] * 3
         assert yes.styles.text_style.bold and not later.styles.text_style.bold
 
 

@@ -19,6 +19,17 @@ def colour(widget: Widget) -> str:
     return segment.style.color.name
 
 
+def lit_in(strip: Widget) -> tuple[str, str, str]:
+    """Return the text of tabs that is filled with a colour, and what is before and behind it."""
+    drawn = list(strip.render_line(0))
+    lit = [at for at, each in enumerate(drawn) if each.style is not None and each.style.reverse]
+    first, end = (lit[0], lit[-1] + 1) if lit else (0, 0)
+    parts = (drawn[:first], drawn[first:end], drawn[end:])
+    before, filled, behind = ("".join(each.text for each in part) for part in parts)
+    assert len({each.style for each in parts[1]}) <= 1
+    return before, filled, behind
+
+
 async def resize(pilot: Pilot[None], app: StudioApp, columns: int, rows: int) -> None:
     await pilot.resize_terminal(columns, rows)
     await pilot.pause()
@@ -52,3 +63,13 @@ async def test_frames_show_the_focus_and_go_where_room_is_short(program: Path) -
         assert dock.panel.region.width == 80
         assert dock.panel.region.height == dock.region.height - 1
         assert main.editor.view.region.width == 80
+        # The name that is filled with a colour touches no other one, and its count is part of it.
+        await driver.show("messages")
+        await driver.until(lambda: lit_in(dock.strip)[1])
+        assert lit_in(dock.strip)[:2] == (" Nodes Topics Services ", "Messages")
+        await resize(driver.pilot, driver.app, 160, 45)
+        await driver.show("topics")
+        await driver.until(lambda: "Topics" in lit_in(outline.strip)[1])
+        before, lit, behind = lit_in(outline.strip)
+        assert before.endswith(" ") and lit == "Topics 1"
+        assert behind.startswith(" ")

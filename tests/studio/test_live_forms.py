@@ -2,24 +2,29 @@
 
 from __future__ import annotations
 
+from pathlib import Path as FilePath
 from typing import Any, cast
 
 import pytest
 from hypothesis import example, given, settings
 from hypothesis import strategies as st
+from studio_driver import studio
 
 from plastron_tui.ros.catalog import Catalog
 from plastron_tui.ros.interfaces import InterfaceKind, InterfaceName
 from plastron_tui.ros.parameters import ParameterType
-from plastron_tui.runtime.live_graph import LiveField, LiveParameter
+from plastron_tui.runtime.live_graph import LiveField
+from plastron_tui.runtime.live_parts import LiveParameter
 from plastron_tui.runtime.observers import ros1_parameters
 from plastron_tui.session import Session
 from plastron_tui.studio.panels.live_row import Kind, LiveRow
+from plastron_tui.studio.wizard.live_form import notes_of
 from plastron_tui.studio.wizard.live_orders import form_for
 from plastron_tui.studio.wizard.live_rates import RATE, rate_of
 from plastron_tui.studio.wizard.parameter_kinds import parameter_entry
+from plastron_tui.studio.wizard.rows import Row
 from plastron_tui.studio.wizard.sent_values import Wrong, sent_setting, sent_values, shown_setting
-from plastron_tui.studio.wizard.values import Path, entries_of
+from plastron_tui.studio.wizard.values import Entry, Path, entries_of
 
 INF = float("inf")
 CATALOG = Catalog("kilted")
@@ -245,3 +250,32 @@ def test_a_goal_has_its_fields_and_no_rate() -> None:
     assert form.order({("order",): "5"}) == {"do": "goal", "name": "/a", "type": row.type,
                                              "values": {"order": 5}}  # fmt: skip
     assert isinstance(form.dialog._check({("order",): "x"}), Wrong)
+
+
+def test_units_and_types_stand_in_columns_of_their_own() -> None:
+    interface = CATALOG.find(InterfaceName("sensor_msgs", "LaserScan"), InterfaceKind.MESSAGE)
+    assert interface is not None
+    fields = [each for each in entries_of(interface, CATALOG) if isinstance(each, Entry)]
+    notes = {path[-1]: note for path, note in notes_of([*fields, RATE]).items()}
+    assert notes["angle_min"] == "rad  float32"
+    assert notes["range_max"] == "m    float32"
+    # What there is no room for is below the form, where the focus is.
+    assert notes["ranges"] == "m    float32[]"
+    assert notes["frame_id"] == "     string"
+    assert notes["how often"] == "     once, or 10 hz"
+    assert list(notes_of([RATE]).values()) == ["once, or 10 hz"]
+    assert notes_of([]) == {}
+
+
+async def test_the_rows_of_a_form_have_the_same_columns(program: FilePath) -> None:
+    async with studio(program, (60, 16)) as driver:
+        row = LiveRow("k", Kind.TOPIC, "/scan", "/scan", 2, "sensor_msgs/LaserScan")
+        form = form_for(row, Session(), {})
+        assert not isinstance(form, str)
+        driver.app.push_screen(form.dialog)
+        await driver.dialog("LiveForm")
+        rows = list(form.dialog.query(Row))
+        await driver.until(lambda: all(each.box.region.width for each in rows))
+        for part in (".wizard-label", "TextBox", ".wizard-note"):
+            found = [each.query_one(part) for each in rows]
+            assert len({(each.region.x, each.region.width) for each in found}) == 1, part

@@ -104,7 +104,7 @@ async def test_what_travels_is_shown_and_nodes_are_spoken_to(program: Path, orde
             await driver.until(lambda said=said, help_=help_: said in str(help_.content))
         await driver.pilot.press("backspace", "backspace", "7", "5", "enter")
         await driver.back()
-        await driver.until(lambda: "speed: done: set" in driver.notes())
+        await driver.until(lambda: "speed is 0.75 now" in driver.notes())
         assert [each["value"] for each in asked(orders, "set")] == [0.25, 0.75]
         assert "not now" not in driver.notes()
         # A service, whose answer is shown below it.

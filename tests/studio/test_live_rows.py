@@ -7,7 +7,8 @@ from typing import Any
 import pytest
 from rich.cells import cell_len
 
-from plastron_tui.runtime.live_graph import LiveGraph, LiveParameter, NodeEnd
+from plastron_tui.runtime.live_graph import LiveGraph, NodeEnd
+from plastron_tui.runtime.live_parts import LiveParameter
 from plastron_tui.session import Session
 from plastron_tui.studio.panels.live_columns import columns_of, line_of
 from plastron_tui.studio.panels.live_row import Answer, Kind, LiveRow
@@ -234,6 +235,11 @@ def test_what_is_sent_at_a_rate_is_ended_at_its_topic(graph: LiveGraph) -> None:
     assert found == {Kind.TOPIC, Kind.SENDING, Kind.FIELD, Kind.NOTE}
     owners = {each.owner for at in range(len(rows)) if (each := cancelable_at(rows, at))}
     assert owners == {"/speed"}
+    # What fails is told in the place of it, and there is nothing to end.
+    failed = {"tell": "sending", "name": "/speed", "rate": 0, "text": "", "problem": "no\nway"}
+    graph.feed(failed)
+    assert "       ⚠ not sent any more: no\\nway" in drawn(graph, 80, set())
+    assert not any(row.is_sent_to for row in live_rows([graph], set(), {}))
 
 
 @pytest.mark.parametrize(

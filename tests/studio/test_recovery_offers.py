@@ -64,12 +64,31 @@ async def test_the_wizard_begins_what_was_asked_for(name: str | None, elsewhere:
         await driver.dialog("Wizard")
         assert driver.main.open.name == (name or "new program")
         assert driver.main.open.text == b""
+        # What is to be learned there by watching has no note over it.
+        assert "not saved" not in driver.notes()
+
+
+async def test_what_was_not_saved_elsewhere_is_said_once(elsewhere: Path, tmp_path: Path) -> None:
+    mine = tmp_path / "mine.plastron"
+    mine.write_text(PROGRAM)
+    async with studio(mine) as driver:
         said = driver.notes()
         assert f"talk.plastron in {shown_folder(elsewhere)}" in said
         assert f"a new program begun in {shown_folder(elsewhere)}" in said
         assert f"… and {JOURNALS - 3} more\nthe welcome page (Alt-0) has what was typed" in said
         assert "\x1b" not in said
         assert len(kept_texts(state_folder() / "journal")) == JOURNALS
+        # The wizard takes it away.
+        await driver.pilot.press("ctrl+u")
+        await driver.dialog("Wizard")
+        assert not driver.app._notifications
+    leave_behind(None, "// new\n", tmp_path / "another")
+    async with studio(mine) as driver:
+        said = driver.notes()
+        assert f"a new program begun in {shown_folder(tmp_path / 'another')}" in said
+        assert "talk.plastron" not in said
+    async with studio(mine) as driver:
+        assert "not saved" not in driver.notes()
 
 
 async def test_a_new_program_of_the_same_folder_is_offered_with_its_folder(elsewhere: Path) -> None:

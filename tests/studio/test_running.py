@@ -91,7 +91,7 @@ async def wait_shown(driver: Driver, *texts: str) -> list[str]:
 
 
 @needs_ros2
-async def test_the_messages_arrive_and_stop_ends_all(
+async def test_the_messages_arrive_stop_ends_all_and_a_death_is_said(
     talking: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(run_actions, "TWICE", 0.0)
@@ -113,10 +113,20 @@ async def test_the_messages_arrive_and_stop_ends_all(
         assert not nodes_of(tmp_path)
         await driver.app.run_call("screen.stop")
         await driver.until(lambda: "nothing runs" in driver.notes())
-        # And once more: what was shown is gone.
+        # And once more: what was shown is gone. This time the nodes end by themselves.
+        await driver.pilot.resize_terminal(120, 40)
         await driver.press("f5")
         lines = await wait_shown(driver, HEARD)
         assert "stopped" not in lines
+        for process in nodes_of(tmp_path):
+            os.kill(process, signal.SIGKILL)
+        lines = await wait_shown(driver, "ended with status")
+        assert any("talker was ended by SIGKILL" in line for line in lines), lines
+        await driver.until(lambda: "talker was ended by SIGKILL" in driver.notes())
+        nodes = driver.main.panels["nodes"]
+        assert set(nodes.remarks) == {"talker", "listener"}
+        rows = [nodes.render_line(y).text for y in range(nodes.size.height)]
+        assert any("talker" in row and "has ended" in row for row in rows), rows
 
 
 @pytest.mark.skipif(
@@ -146,22 +156,6 @@ async def test_leaving_ends_the_nodes(talking: Path, tmp_path: Path) -> None:
         await wait_shown(driver, HEARD)
         await driver.pilot.press("ctrl+q")
     wait_gone(tmp_path)
-
-
-@needs_ros2
-async def test_a_node_that_dies_is_said(talking: Path, tmp_path: Path) -> None:
-    async with studio(talking) as driver:
-        await driver.press("f5")
-        await wait_shown(driver, HEARD)
-        for process in nodes_of(tmp_path):
-            os.kill(process, signal.SIGKILL)
-        lines = await wait_shown(driver, "ended with status")
-        assert any("talker was ended by SIGKILL" in line for line in lines), lines
-        await driver.until(lambda: "talker was ended by SIGKILL" in driver.notes())
-        nodes = driver.main.panels["nodes"]
-        assert set(nodes.remarks) == {"talker", "listener"}
-        rows = [nodes.render_line(y).text for y in range(nodes.size.height)]
-        assert any("talker" in row and "has ended" in row for row in rows), rows
 
 
 async def test_a_run_that_fails_is_said(talking: Path, monkeypatch: pytest.MonkeyPatch) -> None:

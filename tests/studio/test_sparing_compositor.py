@@ -5,6 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 from random import Random
 
+import pytest
 from rich.console import Console
 from studio_driver import studio
 from textual._compositor import Compositor
@@ -53,6 +54,21 @@ async def test_what_is_behind_is_not_asked(program: Path) -> None:
         compositor._changed = (line,)
         assert [each[0] for each in compositor._get_renders(line)] == [region]
         compositor._changed = ()
+
+
+async def test_the_first_frame_is_drawn_as_a_whole_once(
+    program: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    drawn = []
+
+    def draw(compositor: Compositor, simplify: bool = False) -> object:
+        drawn.append(compositor)
+        return whole(compositor, simplify=simplify)
+
+    whole = Compositor.render_full_update
+    monkeypatch.setattr(Compositor, "render_full_update", draw)
+    async with studio(program, (100, 30)) as driver:
+        assert drawn == [driver.main._compositor]
 
 
 def test_a_screen_that_is_put_together_otherwise_is_left_alone() -> None:

@@ -4,8 +4,9 @@ from pathlib import Path
 
 import pytest
 from studio_driver import PROGRAM, Driver, leave_behind, studio
-from textual.widgets import Input, Label
+from textual.widgets import Input, Label, OptionList
 
+from plastron_tui.diagnostics import Edit, Span
 from plastron_tui.session import Session
 from plastron_tui.studio.files import OnDisk
 from plastron_tui.studio.main.tab_line import names_of, window_of
@@ -39,6 +40,12 @@ async def test_each_program_has_a_tab_with_its_own_undo_cursor_and_panels(
         await driver.back()
         assert tabs(driver) == "talk ● other"
         assert driver.text == OTHER
+        # What is open is not what Enter would open again.
+        await driver.pilot.press("ctrl+o")
+        listed = (await driver.dialog("ChooseFile")).query_one(OptionList)
+        assert listed.get_option_at_index(listed.highlighted).id == "talk.plastron"
+        await driver.pilot.press("escape")
+        await driver.back()
         assert [name.split()[1] for name in driver.shown("nodes")] == ["arm"]
         # What waits keeps its text and what can be undone, and not what the text means.
         assert main.program.tabs[0].open.analysis is None
@@ -222,3 +229,55 @@ async def test_nodes_go_on_while_another_program_is_in_front(
         await driver.press("alt+q")
         assert driver.main.open.path is None
         assert output.text == ""
+
+
+async def test_the_cursor_is_in_sight_in_a_tab_that_comes_back_to_a_smaller_window(
+    program: Path, other: Path
+) -> None:
+    program.write_text("// a line\n" * 60)
+    async with studio(program, (120, 40), others=[other]) as driver:
+        editor = driver.main.editor
+        editor.go_to(len("// a line\n") * 30)
+        assert editor.view.scroll_offset.y > 0
+        await driver.press(*["down"] * 10, "alt+e")
+        assert driver.text == OTHER
+        await driver.pilot.resize_terminal(80, 16)
+        await driver.press("alt+e")
+        assert editor.state.row == 40
+        assert 0 <= editor.view.cell_of(editor.cursor_offset).y < editor.view.size.height
+
+
+async def test_jumps_lead_back_and_forth_through_texts_and_tabs(program: Path, other: Path) -> None:
+    other.write_text(f"// nothing\n\n{OTHER}")
+    async with studio(program, others=[other]) as driver:
+        main, editor = driver.main, driver.main.editor
+
+        def place() -> tuple[str, int]:
+            return main.open.name, editor.state.row
+
+        editor.go_to(PROGRAM.index("greeting to"))
+        await driver.press("f12")
+        assert place() == ("talk.plastron", 1)
+        # A panel that is walked through is one step, wherever it leads.
+        await driver.show("nodes")
+        await driver.press("down", "down", "down", "enter")
+        await driver.until(lambda: place() == ("talk.plastron", 6))
+        await driver.press("alt+e")
+        assert main.open.name == "other.plastron"
+        assert editor.view.has_focus
+        await driver.press("down", "down", "alt+comma")
+        assert place() == ("talk.plastron", 6)
+        assert editor.view.has_focus
+        # What is written above moves the places along.
+        editor.apply([Edit(Span(0, 0), "// a line\n")])
+        await driver.press("alt+comma")
+        assert place() == ("talk.plastron", 2)
+        await driver.press("alt+comma")
+        assert place() == ("talk.plastron", 3)
+        await driver.press("alt+full_stop", "alt+full_stop", "alt+full_stop")
+        assert place() == ("other.plastron", 2)
+        await driver.press("alt+full_stop")
+        assert "there is no place to go forward to" in driver.notes()
+        await driver.press("alt+q")
+        await driver.press("alt+full_stop")
+        assert main.open.name == "talk.plastron"

@@ -258,7 +258,14 @@ def test_it_comes_back_after_it_was_suspended(terminal: Terminal, tmp_path: Path
     assert (tmp_path / "log").read_text() == ""
 
 
-@pytest.mark.parametrize("environ", [{"NO_COLOR": "1"}, {"TERM": "screen"}, {"TERM": "linux"}])
+@pytest.mark.parametrize(
+    "environ",
+    [
+        {"NO_COLOR": "1"},
+        pytest.param({"TERM": "screen"}, marks=pytest.mark.long),
+        {"TERM": "linux"},
+    ],
+)
 def test_it_works_with_few_colours(
     terminal: Terminal, tmp_path: Path, environ: dict[str, str]
 ) -> None:

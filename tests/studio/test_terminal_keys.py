@@ -16,7 +16,10 @@ FUNCTIONS = {
     "shift+f8": "[19;2~", "ctrl+pageup": "[5;5~", "ctrl+pagedown": "[6;5~",
     "alt+up": "[1;3A", "alt+down": "[1;3B",
 }  # fmt: skip
-SIGNS = {"plus": "+", "minus": "-", "equals_sign": "=", "question_mark": "?", "enter": "\r"}
+SIGNS = {
+    "plus": "+", "minus": "-", "equals_sign": "=", "question_mark": "?", "enter": "\r",
+    "comma": ",", "full_stop": ".",
+}  # fmt: skip
 CONTROL = {"space": "\0", "underscore": "\x1f"}
 SAME = {"ctrl+space": "ctrl+@"}
 

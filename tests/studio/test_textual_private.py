@@ -8,6 +8,7 @@ import sys
 import weakref
 from collections.abc import Iterator
 from contextvars import ContextVar
+from typing import ClassVar
 
 import pytest
 from textual import events
@@ -15,12 +16,14 @@ from textual._context import message_hook
 from textual._styles_cache import StylesCache
 from textual._xterm_parser import XTermParser
 from textual.app import App
+from textual.color import Color
 from textual.command import CommandPalette
 from textual.driver import Driver
 from textual.drivers import linux_driver as textual_driver
 from textual.drivers.linux_driver import LinuxDriver
 from textual.geometry import Offset, Size
 from textual.message import Message
+from textual.message_pump import MessagePump
 from textual.screen import Screen
 from textual.widgets import Static
 from textual.worker import WorkerFailed
@@ -32,9 +35,11 @@ from plastron_tui.studio.terminal_keys import teach
 from plastron_tui.studio.terminal_output import ShownScreen
 from plastron_tui.studio.textual_private import (
     Failing,
+    StyledLate,
     forget_notes,
     forget_removed_widgets,
     known_sequences,
+    leave_as_drawn,
     linux_driver,
     notes_in_sight,
     output_of,
@@ -57,6 +62,11 @@ async def test_this_version_of_textual_has_it() -> None:
     assert callable(App._unnotify)
     assert notes_in_sight(App[None]()) == []
     assert issubclass(vars(textual_driver)["XTermParser"], XTermParser)
+    widget = Static()
+    assert (widget._repaint_regions, widget._repaint_required) == (set(), False)
+    assert Screen[None]()._compositor._dirty_regions == set()
+    assert StyledLate()._get_component_classes() == frozenset()
+    assert StyledLate()._component_styles == {}
 
 
 def test_a_text_that_comes_at_once_is_one_event() -> None:
@@ -189,6 +199,8 @@ async def test_a_widget_that_was_asked_for_its_size_hears_of_it(is_told: bool) -
         screen._compositor._full_map_invalidated = True
         assert heard.size
         await pilot.pause()
+        while is_told and not heard.sizes:
+            await pilot.pause()
         assert bool(heard.sizes) is is_told
 
 
@@ -196,6 +208,30 @@ def test_without_a_compositor_nothing_is_mended() -> None:
     screen = Screen[None]()
     del screen._compositor
     tell_first_sizes(screen)
+    leave_as_drawn(screen)
+
+
+class _Lamp(StyledLate):
+    """A widget with components, of which it needs one."""
+
+    DEFAULT_CSS = "_Lamp > .on { color: red; } _Lamp.-dim > .on { color: blue; }"
+    COMPONENT_CLASSES: ClassVar[set[str]] = {"on", "off"}
+
+
+async def test_a_component_is_styled_when_it_is_asked_for(monkeypatch: pytest.MonkeyPatch) -> None:
+    async with App[None]().run_test() as pilot:
+        lamp = _Lamp()
+        await pilot.app.mount(lamp)
+        assert lamp._component_styles == {}
+        assert lamp.component("on").color == Color.parse("red")
+        assert [*lamp._component_styles] == ["on"]
+        lamp.add_class("-dim")
+        pilot.app.stylesheet.apply(lamp)
+        assert lamp.component("on").color == Color.parse("blue")
+        with monkeypatch.context() as without:
+            without.delattr(MessagePump, "_attach")
+            assert lamp._get_component_classes() == {"on", "off"}
+            assert lamp.component("on").color == Color.parse("blue")
 
 
 def test_without_the_list_of_notes_they_go_with_time() -> None:

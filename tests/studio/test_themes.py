@@ -10,10 +10,12 @@ import pytest
 from rich.style import Style
 from studio_driver import PROGRAM, Driver, studio
 from textual.color import Color
+from textual.theme import BUILTIN_THEMES, Theme
 from textual.widget import Widget
 from textual.widgets import OptionList
 
 from plastron_tui.studio.config import config_file
+from plastron_tui.studio.theme_colours import DEFAULT_THEME, grounds_of, usual_theme
 
 
 def read(widget: Widget) -> Iterator[tuple[str, Style]]:
@@ -21,6 +23,22 @@ def read(widget: Widget) -> Iterator[tuple[str, Style]]:
         for segment in widget.render_line(row):
             if segment.text.strip() and segment.style is not None:
                 yield segment.text.strip(), segment.style
+
+
+@pytest.mark.parametrize("theme", BUILTIN_THEMES.values(), ids=lambda theme: theme.name)
+def test_the_text_has_the_brightest_ground_of_a_theme(theme: Theme) -> None:
+    colours = theme.to_color_system().generate()
+    grounds = grounds_of(colours)
+    assert set(grounds) == {colours["background"], colours["surface"]}
+    text, panels = map(Color.parse, grounds)
+    if not theme.name.startswith("ansi"):
+        assert text.brightness >= panels.brightness
+
+
+def test_a_terminal_of_sixteen_colours_begins_with_them() -> None:
+    assert usual_theme({"TERM": "linux"}) == usual_theme({"TERM": "x-16color"}) == "ansi-dark"
+    assert usual_theme({"TERM": "linux", "COLORTERM": "truecolor"}) == DEFAULT_THEME
+    assert usual_theme({}) == usual_theme({"TERM": "xterm-256color"}) == DEFAULT_THEME
 
 
 @pytest.mark.long

@@ -7,7 +7,7 @@ from pathlib import Path
 from studio_driver import studio
 from textual.widgets import Label
 
-from plastron_tui.runtime.live_graph import LiveParameter
+from plastron_tui.runtime.live_parts import LiveParameter
 from plastron_tui.session import Session
 from plastron_tui.studio.panels.live_row import Kind, LiveRow
 from plastron_tui.studio.wizard.live_orders import form_for

@@ -10,6 +10,7 @@ from studio_driver import studio
 
 from plastron_tui.diagnostics import Edit, Span
 from plastron_tui.studio.panels.entry import Entry
+from plastron_tui.studio.panels.entry_list import empty_rows
 from plastron_tui.studio.panels.wrapped_list import WrappedList, _height, rows_of
 
 FIX = (Edit(Span(0, 0), b""),)
@@ -52,6 +53,20 @@ def test_an_entry_is_whole_at_any_width(entry: Entry, width: int) -> None:
 def test_what_can_be_done_stands_in_one_piece(width: int, rows: list[str]) -> None:
     found = ["".join(piece.text for piece in row) for row in rows_of(ENTRIES[3], width)]
     assert found == rows
+
+
+@pytest.mark.parametrize("width", [1, 12, 33, 90])
+def test_what_an_empty_list_says_is_whole_at_any_width(width: int) -> None:
+    text = "no messages yet\ncreate_message hello of message_type String and input data=1"
+    rows = ["".join(piece.text for piece in row) for row in empty_rows(text, width)]
+    assert "".join("".join(rows).split()) == "".join(text.split())
+    if width > 1:
+        assert all(cell_len(row) <= width for row in rows)
+    if width == 33:
+        assert rows == [
+            " no messages yet", " create_message hello of ", " message_type String and input ",
+            " data=1",
+        ]  # fmt: skip
 
 
 async def test_a_problem_is_walked_to_and_clicked_on_whatever_rows_it_takes(program: Path) -> None:

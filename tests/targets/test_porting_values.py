@@ -11,7 +11,7 @@ from ported_nodes import MARK, after_head, count_marks, ported
 from plastron_tui.ros.catalog import Catalog
 from plastron_tui.ros.interfaces import FieldType
 from plastron_tui.sources.python.calls import LIBRARIES
-from plastron_tui.sources.python.sites import analyze
+from plastron_tui.sources.python.shared_analysis import analyze
 from plastron_tui.targets.python.porting.fields import write_fields
 from plastron_tui.targets.python.porting.port_state import Work
 

@@ -5,15 +5,6 @@ from __future__ import annotations
 DISTRIBUTIONS: dict[str, int] = {"noetic": 1, "humble": 2, "jazzy": 2, "kilted": 2, "lyrical": 2}
 """The ROS version of each distribution, the oldest first."""
 
-END_OF_LIFE: dict[str, str] = {
-    "noetic": "2025-05",
-    "humble": "2027-05",
-    "jazzy": "2029-05",
-    "kilted": "2026-12",
-    "lyrical": "2031-05",
-}
-"""The last month in which each is supported (REP 2000; for ROS 1 the wiki's "Distributions")."""
-
 EXTRA_DISTRIBUTION = "kilted"
 """What the extra `ros2` brings: of Lyrical, the long-term release since, there are no wheels."""
 

@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Callable, Generator, Iterable
 from typing import Any
 
-from monitor_pipes import answer, send
+from monitor_pipes import answer, is_now, send
 from rcl_interfaces.srv import DescribeParameters, GetParameters, ListParameters, SetParameters
 from rclpy.parameter import Parameter, parameter_value_to_python
 
@@ -118,7 +118,8 @@ class Parameters:
                 sent.append(client.call_async(request))
             if sent and sent[0].done():
                 (result,) = sent[0].result().results
-                said = "set" if result.successful else result.reason or "the node refuses it"
+                refused = result.reason or "the node refuses it"
+                said = is_now(name, value) if result.successful else refused
                 answer(order, said, is_failure=not result.successful)
                 # What was asked before that is out of date, and is asked again.
                 self._asked[node] = 0.0

@@ -65,6 +65,12 @@ def answer(order: dict[str, Any], text: str, *, is_failure: bool = False) -> Non
     send(tell="answer", id=order.get("id"), text=text, is_failure=is_failure)
 
 
+def is_now(name: str, value: Any) -> str:
+    """Say which value a parameter has been given."""
+    shown = json.dumps(value, ensure_ascii=False) if isinstance(value, str) else str(value)
+    return f"{name} is {shown} now"
+
+
 def sent_words(name: str, listening: int, reached: int) -> str:
     """Say that a message was sent, and to how many of those who listen it cannot come."""
     if listening <= 0:

@@ -20,7 +20,7 @@ from goals_ros1 import ActionClients, action_types, is_part
 from message_filling import fill, has_stamp
 from message_summary import summary_of
 from monitor_goals import Goals
-from monitor_pipes import Orders, answer, send, sent_words
+from monitor_pipes import Orders, answer, is_now, send, sent_words
 from monitor_sending import Sendings
 from monitor_services import ServiceTypes, within
 from monitor_subscriptions import NotInstalledError, Subscriptions
@@ -100,7 +100,8 @@ class _Monitor:
             elif order["do"] == "set":
                 rospy.set_param(f"{order['node']}/{order['name']}", order["value"])
                 self._asked = 0.0
-                answer(order, "set; a node of ROS 1 sees it when it reads it again")
+                said = is_now(order["name"], order["value"])
+                answer(order, f"{said}; a node of ROS 1 sees it when it reads it again")
         except Exception as error:  # a type that is not installed, a master that is gone, …
             answer(order, str(error) or type(error).__name__, is_failure=True)
 
@@ -130,6 +131,7 @@ class _Monitor:
                 self._graph = {}
             send(tell="beat")
         self._topics.report()
+        self._sendings.turn()
         self._goals.turn()
         self._goals.report()
         if self._nodes and now - self._asked >= _PARAMETERS:

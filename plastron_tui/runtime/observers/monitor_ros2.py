@@ -143,6 +143,7 @@ class _Monitor:
             self._looked = now
             self._look()
         self._topics.take()
+        self._sendings.turn()
         if now - self._reported >= _REPORT:
             self._reported = now
             self._topics.report()

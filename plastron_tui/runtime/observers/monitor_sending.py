@@ -29,6 +29,8 @@ class Sending:
         self._period = 1 / order["rate"]
         self._end = threading.Event()
         self._thread = threading.Thread(target=self._run, daemon=True)
+        self.has_failed = False
+        """Whether a message could not be sent, and so no other one is."""
         send(tell="sending", name=order["name"], rate=order["rate"], text=text)
         self._thread.start()
 
@@ -50,8 +52,9 @@ class Sending:
                 # What the machine had no time for is not sent later, all at once.
                 due = max(due + self._period, time.monotonic())
         except Exception as error:  # whatever the middleware raises
-            answer(self._order, str(error) or type(error).__name__, is_failure=True)
-            send(tell="sending", name=self._order["name"], rate=0, text="")
+            problem = str(error) or type(error).__name__
+            send(tell="sending", name=self._order["name"], rate=0, text="", problem=problem)
+            self.has_failed = True
 
 
 class Sendings:
@@ -87,6 +90,13 @@ class Sendings:
         if sending is not None and close is not None:
             sending.stop()
             close()
+
+    def turn(self) -> None:
+        """Take the publishers away that cannot send, from the thread that made them."""
+        for name, (sending, close) in list(self._running.items()):
+            if sending.has_failed:
+                del self._running[name]
+                close()
 
     def close(self) -> None:
         """Send no more at all; nobody is there any more who could be told."""

@@ -11,6 +11,7 @@ import tree_sitter_cpp
 from tree_sitter import Node, Parser
 
 from plastron_tui.sources.grammars import AS_LETTERS, Grammar, ParsedFile, count_errors
+from plastron_tui.sources.text_memo import remembered
 
 from .macros import join_macros, mask_macros
 from .preprocessing import Define, Include, blank, preprocess
@@ -46,6 +47,7 @@ class Syntax(ParsedFile):
         return self.code[node.start_byte : node.end_byte].decode(self.encoding, "replace")
 
 
+@remembered
 def parse(text: bytes) -> Syntax:
     """Parse a file, whatever its encoding, without moving an offset."""
     prepared = preprocess(text)

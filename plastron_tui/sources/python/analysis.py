@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, NamedTuple
 
@@ -87,9 +88,39 @@ QosChanges = dict[tuple[int, int, str], list[QosChange]]
 """Assignments to policies, by what makes the profile."""
 
 
+class Meanings(NamedTuple):
+    """What the names of a file mean.
+
+    Attributes:
+        unresolved: names that are read where nothing binds them; a star import may do so.
+        unbound: attributes of the file's own objects that are read, and that it gives to none; a
+            base class of another file may do so.
+        bound: attributes that it gives to its own objects.
+    """
+
+    unresolved: frozenset[str]
+    unbound: frozenset[str]
+    bound: frozenset[str]
+
+
 @dataclass(slots=True)
+class Answers:
+    """What is found out of a file when somebody asks for it first, whatever its call sites are.
+
+    Attributes:
+        qos_changes: its assignments to policies of quality of service, None before.
+        meanings: what its names mean, None before.
+        identifiers: where a name is an identifier, by the name.
+    """
+
+    qos_changes: QosChanges | None = None
+    meanings: Meanings | None = None
+    identifiers: dict[str, tuple[Node, ...]] = field(default_factory=dict)
+
+
+@dataclass(frozen=True, slots=True)
 class Analysis:
-    """All that the reader and the editor know of a file.
+    """All that the reader and the editor know of a file; who asks about the same text shares it.
 
     Attributes:
         syntax: the text and its tree.
@@ -101,20 +132,19 @@ class Analysis:
         disguised: the objects of other libraries that do so as well, which no edit takes apart.
         nodes: what makes the nodes.
         package: what its names stand for that other files of its package have.
-        qos_changes: its assignments to policies of quality of service, None before they are
-            looked for.
+        answers: what was asked about it.
     """
 
     syntax: Syntax
     library: ClientLibrary
     scopes: ScopeTree
     resolver: Resolver
-    captures: dict[str, list[Node]]
-    sites: list[Site] = field(default_factory=list)
-    disguised: list[Site] = field(default_factory=list)
-    nodes: list[NodeSite] = field(default_factory=list)
+    captures: Mapping[str, list[Node]]
+    sites: Sequence[Site] = ()
+    disguised: Sequence[Site] = ()
+    nodes: Sequence[NodeSite] = ()
     package: PackageNames | None = None
-    qos_changes: QosChanges | None = None
+    answers: Answers = field(default_factory=Answers)
 
     def first_sites(self) -> list[Site]:
         """Return a call site for each call, the first where it creates several endpoints."""

@@ -51,10 +51,10 @@ def _sites(analysis: Analysis, owner: Scope, seen: set[Scope]) -> Iterator[tuple
         held = package.class_(name)
         if held is None or held[1] in seen:
             continue
-        module, base = held
+        module, base = package.complete(held[0]), held[1]
         seen.add(base)
         family = [base, *module.resolver.classes.bases(base)]
-        of_module = ((module, each) for each in package.sites(module))
+        of_module = ((module, each) for each in module.sites)
         for file, site in (*of_module, *_sites(module, base, seen)):
             classes = family if file is module else file.scopes.classes()
             method = _method(site, classes)

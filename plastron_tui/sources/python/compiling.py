@@ -6,6 +6,8 @@ import ast
 import warnings
 from typing import NamedTuple
 
+from plastron_tui.sources.text_memo import remembered
+
 
 class NotPython(NamedTuple):
     """Why a text is no Python 3, and in which line, counted from 1, where Python says it."""
@@ -14,6 +16,7 @@ class NotPython(NamedTuple):
     line: int | None = None
 
 
+@remembered
 def syntax_error(text: bytes) -> NotPython | None:
     """Return why a text is no Python 3, None where it is."""
     try:

@@ -57,10 +57,12 @@ def dead_targets(analysis: Analysis, gone: Sequence[Splice]) -> list[Splice]:
     found: list[Splice] = []
     for function in _functions(analysis, ranges):
         start, end = function.node.start_byte, function.node.end_byte
-        for inner in nodes_in(function.node, [(start, end)]):
+        for inner in analysis.captures.get("assignment", []):
+            if not start <= inner.start_byte < end:
+                continue
             target, value = inner.child_by_field_name("left"), inner.child_by_field_name("right")
             is_chained = inner.parent is not None and inner.parent.type == "assignment"
-            if inner.type != "assignment" or target is None or value is None or is_chained:
+            if target is None or value is None or is_chained:
                 continue
             links = [(target, value)]
             while value.type == "assignment" and target is not None:

@@ -12,7 +12,7 @@ from plastron_tui.ros.catalog import Catalog, moved
 from plastron_tui.sources.base import Rendered
 from plastron_tui.sources.left_behind import unread
 
-from .analysis import Analysis
+from .analysis import Analysis, Meanings
 from .calls import LIBRARIES
 from .compiling import syntax_error
 from .dialect import Dialect
@@ -25,14 +25,13 @@ from .keeps_running import never_called
 from .line_limit import line_limit
 from .listed_endpoints import gone_entries
 from .messages import CannotAddError
-from .package import Package
 from .refusals import RefusedError
-from .sites import analyze, analyze_again
+from .shared_analysis import analyze, analyze_again, package_names
 from .splices import apply
 from .still_named import tell_still_named
 from .still_read import tell_still_read
 from .uncalled import tell_uncalled, uncalled_functions
-from .unresolved import Meanings, lost_names, meanings
+from .unresolved import lost_names, meanings
 from .wrapping import wrap_new_lines
 
 
@@ -58,7 +57,7 @@ def edit_python(
     if not changes:
         return Rendered(source.files)
     library = LIBRARIES[source.library]
-    before = analyze(source.files.main, library, Package(source.path, library).names)
+    before = analyze(source.files.main, library, package_names(source.path, library))
     used = {
         (each.kind.facts.interface, each.type)
         for each in source.endpoints

@@ -43,7 +43,7 @@ from .removal_plan import plan_removal
 from .renaming import NotNamedError, plan_names
 from .replacing import NotInPlaceError
 from .sent_before import lost_of_site
-from .sites import analyze_again
+from .shared_analysis import analyze_again
 from .splices import apply, delete_statements
 from .updating import plan_update
 from .writing import Writer, key_of

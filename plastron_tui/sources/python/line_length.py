@@ -59,10 +59,14 @@ def find_line_length(file: Path) -> int | None:
 
     They are read as text and never run; what cannot be read says nothing.
     """
-    for folder in _folders(file):
+    for folder in map(os.fspath, _folders(file)):
         for name in _FILES:
+            path = os.path.join(folder, name)  # noqa: PTH118
+            # Hardly any is there: to ask costs less than to fail.
+            if not os.path.lexists(path):
+                continue
             try:
-                text = read_regular(folder / name, _LARGEST).decode("utf-8", "replace")
+                text = read_regular(path, _LARGEST).decode("utf-8", "replace")
             except (OSError, ValueError):
                 continue
             if (found := said_line_length(text, name)) is not None:

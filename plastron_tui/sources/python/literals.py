@@ -4,6 +4,10 @@ from __future__ import annotations
 
 import ast
 import keyword
+import re
+
+# Most literals are such strings, whose value is what stands in them.
+_PLAIN = re.compile(r"""'[^'\\\n\r\0]*'|"[^"\\\n\r\0]*\"""")
 
 _ESCAPES = {"\\": "\\\\", "\n": "\\n", "\r": "\\r", "\t": "\\t"}
 
@@ -43,6 +47,8 @@ def value_of(literal: str) -> object:
         ValueError: it is no literal.
         SyntaxError, MemoryError, RecursionError: Python cannot parse it.
     """
+    if literal.isascii() and _PLAIN.fullmatch(literal):
+        return literal[1:-1]
     body = ast.parse(literal.lstrip(" \t"), mode="eval").body
     if not isinstance(body, ast.Constant):
         raise ValueError(literal)

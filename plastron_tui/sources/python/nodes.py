@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import replace
 
 from plastron_tui.diagnostics import Span
@@ -54,7 +55,7 @@ def labels_of(analysis: Analysis) -> dict[Site, str]:
     return labels
 
 
-def makers_of(analysis: Analysis) -> list[NodeSite]:
+def makers_of(analysis: Analysis) -> Sequence[NodeSite]:
     """Return what makes the nodes; the calls that name the one of a rospy file may disagree."""
     nodes = analysis.nodes
     if analysis.library.node_classes or len(nodes) < 2:
@@ -81,7 +82,7 @@ def _label(maker: NodeSite) -> str:
     return SourceNode(maker.name, "", (), None, class_name).label
 
 
-def _owned(makers: list[NodeSite], analysis: Analysis) -> list[list[Site]]:
+def _owned(makers: Sequence[NodeSite], analysis: Analysis) -> Sequence[Sequence[Site]]:
     """Return the call sites of each node."""
     if len(makers) < 2:
         return [analysis.sites for _ in makers]

@@ -16,13 +16,14 @@ from weakref import proxy
 
 from tree_sitter import Node
 
-from plastron_tui.regular_files import read_regular
+from plastron_tui.regular_files import Stamp, read_regular, stamp_of
 from plastron_tui.sources.work_limits import Effort, bounded
 
-from .analysis import Analysis, Site
+from .analysis import Analysis
 from .calls import ClientLibrary
 from .constants import MOST_BINDINGS, MOST_DEEP, Folded
 from .imported_names import joined
+from .package_root import root_of
 from .reading_cost import is_readable
 from .scopes import Binding, BindingKind, Scope
 from .sites import complete, outline
@@ -34,9 +35,6 @@ MOST_MODULES = 32
 _LARGEST = 256 * 1024
 _MOST_BYTES = 1024 * 1024
 _MOST_PARTS = 8
-_MOST_ABOVE = 4
-# What a package of ROS, or of Python, has in its folder.
-_MARKS = ("package.xml", "setup.py", "pyproject.toml")
 _SUFFIX = ".py"
 
 
@@ -62,8 +60,9 @@ class Package:
         """Begin with the file that is read; its own text is never taken from the disk."""
         self.main = os.path.realpath(main)
         self._library = library
-        self._root = _root_of(self.main)
+        self._root = root_of(self.main)
         self._texts: dict[str, bytes | None] = {}
+        self._stamps: dict[str, Stamp | None] = {}
         self._modules: dict[str, Analysis | None] = {}
         self._found: dict[tuple[str, str], _Found | None] = {}
         self._is_own: dict[tuple[str, str], bool] = {}
@@ -71,7 +70,7 @@ class Package:
         self.led: dict[tuple[str, str], tuple[str, ...]] = {}
         self.constants: dict[tuple[str, str], Folded] = {}
         self._left = _MOST_BYTES
-        self._complete: set[int] = set()
+        self._complete: dict[str, Analysis] = {}
 
     @property
     def paths(self) -> tuple[Path, ...]:
@@ -82,6 +81,20 @@ class Package:
     def names(self) -> PackageNames:
         """What the names of the file itself stand for."""
         return PackageNames(self, self.main)
+
+    @property
+    def size(self) -> int:
+        """How many bytes were read of other files."""
+        return _MOST_BYTES - self._left
+
+    def is_current(self) -> bool:
+        """Tell whether each question to the disk would be answered now as it was."""
+        return (
+            self._root == root_of(self.main)
+            and all(self._is_there(*key) == known for key, known in self._is_own.items())
+            and all(self._find(*key) == known for key, known in self._found.items())
+            and all(stamp_of(Path(path)) == stamp for path, stamp in self._stamps.items())
+        )
 
     def find(self, name: str, seen_from: str) -> _Found | None:
         """Return the module that a qualified name leads to, None where it leads elsewhere.
@@ -100,12 +113,16 @@ class Package:
     def _may_be_own(self, name: str, folder: str) -> bool:
         first = name.partition(".")[0]
         if (first, folder) not in self._is_own:
-            places = (os.path.join(each, first) for each in self._folders(folder))  # noqa: PTH118
-            self._is_own[first, folder] = any(
-                os.path.isdir(place) or os.path.isfile(place + _SUFFIX)  # noqa: PTH112, PTH113
-                for place in places
-            )
+            self._is_own[first, folder] = self._is_there(first, folder)
         return self._is_own[first, folder]
+
+    def _is_there(self, module: str, folder: str) -> bool:
+        """Whether a folder of modules has one of a name."""
+        places = (os.path.join(each, module) for each in self._folders(folder))  # noqa: PTH118
+        return any(
+            os.path.isdir(place) or os.path.isfile(place + _SUFFIX)  # noqa: PTH112, PTH113
+            for place in places
+        )
 
     def _folders(self, folder: str) -> tuple[str, ...]:
         """Return where Python, or what a build makes of a package, has its modules."""
@@ -139,6 +156,8 @@ class Package:
             if len(self._texts) == MOST_MODULES:
                 return None
             self._texts[path] = None
+            # Before it is read: what is written meanwhile counts as written later.
+            self._stamps[path] = stamp_of(Path(path))
             with suppress(OSError, ValueError):
                 self._texts[path] = read_regular(path, min(_LARGEST, self._left))
             self._left -= len(self._texts[path] or b"")
@@ -160,12 +179,11 @@ class Package:
             self._modules[path] = known
         return self._modules[path]
 
-    def sites(self, module: Analysis) -> list[Site]:
-        """Return the call sites of a module."""
-        if id(module) not in self._complete:
-            self._complete.add(id(module))
-            complete(module)
-        return module.sites
+    def complete(self, path: str, module: Analysis) -> Analysis:
+        """Return what is known of a module, its call sites among it."""
+        if path not in self._complete:
+            self._complete[path] = complete(module)
+        return self._complete[path]
 
 
 class _Led(NamedTuple):
@@ -202,37 +220,50 @@ class PackageNames:
     def __init__(self, package: Package, path: str) -> None:
         """Set the package, and the file that imports."""
         self._package = package
-        self._path = path
+        self.path = path
         self.effort = package.effort
 
     @property
     def is_beside(self) -> bool:
         """Whether the file is one of the others itself."""
-        return self._path != self._package.main
+        return self.path != self._package.main
 
     @property
     def paths(self) -> tuple[Path, ...]:
         """The files of the package that were looked into."""
         return self._package.paths
 
-    def sites(self, module: Analysis) -> list[Site]:
-        """Return the call sites of another file."""
-        return self._package.sites(module)
+    @property
+    def size(self) -> int:
+        """How many bytes were read of other files."""
+        return self._package.size
+
+    def is_of(self, other: PackageNames | None) -> bool:
+        """Whether other names were found out from the very same state of the package."""
+        return other is not None and other._package is self._package
+
+    def complete(self, module: Analysis) -> Analysis:
+        """Return what is known of another file, its call sites among it."""
+        return (
+            module
+            if module.package is None
+            else self._package.complete(module.package.path, module)
+        )
 
     def relative(self, other: PackageNames) -> str:
         """Return the path of another file of the package from the folder of this one."""
-        return os.path.relpath(other._path, os.path.dirname(self._path))  # noqa: PTH120
+        return os.path.relpath(other.path, os.path.dirname(self.path))  # noqa: PTH120
 
     def targets(self, name: str, depth: int = 0) -> tuple[str, ...]:
         """Return the qualified names that a name stands for outside of the package, or itself."""
-        key = name, self._path
+        key = name, self.path
         if key not in self._package.led:
             self._package.led[key] = self._targets(name, depth)
         return self._package.led[key]
 
     @bounded(())
     def _targets(self, name: str, depth: int) -> tuple[str, ...]:
-        found = self._package.find(name, self._path)
+        found = self._package.find(name, self.path)
         if found is None or not found.names or self._package.defines(found.path, found.names[0]):
             return (name,)
         led = self._lead(name, depth)
@@ -250,7 +281,7 @@ class PackageNames:
 
     def _lead(self, name: str, depth: int) -> _Led | None:
         """Return the file that a name of one of its own leads to, None for any other name."""
-        found = self._package.find(name, self._path) if depth <= MOST_DEEP else None
+        found = self._package.find(name, self.path) if depth <= MOST_DEEP else None
         module = self._package.module(found.path) if found is not None and found.names else None
         if found is None or module is None or module.package is None:
             return None
@@ -263,7 +294,7 @@ class PackageNames:
         seen: set[str] = set()
         while pending:
             names, name = pending.pop(0)
-            found = self._package.find(name, names._path)
+            found = self._package.find(name, names.path)
             module = self._package.module(found.path) if found is not None else None
             if found is None:
                 led[name] = None
@@ -275,14 +306,14 @@ class PackageNames:
 
     def leads_out(self, name: str) -> bool:
         """Whether a name is of no module of the package."""
-        return self._package.find(name, self._path) is None and not name.startswith(".")
+        return self._package.find(name, self.path) is None and not name.startswith(".")
 
     def constant(self, name: str, depth: int = 0) -> Folded:
         """Return the constant that a name is, None where the package does not say it.
 
         What only the default of a parameter says is none: another file may give another value.
         """
-        key = name, self._path
+        key = name, self.path
         if key not in self._package.constants:
             self._package.constants[key] = self._constant(name, depth)
         return self._package.constants[key]
@@ -367,18 +398,3 @@ def _is_parameter(module: Analysis, read: Node) -> bool:
     found = module.scopes.at(read.start_byte).lookup(module.syntax.slice(read))
     bindings = [] if found is None else found[1][:MOST_BINDINGS]
     return any(binding.kind is BindingKind.PARAMETER for binding in bindings)
-
-
-def _root_of(main: str) -> str:
-    """Return the folder of the package that a file is in: its own folder where none is marked."""
-    own = Path(main).parent
-    folders = (own, *own.parents)[:_MOST_ABOVE]
-    home = Path(os.path.expanduser("~"))  # noqa: PTH111 (never raises)
-    for folder in folders:
-        if folder == home:
-            break
-        if any(os.path.isfile(folder / mark) for mark in _MARKS):  # noqa: PTH113
-            return str(folder)
-        if os.path.lexists(folder / ".git"):
-            break
-    return str(own)

@@ -52,7 +52,7 @@ class Passes:
         self._changed: frozenset[bytes] | None = None
         self._world = EVERYWHERE
         self._open: list[Binding] | None = None
-        self._passes_left = MOST_IN_ALL
+        self.passes_left = MOST_IN_ALL
         self._defaults: Defaults | None = None
         self.classes = Classes(syntax, scopes)
         self.effort = Effort(len(syntax.text))
@@ -90,14 +90,14 @@ class Passes:
         A single one that says nothing where there are no more, or where it is not sure that the
         call is made in each of them.
         """
-        if self._passes_left <= 0:
+        if self.passes_left <= 0:
             return [EVERYWHERE]
         found: list[World] = []
         pending = [EVERYWHERE]
         is_known = False
         while pending:
             world = pending.pop(0)
-            self._passes_left -= world is not EVERYWHERE
+            self.passes_left -= world is not EVERYWHERE
             with self.during(world):
                 self._open = []
                 folded = self.fold(node, scope)
@@ -106,7 +106,7 @@ class Passes:
             if not options:
                 found.append(world)
                 is_known = is_known or folded is not None
-            if len(found) + len(pending) > MOST_PASSES or self._passes_left <= 0:
+            if len(found) + len(pending) > MOST_PASSES or self.passes_left <= 0:
                 return [EVERYWHERE]
         is_made = (is_made_in(world, call, self._syntax, self.effort) for world in found)
         if not is_known or not all(is_made):

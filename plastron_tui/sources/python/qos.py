@@ -94,7 +94,9 @@ def _changed(qos: Qos, origin: Origin, analysis: Analysis, at: Node) -> Qos:
         analysis: the file of the call.
         at: the call.
     """
-    modules = [analysis] if origin.analysis is analysis else [origin.analysis, analysis]
+    modules = (
+        [analysis] if origin.analysis.scopes is analysis.scopes else [origin.analysis, analysis]
+    )
     of_each = [(module, _changes(module).get(origin.key, [])) for module in modules]
     if sum(len(changes) for _, changes in of_each) > _MOST_CHANGES:
         return Qos()
@@ -104,7 +106,7 @@ def _changed(qos: Qos, origin: Origin, analysis: Analysis, at: Node) -> Qos:
     behind = set(_directly_behind(origin))
     steps = []
     for change, module in found:
-        is_here = module is analysis and _function(change.node) == _function(at)
+        is_here = module.scopes is analysis.scopes and _function(change.node) == _function(at)
         order = 0 if change.node.id in behind else 2 if is_here else 1
         is_sure = len(change.of) == 1 and order != 1
         if is_here and order:
@@ -124,13 +126,14 @@ def _changed(qos: Qos, origin: Origin, analysis: Analysis, at: Node) -> Qos:
 
 def _changes(analysis: Analysis) -> QosChanges:
     """Return the assignments of a file to policies of profiles, by what made these."""
-    if analysis.qos_changes is None:
-        analysis.qos_changes = {}
+    answers = analysis.answers
+    if answers.qos_changes is None:
+        answers.qos_changes = {}
         with analysis.resolver.during(EVERYWHERE):
             for change in _find_changes(analysis):
                 for key in change.of:
-                    analysis.qos_changes.setdefault(key, []).append(change)
-    return analysis.qos_changes
+                    answers.qos_changes.setdefault(key, []).append(change)
+    return answers.qos_changes
 
 
 def _find_changes(analysis: Analysis) -> Iterator[QosChange]:

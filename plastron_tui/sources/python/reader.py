@@ -11,9 +11,8 @@ from plastron_tui.sources.base import ReadResult
 
 from .calls import LIBRARIES, ClientLibrary
 from .nodes import group
-from .package import Package
 from .reading_cost import MOST_CLASSES, comment_run
-from .sites import analyze
+from .shared_analysis import analyze, package_names
 from .syntax import parse
 
 MOST_BYTES = 4_000_000
@@ -44,12 +43,11 @@ def read_python(path: Path, files: FileSet, library: str | None = None) -> ReadR
     if long_run is not None:
         problem = f"the comments from line {long_run} on are too many to be read"
         return _refuse(path, codes.FILE_TOO_LARGE, problem)
-    syntax = parse(text)
-    if len(syntax.captures("structure").get("class", [])) > MOST_CLASSES:
+    if _has_too_many_classes(text):
         problem = f"the file has more than {MOST_CLASSES} classes, and is not read"
         return _refuse(path, codes.FILE_TOO_LARGE, problem)
     analyses = [
-        analyze(syntax, candidate, Package(path, candidate).names)
+        analyze(text, candidate, package_names(path, candidate))
         for candidate in candidates or [LIBRARIES["rclpy"]]
     ]
     if is_guess and all(site.endpoint.type is None for site in analyses[0].sites):
@@ -57,6 +55,14 @@ def read_python(path: Path, files: FileSet, library: str | None = None) -> ReadR
     best = max(analyses, key=lambda analysis: (len(analysis.sites), len(analysis.nodes)))
     source = SourceUnit(path, files, best.library.module, group(best))
     return ReadResult(source, beside=() if best.package is None else best.package.paths)
+
+
+def _has_too_many_classes(text: bytes) -> bool:
+    # Where the word is not as often in the text, the tree need not be asked.
+    return (
+        text.count(b"class") > MOST_CLASSES
+        and len(parse(text).captures("structure").get("class", [])) > MOST_CLASSES
+    )
 
 
 def _refuse(path: Path, code: Code, message: str) -> ReadResult:

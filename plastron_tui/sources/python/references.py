@@ -86,8 +86,15 @@ def function_of(node: Node, analysis: Analysis) -> Scope | None:
     return bindings[0].owner
 
 
-def identifiers(name: str, analysis: Analysis) -> Iterator[Node]:
-    """Yield the identifiers of a name in the code: not those in strings and comments."""
+def identifiers(name: str, analysis: Analysis) -> tuple[Node, ...]:
+    """Return the identifiers of a name in the code: not those in strings and comments."""
+    known = analysis.answers.identifiers
+    if name not in known:
+        known[name] = tuple(_identifiers(name, analysis))
+    return known[name]
+
+
+def _identifiers(name: str, analysis: Analysis) -> Iterator[Node]:
     text = analysis.syntax.text
     pattern = re.compile(rb"(?<![\w])" + re.escape(analysis.syntax.encode(name)) + rb"(?![\w])")
     root = analysis.syntax.root

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 from .analysis import Analysis, NodeSite, Site
 from .scopes import Scope
@@ -15,7 +15,7 @@ class Owners:
     each site and each node: there are as many of both as the file is large.
     """
 
-    def __init__(self, makers: list[NodeSite], analysis: Analysis) -> None:
+    def __init__(self, makers: Sequence[NodeSite], analysis: Analysis) -> None:
         self._analysis = analysis
         self._classes: dict[Scope, int] = {}
         self._variables: dict[tuple[Scope, str], int] = {}

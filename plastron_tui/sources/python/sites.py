@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from tree_sitter import Node
@@ -15,7 +16,7 @@ from .created import created_by
 from .disguised import disguised
 from .names import NODE, Resolver
 from .scopes import Scope, build_scopes
-from .syntax import Syntax, parse
+from .syntax import Syntax
 
 if TYPE_CHECKING:
     from .package import PackageNames
@@ -30,31 +31,10 @@ _NO_NODES = frozenset(
 )
 
 
-def analyze(
-    text: bytes | Syntax, library: ClientLibrary, package: PackageNames | None = None
-) -> Analysis:
-    """Find the call sites of a file that create endpoints of a client library.
-
-    Args:
-        text: what the file holds.
-        library: the client library.
-        package: what the names stand for that it imports from its package, None to leave them.
-    """
-    analysis = outline(text, library, package)
-    complete(analysis)
-    return analysis
-
-
-def analyze_again(before: Analysis, text: bytes) -> Analysis:
-    """Find the call sites of what a file holds by now."""
-    return analyze(text, before.library, before.package)
-
-
 def outline(
-    text: bytes | Syntax, library: ClientLibrary, package: PackageNames | None = None
+    syntax: Syntax, library: ClientLibrary, package: PackageNames | None = None
 ) -> Analysis:
     """Find out what the names of a file stand for, and no call sites yet."""
-    syntax = parse(text) if isinstance(text, bytes) else text
     captures = syntax.captures("structure")
     scopes = build_scopes(syntax, captures)
     calls = sorted(captures.get("call", []), key=lambda node: node.start_byte)
@@ -64,23 +44,32 @@ def outline(
     return Analysis(syntax, library, scopes, resolver, captures, package=package)
 
 
-def complete(analysis: Analysis) -> None:
+def complete(outlined: Analysis) -> Analysis:
     """Find the call sites of a file of which no more than the names were known."""
-    finder = _Finder(analysis)
-    for call in sorted(analysis.captures.get("call", []), key=lambda node: node.start_byte):
+    finder = _Finder(outlined)
+    for call in sorted(outlined.captures.get("call", []), key=lambda node: node.start_byte):
         finder.visit(call)
     finder.add_unsure()
     finder.add_node_classes()
     # An outer call comes before the calls in its arguments, as in the text.
-    analysis.sites.sort(key=lambda site: (site.call.start_byte, site.endpoint.span.start))
+    finder.sites.sort(key=lambda site: (site.call.start_byte, site.endpoint.span.start))
+    return replace(
+        outlined,
+        sites=tuple(finder.sites),
+        disguised=tuple(finder.disguised),
+        nodes=tuple(finder.nodes),
+    )
 
 
 class _Finder:
     def __init__(self, analysis: Analysis) -> None:
+        self.sites: list[Site] = []
+        self.disguised: list[Site] = []
+        self.nodes: list[NodeSite] = []
         self._a = analysis
         self._functions = analysis.library.functions()
         self._methods = analysis.library.methods()
-        self._disguised = disguised(analysis.library.module)
+        self._disguising = disguised(analysis.library.module)
         self._node_calls = analysis.library.node_calls
         self._node_classes = analysis.library.node_classes
         self._nodes_by_use: set[tuple[int, str]] = set()
@@ -112,9 +101,9 @@ class _Finder:
                 arguments = Arguments.of(call, self._a.syntax)
                 self._add(call, self._functions[qualified], scope, None, arguments)
                 return
-            for shape in self._disguised.get(qualified, ()):
+            for shape in self._disguising.get(qualified, ()):
                 arguments = Arguments.of(call, self._a.syntax)
-                self._add(call, shape, scope, None, arguments, self._a.disguised)
+                self._add(call, shape, scope, None, arguments, self.disguised)
             if qualified in self._node_calls:
                 self._add_node(call, scope, self._node_calls[qualified])
                 return
@@ -150,7 +139,7 @@ class _Finder:
 
     def _add_node(self, call: Node, scope: Scope, argument: Argument) -> None:
         name, expression = self._node_name(call, scope, argument)
-        self._a.nodes.append(NodeSite(name, expression, call, scope))
+        self.nodes.append(NodeSite(name, expression, call, scope))
 
     def _node_name(self, call: Node, scope: Scope, argument: Argument) -> tuple[str | None, str]:
         given = Arguments.of(call, self._a.syntax).get(argument)
@@ -166,11 +155,11 @@ class _Finder:
         if not self._node_classes:
             return
         for owner in self._a.scopes.classes():
-            is_used = any(site.owner is owner and site.receiver for site in self._a.sites)
+            is_used = any(site.owner is owner and site.receiver for site in self.sites)
             if self.is_node_class(owner, is_used):
                 call, name, expression = self._class_name(owner)
-                self._a.nodes.append(NodeSite(name, expression, call, owner, owner))
-        self._a.nodes.sort(key=lambda node: (node.call or node.scope.node).start_byte)
+                self.nodes.append(NodeSite(name, expression, call, owner, owner))
+        self.nodes.sort(key=lambda node: (node.call or node.scope.node).start_byte)
 
     def is_node_class(self, owner: Scope, is_used: bool) -> bool:
         """Whether instances of a class of the file are nodes; `is_used` as such, at least."""
@@ -332,7 +321,7 @@ class _Finder:
         arguments: Arguments,
         sites: list[Site] | None = None,
     ) -> None:
-        sites = self._a.sites if sites is None else sites
+        sites = self.sites if sites is None else sites
         owner: Scope | None = None
         receiver = ""
         if shape.node is not None:

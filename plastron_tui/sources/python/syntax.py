@@ -13,6 +13,7 @@ import tree_sitter_python
 from tree_sitter import Node, Parser
 
 from plastron_tui.sources.grammars import AS_LETTERS, Grammar, ParsedFile, count_errors
+from plastron_tui.sources.text_memo import remembered
 
 from .error_recovery import bound_indents, mask_errors, straighten
 
@@ -63,6 +64,7 @@ class Syntax(ParsedFile):
         return text.encode(self.encoding)
 
 
+@remembered
 def parse(text: bytes) -> Syntax:
     """Parse a file, whatever its encoding, without moving an offset."""
     encoding = _encoding(text)

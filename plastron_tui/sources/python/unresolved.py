@@ -3,15 +3,17 @@
 from __future__ import annotations
 
 import builtins
-from typing import NamedTuple
 
 from tree_sitter import Node
 
-from .analysis import Analysis
+from plastron_tui.sources.text_memo import remembered
+
+from .analysis import Analysis, Meanings
 from .calls import RCLPY, ROSPY
 from .references import is_member
-from .sites import analyze
+from .sites import outline
 from .stars import is_starred
+from .syntax import parse
 
 _MODULE = frozenset({"__file__", "__name__", "__doc__", "__path__", "__package__", "__class__"})
 _PYTHON_2 = frozenset(
@@ -21,23 +23,21 @@ _PYTHON_2 = frozenset(
 _KNOWN = frozenset(dir(builtins)) | _MODULE | _PYTHON_2
 
 
-class Meanings(NamedTuple):
-    """What the names of a file mean.
-
-    Attributes:
-        unresolved: names that are read where nothing binds them; a star import may do so.
-        unbound: attributes of the file's own objects that are read, and that it gives to none; a
-            base class of another file may do so.
-        bound: attributes that it gives to its own objects.
-    """
-
-    unresolved: frozenset[str]
-    unbound: frozenset[str]
-    bound: frozenset[str]
-
-
 def meanings(analysis: Analysis) -> Meanings:
     """Find out what the names of a file mean."""
+    if analysis.answers.meanings is None:
+        analysis.answers.meanings = _meanings(analysis)
+    return analysis.answers.meanings
+
+
+@remembered
+def meanings_in(text: bytes) -> Meanings:
+    """Find out what the names of a text mean."""
+    library = ROSPY if ROSPY.module.encode() in text else RCLPY
+    return _meanings(outline(parse(text), library))
+
+
+def _meanings(analysis: Analysis) -> Meanings:
     unresolved, unbound = set(), set()
     for node in analysis.syntax.captures("words").get("identifier", []):
         name = analysis.syntax.slice(node)
@@ -49,11 +49,6 @@ def meanings(analysis: Analysis) -> Meanings:
     classes = analysis.scopes.classes()
     bound = {name for each in classes for name in (*each.attributes, *each.bindings)}
     return Meanings(frozenset(unresolved), frozenset(unbound), frozenset(bound))
-
-
-def meanings_in(text: bytes) -> Meanings:
-    """Find out what the names of a text mean."""
-    return meanings(analyze(text, ROSPY if ROSPY.module.encode() in text else RCLPY))
 
 
 def lost_names(after: Meanings, *before: Meanings) -> list[str]:

@@ -137,42 +137,6 @@ def add_group(package: PackageXml, name: str) -> PackageEdit:
     return _write(package, NewElement("member_of_group", (), name))
 
 
-def remove_group(package: PackageXml, name: str) -> PackageEdit:
-    """Declare that the package is no member of a group any more."""
-    for one in package.groups:
-        if (one.tag, one.name) == ("member_of_group", name):
-            return applied(package, remove_element(package.document, one.element), one.tag)
-    return PackageEdit(package)
-
-
-def add_export(package: PackageXml, new: NewElement) -> PackageEdit:
-    """Write an element into `<export>`, which is made where there is none."""
-    exports = package.document.root.named("export")
-    if not exports:
-        return _write(package, NewElement("export", children=(new,)))
-    if _exported(package, new) is not None:
-        return PackageEdit(package)
-    like = exports[0].named(new.name)
-    edit = (
-        insert_after(package.document, like[-1], new)
-        if like
-        else insert_last(package.document, exports[0], new)
-    )
-    return applied(package, edit, new.name)
-
-
-def remove_export(package: PackageXml, old: NewElement) -> PackageEdit:
-    """Take an element of `<export>` away, and `<export>` where it held nothing else."""
-    element = _exported(package, old)
-    if element is None:
-        return PackageEdit(package)
-    export = package.document.parents[element]
-    is_only = package.document.slice(export.content).strip() == package.document.slice(element.span)
-    has_lines = "\n" in package.document.slice(export.content)
-    gone = export if is_only and has_lines else element
-    return applied(package, remove_element(package.document, gone), old.name)
-
-
 def applied(package: PackageXml, edit: XmlEdit, tag: str | None = None) -> PackageEdit:
     """Return what a package.xml says after an edit of its XML."""
     if edit.document is None:
@@ -198,17 +162,6 @@ def _checked(before: PackageXml, edit: PackageEdit) -> PackageEdit:
 
 def _refused(package: PackageXml, message: str, span: Span) -> Diagnostic:
     return Diagnostic(codes.EDIT_REFUSED, message, span, package.document.file)
-
-
-def _exported(package: PackageXml, wanted: NewElement) -> Element | None:
-    for one in package.exports:
-        if (one.tag, set(one.attributes), one.value) == (
-            wanted.name,
-            set(wanted.attributes),
-            wanted.text,
-        ):
-            return one.element
-    return None
 
 
 def _declared(package: PackageXml, name: str, ros_version: int) -> list[Dependency]:

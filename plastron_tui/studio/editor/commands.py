@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Awaitable, Callable
-from dataclasses import dataclass
 from functools import partial
 from importlib import import_module
 from operator import attrgetter
-from typing import TYPE_CHECKING, TypeAlias
+from typing import TYPE_CHECKING, NamedTuple, TypeAlias
 
 from textual.binding import Binding
 
@@ -25,8 +25,7 @@ def _always(editor: ProgramEditor) -> bool:
     return True
 
 
-@dataclass(frozen=True, slots=True)
-class Command:
+class Command(NamedTuple):
     """Something that the editor does.
 
     Attributes:
@@ -175,12 +174,22 @@ def _complete(editor: ProgramEditor) -> None:
 
 
 def _accept(editor: ProgramEditor) -> None:
-    """Take what is marked in the list; without a list offer one, and take what is alone."""
-    if not editor.popup.is_open:
-        _complete(editor)
-        if len(editor.popup.candidates) != 1:
-            return
-    editor.accept()
+    """Take what is marked in the list; without a list complete the word before the cursor.
+
+    Who has come into the text with Tab, from panel to panel, writes nothing with the next one:
+    behind a blank it lists what may stand there, at a line's start or before a word nothing.
+    """
+    if editor.popup.is_open:
+        editor.accept()
+        return
+    buffer, cursor = editor.state.buffer, editor.cursor_offset
+    row = buffer.row(cursor)
+    before, behind = buffer.text[buffer.start(row) : cursor], buffer.text[cursor : buffer.end(row)]
+    if not before.strip() or re.match(rb"[\w\x80-\xff]", behind):
+        return
+    _complete(editor)
+    if len(editor.popup.candidates) == 1 and not before[-1:].isspace():
+        editor.accept()
 
 
 def _dismiss(editor: ProgramEditor) -> None:
@@ -205,7 +214,7 @@ def _toggle_wrap(editor: ProgramEditor) -> None:
 
 def _go_to_mark(editor: ProgramEditor, mark: Mark | None) -> None:
     if mark is not None:
-        editor.go_to(mark.start)
+        editor.go_to(mark.start, walk="problems")
 
 
 def _both(

@@ -336,7 +336,13 @@ def detail_of(
     kind = INTERFACES.get(expected.slot.kind) if expected.slot is not None else None
     if candidate.detail or kind is None:
         return candidate.detail
-    return described_type(candidate.text, kind, _catalog(expected, vocabulary, session))
+    catalog = _catalog(expected, vocabulary, session)
+    said = described_type(candidate.text, kind, catalog)
+    absent, found = session.setting.absent, resolver(catalog).resolve(candidate.text, kind)
+    if absent is None or not isinstance(found, Interface):
+        return said
+    is_here = absent(catalog.ros_version, found.name.package) is None
+    return said if is_here else f"not installed here; {said}"
 
 
 def _library(library: ClientLibrary) -> str:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
+from .jumps import Jumps
 from .search import Found, Search
 from .search_thread import SearchThread
 from .state import Splice, TextState
@@ -13,13 +14,16 @@ from .view import EditorView
 class Finder:
     """Goes through the matches of a search, marks them in the view, and replaces them."""
 
-    def __init__(self, state: TextState, view: EditorView, done: Callable[[], None]) -> None:
+    def __init__(
+        self, state: TextState, view: EditorView, done: Callable[[], None], jumps: Jumps
+    ) -> None:
         """Find in a text.
 
         Args:
             state: the text.
             view: what shows it.
             done: shows what was done to the text.
+            jumps: goes from match to match.
         """
         self.search = Search()
         self.say: Callable[[str], None] = lambda _: None
@@ -31,6 +35,7 @@ class Finder:
         self._state = state
         self._view = view
         self._done = done
+        self._jumps = jumps
 
     @property
     def _here(self) -> tuple[int, int]:
@@ -138,7 +143,7 @@ class Finder:
 
     def _select(self, span: tuple[int, int] | None) -> None:
         if span is not None:
-            self._state.select(*span)
+            self._jumps.jump(*span, walk="find")
             self._done()
         self.say(self.count)
 

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, replace
 from functools import lru_cache
+from typing import NamedTuple
 
 from rich.style import Style
 from textual.color import Color
@@ -54,8 +54,7 @@ _ANSI: Mapping[str, str] = {
 }
 
 
-@dataclass(frozen=True)
-class Palette:
+class Palette(NamedTuple):
     """The styles of everything that the editor draws."""
 
     text: Style
@@ -181,8 +180,7 @@ def without_colors(palette: Palette) -> Palette:
     """Tell everything apart by how it is written, on the palette's own background."""
     plain = ansi_palette()
     strong = Style(bold=True)
-    return replace(
-        plain,
+    return plain._replace(
         text=palette.text,
         captures={name: style.without_color for name, style in plain.captures.items()},
         error=strong,

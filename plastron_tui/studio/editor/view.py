@@ -83,7 +83,8 @@ class EditorView(ScrollView, can_focus=True, inherit_bindings=False):
         self.geometry.marks = Marks()
         self._place_lines()
         self.refresh()
-        self.scroll_to(*scroll, animate=False, force=True)
+        self.scroll_to(*scroll, animate=False, force=True, immediate=True)
+        self.scroll_to_cursor()  # the window may be smaller by now
 
     def recolor(self) -> None:
         """Draw in the colours of another theme."""

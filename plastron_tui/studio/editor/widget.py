@@ -23,6 +23,7 @@ from .completer import Completer
 from .highlights import LONGEST
 from .history import Selection
 from .hover import Hover
+from .jumps import Jumps
 from .marks import Mark, Marks, worst
 from .popup import Popup
 from .state import EditingState, TextState
@@ -51,6 +52,7 @@ class ProgramEditor(Vertical):
     Attributes:
         state: the text, its selection and its history.
         view: what shows it.
+        jumps: the places that the cursor jumped from.
         completer: what offers words.
         hover: what shows cards about words.
     """
@@ -89,6 +91,7 @@ class ProgramEditor(Vertical):
     ) -> None:
         super().__init__(name=name, id=id, classes=classes)
         self.state = TextState(session)
+        self.jumps = Jumps(self.state)
         self.view = EditorView(self.state, self)
         self.completer = Completer(self.state, self.view)
         self.hover = Hover(self, self.state, self.view)
@@ -105,8 +108,6 @@ class ProgramEditor(Vertical):
     def focus(self, scroll_visible: bool = True) -> Widget:  # type: ignore[override]
         """Give the text the focus."""
         return self.view.focus(scroll_visible)
-
-    # What keys and the mouse do.
 
     def on_mouse_move(self, event: events.MouseMove) -> None:
         """Show what is said about the word that the mouse rests on."""
@@ -183,14 +184,12 @@ class ProgramEditor(Vertical):
         self.view.sync(scroll=scroll)
         self._tell()
 
-    # The bars.
-
     @cached_property
     def finder(self) -> Finder:
         """What finds and replaces."""
         from .finder import Finder
 
-        return Finder(self.state, self.view, self.done)
+        return Finder(self.state, self.view, self.done, self.jumps)
 
     @cached_property
     def find_bar(self) -> FindBar:
@@ -230,8 +229,6 @@ class ProgramEditor(Vertical):
     def warn(self, text: str) -> None:
         """Say why something cannot be."""
         self.app.notify(text, severity="warning", markup=False)
-
-    # What others know and do.
 
     @property
     def session(self) -> Session:
@@ -334,14 +331,9 @@ class ProgramEditor(Vertical):
         line = buffer.text[buffer.start(row) : buffer.end(row)]
         return help_in_line(line, self.expected, self.session)
 
-    def go_to(self, offset: int) -> None:
-        """Put the cursor at an offset, with the lines around it in sight."""
-        self.state.move(offset)
-        self.done(center=True)
-
-    def select(self, span: Span) -> None:
-        """Select a range, with the lines around it in sight."""
-        self.state.select(span.start, span.end)
+    def go_to(self, offset: int, walk: str = "") -> None:
+        """Jump to an offset, with the lines around it in sight; `Jumps` says what a walk is."""
+        self.jumps.jump(offset, offset, walk)
         self.done(center=True)
 
     def replace(self, span: Span, text: str) -> None:
@@ -374,8 +366,6 @@ class ProgramEditor(Vertical):
         """Make the step again that was undone last."""
         if self.state.redo():
             self.done()
-
-    # What is told of it.
 
     def _tell(self) -> None:
         """Post what has changed since it was last told."""

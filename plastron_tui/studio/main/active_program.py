@@ -15,6 +15,8 @@ from ..open_program import Open
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
 
+    from plastron_tui.session import Session
+
     from ..analysis import Analysis
     from ..editor.card import Card
 
@@ -75,6 +77,10 @@ class ActiveProgram:
         """Return the tab that has a file open, None for no tab."""
         return next((tab for tab in self.tabs if is_same_file(path, tab.open.path)), None)
 
+    def tab_with(self, session: Session) -> Tab | None:
+        """Return the tab that has the text of a session, None for no tab."""
+        return next((tab for tab in self.tabs if tab.open.session is session), None)
+
     def cursor_of(self, tab: Tab) -> int:
         """Return where the cursor of a tab is, in bytes."""
         if tab is self.tab:
@@ -97,10 +103,11 @@ class ActiveProgram:
 
     def replace(self, open_: Open, cursor: int = 0) -> None:
         """Put another program in the place of the one in the editor."""
+        self.editor.jumps.hand_on(self.tab.open.session, open_.session)
         self.tab.open = open_
         self.editor.set_session(open_.session)
         if cursor:
-            self.editor.go_to(cursor)
+            self.show_at(cursor)
 
     def add(self, open_: Open, cursor: int = 0) -> None:
         """Put a program into a tab of its own, behind the one in front."""
@@ -108,7 +115,12 @@ class ActiveProgram:
         self.tabs.insert(self.tabs.index(self.tab) + 1, tab)
         self.bring(tab)
         if cursor:
-            self.editor.go_to(cursor)
+            self.show_at(cursor)
+
+    def show_at(self, offset: int) -> None:
+        """Put the cursor at an offset, or at the text's end; no way back leads from there."""
+        self.editor.state.move(offset)
+        self.editor.done(center=True)
 
     def bring(self, tab: Tab) -> None:
         """Bring a tab in front; of the one that was there, what its text means is forgotten."""
@@ -130,5 +142,6 @@ class ActiveProgram:
         """Take the tab in front away, where there is another one; its neighbour comes in front."""
         at = self.tabs.index(self.tab)
         others = [tab for tab in self.tabs if tab is not self.tab]
+        self.editor.jumps.forget(self.open.session)
         self.bring(others[min(at, len(others) - 1)])
         self.tabs = others

@@ -117,8 +117,6 @@ class DockLayout(Horizontal):
         remembered.tabs = {dock.side: dock.active for dock in self.docks}
         remembered.tabs["front"] = self.front.side
 
-    # Where the docks are.
-
     @property
     def shape(self) -> str:
         """How the window is divided: `wide`, `medium` or `narrow`."""
@@ -229,8 +227,6 @@ class DockLayout(Horizontal):
             return max(5 + self.is_framed, height // 6)
         return max(6, height * 2 // 5)
 
-    # Tabs.
-
     def show_counts(self, counts: Mapping[str, int]) -> None:
         """Show beside the names of the panels how much is in them."""
         self._counts = counts
@@ -305,8 +301,6 @@ class DockLayout(Horizontal):
         self._editor.display = True
         self._editor.focus()
         self.call_after_refresh(self.lay_out)
-
-    # What the keys do.
 
     def next_panel(self) -> None:
         """Give the next panel the focus; after the last one the editor."""

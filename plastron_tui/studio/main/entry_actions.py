@@ -16,6 +16,7 @@ from .workers import start_exclusive
 
 if TYPE_CHECKING:
     from ..analysis import Analysis
+    from ..program_names import ProgramName
     from ..renaming import Renamed
 
 
@@ -37,6 +38,26 @@ class EntryActions:
         """Go to the statement of an entry, or say where that is."""
         if entry.span is None:
             self._screen.notify(entry.elsewhere, markup=False)
+        else:
+            self._go_to(entry.span.start, walk="panel")
+
+    @property
+    def names(self) -> tuple[ProgramName, ...]:
+        """The names of the program, as it was last understood."""
+        known = self._program.open.analysis
+        if known is None:
+            return ()
+        from ..program_names import names_of
+
+        return names_of(known.text, known.program, known.workspace)
+
+    def go_to_name(self, name: ProgramName) -> None:
+        """Go to what the program says first of a name; what is in another file is shown there."""
+        # By now more may be known than when the names were listed.
+        key = name.entry.key
+        entry = next((each.entry for each in self.names if each.entry.key == key), name.entry)
+        if entry.span is None:
+            self._show_code(entry)
         else:
             self._go_to(entry.span.start)
 
@@ -94,8 +115,8 @@ class EntryActions:
         self._program.editor.apply([edit])
         self._go_to(edit.span.start + edit.text.startswith("\n"))
 
-    def _go_to(self, offset: int) -> None:
-        self._program.editor.go_to(offset)
+    def _go_to(self, offset: int, walk: str = "") -> None:
+        self._program.editor.go_to(offset, walk)
         self._program.editor.focus()
 
     def _generate(self, statement: str, variable: str) -> None:

@@ -56,6 +56,8 @@ class FileActions:
             in_place: whether the program in the editor gives its place up in any case.
         """
         same = None if open_.path is None else self.program.tab_of(open_.path)
+        if same not in (None, self.program.tab) or not (in_place or self.program.open.is_blank):
+            self.program.editor.jumps.leave()
         if same is not None:
             self.program.bring(same)
         if in_place or same is not None or self.program.open.is_blank:
@@ -72,6 +74,7 @@ class FileActions:
     def bring(self, tab: Tab) -> None:
         """Bring a tab in front."""
         if tab is not self.program.tab:
+            self.program.editor.jumps.leave()
             self.program.bring(tab)
             self.on_open()
         self.program.editor.focus()
@@ -147,7 +150,8 @@ class FileActions:
             for name in self.profile.remembered.recent
             if self.program.tab_of(Path(name)) is None
         ]
-        dialog = ChooseFile("Open", start, must_be=True, recent=recent)
+        present = self.program.path
+        dialog = ChooseFile("Open", start, must_be=True, recent=recent, present=present)
         path = await self.screen.app.push_screen_wait(dialog)
         if path is not None:
             self.open_file(path)

@@ -5,6 +5,8 @@ from __future__ import annotations
 from textual import events
 from textual.screen import Screen
 
+from ..textual_private import leave_as_drawn
+
 
 class FirstScreen(Screen[None]):
     """A screen that what is in it covers, and whose widgets have just been styled when it shows."""
@@ -18,3 +20,6 @@ class FirstScreen(Screen[None]):
         if not self._was_shown:
             event.refresh_styles = False
             self._was_shown = True
+            if self.outer_size != self.app.size:
+                # Textual's own handler, which follows, lays all out and draws it.
+                self.call_next(leave_as_drawn, self)

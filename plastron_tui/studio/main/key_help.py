@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection
+from collections.abc import Callable, Collection, Sequence
+from typing import TYPE_CHECKING
 
 from textual.screen import Screen
 
@@ -11,6 +12,9 @@ from ..config import Remembered
 from ..panels.dock import Dock
 from ..panels.styles import Lines
 from .dock_layout import DockLayout
+
+if TYPE_CHECKING:
+    from ..program_names import ProgramName
 
 
 def show_help(screen: Screen[None], panels: Collection[str], key_of: Callable[[str], str]) -> None:
@@ -56,12 +60,17 @@ def toggle_keys(screen: Screen[None], layout: DockLayout, key_of: Callable[[str]
 
 
 async def choose_action(
-    screen: Screen[None], remembered: Remembered, key_of: Callable[[str], str]
-) -> Action | None:
-    """Offer all actions, those of late first; return the one that is chosen."""
+    screen: Screen[None],
+    remembered: Remembered,
+    key_of: Callable[[str], str],
+    names: Sequence[ProgramName],
+    query: str,
+) -> Action | ProgramName | None:
+    """Offer all actions, those of late first, and names; return what is chosen."""
     from ..screens.menu import ActionMenu
 
-    action = await screen.app.push_screen_wait(ActionMenu(remembered.actions, key_of))
-    if action is not None:
-        remembered.did(action.id)
-    return action
+    menu = ActionMenu(remembered.actions, key_of, names, query)
+    chosen = await screen.app.push_screen_wait(menu)
+    if isinstance(chosen, Action):
+        remembered.did(chosen.id)
+    return chosen

@@ -195,7 +195,8 @@ class LiveActions:
 
     def _say_what_goes_on(self) -> None:
         """Say once what is still sent where its row goes out of sight: it may move a robot."""
-        sent = [each for graph in self._graphs.values() for each in graph.sendings]
+        known = [each for graph in self._graphs.values() for each in graph.sendings.items()]
+        sent = [name for name, sending in known if not sending.problem]
         was_in_sight, self._is_in_sight = self._is_in_sight, self._panel.is_in_sight
         if sent and was_in_sight and not self._is_in_sight:
             self._say(f"still sending to {', '.join(sent)}; x in Live ends it")
@@ -388,11 +389,10 @@ class LiveActions:
         if row.kind is Kind.SERVICE or not text:  # it is shown there
             return row.kind is Kind.SERVICE
         severity = "warning" if is_failure else "information"
-        words = f"{row.name}: {visible(text)}" if row.kind is Kind.PARAMETER else visible(text)
         # Notes that are the same are shown once, and who sends twice wants to know of both.
-        self._said[words] += 1
-        if self._said[words] > 1:
-            words += f" ({self._said[words]})"
+        words = visible(text)
+        self._said[words] += row.kind is not Kind.PARAMETER
+        words += f" ({self._said[words]})" if self._said[words] > 1 else ""
         self._screen.notify(words, severity=severity, markup=False, timeout=3)  # type: ignore[arg-type]
         return False
 

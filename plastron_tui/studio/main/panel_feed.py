@@ -25,7 +25,7 @@ _PAUSE = 0.01
 """Seconds without a key after which the worker starts."""
 
 _FIRST_PAUSE = 0.05
-"""The same at the start: the worker has much to import, and the first key goes before it."""
+"""The same at the start: the worker has much to import, and the first keys go before it."""
 
 
 class PanelFeed:
@@ -76,7 +76,7 @@ class PanelFeed:
 
     def ask_soon(self) -> None:
         """Ask, as soon as no key comes, what the text means."""
-        self._pause.start(_PAUSE)
+        self._pause.start(_PAUSE if is_preloaded() else _FIRST_PAUSE)
 
     def ask_anew(self) -> None:
         """Ask what the text means now."""
@@ -116,14 +116,15 @@ class PanelFeed:
         # Programs in several tabs may have the same text.
         if analysis.text != open_.text or analysis.session.path != open_.path:
             return False
-        before = open_.analysis
+        before, open_.analysis = open_.analysis, analysis
         is_new = analysis is not before
-        open_.analysis = analysis
         if _has_first_robot(before, analysis) and self._layout.focused_dock is None:
             self._layout.bring(ROBOTS.name)
         if is_new:
             self._show_diagnostics(analysis)
         self.refresh()
+        if is_new and before is not None:
+            self.worker.discard(before)
         return is_new
 
     def _show_diagnostics(self, analysis: Analysis) -> None:
@@ -143,6 +144,7 @@ class PanelFeed:
 
     def edited(self) -> None:
         """Ask what the text means, as soon as no key comes; hold back what is half written."""
+        self.worker.interrupt()
         self.held_back.edited()
         self.ask_soon()
 

@@ -10,11 +10,13 @@ from textual.screen import Screen
 
 from plastron_tui.regular_files import reason
 
+from ..config import Remembered
 from ..delay import Delay
 from ..files import SUFFIX, open_file
-from ..folder_labels import shown_name, shown_place
+from ..folder_labels import not_saved, shown_name, shown_place
 from ..journal import Kept, kept_texts
 from .active_program import ActiveProgram, Tab
+from .said_notes import SaidNotes
 
 _KEEP = 0.5
 """Seconds after which what was typed is in the journal, at most."""
@@ -32,8 +34,7 @@ class Recovery:
         self._due: set[Tab] = set()
         self._is_writing = False
         self._has_failed = False
-
-    # Keeping.
+        self._notes = SaidNotes(screen)
 
     def keep_soon(self) -> None:
         """Keep the text within half a second, also when another one is in front by then."""
@@ -86,7 +87,17 @@ class Recovery:
             message = f"what you type is not kept: {reason(error)}; save often"
             self._screen.notify(message, severity="warning", markup=False)
 
-    # Offering.
+    def tell(self, kept: Sequence[Kept], remembered: Remembered, page: str) -> None:
+        """Say once of each text that it was not saved, and which page has it."""
+        names = {f"{each.file.name} {each.when}": each for each in kept}
+        new = [each for name, each in names.items() if name not in remembered.told]
+        remembered.told = list(names)
+        if new:
+            self._notes.say(f"{not_saved(new)}\n{page} has what was typed", timeout=10)
+
+    def hush(self) -> None:
+        """Say no more of it for now."""
+        self._notes.forget()
 
     def not_saved(self) -> list[Kept]:
         """Return what studios that have ended did not save, the newest first."""

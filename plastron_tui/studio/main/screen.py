@@ -10,7 +10,7 @@ from textual import events, on, work
 from textual.app import ComposeResult
 from textual.binding import Binding, BindingType
 
-from ..actions import BY_ID, KEPT, bindings
+from ..actions import BY_ID, KEPT, Action, bindings
 from ..analysis_worker import Analysed, AnalysisFailed, Preloaded
 from ..config import Profile
 from ..editor import ProgramEditor
@@ -160,8 +160,6 @@ class MainScreen(FirstScreen, Paged):
         self.feed.ask_anew()
         self.call_later(self.look_at_disk)
 
-    # What panels say.
-
     @on(Chosen)
     def entry_chosen(self, message: Chosen) -> None:
         """Go to the statement of an entry."""
@@ -171,7 +169,7 @@ class MainScreen(FirstScreen, Paged):
     def entry_lit(self, message: Lit) -> None:
         """Bring the statement of an entry in sight; the panel keeps the focus."""
         if message.entry.span is not None:
-            self.editor.go_to(message.entry.span.start)
+            self.editor.go_to(message.entry.span.start, walk="panel")
 
     @on(Asked)
     def entry_asked(self, message: Asked) -> None:
@@ -259,6 +257,7 @@ class MainScreen(FirstScreen, Paged):
 
     def action_wizard(self) -> None:
         """Build statements from menus and forms."""
+        self.recovery.hush()
         self._parts.wizard.open()
 
     # Actions: tabs.
@@ -273,6 +272,10 @@ class MainScreen(FirstScreen, Paged):
     def action_turn_tab(self, by: int) -> None:
         """Bring the next program in front, or with -1 the one before."""
         self._parts.tabs.turn(by)
+
+    def action_jump(self, by: int) -> None:
+        """Go back to where one jumped from, or with 1 forward again."""
+        self._parts.tabs.jump(by)
 
     @work(exclusive=True, group="file")
     async def action_close_tab(self) -> None:
@@ -355,11 +358,14 @@ class MainScreen(FirstScreen, Paged):
     # Actions: help and settings.
 
     @work(exclusive=True, group="menu")
-    async def action_menu(self) -> None:
-        """Offer all actions, and do the one that is chosen."""
-        action = await choose_action(self, self.profile.remembered, self.key_of)
-        if action is not None:
-            await self.app.run_action(action.chosen or action.call, self)
+    async def action_menu(self, query: str = "") -> None:
+        """Offer all actions, and do the one that is chosen, or go to a name."""
+        names, remembered = self._parts.entries.names, self.profile.remembered
+        chosen = await choose_action(self, remembered, self.key_of, names, query)
+        if isinstance(chosen, Action):
+            await self.app.run_action(chosen.chosen or chosen.call, self)
+        elif chosen is not None:
+            self._parts.entries.go_to_name(chosen)
 
     def action_help(self, of_word: bool = True) -> None:
         """Say what the word at the cursor means; asked again, help for what has the focus."""

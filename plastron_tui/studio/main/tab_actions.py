@@ -39,6 +39,20 @@ class TabActions:
         """Bring the tab of a number in front."""
         self.files.bring(self.program.tabs[number])
 
+    def jump(self, by: int) -> None:
+        """Go to the place that one jumped from last, in whichever tab; with 1 forth again."""
+        place = self.program.editor.jumps.turn(by)
+        tab = None if place is None else self.program.tab_with(place.session)
+        if place is None or tab is None:
+            where = "back" if by < 0 else "forward"
+            self.screen.notify(f"there is no place to go {where} to", timeout=2)
+            return
+        if tab is not self.program.tab:
+            self.program.bring(tab)
+            self.on_change()
+        self.program.show_at(place.offset)
+        self.program.editor.focus()
+
     async def close(self) -> None:
         """Close the program in front; behind the last one there is a new one."""
         if not await self.files.may_leave():

@@ -48,5 +48,6 @@ class WizardHost:
         if edits:
             self._has_written = True
             last = edits[-1]
-            editor.go_to(last.span.start + len(last.text.rstrip("\n").encode()))
+            end = last.span.start + len(last.text.rstrip("\n").encode())
+            editor.go_to(end, walk="wizard")
         return self._program.open.session.snapshot()

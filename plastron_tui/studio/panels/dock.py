@@ -111,16 +111,26 @@ class TabStrip(Toned):
             first += 1
         rule = base + self.tone("rule", "tab-strip")
         segments, x = [Segment(before, rule)], 0
+        lit = self.tone("active", "tab-strip")
         self._places = []
         for (panel, text, count), size in list(zip(tabs, sizes, strict=True))[first:]:
             is_active = panel.name == self.active
-            style = base + (self.tone("active", "tab-strip") if is_active else _PLAIN)
+            style = base + (lit if is_active else _PLAIN)
             if first and not x:
                 # There are tabs before this one.
                 text = f"‹{text[1:]}"
             kind = "alarm" if panel.is_alarm else "count"
-            segments.append(Segment(text, style))
-            segments.append(Segment(count, style + self.tone(kind, "tab-strip")))
+            if is_active and lit.reverse:
+                # What is filled with a colour touches no other name, and its count is part of it.
+                label = text + count
+                name = label.strip()
+                before_name, _, behind_name = label.partition(name)
+                segments.append(Segment(before_name, base))
+                segments.append(Segment(name, style))
+                segments.append(Segment(behind_name, base))
+            else:
+                segments.append(Segment(text, style))
+                segments.append(Segment(count, style + self.tone(kind, "tab-strip")))
             self._places.append((len(before) + x, len(before) + x + size, panel.name))
             x += size
         tabs_strip = Strip(segments).crop(0, len(before) + width)

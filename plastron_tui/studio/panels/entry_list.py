@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import ClassVar
 
-from rich.cells import cell_len, set_cell_size
 from rich.segment import Segment
 from rich.style import Style
 from textual import events
@@ -17,12 +16,14 @@ from textual.strip import Strip
 
 from .entry import Entries, Entry
 from .entry_keys import Pointing
-from .styles import COMPONENTS, Toned
+from .entry_lines import empty_rows, entry_line
+from .styles import COMPONENTS, Line, Toned
 
 
 class EntryList(Pointing, Toned, ScrollView, can_focus=True):
     """Entries, one a line, with a cursor."""
 
+    DEFAULT_CSS = "EntryList { background: $background; height: 1fr; overflow: auto auto; }"
     COMPONENT_CLASSES: ClassVar[set[str]] = {*COMPONENTS, "entry-list--cursor", "entry-list--here"}
     BINDINGS: ClassVar[list[BindingType]] = [
         Binding("up,k", "move(-1)", "Up", show=False, id="panel.up"),
@@ -170,7 +171,10 @@ class EntryList(Pointing, Toned, ScrollView, can_focus=True):
         if row >= len(self._shown):
             return Strip.blank(width, base)
         base, is_lit = self._style_of(row)
-        segments = self._segments(self._shown[row], width, base, is_lit)
+        segments = [
+            Segment(text, base if is_lit else base + self.tone(tone))
+            for text, tone in self._line(self._shown[row], width)
+        ]
         return Strip(segments).adjust_cell_length(width, base)
 
     def _style_of(self, number: int) -> tuple[Style, bool]:
@@ -182,39 +186,12 @@ class EntryList(Pointing, Toned, ScrollView, can_focus=True):
         return self.rich_style, False
 
     def _render_empty(self, y: int, width: int, base: Style) -> Strip:
-        lines = self.entries.empty.split("\n")
-        if y == 0 or y > len(lines):
+        rows = empty_rows(self.entries.empty, width)
+        if y == 0 or y > len(rows):
             return Strip.blank(width, base)
-        style = base + self.tone("quiet" if y == 1 else "dim")
-        return Strip([Segment(f" {lines[y - 1]}", style)]).adjust_cell_length(width, base)
+        segments = [Segment(text, base + self.tone(tone)) for text, tone in rows[y - 1]]
+        return Strip(segments).adjust_cell_length(width, base)
 
-    def _segments(self, entry: Entry, width: int, base: Style, is_lit: bool) -> list[Segment]:
-        indent = " " + "  " * entry.depth
-        fold = ""
-        if entry.is_branch and entry.key in self._folded:
-            fold = "…"
-        parts = [(indent, ""), (f"{entry.sign} " if entry.sign else "", entry.tone)]
-        parts.append((entry.text + fold, "strong" if entry.depth == 0 else ""))
-        room = width - sum(cell_len(text) for text, _ in parts) - 1
-        said = (self.remarks.get(entry.text) if entry.depth == 0 else None) or entry.warning
-        sign = " ⚑" if entry.edits else " ⚠" if said else ""
-        warning = f"{sign} {said}" if sign else ""
-        if cell_len(warning) > room:
-            warning = sign
-            if cell_len(sign) > room:
-                text, tone = parts.pop()
-                size = max(1, cell_len(text) + room - cell_len(sign) - 1)
-                parts.append((set_cell_size(text, size).rstrip() + "…", tone))
-                room = 0
-        room -= cell_len(warning)
-        if entry.detail and room > 3:
-            detail = entry.detail
-            if cell_len(detail) + 1 > room:
-                detail = set_cell_size(detail, room - 2).rstrip() + "…"
-            parts.append((f" {detail}", "quiet"))
-        parts.append((warning, "success" if entry.edits else "warning"))
-        return [
-            Segment(text, base + (Style.null() if is_lit else self.tone(tone)))
-            for text, tone in parts
-            if text
-        ]
+    def _line(self, entry: Entry, width: int) -> Line:
+        remark = self.remarks.get(entry.text) if entry.depth == 0 else None
+        return entry_line(entry, width, is_folded=entry.key in self._folded, remark=remark)

@@ -34,6 +34,11 @@ _SMALL = 16
 class GraphPanel(Acting, Toned, ScrollView, can_focus=True):
     """A picture as large as fits, whose boxes can be chosen and acted on as entries can."""
 
+    DEFAULT_CSS = """
+    GraphPanel { background: $background; height: 1fr; overflow: auto auto; }
+    GraphPanel > .graph-panel--cursor { background: $primary 60%; text-style: bold; }
+    GraphPanel > .graph-panel--here { background: $primary 25%; }
+    """
     COMPONENT_CLASSES: ClassVar[set[str]] = {
         *COMPONENTS,
         "graph-panel--cursor",
@@ -162,8 +167,6 @@ class GraphPanel(Acting, Toned, ScrollView, can_focus=True):
         self.notify(f"size: {how}", timeout=2)
         self.post_message(Resized())
 
-    # The cursor.
-
     def _place(self, box: int | None) -> Place | None:
         return None if box is None else self._fitted.places.get(box)
 
@@ -224,8 +227,6 @@ class GraphPanel(Acting, Toned, ScrollView, can_focus=True):
             here = self._here
             self._cursor = here if here is not None else min(self._fitted.places)
             self.refresh_bindings()
-
-    # Drawing.
 
     def render_line(self, y: int) -> Strip:
         """Draw a line."""

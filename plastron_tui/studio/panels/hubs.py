@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Iterable, Iterator
 from typing import TYPE_CHECKING
+
+from plastron_tui.model.kinds import EndpointKind
 
 from .endpoint_text import noted
 from .entry import Entry
@@ -13,6 +16,8 @@ if TYPE_CHECKING:
     from plastron_tui.model.graph import Hub
     from plastron_tui.model.workspace import Workspace
     from plastron_tui.ros.interfaces import InterfaceKind
+
+    from ..analysis import Analysis
 
 
 def hub_entries(hubs: Iterable[Hub]) -> Iterator[Entry]:
@@ -44,14 +49,20 @@ def hub_entries(hubs: Iterable[Hub]) -> Iterator[Entry]:
             )
 
 
-def count_hubs(workspace: Workspace, interface: InterfaceKind) -> int:
+def count_hubs(analysis: Analysis, interface: InterfaceKind) -> int:
     """Return how many topics, services or actions there are; the graph would take longer."""
+    return analysis.once("hubs", lambda: _count(analysis.workspace))[interface]
+
+
+def _count(workspace: Workspace) -> Counter[InterfaceKind]:
     from plastron_tui.ros.names import resolved_name
 
-    return len({
-        resolved_name(node.name, name)
+    interfaces = {kind: kind.facts.interface for kind in EndpointKind}
+    names = {
+        (interface, resolved_name(node.name, name))
         for node in workspace.nodes.values()
         for kind, endpoints in node.by_kind.items()
-        if kind.facts.interface is interface
+        if endpoints and (interface := interfaces[kind]) is not None
         for name in endpoints
-    })  # fmt: skip
+    }
+    return Counter([interface for interface, _ in names])

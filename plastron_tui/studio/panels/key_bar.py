@@ -67,6 +67,7 @@ class KeyBar(Toned):
         self._kept = kept
         self._ranks = {id_: rank for rank, id_ in enumerate(order)}
         self._shown: tuple[Key, ...] = ()
+        self._is_old = False
         self._titles: Mapping[str, str] = {}
         self._added: Collection[str] = ()
         self._kept_now: Collection[str] = ()
@@ -88,13 +89,24 @@ class KeyBar(Toned):
             self._update(self.screen)
 
     def _update(self, screen: Screen[object]) -> None:
-        if not self.is_attached or screen is not self.screen or not screen.is_current:
+        """Look at the bindings again, once however often they have changed by then."""
+        if not self._is_old and self.is_attached and screen is self.screen and screen.is_current:
+            self._is_old = True
+            self.call_later(self._renew)
+
+    def _renew(self) -> None:
+        """Show the bindings, if they have changed since they were looked at."""
+        if not self._is_old:
             return
-        around = () if screen.focused is None else screen.focused.ancestors_with_self
+        self._is_old = False
+        if not self.is_attached or not self.screen.is_current:
+            return
+        focused = self.screen.focused
+        around = () if focused is None else focused.ancestors_with_self
         self._kept_now = () if any(isinstance(each, Dock) for each in around) else self._added
-        titles = {**self._titles, **getattr(screen.focused, "key_titles", {})}
+        titles = {**self._titles, **getattr(focused, "key_titles", {})}
         shown: dict[str, Binding] = {}
-        for active in screen.active_bindings.values():
+        for active in self.screen.active_bindings.values():
             binding = active.binding
             if (binding.show or binding.id in self._kept_now) and active.enabled:
                 shown.setdefault(binding.action, binding)
@@ -122,6 +134,7 @@ class KeyBar(Toned):
 
     @property
     def _fitting(self) -> list[Key]:
+        self._renew()
         kept = [
             each.id for each in self._shown if each.id in self._kept or each.id in self._kept_now
         ]

@@ -34,6 +34,13 @@ def key_lines(groups: Iterable[tuple[str, Sequence[Row]]]) -> Lines:
 class KeyList(LogView):
     """Shows keys; those of what has the focus come first, and change with it."""
 
+    DEFAULT_CSS = """
+    #key-list {
+        height: 100%; overflow-x: hidden; max-width: 60%; border: round $foreground 25%;
+        border-title-color: $foreground; border-subtitle-color: $foreground 80%;
+    }
+    #key-list:focus { border: round $accent; }
+    """
     BINDINGS: ClassVar[list[BindingType]] = [Binding("escape", "screen.keys", "Close")]
 
     def __init__(self, make: Callable[[], Lines], close_key: str) -> None:

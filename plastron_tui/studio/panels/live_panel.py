@@ -7,8 +7,6 @@ from itertools import takewhile
 from time import monotonic
 from typing import ClassVar
 
-from rich.segment import Segment
-from rich.style import Style
 from textual import events
 from textual.binding import Binding, BindingType
 from textual.widget import Widget
@@ -24,6 +22,7 @@ from .live_row_places import branch_at, cancelable_at, last_sent_at, stop_near, 
 from .live_rows import UNCOUNTED, found_rows, live_rows
 from .live_watching import Watching, watching_of
 from .row_drawing import RowDrawing
+from .styles import Line
 
 NOTHING_RUNS = "nothing runs\nF5 starts the nodes; here is then what they send"
 STARTING = "the nodes start…\nwhat they send is shown here"
@@ -314,11 +313,8 @@ class LivePanel(EntryList):
         self._reveal(at + sum(1 for _ in below))
         self._reveal(at)
 
-    def _segments(self, entry: Entry, width: int, base: Style, is_lit: bool) -> list[Segment]:
-        row = self._live[self._rows[entry.key]]
-        line = line_of(row, self._columns, width)
-        lit = Style.null()
-        return [Segment(text, base + (lit if is_lit else self.tone(tone))) for text, tone in line]
+    def _line(self, entry: Entry, width: int) -> Line:
+        return line_of(self._live[self._rows[entry.key]], self._columns, width)
 
 
 def _has_ended(graphs: Sequence[LiveGraph], row: LiveRow) -> bool:

@@ -6,7 +6,7 @@ from enum import Enum
 from typing import NamedTuple
 
 from plastron_tui.diagnostics.terminal import visible
-from plastron_tui.runtime.live_graph import LiveParameter
+from plastron_tui.runtime.live_parts import LiveParameter
 
 WIDEST = 500
 """So many characters of a value are looked at: more than windows show in a line."""

@@ -10,12 +10,11 @@ from plastron_tui.diagnostics.terminal import visible
 from plastron_tui.diagnostics.wording import counted
 from plastron_tui.runtime.live_graph import (
     LiveAction,
-    LiveGoal,
     LiveGraph,
-    LiveParameter,
     LiveTopic,
     NodeEnd,
 )
+from plastron_tui.runtime.live_parts import LiveGoal, LiveParameter
 
 from .live_ends import doing_rows, end_rows
 from .live_row import WIDEST, Answer, Kind, LiveRow, one_line
@@ -136,23 +135,25 @@ def _topics(graph: LiveGraph, unfolded: AbstractSet[str], now: float) -> Iterato
             tuple(topic.samples),
             is_branch=True,
             is_open=is_open,
-            is_sent_to=sending is not None,
+            is_sent_to=sending is not None and not sending.problem,
             is_foreign=is_foreign,
             is_old=is_old,
         )
         if sending is not None:
             words = f"sending at {sending.rate:g} hz: {one_line(sending.text) or 'no values'}"
+            if sending.problem:
+                words = f"not sent any more: {one_line(sending.problem)}"
             yield LiveRow(
                 f"{key} sending",
                 Kind.SENDING,
-                "▶",
+                "⚠" if sending.problem else "▶",
                 topic.name,
                 graph.ros_version,
                 topic.type,
                 value=words,
-                tone="success",
+                tone="warning" if sending.problem else "success",
                 depth=1,
-                is_sent_to=True,
+                is_sent_to=not sending.problem,
             )
         if is_open:
             yield from _fields(key, topic, graph.ros_version, is_foreign=is_foreign)

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING
+from itertools import chain
+from typing import TYPE_CHECKING, NamedTuple
 
 from .endpoint_text import endpoint_text
 from .entry import Entries, Entry, Subject
@@ -15,11 +16,28 @@ if TYPE_CHECKING:
     from ..analysis import Analysis
 
 
+class _Known(NamedTuple):
+    """The entries of a node, and what they were made of."""
+
+    node: Node
+    library: str | None
+    entries: tuple[Entry, ...]
+
+
 def make(analysis: Analysis, _: object) -> Entries:
     """Make what the panel shows."""
     workspace = analysis.workspace
     libraries = _libraries(workspace, analysis.session.library)
-    return Entries(_nodes(workspace, libraries), "no nodes yet\ncreate_node 'talker' as talker")
+    now: dict[str, _Known] = {}
+    before = analysis.kept.swap("nodes", now) or {}
+    for variable, node in workspace.nodes.items():
+        library, known = libraries[variable], before.get(variable)
+        # After an edit the nodes above it are the same objects.
+        if known is None or known.node is not node or known.library != library:
+            known = _Known(node, library, tuple(_node(variable, node, library)))
+        now[variable] = known
+    entries = chain.from_iterable([known.entries for known in now.values()])
+    return Entries(entries, "no nodes yet\ncreate_node 'talker' as talker")
 
 
 def _libraries(workspace: Workspace, default: str) -> dict[str, str | None]:
@@ -33,26 +51,24 @@ def _libraries(workspace: Workspace, default: str) -> dict[str, str | None]:
     }
 
 
-def _nodes(workspace: Workspace, libraries: dict[str, str | None]) -> Iterator[Entry]:
-    for variable, node in workspace.nodes.items():
-        library = libraries.get(variable)
-        from_file = node.source.path.name if node.source is not None else None
-        parts = [part for part in (from_file or library, node.is_managed and "managed") if part]
-        if variable != node.name:
-            parts.insert(0, variable)
-        yield Entry(
-            f"node {variable}",
-            node.name,
-            " · ".join(parts),
-            *SIGNS[Subject.NODE],
-            warning="does nothing" if node.is_idle else "",
-            span=node.span,
-            subject=Subject.NODE,
-            node=variable,
-            name=variable,
-            is_branch=not node.is_idle,
-        )
-        yield from _endpoints(variable, node)
+def _node(variable: str, node: Node, library: str | None) -> Iterator[Entry]:
+    from_file = node.source.path.name if node.source is not None else None
+    parts = [part for part in (from_file or library, node.is_managed and "managed") if part]
+    if variable != node.name:
+        parts.insert(0, variable)
+    yield Entry(
+        f"node {variable}",
+        node.name,
+        " · ".join(parts),
+        *SIGNS[Subject.NODE],
+        warning="does nothing" if node.is_idle else "",
+        span=node.span,
+        subject=Subject.NODE,
+        node=variable,
+        name=variable,
+        is_branch=not node.is_idle,
+    )
+    yield from _endpoints(variable, node)
 
 
 def _endpoints(variable: str, node: Node) -> Iterator[Entry]:

@@ -54,7 +54,8 @@ def _own(analysis: Analysis) -> dict[str, dict[str, Generation]]:
     from plastron_tui.targets import LIBRARIES
 
     # Only what has to be built is in one, or is beside it.
-    libraries = (LIBRARIES.get(each.library) for each in analysis.workspace.generations)
+    names = {each.library for each in analysis.workspace.generations}
+    libraries = map(LIBRARIES.get, names)
     if not any(each is not None and each.is_built for each in libraries):
         return {}
     found: dict[str, dict[str, Generation]] = {}

@@ -45,7 +45,7 @@ class ProgramView(Protocol):
         """Light what the statement at an offset is about."""
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, eq=False)
 class Panel:
     """A panel: dock, key, menu, help, what is remembered and what is analysed follow from it.
 

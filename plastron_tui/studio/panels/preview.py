@@ -20,7 +20,7 @@ from .styles import Lines
 if TYPE_CHECKING:
     from plastron_tui.model.robots import Robot
 
-    from ..analysis import Analysis
+    from ..analysis import Analysis, Kept
 
 
 @dataclass(frozen=True)
@@ -94,7 +94,7 @@ def _written(analysis: Analysis, variable: str) -> Iterator[Preview]:
     plan, problems = _plan(analysis)
     files = [file for file in plan.files if is_meant(PurePosixPath(file.name))]
     for file in files:
-        yield _preview(file, file.state, _disk_diff(file), problems)
+        yield _preview(analysis.kept, file, file.state, _disk_diff(file), problems)
     robot = analysis.workspace.robots.get(variable)
     if not files and robot is not None:
         yield _robot(robot)
@@ -131,7 +131,7 @@ def _building(analysis: Analysis, generation: Generation) -> Iterator[Preview]:
         path = PurePosixPath(file.name)
         is_launch = any(is_meant is not None and is_meant(path) for is_meant in launches)
         if path.parent == _folder(home) and not is_launch:
-            yield _preview(file, file.state, _disk_diff(file), problems)
+            yield _preview(analysis.kept, file, file.state, _disk_diff(file), problems)
 
 
 def _folder(home: Home) -> PurePosixPath:
@@ -166,6 +166,7 @@ def _disk_diff(file: PlannedFile) -> Lines | None:
 
 
 def _preview(
+    kept: Kept,
     file: PlannedFile,
     state: FileState | None,
     diff: Lines | None,
@@ -174,7 +175,12 @@ def _preview(
     is_main: bool = False,
     origin: str = "",
 ) -> Preview:
-    lines, size = coloured(file.text.decode("utf-8", "replace"), file.path), len(file.text)
+    # Most edits leave the files as they are.
+    lines = kept.once(
+        ("coloured", file.path, file.text),
+        lambda: coloured(file.text.decode("utf-8", "replace"), file.path),
+    )
+    size = len(file.text)
     return Preview(file.name, file.path, state, lines, diff, problems, size, is_main, origin)
 
 
@@ -193,7 +199,9 @@ def _previews(analysis: Analysis, generation: Generation, is_asked: bool) -> Ite
     names = made.files.files.names
     texts = tuple((name, file.text) for file, name in zip(plan.files, names, strict=False))
     lines = (
-        lines_of_statements(plan.files[0].path, FileSet(texts), generation.node) if texts else {}
+        lines_of_statements(plan.files[0].path, FileSet(texts), generation.node, analysis.kept)
+        if texts
+        else {}
     )
     for file, name in zip(plan.files, names, strict=False):
         diff, origin = _disk_diff(file), ""
@@ -202,5 +210,6 @@ def _previews(analysis: Analysis, generation: Generation, is_asked: bool) -> Ite
             origin = place_of(source.path, name).name if source is not None else ""
         state = file.state if is_asked else None
         is_main = name == names[0]
-        preview = _preview(file, state, diff, made.diagnostics, is_main=is_main, origin=origin)
+        found = made.diagnostics
+        preview = _preview(analysis.kept, file, state, diff, found, is_main=is_main, origin=origin)
         yield replace(preview, statement_lines=lines.get(name, {}))

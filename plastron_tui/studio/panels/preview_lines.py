@@ -2,49 +2,74 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
+from typing import TYPE_CHECKING, NamedTuple
 
 from plastron_tui.diagnostics import Span
 from plastron_tui.model.source import FileSet
 from plastron_tui.model.workspace import Node
 
+if TYPE_CHECKING:
+    from plastron_tui.model.kinds import EndpointKind
+
+    from ..analysis import Kept
+
 _LARGEST = 100_000
 """Bytes of files that are read again with each change of the program."""
 
 
-def lines_of_statements(path: Path, files: FileSet, node: Node) -> Mapping[str, dict[Span, int]]:
+def lines_of_statements(
+    path: Path, files: FileSet, node: Node, kept: Kept
+) -> Mapping[str, dict[Span, int]]:
     """Return the line, from 1, that each statement of a node becomes, by the file's name.
 
     Args:
         path: the main file.
         files: what would be written.
         node: the node that they are of.
+        kept: knows the lines of files that were read before.
     """
-    from plastron_tui.project.loader import read_node
-
     found: dict[str, dict[Span, int]] = {name: {} for name in files.names}
     if sum(len(text) for _, text in files.texts) > _LARGEST:
         return found
-    unit = read_node(path, files).source
-    if unit is None:
-        return found
+    key = "lines", path, files, tuple(node.by_kind)
+    written = kept.once(key, lambda: _read(path, files, tuple(node.by_kind)))
     main = files.names[0]
-    for each in unit.nodes:
-        if each.span is not None and len(unit.nodes) == 1:
-            found[main][node.span] = files.main.count(b"\n", 0, each.span.start) + 1
-        written = {
-            (kind, name): (endpoint.file or main, endpoint.line)
-            for kind in node.by_kind
-            for endpoint in each.of_kind(kind)
-            for name in (endpoint.label, endpoint.name, endpoint.default)
-            if name
-        }
-        for key, span in _statements(node):
-            if key in written:
-                file, line = written[key]
-                found.setdefault(file, {}).setdefault(span, line)
+    for each in written:
+        if each.line and len(written) == 1:
+            found[main][node.span] = each.line
+        for place, span in _statements(node):
+            if place in each.endpoints:
+                file, line = each.endpoints[place]
+                found.setdefault(file or main, {}).setdefault(span, line)
     return found
+
+
+class _Written(NamedTuple):
+    """Where a node and its endpoints are in files; 0 for a node that is nowhere in particular."""
+
+    line: int
+    endpoints: Mapping[tuple[object, str], tuple[str, int]]
+
+
+def _read(path: Path, files: FileSet, kinds: Sequence[EndpointKind]) -> tuple[_Written, ...]:
+    from plastron_tui.project.loader import read_node
+
+    unit = read_node(path, files).source
+    return () if unit is None else tuple(
+        _Written(
+            0 if each.span is None else files.main.count(b"\n", 0, each.span.start) + 1,
+            {
+                (kind, name): (endpoint.file, endpoint.line)
+                for kind in kinds
+                for endpoint in each.of_kind(kind)
+                for name in (endpoint.label, endpoint.name, endpoint.default)
+                if name
+            },
+        )
+        for each in unit.nodes
+    )  # fmt: skip
 
 
 def _statements(node: Node) -> Iterator[tuple[tuple[object, str], Span]]:

@@ -43,6 +43,14 @@ _NOT_GENERATED = ("not generated yet", "quiet")
 class PreviewPanel(Vertical):
     """A file, or how it would change."""
 
+    DEFAULT_CSS = """
+    #preview-head { height: 1; padding: 0 1; background: $panel-ground; }
+    #preview-body { height: 1fr; layout: vertical; }
+    #preview-files { display: none; height: auto; max-height: 40%; min-height: 3; }
+    PreviewPanel.-tree #preview-files { display: block; }
+    PreviewPanel.-wide #preview-body { layout: horizontal; }
+    PreviewPanel.-wide #preview-files { width: 32; height: 100%; }
+    """
     BINDINGS: ClassVar[list[BindingType]] = [
         Binding("d", "toggle_diff", "Diff", id="preview.diff",
                 tooltip="Show the whole file, or what changes in it"),

@@ -63,6 +63,12 @@ class Shown(NamedTuple):
 class RobotPanel(Container):
     """A tree, and a picture that is as large as fits."""
 
+    DEFAULT_CSS = """
+    RobotPanel { height: 1fr; width: 100%; layout: vertical; }
+    RobotPanel > #robot-picture { overflow: hidden hidden; }
+    RobotPanel.-beside { layout: horizontal; }
+    RobotPanel.-beside > #robot-tree { width: 1fr; height: 100%; }
+    """
     BINDINGS: ClassVar[list[BindingType]] = [
         Binding("v", "view", "View", id="robots.view",
                 tooltip="See it from above, from its right, from its front, or from all of them"),

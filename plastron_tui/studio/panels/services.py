@@ -24,4 +24,4 @@ def make(analysis: Analysis, _: object) -> Entries:
 
 def count(analysis: Analysis) -> int:
     """Return how much there is."""
-    return sum(count_hubs(analysis.workspace, each) for each in _INTERFACES)
+    return sum(count_hubs(analysis, each) for each in _INTERFACES)

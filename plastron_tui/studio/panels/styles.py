@@ -7,7 +7,8 @@ from typing import NamedTuple
 from rich.style import Style
 from textual.geometry import Region
 from textual.strip import Strip
-from textual.widget import Widget
+
+from ..textual_private import StyledLate
 
 TONES = (
     "quiet",
@@ -57,7 +58,7 @@ def rest_of(line: Line) -> Line:
     return line[-1:] if line and not line[-1].text else ()
 
 
-def tone_style(widget: Widget, tone: str, prefix: str = "tone") -> Style:
+def tone_style(widget: StyledLate, tone: str, prefix: str = "tone") -> Style:
     """Return the style of a tone in a widget that has `COMPONENTS`.
 
     A colour that lets the background through is mixed with it: a terminal cannot.
@@ -74,7 +75,7 @@ def tone_style(widget: Widget, tone: str, prefix: str = "tone") -> Style:
         return ground if ground.bgcolor is None else Style(bgcolor=ground.bgcolor) + own
     if prefix == "tone":
         tone = _SAME.get(tone, tone)
-    styles = widget.get_component_styles(f"{prefix}--{tone}")
+    styles = widget.component(f"{prefix}--{tone}")
     how = styles.text_style
     color, background = styles.color, styles.background
     behind = widget.background_colors[1]
@@ -87,7 +88,7 @@ def tone_style(widget: Widget, tone: str, prefix: str = "tone") -> Style:
     return how
 
 
-class Toned(Widget):
+class Toned(StyledLate):
     """A widget that remembers its tones until its style changes."""
 
     def __init__(self, *, id: str | None = None) -> None:  # noqa: A002 - Textual's word

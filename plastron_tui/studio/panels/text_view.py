@@ -17,6 +17,10 @@ from .styles import COMPONENTS, Lines, Piece, Toned, rest_of
 class TextView(Toned, ScrollView, can_focus=True):
     """Lines that are read, not written; only those in sight are drawn."""
 
+    DEFAULT_CSS = """
+    TextView { background: $background; height: 1fr; overflow: auto auto; }
+    TextView > .text-view--number { color: $foreground 65%; }
+    """
     COMPONENT_CLASSES: ClassVar[set[str]] = {*COMPONENTS, "text-view--number"}
     BINDINGS: ClassVar[list[BindingType]] = [
         Binding("up,k", "scroll_up", "Up", show=False),

@@ -21,4 +21,4 @@ def make(analysis: Analysis, _: object) -> Entries:
 
 def count(analysis: Analysis) -> int:
     """Return how much there is."""
-    return count_hubs(analysis.workspace, InterfaceKind.MESSAGE)
+    return count_hubs(analysis, InterfaceKind.MESSAGE)

@@ -17,6 +17,7 @@ from textual.widgets import Input, Label, OptionList
 from textual.widgets.option_list import Option
 
 from plastron_tui.diagnostics.terminal import visible
+from plastron_tui.regular_files import is_same_file
 
 from ..folder_labels import shown_folder
 from .dialog import Dialog
@@ -43,6 +44,7 @@ class ChooseFile(Dialog["Path | None"]):
         name: str = "",
         must_be: bool,
         recent: Sequence[str] = (),
+        present: Path | None = None,
     ) -> None:
         """Make the question.
 
@@ -52,10 +54,15 @@ class ChooseFile(Dialog["Path | None"]):
             name: the name to begin with.
             must_be: whether the file must be there.
             recent: files of late, which are offered from every folder, the latest first.
+            present: the file that is open already: another one is marked at first.
         """
         super().__init__()
         self._title = title
         self._folder = start
+        if ".." in start.parts:
+            with suppress(OSError, RuntimeError):
+                self._folder = start.resolve()
+        self._present = present
         self._first = name
         self._must_be = must_be
         self._recent = [path for path in map(Path, recent) if path.is_file()]
@@ -97,7 +104,14 @@ class ChooseFile(Dialog["Path | None"]):
         options_list = self.query_one(OptionList)
         options_list.clear_options()
         options_list.add_options(options)
-        options_list.highlighted = 1 if len(options) > 1 and not recent else 0
+        options_list.highlighted = 0 if recent else self._first_marked(folder, options)
+
+    def _first_marked(self, folder: Path, options: Sequence[Option]) -> int:
+        """Return which row is marked at first: the first below `../` that is not open already."""
+        for row, option in enumerate(options[1:], 1):
+            if not is_same_file(folder / (option.id or ""), self._present):
+                return row
+        return min(1, len(options) - 1)
 
     def _split(self) -> tuple[Path, str]:
         written = self.query_one(Input).value.strip()

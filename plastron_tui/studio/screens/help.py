@@ -19,9 +19,9 @@ from .help_lines import action_lines, key_lines, statement_lines
 
 ABOUT = {
     "editor": ("The editor", "One statement a line. While you type, a list offers what can stand "
-               "there: Tab takes it, Esc closes it. F1 says what the word at the cursor means, "
-               "and so does the mouse when it rests on one. A problem is underlined, with its "
-               "message beside it."),
+               "there: Tab takes it, Esc closes it. Without a list, Tab completes the word before "
+               "the cursor. F1 says what the word at the cursor means, and so does the mouse when "
+               "it rests on one. A problem is underlined, with its message beside it."),
     **{panel.name: (panel.title, panel.about) for panel in PANELS},
 }  # fmt: skip
 """What each part is for, by its id."""

@@ -1,11 +1,14 @@
-"""Finds actions by what somebody types in the menu: titles, other words for them, help."""
+"""Finds what somebody types in the menu: actions by title, other words and help, and names."""
 
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from typing import NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 from ..actions import Action
+
+if TYPE_CHECKING:
+    from ..program_names import ProgramName
 
 _MOST_RECENT = 5
 WORDS = {
@@ -20,6 +23,7 @@ WORDS = {
     "config": "settings preferences options remap", "suspend": "background shell",
     "quit": "exit close leave end", "problems": "errors mistakes warnings", "output": "log print",
     "preview": "code diff python", "graph": "picture diagram", "topics": "publishers subscribers",
+    "back": "jump return previous place", "forward": "jump next place",
     "editor.undo": "back revert", "editor.redo": "forward again", "editor.copy": "yank clipboard",
     "editor.paste": "clipboard insert", "editor.find": "search look",
     "editor.replace": "substitute exchange", "editor.go_to_line": "jump number",
@@ -32,15 +36,28 @@ WORDS = {
     "editor.previous_problem": "error jump",
 }  # fmt: skip
 """What somebody may look for who does not know how an action is called, by its id."""
+NAMES = "In this program"
+"""The heading of the names of the program."""
+ONLY_NAMES = "@"
+"""What a query begins with that is to find names alone."""
+_MOST_NAMES = 100
+_BY_HELP = 3
+"""From which rank on it is not what an action is called that fits."""
 RECENT = "Recent"
 """The heading of what was done last."""
 
 
 class Entry(NamedTuple):
-    """A line of the menu: a heading, or an action."""
+    """A line of the menu: a heading, an action, or a name of the program."""
 
     heading: str
     action: Action | None = None
+    name: ProgramName | None = None
+
+    @property
+    def chosen(self) -> Action | ProgramName | None:
+        """What is chosen with the line; None of a heading."""
+        return self.action or self.name
 
 
 def listed(
@@ -58,8 +75,31 @@ def listed(
     return tuple(entries)
 
 
+def answers(
+    query: str, actions: Iterable[Action], recent: Sequence[str], names: Sequence[ProgramName]
+) -> tuple[Entry, ...]:
+    """Return what fits a query: actions, and the names of the program below their heading.
+
+    The names come first where one begins with the query, and no action is called that.
+    """
+    is_about_names = query.lstrip().startswith(ONLY_NAMES)
+    named = _names(query.strip().removeprefix(ONLY_NAMES), names)
+    acting = [] if is_about_names else _ranked(query, actions, recent)
+    below = [Entry(NAMES), *(Entry(NAMES, name=name) for _, name in named)] if named else []
+    above = [Entry("", action) for _, action in acting]
+    is_better = named and named[0][0] == 0 and (not acting or acting[0][0] >= _BY_HELP)
+    return (*below, *above) if is_better else (*above, *below)
+
+
 def found(query: str, actions: Iterable[Action], recent: Sequence[str]) -> tuple[Entry, ...]:
-    """Return the actions that all words of a query are in, those that fit best first.
+    """Return the actions that all words of a query are in, those that fit best first."""
+    return tuple(Entry("", action) for _, action in _ranked(query, actions, recent))
+
+
+def _ranked(
+    query: str, actions: Iterable[Action], recent: Sequence[str]
+) -> list[tuple[int, Action]]:
+    """Return the actions that all words of a query are in, each with a rank, the best first.
 
     A word fits a title better than a synonym, and that better than the help; its beginning fits
     better than its middle, and the letters of a title in their order fit last of all. Among those
@@ -74,7 +114,37 @@ def found(query: str, actions: Iterable[Action], recent: Sequence[str]) -> tuple
             total = sum(rank for rank in ranks if rank is not None)
             ranked.append((total, late.get(action.id, len(late)), place, action))
     ranked.sort(key=lambda each: each[:3])
-    return tuple(Entry("", action) for *_, action in ranked)
+    return [(total, action) for total, _, _, action in ranked]
+
+
+def _names(query: str, names: Iterable[ProgramName]) -> list[tuple[int, ProgramName]]:
+    """Return the names that all words of a query fit, each with a rank, the best first."""
+    words = [word.strip("/'\"") for word in query.lower().split()]
+    ranked = []
+    for name in names:
+        ranks = [_rank_of_name(word, name) for word in words]
+        if all(rank is not None for rank in ranks):
+            ranked.append((sum(rank for rank in ranks if rank is not None), name))
+    ranked.sort(key=lambda each: each[0])
+    return ranked[:_MOST_NAMES]
+
+
+def _rank_of_name(word: str, name: ProgramName) -> int | None:
+    """Return how well a word fits a name, or what has the name; None where it does not."""
+    text = name.entry.text.lower().lstrip("/")
+    others = f"{text} {name.entry.detail}".lower()
+    parts = others.translate(_AS_BLANKS)
+    places = (
+        text.startswith(word) or name.kind.startswith(word),
+        f" {word}" in f" {parts}",
+        word in others or f" {word}" in name.kind,
+        len(word) > 1 and _is_spread(word, text),
+    )
+    return next((rank for rank, fits in enumerate(places) if fits), None)
+
+
+_AS_BLANKS = str.maketrans("/_.~", "    ")
+"""What is between the parts of a name."""
 
 
 def _rank(word: str, action: Action) -> int | None:

@@ -10,6 +10,7 @@ from textual import events, on
 from textual.app import ComposeResult
 from textual.binding import Binding, BindingType
 from textual.containers import Horizontal, Vertical
+from textual.content import Content
 from textual.widgets import Button, Input, Label
 
 from plastron_tui.diagnostics.terminal import visible, visible_text
@@ -69,7 +70,14 @@ class Question(Dialog[str], Unread):
             with Horizontal(id="dialog-buttons"):
                 for number, (id_, words) in enumerate(self._answers):
                     variant = "primary" if number == 0 else "default"
-                    yield Button(words, id=id_, variant=variant, compact=True)  # type: ignore[arg-type]
+                    label = self._label(number, words)
+                    yield Button(label, id=id_, variant=variant, compact=True)  # type: ignore[arg-type]
+
+    def _label(self, number: int, words: str) -> Content:
+        """Return the words of an answer, the letter underlined that gives it."""
+        letters = [each[:1].lower() for _, each in self._answers]
+        is_first = letters.index(letters[number]) == number
+        return Content.assemble((words[:1], "underline" if is_first else ""), words[1:])
 
     def on_mount(self) -> None:
         """Let Enter give the first answer."""

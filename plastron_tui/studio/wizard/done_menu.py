@@ -8,6 +8,7 @@ from dataclasses import replace
 from plastron_tui.diagnostics import has_errors
 from plastron_tui.model.graph import NOUNS
 from plastron_tui.ros.interfaces import InterfaceKind
+from plastron_tui.ros.motion import is_command
 from plastron_tui.session import Session
 
 from .context import Meeting, Scene
@@ -22,8 +23,6 @@ _ANOTHER = "another"
 RUN = "screen.run(True, True)"
 """What starts the nodes: who comes from the wizard types nothing, and wants to see them."""
 
-_COMMANDS = frozenset({"Twist", "TwistStamped"})
-"""The messages that a robot itself takes."""
 _SENSORS = "sensor_msgs"
 """The package of the messages that a robot itself sends."""
 
@@ -154,7 +153,7 @@ def _is_of_robot(meeting: Meeting) -> bool:
     type_ = meeting.type
     if type_ is None:
         return False
-    return type_.package == _SENSORS if meeting.takers else type_.name in _COMMANDS
+    return type_.package == _SENSORS if meeting.takers else is_command(str(type_))
 
 
 def _said(kind: InterfaceKind, meeting: Meeting) -> str:

@@ -64,8 +64,6 @@ class Course:
         """The program as it is without the wizard."""
         return Scene(self.session, self.surroundings)
 
-    # What is chosen.
-
     def take(self, offer: Offer) -> None:
         """Take an entry of the menu that is shown, and go on."""
         if offer.takes_away:
@@ -192,8 +190,6 @@ class Course:
             return None
         return self._form(self.head, self.purpose, drives=self.drives)
 
-    # The pages.
-
     def pages(self, look: Look) -> list[Page]:
         """Return the pages, as far as it is known which there will be."""
         pages = [Page(PageKind.START)]
@@ -233,8 +229,6 @@ class Course:
         """The forms of the pages up to the one that is shown."""
         pages = self.pages(self._seen)[: self.at + 1]
         return [page.form for page in pages if page.form is not None]
-
-    # What it comes to.
 
     def look(self) -> Look:
         """Find out all that follows from what was entered."""
@@ -363,8 +357,6 @@ class Course:
                 return number
         return None
 
-    # What a form offers.
-
     def choices(self, filled: Filled, slot: str, path: Path | None, query: str) -> list[Choice]:
         """Return what can be taken for a slot, or for a field of the values."""
         found = next(each for each in filled.form.declaration.slots if each.name == slot)
@@ -383,8 +375,6 @@ class Course:
     def helps(self, filled: Filled) -> dict[tuple[str, Path | None], str]:
         """Return what is said about each row of a form."""
         return helps_of(filled, lambda slot: self._filler.ask(filled, slot))
-
-    # Menus.
 
     def offers(self) -> list[Offer]:
         """Return the entries of the menu that is shown, none where it is no menu."""

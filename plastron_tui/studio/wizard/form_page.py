@@ -97,8 +97,6 @@ class FormPage(Vertical):
         choices.can_focus = False
         yield choices
 
-    # What is shown.
-
     async def show(
         self, filled: Filled, problems: Sequence[Finding], helps: dict[Key, str]
     ) -> None:
@@ -262,8 +260,6 @@ class FormPage(Vertical):
         """Go to the next row, once the rows are those that follow from what was entered."""
         self.post_message(Stepped(by))
 
-    # Choices.
-
     def show_choices(self, choices: Sequence[Choice]) -> None:
         """List what can be taken for the row with the focus."""
         if list(choices) == self.choices:
@@ -310,8 +306,6 @@ class FormPage(Vertical):
         row = self.row_here
         if row is not None:
             row.take(_entered(row.slot, self.choices[int(event.option.id or 0)]))
-
-    # What comes from the rows.
 
     def on_entered(self, message: Entered) -> None:
         """Tell what was entered."""

@@ -9,6 +9,7 @@ from plastron_tui.language import statements as st
 from plastron_tui.language.keywords import KEYWORDS
 from plastron_tui.model.graph import NOUNS
 from plastron_tui.ros.interfaces import InterfaceKind
+from plastron_tui.ros.motion import COMMAND_TOPIC, LASER_TOPIC
 from plastron_tui.ros.names import check_service_name, check_topic_name
 
 from .ask import Ask, Choice
@@ -42,8 +43,6 @@ from .message_kinds import MessageKind
 from .node_files import FileKind, NewNodeKind, NodeOfFileKind
 from .node_names import NodeNameKind
 from .obstacles import (
-    LASER_TOPIC,
-    VELOCITY_TOPIC,
     is_laser_wanted,
     is_to_drive,
     measures_distance,
@@ -159,7 +158,7 @@ class MeetingKind(Kind):
             lasers = (x.name for x in self._names(ask) if measures_distance(x.type))
             return next(lasers, LASER_TOPIC)
         if ask.slot.kind is SlotKind.TOPIC and is_to_drive(ask):
-            return VELOCITY_TOPIC
+            return COMMAND_TOPIC
         # Who sends something of its own seeks who lacks it; who takes it, what there is.
         sends = ask.form.slot_of(SlotKind.MESSAGE, SlotKind.INPUT) is not None
         held = ask.held

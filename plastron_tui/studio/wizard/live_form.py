@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from typing import Any, ClassVar
 
+from rich.cells import cell_len, set_cell_size
 from textual import on
 from textual.app import ComposeResult
 from textual.binding import Binding, BindingType
@@ -17,13 +18,28 @@ from plastron_tui.language import DECLARATIONS
 from plastron_tui.language.statements import CreateMessage
 
 from ..screens.dialog import Dialog
-from .rows import Confirmed, Entered, Reached, Row
+from .rows import Confirmed, Entered, Reached, Row, shortened
 from .sent_values import Wrong
 from .style_sheets import STYLES
 from .values import Entry, Heading, Path
 
+_WIDEST_UNIT = 12
+_WIDEST_NOTE = 16
+"""Columns of what stands beside a field; the whole of it is below, where the focus is."""
 Check = Callable[[Mapping[Path, str]], Any]
 """Makes what is sent of what was entered; a `Wrong` where that does not fit."""
+
+
+def notes_of(fields: Sequence[Entry]) -> dict[Path, str]:
+    """Return what stands beside each field: its unit, in a column of its own, and its type."""
+    units = {each.path: "" if each.meaning is None else each.meaning.unit for each in fields}
+    units = {path: unit if cell_len(unit) <= _WIDEST_UNIT else "" for path, unit in units.items()}
+    width = max(map(cell_len, units.values()), default=0)
+    gap = 2 if width else 0
+    return {
+        each.path: set_cell_size(units[each.path], width + gap) + shortened(each.note, _WIDEST_NOTE)
+        for each in fields
+    }
 
 
 class LiveForm(Dialog["dict[Path, str] | None"]):
@@ -80,6 +96,10 @@ class LiveForm(Dialog["dict[Path, str] | None"]):
         self.start = start
         self._last = last
         self._check = check
+        fields = [each for each in (*form, last) if isinstance(each, Entry)]
+        self._notes = notes_of(fields)
+        self._labelled = max((2 * len(each.path) - 2 + cell_len(each.path[-1]) for each in fields),
+                             default=0)  # fmt: skip
 
     def compose(self) -> ComposeResult:
         """Make a row for each field."""
@@ -89,7 +109,8 @@ class LiveForm(Dialog["dict[Path, str] | None"]):
             if self._about or not has_values:
                 words = self._about or "it takes no values"
                 yield Label(visible(words), id="dialog-text", markup=False)
-            with VerticalScroll(id="live-rows", can_focus=False):
+            classes = "" if self._last is None else "-has-last"
+            with VerticalScroll(id="live-rows", classes=classes, can_focus=False):
                 for each in self._form:
                     label = "  " * (len(each.path) - 1) + visible(each.path[-1])
                     if isinstance(each, Heading):
@@ -108,12 +129,15 @@ class LiveForm(Dialog["dict[Path, str] | None"]):
     def _row(self, entry: Entry, label: str) -> Row:
         slot = DECLARATIONS[CreateMessage].slots[-1]
         text = self.given.get(entry.path, "")
-        return Row(slot, label, text, note=entry.note, entry=entry, path=entry.path,
+        note = self._notes[entry.path]
+        return Row(slot, label, text, note=note, entry=entry, path=entry.path,
                    placeholder=entry.default)  # fmt: skip
 
     def on_mount(self) -> None:
-        """Begin at the field to start with."""
+        """Have the same columns in all rows; begin at the field to start with."""
         rows = list(self.query(Row))
+        for row in rows:
+            row.align(self._labelled, max(map(cell_len, self._notes.values())))
         first = next((row for row in rows if row.path == self.start), rows[0] if rows else None)
         (self.query_one("#send", Button) if first is None else first.box).focus()
 
@@ -138,7 +162,8 @@ class LiveForm(Dialog["dict[Path, str] | None"]):
         entry = message.row.entry
         if not label.has_class("-wrong") and entry is not None:
             known = entry.comment if entry.meaning is None else entry.meaning.said
-            label.update(visible(known or entry.note))
+            parts = (known, entry.note if entry.type.is_array or not known else "")
+            label.update(visible("; ".join(filter(None, parts))))
 
     @on(Confirmed)
     def confirmed(self, message: Confirmed) -> None:

@@ -7,7 +7,8 @@ from typing import Any, NamedTuple
 
 from plastron_tui.ros.interfaces import InterfaceKind, InterfaceName
 from plastron_tui.ros.parameters import ParameterType
-from plastron_tui.runtime.live_graph import LiveField, LiveParameter
+from plastron_tui.runtime.live_graph import LiveField
+from plastron_tui.runtime.live_parts import LiveParameter
 from plastron_tui.session import Session
 
 from ..panels.live_row import Kind, LiveRow

@@ -5,12 +5,13 @@ from __future__ import annotations
 from plastron_tui.language import SlotKind
 from plastron_tui.model.kinds import Publisher
 from plastron_tui.ros.interfaces import InterfaceKind
+from plastron_tui.ros.motion import COMMAND_TOPIC
 from plastron_tui.ros.names import spelled
 
 from .ask import Ask, Choice
 from .form import NEW
 from .kind import OF_THE_LIST, Kind
-from .obstacles import VELOCITY_TOPIC, driven, is_to_drive
+from .obstacles import driven, is_to_drive
 from .trials import closed_by, first_that_works
 
 
@@ -29,7 +30,7 @@ class MessageKind(Kind):
         wanted = [name for name in reversed(workspace.messages) if name not in sent]
         if is_to_drive(ask):
             # By the same message as before: that line of the program then gives way.
-            moving = driven(workspace.nodes.get(ask.node), VELOCITY_TOPIC)
+            moving = driven(workspace.nodes.get(ask.node), COMMAND_TOPIC)
             wanted = [*(each.message.variable for each in moving), *wanted]
         wanted = list(dict.fromkeys([*_sent_to(ask), *wanted]))
         return first_that_works(ask, wanted[:3]) or NEW

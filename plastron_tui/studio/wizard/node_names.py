@@ -8,6 +8,7 @@ from plastron_tui.language import SlotKind
 from plastron_tui.language import statements as st
 from plastron_tui.language.declaration import Statement
 from plastron_tui.model.kinds import INTERFACES
+from plastron_tui.ros.motion import COMMAND_TOPIC, LASER_TOPIC, is_distance, is_velocity
 from plastron_tui.ros.names import check_node_name
 
 from .ask import MEETINGS, Ask
@@ -28,11 +29,6 @@ _AFTER_PURPOSE: dict[type[Statement], str] = {
     st.ProvidesAction: "worker",
     st.Repeats: "ticker",
 }
-
-_DRIVES = frozenset({"cmd_vel", "Twist", "TwistStamped"})
-"""The topics and the types by which robots are driven."""
-_DISTANCES = frozenset({"scan", "LaserScan", "Range"})
-"""The topics and the types that say how far away things are."""
 
 
 class NodeNameKind(Kind):
@@ -58,16 +54,17 @@ def _names(purpose: Form | None) -> Iterator[str]:
     if purpose is None or not name:
         yield from _NAMES
         return
-    about = {_last(purpose, *INTERFACES), _last(purpose, *MEETINGS)}
-    if purpose.drives or (name == "talker" and _DRIVES & about):
+    type_, topic = _entered(purpose, *INTERFACES), _entered(purpose, *MEETINGS).rpartition("/")[2]
+    is_driving = is_velocity(type_) or topic == COMMAND_TOPIC
+    if purpose.drives or (name == "talker" and is_driving):
         yield "driver"
-    if name == "listener" and _DISTANCES & about:
+    if name == "listener" and (is_distance(type_) or topic == LASER_TOPIC):
         # It may drive as well: most robots are driven by what they see.
         yield "watcher"
     yield name
 
 
-def _last(form: Form, *kinds: SlotKind) -> str:
-    """Return the last part of the name that was entered in a slot."""
+def _entered(form: Form, *kinds: SlotKind) -> str:
+    """Return what was entered in a slot."""
     slot = form.slot_of(*kinds)
-    return "" if slot is None else form.entered.get(slot.name, "").rpartition("/")[2]
+    return "" if slot is None else form.entered.get(slot.name, "")

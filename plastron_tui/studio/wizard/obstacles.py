@@ -9,21 +9,16 @@ from plastron_tui.model.kinds import Publication, Publisher
 from plastron_tui.model.unconditional_motion import moves
 from plastron_tui.model.workspace import Node
 from plastron_tui.ros.interfaces import InterfaceName
+from plastron_tui.ros.motion import is_distance, is_velocity
 from plastron_tui.ros.names import spelled
 
 from .ask import Ask
 
-LASER_TOPIC = "scan"
-"""The topic to which most lasers send."""
-
-VELOCITY_TOPIC = "cmd_vel"
-"""The topic by which most robots are driven."""
-
 _NEAR = 0.5
 """Metres within which something is near."""
 
-_DISTANCES = {"sensor_msgs/LaserScan": "all received.ranges", "sensor_msgs/Range": "received.range"}
-"""The messages with distances, and what of them has to be large."""
+_LARGE = {"sensor_msgs/LaserScan": "all received.ranges", "sensor_msgs/Range": "received.range"}
+"""What of the messages with distances has to be large."""
 
 _FREE = re.compile(
     r"(?P<quantifier>all )?(?P<path>received\.\w+(\[\d+\])?) > (?P<value>.+)", re.ASCII
@@ -32,12 +27,12 @@ _FREE = re.compile(
 
 def measures_distance(type_: InterfaceName | None) -> bool:
     """Tell whether a message says how far away things are."""
-    return str(type_) in _DISTANCES
+    return type_ is not None and is_distance(str(type_))
 
 
 def way_is_free(ask: Ask) -> str:
     """Return the condition that nothing is near, "" where a form does not drive by distances."""
-    drives = _is_velocity(ask.text(SlotKind.MESSAGE_TYPE))
+    drives = is_velocity(ask.text(SlotKind.MESSAGE_TYPE))
     far = distances_of_trigger(ask)
     return f"{far} > {_NEAR}" if drives and far else ""
 
@@ -45,13 +40,13 @@ def way_is_free(ask: Ask) -> str:
 def distances_of_trigger(ask: Ask) -> str:
     """Return what has to be large of what a form waits for, "" where that has no distances."""
     heard = ask.scene.heard(ask.node).get(ask.text(SlotKind.TRIGGER))
-    return _DISTANCES.get(str(heard), "")
+    return _LARGE[str(heard)] if measures_distance(heard) else ""
 
 
 def is_standing(node: Node | None, topic: str) -> bool:
     """Tell whether a node sends commands to a topic, and none by which a robot moves."""
     publisher = None if node is None else node.of(Publisher).get(spelled(topic))
-    if publisher is None or not _is_velocity(str(publisher.type)):
+    if publisher is None or not is_velocity(str(publisher.type)):
         return False
     return not any(moves(each.message.value) for each in publisher.publications)
 
@@ -83,7 +78,7 @@ def is_laser_wanted(ask: Ask) -> bool:
 def driven(node: Node | None, topic: str) -> list[Publication]:
     """Return what drives a robot whatever its sensors say, of what a node sends to a topic."""
     publisher = None if node is None else node.of(Publisher).get(spelled(topic))
-    if publisher is None or not _is_velocity(str(publisher.type)):
+    if publisher is None or not is_velocity(str(publisher.type)):
         return []
     return [
         each
@@ -104,11 +99,7 @@ def is_near(type_: str, condition: str) -> tuple[str, str] | None:
         The condition that something is near, and within how many metres.
     """
     free = _FREE.fullmatch(condition)
-    if free is None or not _is_velocity(type_):
+    if free is None or not is_velocity(type_):
         return None
     quantifier = "any " if free["quantifier"] else ""
     return f"{quantifier}{free['path']} < {free['value']}", free["value"]
-
-
-def _is_velocity(type_: str) -> bool:
-    return type_.rpartition("/")[2] == "Twist"

@@ -269,6 +269,11 @@ class Row(Horizontal):
         room = label.content_size.width if is_number else max(0, self._noted - 1)
         label.update(shortened(self._note, room) if room else self._note)
 
+    def align(self, label: int, note: int) -> None:
+        """Give the name and the note so many columns; what is entered gets the rest."""
+        self.query_one(".wizard-label").styles.width = label + 1
+        self.query_one(".wizard-note").styles.width = note + 1
+
     @property
     def box(self) -> Widget:
         """What takes the focus."""

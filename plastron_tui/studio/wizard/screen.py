@@ -45,17 +45,20 @@ _STATEMENTS: dict[str, type[Statement]] = {
 
 Enter = Callable[[Sequence[Edit]], Session]
 
+_BINDINGS: list[BindingType] = [
+    Binding("escape", "step_back", "Back"),
+    Binding("f2,alt+left", "back", "Back", priority=True),
+    Binding("f1", "explain", "Help", priority=True),
+    Binding("f3", "turn", "Code and graph", priority=True),
+    Binding("enter", "next", "Next", show=False),
+    Binding("ctrl+q", "leave", "Leave", show=False, id="quit"),
+]
+
 
 class Wizard(Frame):
     """Builds statements; the result is an action of the main screen to go on with, or ""."""
 
-    BINDINGS: ClassVar[list[BindingType]] = [
-        Binding("escape", "step_back", "Back"),
-        Binding("f2,alt+left", "back", "Back", priority=True),
-        Binding("f1", "explain", "Help", priority=True),
-        Binding("f3", "turn", "Code and graph", priority=True),
-        Binding("enter", "next", "Next", show=False),
-    ]
+    BINDINGS: ClassVar[list[BindingType]] = _BINDINGS
 
     def __init__(self, session: Session, enter: Enter) -> None:
         """Make the wizard.
@@ -86,8 +89,6 @@ class Wizard(Frame):
         for view in self.query(TextView):
             view.can_focus = False
         self.changed()
-
-    # Finding out.
 
     def changed(self, then: Callable[[], object] | None = None) -> None:
         """Find out what follows; `then` is done before, when nobody else looks at the course."""
@@ -174,8 +175,6 @@ class Wizard(Frame):
             do()
         return view_of(self.course, asked, is_done=self.is_done)
 
-    # What comes from the pages.
-
     @on(Put)
     def put(self, message: Put) -> None:
         """Take what was entered."""
@@ -235,8 +234,6 @@ class Wizard(Frame):
         self.query_one(ResultView).forget()
         self._turn(do)
 
-    # What is pasted.
-
     def on_paste(self, event: events.Paste) -> None:
         """Take a text that no field has taken; a long one comes in several pieces."""
         event.stop()
@@ -265,8 +262,6 @@ class Wizard(Frame):
         self.notify(pasted.inserted(lines), markup=False)
         self.changed()
 
-    # Going on.
-
     @on(Confirmed)
     @on(Button.Pressed, "#wizard-next")
     def action_next(self) -> None:
@@ -281,8 +276,6 @@ class Wizard(Frame):
                 await self._go()
         finally:
             self._nexts -= 1
-
-    # Keys that come before the page that they are for.
 
     @property
     def is_turning(self) -> bool:

@@ -13,6 +13,7 @@ from .form import Form
 from .goals import DRIVE, GROUPS, Aim, told
 from .obstacles import is_standing
 from .pages import Look, Page, PageKind
+from .sent_already import sent_already
 
 
 def unanswered(look: Look) -> str:
@@ -90,6 +91,7 @@ def review(look: Look) -> str:
         words += " It does not notice when the laser falls silent."
     if _is_standing(look):
         words += " With this it never drives: all that it is sent is 0."
+    words += "".join(f" {sent}." for each in look.filled if (sent := sent_already(each)))
     numbers = () if outcome is None else outcome.replaced
     if outcome is not None and not look.problems:
         words += _mistake_before(outcome.session)

@@ -6,6 +6,7 @@ from collections.abc import Sequence
 
 from plastron_tui.language import SlotKind
 from plastron_tui.ros.interfaces import InterfaceKind, InterfaceName
+from plastron_tui.ros.motion import COMMAND_TOPIC, LASER_TOPIC
 from plastron_tui.ros.search import FoundType, search_types
 
 from .ask import MEETINGS, Ask, Choice
@@ -35,9 +36,9 @@ NAMES = {
 _USUAL = {
     InterfaceKind.MESSAGE: {
         "chatter": "std_msgs/String",
-        "cmd_vel": "geometry_msgs/Twist",
+        COMMAND_TOPIC: "geometry_msgs/Twist",
         "odom": "nav_msgs/Odometry",
-        "scan": "sensor_msgs/LaserScan",
+        LASER_TOPIC: "sensor_msgs/LaserScan",
         "imu": "sensor_msgs/Imu",
         "image_raw": "sensor_msgs/Image",
         "camera_info": "sensor_msgs/CameraInfo",
@@ -60,8 +61,8 @@ _USUAL = {
 
 
 _OFFERED = {
-    "cmd_vel": "how fast a robot is to go, and to turn",
-    "scan": "the distances that a laser measures",
+    COMMAND_TOPIC: "how fast a robot is to go, and to turn",
+    LASER_TOPIC: "the distances that a laser measures",
     "odom": "where a robot is by its wheels, and how fast",
     "image_raw": "what a camera sees",
     "imu": "how a robot turns and leans",

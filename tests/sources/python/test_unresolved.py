@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from plastron_tui.sources.python.calls import ROSPY
-from plastron_tui.sources.python.sites import analyze
+from plastron_tui.sources.python.shared_analysis import analyze
 from plastron_tui.sources.python.unresolved import lost_names, meanings
 
 CASES = {

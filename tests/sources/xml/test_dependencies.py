@@ -9,13 +9,9 @@ from hypothesis import strategies as st
 from plastron_tui.sources.xml.dependencies import (
     NEEDS,
     add_dependency,
-    add_export,
     add_group,
     remove_dependency,
-    remove_export,
-    remove_group,
 )
-from plastron_tui.sources.xml.new_element import NewElement
 from plastron_tui.sources.xml.package_data import DEPENDENCY_TAGS, PackageXml
 from plastron_tui.sources.xml.package_xml import read_package
 
@@ -185,40 +181,12 @@ def test_what_is_added_is_there_and_goes_without_a_trace(
     assert removed.package.document.text == package.document.text
 
 
-NODELET = NewElement("nodelet", (("plugin", "${prefix}/plugins.xml"),))
-
-
-@pytest.mark.parametrize(
-    "lines",
-    [
-        [],
-        ["<depend>a</depend>"],
-        ["<export>", "  <build_type>ament_cmake</build_type>", "</export>"],
-        ["<export>", "  <!-- nothing yet -->", "</export>"],
-        ["<export></export>"],
-        ['<export><nodelet plugin="x.xml"/><rviz plugin="y.xml"/></export>'],
-    ],
-)
-def test_an_export_is_written_and_goes_without_a_trace(lines: list[str]) -> None:
-    package = package_of(lines)
-    added = add_export(package, NODELET)
-    assert added.package is not None
-    assert NODELET.attributes in [one.attributes for one in added.package.exports]
-    assert add_export(added.package, NODELET).package == added.package
-    removed = remove_export(added.package, NODELET)
-    assert removed.package is not None
-    assert removed.package.document.text == package.document.text
-
-
 def test_a_group_is_of_format_3() -> None:
     package = package_of(["<export/>"])
     added = add_group(package, "rosidl_interface_packages")
     assert added.package is not None
     group = "<member_of_group>rosidl_interface_packages</member_of_group>"
     assert lines_of(added.package) == [group, "<export/>"]
-    removed = remove_group(added.package, "rosidl_interface_packages")
-    assert removed.package is not None
-    assert removed.package.document.text == package.document.text
     refused = add_group(package_of([], 2), "rosidl_interface_packages")
     assert refused.package is None
     assert [one.code for one in refused.diagnostics] == ["edit-refused"]

@@ -157,3 +157,25 @@ async def test_taking_an_entry_is_one_step_to_undo() -> None:
         await at.type("create_n")
         await at.press("tab", "ctrl+z")
         assert at.editor.text == b"create_n"
+
+
+@pytest.mark.parametrize(
+    ("text", "after"),
+    [
+        ("[]// a comment\n", "[]// a comment\n"),
+        ("[]create_node 'a' as a\n", "[]create_node 'a' as a\n"),
+        ("create_[]node 'a' as a\n", "create_[]node 'a' as a\n"),
+        ("create_node 'a' []as a\n", "create_node 'a' []as a\n"),
+        ("create_n[] 'a' as a\n", "create_node[] 'a' as a\n"),
+        # A list, which writes nothing yet.
+        ("create_node 'a' []", "create_node 'a' []"),
+    ],
+)
+async def test_tab_completes_the_word_before_the_cursor_and_writes_nothing_else(
+    text: str, after: str
+) -> None:
+    async with editing(text.replace("[]", ""), cursor=text.index("[]")) as at:
+        await at.understand()
+        await at.press("tab")
+        assert at.marked == after
+        assert at.editor.popup.is_open == text.endswith("[]")

@@ -138,7 +138,7 @@ async def test_wide_characters_and_tabs_line_up() -> None:
 async def test_methods_of_the_app() -> None:
     async with editing("abc\ndef\n") as at:
         editor = at.editor
-        editor.select(Span(4, 7))
+        editor.select_range(4, 7)
         assert at.marked == "abc\n[def]\n"
         editor.replace(Span(0, 3), "x")
         assert at.marked == "x\ndef[]\n"

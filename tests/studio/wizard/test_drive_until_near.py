@@ -97,6 +97,15 @@ def test_to_drive_at_a_rate_beside_what_stops_is_refused() -> None:
     assert problem.message.endswith("whatever `scan` says: the robot does not stop")
 
 
+def test_a_command_with_a_stamp_gives_way_as_well() -> None:
+    before = (NODE + DRIVING + HEARING + END).replace("Twist", "TwistStamped")
+    it = course(before.replace("linear.x", "twist.linear.x"))
+    it.answer(Heard("driver", "scan"))
+    look = to_menu_or_review(it)
+    assert look.problems == () and look.outcome is not None
+    assert look.outcome.replaced == (3,)
+
+
 FAR = "all received.ranges > "
 
 

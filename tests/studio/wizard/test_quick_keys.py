@@ -10,7 +10,7 @@ from typing import Any
 
 import pytest
 from machine import mostly_long
-from studio_driver import Driver, studio
+from studio_driver import studio
 from test_terminal import Terminal, start
 from test_terminal import terminal as terminal
 from textual import events
@@ -78,20 +78,14 @@ async def quickly(it: WizardDriver, keys: Sequence[str]) -> None:
     """Send keys as a terminal does that has them all at once."""
     for key in keys:
         it.driver.app.post_message(events.Key(key, key if len(key) == 1 else None))
-    await all_in(it.driver)
-
-
-async def all_in(driver: Driver) -> None:
-    """Wait until no key waits for another one."""
-    app = driver.app
-    await driver.until(lambda: app._keys_worker is not None and app._keys_worker.is_finished)
+    await it.driver.all_in()
 
 
 async def slowly(it: WizardDriver, keys: Sequence[str]) -> None:
     """Send keys as somebody does who looks at what each of them does."""
     for key in keys:
         await it.press(key)
-        await all_in(it.driver)
+        await it.driver.all_in()
         await it.settle()
 
 
@@ -144,7 +138,7 @@ async def test_keys_pressed_in_one_go_reach_the_first_page(here: Path) -> None:
     async with studio(None, SMALL) as driver:
         it = WizardDriver(driver)
         await driver.pilot.press("ctrl+u", "enter", *"horn", "enter", "down", "up", "enter")
-        await all_in(driver)
+        await driver.all_in()
         await it.settle()
         assert it.statements[0] == "create_node 'horn' as horn"
         assert len(it.statements) > 1

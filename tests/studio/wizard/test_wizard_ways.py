@@ -7,6 +7,7 @@ from pathlib import Path
 import pytest
 from machine import mostly_long
 from studio_driver import studio
+from textual.widgets import Button
 from wizard_courses import CHANGE, MAKE, MESSAGE, REACT, SEND, TWO_NODES
 from wizard_driver import WizardDriver, wizard
 
@@ -21,15 +22,23 @@ async def test_it_is_opened_from_the_welcome_by_a_key_and_from_the_menu(here: Pa
         it = WizardDriver(driver)
         await driver.dialog("Welcome")
         await driver.pilot.click("#welcome-list", offset=(3, 0))
-        for way in ("alt+w", "f10"):
+        for way, leaves in (("alt+w", "escape"), ("f10", "ctrl+q")):
             await driver.until(lambda: it.is_open)
-            await it.press("escape")
+            await it.press(leaves)
             await driver.back()
             await driver.pilot.press(way)
             if way == "f10":
                 await driver.dialog("ActionMenu")
                 await driver.pilot.press(*"wizard", "enter")
         await driver.until(lambda: it.is_open)
+        # What was filled in is asked about, as it is by Esc.
+        await it.press("enter", *"horn")
+        await driver.pilot.press("ctrl+q")
+        question = await driver.dialog("Question")
+        assert [str(button.label) for button in question.query(Button)] == ["Stay", "Leave"]
+        await driver.pilot.press("l")
+        await driver.back()
+        assert driver.text == ""
 
 
 def test_nothing_of_it_is_loaded_before_it_is_opened() -> None:

@@ -17,8 +17,7 @@ from plastron_tui.sources.python.calls import LIBRARIES
 from plastron_tui.sources.python.compiling import NotPython, syntax_error
 from plastron_tui.sources.python.editor import not_encodable
 from plastron_tui.sources.python.line_limit import LineLimit, line_limit
-from plastron_tui.sources.python.package import Package
-from plastron_tui.sources.python.sites import analyze
+from plastron_tui.sources.python.shared_analysis import analyze, package_names
 from plastron_tui.sources.python.syntax import parse
 from plastron_tui.sources.python.wrapping import wrap_new_lines
 
@@ -59,7 +58,7 @@ def port_python(
         line_length: how long a line may be, None for what the file, or its ROS, keeps to.
     """
     known = LIBRARIES[source.library]
-    before = analyze(source.files.main, known, Package(source.path, known).names)
+    before = analyze(source.files.main, known, package_names(source.path, known))
     if before.syntax.errors:
         message = f"`{source.path.name}` does not parse, and cannot be brought to {library}"
         return Rendered(
@@ -102,7 +101,7 @@ def _ported(source: SourceUnit, work: Work, library: str, limit: LineLimit) -> R
     lines = _comment_lines(text.decode(before.syntax.encoding, "replace"))
     found = [_listed(mark, source, library, lines) for mark in _in_order(work.marks)]
     target = LIBRARIES[library]
-    after = analyze(text, target, Package(source.path, target).names)
+    after = analyze(text, target, package_names(source.path, target))
     found += _missing(work, before, after, source)
     problem = syntax_error(text)
     was_python_3 = problem is not None and syntax_error(source.files.main) is None
