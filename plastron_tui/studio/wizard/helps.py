@@ -39,10 +39,10 @@ def helps_of(filled: Filled, ask: Callable[[Slot], Ask]) -> dict[tuple[str, Path
             said[slot.name, None] = "it drives as long as this holds, and stops where it does not"
         if slot.kind is SlotKind.RATE:
             said[slot.name, None] = _rate(filled, slot)
-        if slot.kind is SlotKind.TOPIC and (sent := sent_already(filled)):
-            said[slot.name, None] += f"; {sent}"
         if slot.kind is SlotKind.MESSAGE and filled.cells[slot.name].is_new:
             said[slot.name, None] += "; a later page asks what a new one says"
+        if slot.kind is SlotKind.TOPIC and (sent := sent_already(filled)):
+            said[slot.name, None] += f"; {sent}"
         if slot.kind in (SlotKind.SERVICE, SlotKind.ACTION):
             said[slot.name, None] += unanswered(ask(slot))
         if slot.kind is SlotKind.LIBRARY:
