@@ -13,6 +13,10 @@ from pathlib import Path
 
 from machine import wait_until
 
+from plastron_tui.diagnostics import has_errors
+from plastron_tui.output.writer import write
+from plastron_tui.session import Options, Session
+
 PROGRAMS = Path(__file__).with_name("programs")
 PLASTRON = Path(sys.executable).with_name("plastron")
 
@@ -58,12 +62,22 @@ def generate(program: str, output: Path, target: str) -> dict[str, Path]:
 
     The program is one of `tests/programs`, or a path; both without `.plastron`.
     """
-    command = [PLASTRON, "generate", PROGRAMS / f"{program}.plastron", "-o", output]
-    done = subprocess.run(
-        [*map(str, command), "--target", target], capture_output=True, text=True, timeout=120
-    )
-    assert done.returncode == 0, done.stdout + done.stderr
+    _generate(PROGRAMS / f"{program}.plastron", output, target)
     return {file.name: file for file in sorted(output.glob("*.py"))}
+
+
+def _generate(program: Path, output: Path, target: str | None = None) -> None:
+    """Do what the command `generate` does; a Python that has its modules takes three times as long.
+
+    Raises:
+        AssertionError: the program has a mistake, or a file is in conflict.
+    """
+    session = Session(program.read_bytes(), program, Options(target, output, is_writing=True))
+    assert not has_errors(session.diagnostics), session.diagnostics
+    plan, told = session.plan()
+    assert not has_errors(told) and not plan.conflicts, [*told, *plan.conflicts]
+    told = write(plan).diagnostics
+    assert not has_errors(told), told
 
 
 def generate_one(program: str, output: Path, target: str) -> Path:
@@ -97,9 +111,7 @@ def edit(
     program.write_text(
         f"load '{original.name}'{which} as node\n{statements}generate_node node{library}\n"
     )
-    command = [PLASTRON, "generate", program, "-o", folder / "output"]
-    done = subprocess.run(list(map(str, command)), capture_output=True, text=True, timeout=60)
-    assert done.returncode == 0, done.stdout + done.stderr
+    _generate(program, folder / "output")
     assert loaded.read_bytes() == original.read_bytes()
     return folder / "output" / original.name
 
