@@ -12,7 +12,7 @@ from textual.widgets import OptionList
 from plastron_tui.studio.actions import ACTIONS, BY_ID, grouped
 from plastron_tui.studio.config import load_remembered
 from plastron_tui.studio.panels.key_list import KeyList
-from plastron_tui.studio.screens.menu_search import RECENT, WORDS, found, listed
+from plastron_tui.studio.screens.menu_search import RECENT, WORDS, answers, listed
 
 
 def test_all_actions_stand_under_their_headings_with_those_of_late_before_them() -> None:
@@ -38,16 +38,16 @@ def test_all_actions_stand_under_their_headings_with_those_of_late_before_them()
     ],
 )  # fmt: skip
 def test_what_one_types_finds_titles_synonyms_and_help(query: str, first: str) -> None:
-    entries = found(query, ACTIONS, [])
+    entries = answers(query, ACTIONS, [], ())
     assert entries[0].action is BY_ID[first]
 
 
 def test_what_fits_as_well_and_was_done_of_late_comes_first() -> None:
-    names = [entry.action.id for entry in found("find", ACTIONS, []) if entry.action]
+    names = [entry.action.id for entry in answers("find", ACTIONS, [], ()) if entry.action]
     assert names[:3] == ["editor.find", "editor.find_next", "editor.find_previous"]
-    late = [entry.action.id for entry in found("find", ACTIONS, names[2:3]) if entry.action]
+    late = [entry.action.id for entry in answers("find", ACTIONS, names[2:3], ()) if entry.action]
     assert late[0] == "editor.find_previous"
-    assert found("xyzzy", ACTIONS, []) == ()
+    assert answers("xyzzy", ACTIONS, [], ()) == ()
 
 
 @pytest.mark.parametrize("size", SIZES)

@@ -89,11 +89,6 @@ def answers(
     return (*below, *above) if is_better else (*above, *below)
 
 
-def found(query: str, actions: Iterable[Action], recent: Sequence[str]) -> tuple[Entry, ...]:
-    """Return the actions that all words of a query are in, those that fit best first."""
-    return tuple(Entry("", action) for _, action in _ranked(query, actions, recent))
-
-
 def _ranked(
     query: str, actions: Iterable[Action], recent: Sequence[str]
 ) -> list[tuple[int, Action]]:
