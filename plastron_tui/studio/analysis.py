@@ -26,13 +26,13 @@ _ABOUT = ("node", "package", "launch", "robot", "variable", "type")
 """The slots that name what a statement is about."""
 
 
-class Kept:
+class PartMemo:
     """What was made of parts of a program, for the next analysis, which has most of them too.
 
     What that one does not ask for is forgotten.
     """
 
-    def __init__(self, earlier: Kept | None = None) -> None:
+    def __init__(self, earlier: PartMemo | None = None) -> None:
         # One that was not asked for everything has kept what the one before it has.
         self._earlier: dict[Hashable, object] = (
             {} if earlier is None else {**earlier._earlier, **earlier._made}
@@ -67,7 +67,7 @@ class Analysis:
         diagnostics: what is wrong with it.
         counts: how much is in each panel, by the panel's name.
         made: what was made of it for the panels, by what was asked for.
-        kept: what was made for the panels of parts of it; only the worker asks.
+        memo: what was made for the panels of parts of it; only the worker asks.
     """
 
     session: Session
@@ -77,7 +77,7 @@ class Analysis:
     diagnostics: tuple[Diagnostic, ...]
     counts: Mapping[str, int] = field(default_factory=dict)
     made: dict[Hashable, object] = field(default_factory=dict)
-    kept: Kept = field(default_factory=Kept)
+    memo: PartMemo = field(default_factory=PartMemo)
 
     @cached_property
     def graph(self) -> Graph:

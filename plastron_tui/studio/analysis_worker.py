@@ -181,17 +181,17 @@ class AnalysisWorker:
             raise Stale
 
     def _answer(self, session: Session | None, wanted: tuple[Request, ...]) -> None:
-        from .analysis import Kept, analyse
+        from .analysis import PartMemo, analyse
         from .panels.registry import BY_NAME, counts, make
 
         start = perf_counter()
         if session is not None:
             if self._last is not None:
                 session.learn_from(self._last.session)
-            kept = Kept(None if self._last is None else self._last.kept)
+            memo = PartMemo(None if self._last is None else self._last.memo)
             # What else was asked for is asked again, if this gets stale.
             self._last = analyse(session, self._check)
-            self._last.kept = kept
+            self._last.memo = memo
             self._last.counts = counts(self._last)
         analysis = self._last
         if analysis is None:
@@ -204,7 +204,7 @@ class AnalysisWorker:
         self._post(Analysed(analysis, perf_counter() - start))
         for request in slow:
             make(analysis, request)
-        analysis.kept.forget()
+        analysis.memo.forget()
         if slow:
             self._check()
             self._post(Analysed(analysis, perf_counter() - start))

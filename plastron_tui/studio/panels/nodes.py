@@ -29,7 +29,7 @@ def make(analysis: Analysis, _: object) -> Entries:
     workspace = analysis.workspace
     libraries = _libraries(workspace, analysis.session.library)
     now: dict[str, _Known] = {}
-    before = analysis.kept.swap("nodes", now) or {}
+    before = analysis.memo.swap("nodes", now) or {}
     for variable, node in workspace.nodes.items():
         library, known = libraries[variable], before.get(variable)
         # After an edit the nodes above it are the same objects.

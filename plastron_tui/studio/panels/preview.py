@@ -20,7 +20,7 @@ from .styles import Lines
 if TYPE_CHECKING:
     from plastron_tui.model.robots import Robot
 
-    from ..analysis import Analysis, Kept
+    from ..analysis import Analysis, PartMemo
 
 
 @dataclass(frozen=True)
@@ -94,7 +94,7 @@ def _written(analysis: Analysis, variable: str) -> Iterator[Preview]:
     plan, problems = _plan(analysis)
     files = [file for file in plan.files if is_meant(PurePosixPath(file.name))]
     for file in files:
-        yield _preview(analysis.kept, file, file.state, _disk_diff(file), problems)
+        yield _preview(analysis.memo, file, file.state, _disk_diff(file), problems)
     robot = analysis.workspace.robots.get(variable)
     if not files and robot is not None:
         yield _robot(robot)
@@ -131,7 +131,7 @@ def _building(analysis: Analysis, generation: Generation) -> Iterator[Preview]:
         path = PurePosixPath(file.name)
         is_launch = any(is_meant is not None and is_meant(path) for is_meant in launches)
         if path.parent == _folder(home) and not is_launch:
-            yield _preview(analysis.kept, file, file.state, _disk_diff(file), problems)
+            yield _preview(analysis.memo, file, file.state, _disk_diff(file), problems)
 
 
 def _folder(home: Home) -> PurePosixPath:
@@ -166,7 +166,7 @@ def _disk_diff(file: PlannedFile) -> Lines | None:
 
 
 def _preview(
-    kept: Kept,
+    memo: PartMemo,
     file: PlannedFile,
     state: FileState | None,
     diff: Lines | None,
@@ -176,7 +176,7 @@ def _preview(
     origin: str = "",
 ) -> Preview:
     # Most edits leave the files as they are.
-    lines = kept.once(
+    lines = memo.once(
         ("coloured", file.path, file.text),
         lambda: coloured(file.text.decode("utf-8", "replace"), file.path),
     )
@@ -199,7 +199,7 @@ def _previews(analysis: Analysis, generation: Generation, is_asked: bool) -> Ite
     names = made.files.files.names
     texts = tuple((name, file.text) for file, name in zip(plan.files, names, strict=False))
     lines = (
-        lines_of_statements(plan.files[0].path, FileSet(texts), generation.node, analysis.kept)
+        lines_of_statements(plan.files[0].path, FileSet(texts), generation.node, analysis.memo)
         if texts
         else {}
     )
@@ -211,5 +211,5 @@ def _previews(analysis: Analysis, generation: Generation, is_asked: bool) -> Ite
         state = file.state if is_asked else None
         is_main = name == names[0]
         found = made.diagnostics
-        preview = _preview(analysis.kept, file, state, diff, found, is_main=is_main, origin=origin)
+        preview = _preview(analysis.memo, file, state, diff, found, is_main=is_main, origin=origin)
         yield replace(preview, statement_lines=lines.get(name, {}))

@@ -13,14 +13,14 @@ from plastron_tui.model.workspace import Node
 if TYPE_CHECKING:
     from plastron_tui.model.kinds import EndpointKind
 
-    from ..analysis import Kept
+    from ..analysis import PartMemo
 
 _LARGEST = 100_000
 """Bytes of files that are read again with each change of the program."""
 
 
 def lines_of_statements(
-    path: Path, files: FileSet, node: Node, kept: Kept
+    path: Path, files: FileSet, node: Node, memo: PartMemo
 ) -> Mapping[str, dict[Span, int]]:
     """Return the line, from 1, that each statement of a node becomes, by the file's name.
 
@@ -28,13 +28,13 @@ def lines_of_statements(
         path: the main file.
         files: what would be written.
         node: the node that they are of.
-        kept: knows the lines of files that were read before.
+        memo: knows the lines of files that were read before.
     """
     found: dict[str, dict[Span, int]] = {name: {} for name in files.names}
     if sum(len(text) for _, text in files.texts) > _LARGEST:
         return found
     key = "lines", path, files, tuple(node.by_kind)
-    written = kept.once(key, lambda: _read(path, files, tuple(node.by_kind)))
+    written = memo.once(key, lambda: _read(path, files, tuple(node.by_kind)))
     main = files.names[0]
     for each in written:
         if each.line and len(written) == 1:
