@@ -26,11 +26,13 @@ _LONGEST = 400
 _UNREADABLE = frozenset({UNKNOWN, UNCLOSED_STRING})
 """What no change of words mends."""
 _MOST_STEPS = 3
+"""How many changes a fix may consist of."""
 _MOST_TRIALS = 250
+"""How many texts the grammar is asked about for one line."""
 _MOST_EXPLAINED = 10
-"""Of how many texts that one line may become it is found out where their next mistake is."""
+"""How many of the texts that a line may become are explained, to find their next mistake."""
 _MOST_LINES = 4
-"""How many texts that are right up to another place are gone on with after a step."""
+"""How many texts, those that are right the farthest, are changed again in the next step."""
 
 
 def fixed(

@@ -50,6 +50,7 @@ _LEAST_WORDS = 5
 """A line of fewer words says too little for a whole word of it to be guessed that is not there."""
 
 _LEAST_STEM = 2
+"""Letters that a word has besides its ending, at least one more than that."""
 
 _SYNONYMS = {
     "subscribe": ("listen", "listens", "receive", "receives", "hear", "hears", "subscriber"),
@@ -86,7 +87,7 @@ _LOOSE = (
         {"is", "in", "on", "for", "by", "into", "onto", "over", "via", "per", "if"}
         | {"where", "while", "then", "so", "has", "have", "values", "data", "use", "uses", "using"}
         | {"respond", "reply", "returns", "return", "gives", "run", "runs", "calls", "call", "do"}
-        | {"initially", "starting", "initial", "times", "hertz", "second", "into", "until", "when"}
+        | {"initially", "starting", "initial", "times", "hertz", "second", "until", "when"}
     )
 )
 """What is written in the place of a word of a sentence, by who does not remember it."""

@@ -189,7 +189,7 @@ class Interpreter:
         found = run.found
         if program.diagnostics:
             found += [(0 if each.span is None else each.span.start, each)
-                      for each in decided(self._run.workspace, program)]  # fmt: skip
+                      for each in decided(run.workspace, program)]  # fmt: skip
             found.sort(key=lambda entry: entry[0])
         return tuple([each for _, each in found])
 

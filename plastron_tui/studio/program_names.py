@@ -160,14 +160,13 @@ def _parts(robot: Robot) -> Iterator[tuple[Entry, str]]:
         for name in parts:
             yield (
                 _part(robot, subject, name, places.get(name)),
-                (f"{subject.word} of {robot.variable}"),
+                f"{subject.word} of {robot.variable}",
             )
 
 
 def _part(robot: Robot, subject: Subject, name: str, places: Places | None) -> Entry:
     span = next((each for each in places or () if each is not None), None)
     source = robot.source
-    is_in_file = span is None and source is not None
     return Entry(
         f"{subject.value} {robot.variable} {name}",
         name,
@@ -177,5 +176,5 @@ def _part(robot: Robot, subject: Subject, name: str, places: Places | None) -> E
         subject=subject,
         name=name,
         robot=robot.variable,
-        place=place_of(source, (subject, name)) if is_in_file and source is not None else "",
+        place="" if span is not None or source is None else place_of(source, (subject, name)),
     )

@@ -176,8 +176,9 @@ def _complete(editor: ProgramEditor) -> None:
 def _accept(editor: ProgramEditor) -> None:
     """Take what is marked in the list; without a list complete the word before the cursor.
 
-    Who has come into the text with Tab, from panel to panel, writes nothing with the next one:
-    behind a blank it lists what may stand there, at a line's start or before a word nothing.
+    Whoever goes from panel to panel by Tab and arrives in the text must not change it by the next
+    Tab. So behind a blank it only opens the list, and at a line's start or before a word it does
+    nothing.
     """
     if editor.popup.is_open:
         editor.accept()

@@ -16,7 +16,7 @@ class FirstScreen(Screen[None]):
 
     _was_shown = False
     _fitted: Size | None = None
-    """The size that all was laid out for last."""
+    """The size that the widgets were laid out for last."""
 
     def on_screen_resume(self, event: events.ScreenResume) -> None:
         """Style nothing again the first time: each widget was styled when it was mounted."""
@@ -29,7 +29,7 @@ class FirstScreen(Screen[None]):
                 self.call_next(leave_as_drawn, self)
 
     def on_resize(self, event: events.Resize) -> None:
-        """Lay nothing out again for the size that all was laid out for; others tell of it too."""
+        """Lay nothing out again for the same size: Textual posts it more than once at the start."""
         if event.size == self._fitted:
             event.prevent_default()
         self._fitted = event.size

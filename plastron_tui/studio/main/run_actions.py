@@ -150,10 +150,10 @@ class RunActions:
         session.files_changed()
         return True
 
-    async def run(self, *, anew: bool = False, looks: bool = False) -> None:
+    async def run(self, *, anew: bool = False, focus: bool = False) -> None:
         """Save, then start the nodes; those that run are stopped, and started `anew` if asked.
 
-        Who `looks` at them gets the focus in Output, and in Live once there is something.
+        With `focus` Output gets the focus, and Live once it shows something.
         """
         tab, run = self._program.tab, self._run
         if run.running is not None and not anew:
@@ -168,7 +168,7 @@ class RunActions:
                 await asyncio.sleep(_LOOK)
         if path is not None and tab is self._program.tab:
             self._start(path)
-            if looks and run.running is not None:
+            if focus and run.running is not None:
                 self._panels.layout.bring("output", focus=True)
 
     def stop(self) -> None:

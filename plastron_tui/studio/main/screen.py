@@ -338,12 +338,12 @@ class MainScreen(FirstScreen, Paged):
             self.feed.ask_anew()
 
     @work(exclusive=True, group="run")
-    async def action_run(self, anew: bool = False, looks: bool = False) -> None:
+    async def action_run(self, anew: bool = False, focus: bool = False) -> None:
         """Save, then start the nodes; those that run are stopped, and started `anew` if asked.
 
-        Who `looks` at them gets the focus there.
+        With `focus` the panel that shows them gets the focus.
         """
-        await self.runner.run(anew=anew, looks=looks)
+        await self.runner.run(anew=anew, focus=focus)
 
     def action_stop(self) -> None:
         """Stop what runs."""

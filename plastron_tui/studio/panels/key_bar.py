@@ -52,7 +52,10 @@ def fitting(keys: Sequence[Key], kept: Container[str], width: int) -> list[Key]:
 
 
 class KeyBar(Toned):
-    """Shows the bindings of what has the focus, and does what is clicked."""
+    """Shows the bindings of what has the focus, and does what is clicked.
+
+    A widget whose bindings are called otherwise for now has them in `key_titles`, by their ids.
+    """
 
     COMPONENT_CLASSES: ClassVar[set[str]] = {"key-bar--key"}
 
@@ -70,7 +73,7 @@ class KeyBar(Toned):
         self._is_old = False
         self._titles: Mapping[str, str] = {}
         self._added: Collection[str] = ()
-        self._kept_now: Collection[str] = ()
+        self._added_now: Collection[str] = ()
         self._places: list[tuple[int, int, str]] = []
 
     def on_mount(self) -> None:
@@ -103,12 +106,12 @@ class KeyBar(Toned):
             return
         focused = self.screen.focused
         around = () if focused is None else focused.ancestors_with_self
-        self._kept_now = () if any(isinstance(each, Dock) for each in around) else self._added
+        self._added_now = () if any(isinstance(each, Dock) for each in around) else self._added
         titles = {**self._titles, **getattr(focused, "key_titles", {})}
         shown: dict[str, Binding] = {}
         for active in self.screen.active_bindings.values():
             binding = active.binding
-            if (binding.show or binding.id in self._kept_now) and active.enabled:
+            if (binding.show or binding.id in self._added_now) and active.enabled:
                 shown.setdefault(binding.action, binding)
         keys = tuple(
             Key(
@@ -136,7 +139,7 @@ class KeyBar(Toned):
     def _fitting(self) -> list[Key]:
         self._renew()
         kept = [
-            each.id for each in self._shown if each.id in self._kept or each.id in self._kept_now
+            each.id for each in self._shown if each.id in self._kept or each.id in self._added_now
         ]
         return fitting(self._shown, kept, self.size.width)
 

@@ -21,7 +21,7 @@ _ANOTHER = "another"
 """The key of what adds a node where one side of a topic, a service or an action is missing."""
 
 RUN = "screen.run(True, True)"
-"""What starts the nodes: who comes from the wizard types nothing, and wants to see them."""
+"""The action that starts the nodes, anew if they run, and gives the focus to what shows them."""
 
 _SENSORS = "sensor_msgs"
 """The package of the messages that a robot itself sends."""

@@ -8,7 +8,7 @@ from .ask import Ask, Choice
 from .obstacles import distances_of_trigger, way_is_free
 
 _METRES = ("0.5", "0.3", "1", "2")
-"""What is offered for how far everything has to be."""
+"""The distances that are offered: everything has to be farther away for the robot to drive."""
 
 _MEANT = re.compile(
     r"\s*((any|all)\s+)?(received\b\.?)?(?P<name>[A-Za-z]\w*)?(?P<at>\[\d+\])?"
@@ -21,8 +21,8 @@ _MEANT = re.compile(
 def meant(ask: Ask, text: str) -> str:
     """Return the condition to drive on that a text means; one of something else stays as it is.
 
-    `any received.ranges < 1`, `ranges < 1` and `1` say within how many metres it stops. Without
-    any it would drive into things.
+    `any received.ranges < 1`, `ranges < 1` and `1` all say within how many metres it stops. An
+    empty text means the usual condition: without one it would drive into things.
     """
     far = distances_of_trigger(ask)
     if not text:

@@ -74,7 +74,9 @@ class Filled:
         new = self.form.slot_of(SlotKind.NEW_NODE)
         if new is None or self.form.slot_of(SlotKind.FILE) is None:
             return ""
-        return self.cells[new.name].text if self.cells[new.name].reason else ""
+        cell = self.cells[new.name]
+        # A reason says why the name cannot be chosen: the node has one (see `NewNodeKind`).
+        return cell.text if cell.reason else ""
 
     @property
     def written(self) -> list[Placed]:

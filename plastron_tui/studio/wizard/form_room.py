@@ -6,10 +6,10 @@ from collections.abc import Sequence
 from typing import NamedTuple
 
 LEAST_ROWS = 3
-"""So many rows of the form are always in sight, beside the one with the cursor."""
+"""At least so many rows of the form are in sight, that with the cursor among them."""
 
 IN_SIGHT = 2
-"""So many choices are in sight before all rows of the form are."""
+"""So many choices are kept in sight, if need be instead of rows of the form."""
 
 
 class Wanted(NamedTuple):

@@ -28,8 +28,9 @@ class FileKind(Kind):
 
     def suggest(self, ask: Ask) -> str:
         """Return the first file that is not loaded yet, or else the first one that is."""
-        choices = self.choices(ask, "")
-        for choice in sorted(choices, key=lambda each: bool(each.about)):
+        # Only of a file that is loaded already something is said.
+        choices = sorted(self.choices(ask, ""), key=lambda each: bool(each.about))
+        for choice in choices:
             if ask.try_out(choice.text, frozenset()).reason is None:
                 return choice.text
         return ""
@@ -79,7 +80,8 @@ class NodeOfFileKind(Kind):
         return Cell("", "the file holds one node") if is_one else None
 
     def suggest(self, ask: Ask) -> str:
-        """Return the first node that is not loaded yet."""
+        """Return the first node that is not loaded yet, or else the first one that is."""
+        # Only of a node that is loaded already something is said.
         choices = sorted(self.choices(ask, ""), key=lambda each: bool(each.about))
         return next((each.text for each in choices), "")
 

@@ -172,7 +172,6 @@ def explanation(page: Page, is_done: bool) -> tuple[str, str]:
     if page.form is not None and not is_done:
         declaration = page.form.declaration
         slots = "\n".join(f"{slot.name}: {slot.help}" for slot in declaration.slots)
-        told = about(page.form) if page.form.drives else declaration.about
-        says = f"{told}\n\n{declaration.usage}\n{slots}"
-        text = f"{says}\nFor example: {declaration.example}\n\n"
+        purpose = about(page.form) if page.form.drives else declaration.about
+        text = f"{purpose}\n\n{declaration.usage}\n{slots}\nFor example: {declaration.example}\n\n"
     return title(page, is_done), text + _KEYS
