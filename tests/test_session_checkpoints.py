@@ -33,7 +33,7 @@ talker renames topic 'chatter' to 'news'
 listener renames topic 'chatter' to 'news'
 unsubscribe talker from 'heard'
 generate_node listener using rclpy
-create_node 'mover' as mover
+create_node 'mover' as mover managed using rclpy
 mover publish speed to 'cmd_vel' of message_type Twist at 3 hz
 generate_node mover
 listener publish text to '~/loud' of message_type String
