@@ -6,8 +6,9 @@ from pathlib import Path
 
 import pytest
 
-from plastron_tui.ros.installations import Origin
-from plastron_tui.ros.installed_packages import installed_packages
+from plastron_tui.project import configuration
+from plastron_tui.ros.installations import Installation, Origin
+from plastron_tui.ros.installed_packages import InstalledPackages, installed_packages
 from plastron_tui.session import Options, Session
 from plastron_tui.studio.editor.candidate import Candidate
 from plastron_tui.studio.editor.completion import detail_of
@@ -50,6 +51,39 @@ def test_a_session_tells_of_it_where_somebody_wants_to_know(
     assert found.message == "`nav_msgs` is not installed in ROS 2 kilted (sourced)"
     assert found.help == "install it with `sudo apt install ros-kilted-nav-msgs`"
     assert found.span is not None and PROGRAM[slice(*found.span)] == b"Odometry"
+
+
+def lacking(text: str, file: Path, environ: dict[str, str]) -> list[str]:
+    """Return the warnings of packages that are not installed."""
+    session = Session(text.encode(), file, Options("rclpy", tells_absent=True), environ)
+    found = session.diagnostics
+    return [each.message for each in found if each.code == "missing-ros-package"]
+
+
+def test_a_package_of_the_projects_own_types_need_not_be_installed(
+    environ: dict[str, str], tmp_path: Path
+) -> None:
+    own = tmp_path / "mine_msgs" / "msg"
+    own.mkdir(parents=True)
+    (own / "Mark.msg").write_text("float64 x\n")
+    text = "create_node 'a' as a\nsubscribe a to 'm' of message_type mine_msgs/Mark\n"
+    assert lacking(text, tmp_path / "a.plastron", environ) == []
+
+
+@pytest.mark.parametrize("origin", [Origin.EXTRA, Origin.SOURCED])
+def test_a_package_of_the_languages_table_is_built_where_no_ros_is_sourced(
+    origin: Origin, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    nothing = InstalledPackages(Installation(origin, 2, "kilted"), ())
+    monkeypatch.setattr(configuration, "installed_packages", lambda *_: nothing)
+    text = (
+        "create_node 'a' as a\n"
+        "a provides_service 'add' of service_type example_interfaces/AddTwoInts\n"
+        "subscribe a to 'odom' of message_type Odometry\n"
+    )
+    packages = [words.split("`")[1] for words in lacking(text, tmp_path / "a.plastron", {})]
+    built = [] if origin is Origin.EXTRA else ["example_interfaces"]
+    assert packages == [*built, "nav_msgs"]
 
 
 def test_completion_says_so_beside_the_type(environ: dict[str, str], tmp_path: Path) -> None:

@@ -159,6 +159,26 @@ def test_only_distances_are_driven_by() -> None:
         form.entered = kept
 
 
+def test_only_a_type_with_distances_is_taken_for_what_is_heard() -> None:
+    it = course("")
+    form = form_after(it, MAKE, DRIVE)
+    it.look()
+    form.makers["trigger"].enter("type", "Image")
+    words = [each.message for each in it.look().problems]
+    assert "`Image` does not say how far away things are: take LaserScan or Range" in words
+
+
+def test_the_fields_of_driving_say_what_they_mean_there() -> None:
+    it = course(NODE + HEARING)
+    form = form_after(it, MORE, DRIVE)
+    filled = it.look().of(form)
+    assert filled is not None
+    helps = it.helps(filled)
+    assert helps["condition", None].startswith("it drives as long as this holds")
+    assert helps["rate", None].endswith("as it is sent for each message of `scan`")
+    assert helps["message", None].endswith("; a later page asks what a new one says")
+
+
 def test_a_robot_that_would_never_drive_is_told() -> None:
     it = course("")
     form = form_after(it, MAKE, DRIVE)

@@ -7,7 +7,9 @@ from pathlib import Path
 import pytest
 from wizard_courses import CHANGE, MORE, NODE_FILE, SEND, choose, course, to_menu_or_review
 
+from plastron_tui.session import Options, Session
 from plastron_tui.studio.wizard import strings
+from plastron_tui.studio.wizard.menu import writes_too
 from plastron_tui.studio.wizard.pages import PageKind
 
 TOPIC = "use another topic, or rename something"
@@ -90,3 +92,16 @@ def test_two_loads_of_one_file_are_a_problem_before_they_are_run(tmp_path: Path)
     assert strings.review(look).endswith(
         "before it goes: two texts would be written to `sonar.py`."
     )
+
+
+def test_where_a_changed_file_is_written_is_asked(tmp_path: Path) -> None:
+    (tmp_path / "sonar.py").write_text(NODE_FILE)
+    program = tmp_path / "program.plastron"
+    session = Session(LOADED.encode(), program, environ={})
+    folder = f"{session.output.name}/"
+    assert writes_too(session, "ears") == (
+        f"write the changed sonar.py to {folder}, too; your own file stays as it is"
+    )
+    assert writes_too(session, "new") == f"write new to its file in {folder}, too"
+    session = Session(LOADED.encode(), program, Options(in_place=True), {})
+    assert writes_too(session, "ears") == "write the changed sonar.py, too"
