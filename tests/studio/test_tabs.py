@@ -278,6 +278,12 @@ async def test_jumps_lead_back_and_forth_through_texts_and_tabs(program: Path, o
         assert place() == ("other.plastron", 2)
         await driver.press("alt+full_stop")
         assert "there is no place to go forward to" in driver.notes()
-        await driver.press("alt+q")
-        await driver.press("alt+full_stop")
-        assert main.open.name == "talk.plastron"
+        # The places of a text that is closed are none any more.
+        editor.go_to(0)
+        await driver.press("alt+q", "alt+comma")
+        assert place() == ("talk.plastron", 2)
+        assert "there is no place to go back to" not in driver.notes()
+        main.files.open_file(other)
+        await driver.until(lambda: main.open.name == "other.plastron")
+        await driver.press("alt+comma")
+        assert place() == ("talk.plastron", 2)
