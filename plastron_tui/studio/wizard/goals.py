@@ -49,13 +49,13 @@ GROUPS = {
     Aim.TYPE: Group(
         "make a type of message, service or action",
         "interface definition",
-        "Where no type that exists has the fields that you need, you make one that has.",
+        "Where no type has the fields that you need, you make one that has.",
         "What about types?",
     ),
     Aim.PACKAGE: Group(
         "make it a package",
         "package",
-        "A folder that a robot's workspace takes, with the nodes and all that they need.",
+        "A folder for a robot's workspace, with the nodes and all that they need.",
         "What about packages?",
     ),
     Aim.LAUNCH: Group(
