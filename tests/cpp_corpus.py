@@ -9,13 +9,12 @@ from __future__ import annotations
 
 import os
 import re
-import subprocess
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
 from cpp_builds import FLAGS, WARNINGS, CppLibrary
-from processes import PLASTRON, PROGRAMS
+from processes import PROGRAMS, plastron
 from ros_workspaces import SYSTEM, call, complete_ros2, skip_without
 from roscpp_builds import locked
 
@@ -164,9 +163,7 @@ def generate(program: str, package: Path) -> None:
     package.parent.mkdir(parents=True, exist_ok=True)
     file = package.with_suffix(".plastron")
     file.write_text(program, encoding="utf-8")
-    done = subprocess.run(
-        [PLASTRON, "generate", file, "-o", package], capture_output=True, text=True, check=False
-    )
+    done = plastron("generate", file, "-o", package)
     assert done.returncode == 0, done.stderr
 
 

@@ -11,6 +11,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from pathlib import Path
 
+from command_line import Copies
 from machine import wait_until
 
 PROGRAMS = Path(__file__).with_name("programs")
@@ -53,15 +54,35 @@ def own_tracebacks(output: str) -> list[str]:
     return [line for line in left.splitlines() if "Traceback" in line]
 
 
+_copies: list[Copies] = []
+
+
+def use_copies(copies: Copies) -> None:
+    """Let `plastron` be a copy of a process that has its modules, from here on.
+
+    To read them takes five times as long as to generate a node.
+    """
+    _copies[:] = [copies]
+
+
+def plastron(*arguments: str | Path) -> subprocess.CompletedProcess[str]:
+    """Run plastron in the working folder and the environment of this process."""
+    given = list(map(str, arguments))
+    if _copies:
+        done = _copies[0].run(given, Path.cwd(), b"", {}, is_debian=False)
+        out, err = done.stdout.decode(), done.stderr.decode()
+        return subprocess.CompletedProcess(done.args, done.returncode, out, err)
+    command = [str(PLASTRON), *given]
+    return subprocess.run(command, capture_output=True, text=True, timeout=120, check=False)
+
+
 def generate(program: str, output: Path, target: str) -> dict[str, Path]:
     """Generate a program, and return all nodes of the output folder by their names.
 
     The program is one of `tests/programs`, or a path; both without `.plastron`.
     """
-    command = [PLASTRON, "generate", PROGRAMS / f"{program}.plastron", "-o", output]
-    done = subprocess.run(
-        [*map(str, command), "--target", target], capture_output=True, text=True, timeout=120
-    )
+    file = PROGRAMS / f"{program}.plastron"
+    done = plastron("generate", file, "-o", output, "--target", target)
     assert done.returncode == 0, done.stdout + done.stderr
     return {file.name: file for file in sorted(output.glob("*.py"))}
 
@@ -97,8 +118,7 @@ def edit(
     program.write_text(
         f"load '{original.name}'{which} as node\n{statements}generate_node node{library}\n"
     )
-    command = [PLASTRON, "generate", program, "-o", folder / "output"]
-    done = subprocess.run(list(map(str, command)), capture_output=True, text=True, timeout=60)
+    done = plastron("generate", program, "-o", folder / "output")
     assert done.returncode == 0, done.stdout + done.stderr
     assert loaded.read_bytes() == original.read_bytes()
     return folder / "output" / original.name

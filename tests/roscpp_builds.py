@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import fcntl
 import subprocess
-import sys
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from pathlib import Path
 
 from machine import skip_or_fail
+from processes import plastron
 
 from plastron_tui.ros.catalog import Catalog
 
@@ -83,7 +83,7 @@ def generate_cpp(program: str, folder: Path, layout: str) -> Path:
     file = folder / "program.plastron"
     file.write_text(program)
     (folder / "plastron.yaml").write_text(f"cpp: {layout}\n")
-    plastron = Path(sys.executable).with_name("plastron")
-    _run(plastron, "generate", file, "-o", folder / "output")
+    done = plastron("generate", file, "-o", folder / "output")
+    assert done.returncode == 0, done.stdout + done.stderr
     [made] = folder.glob("output/**/*.cpp")
     return made

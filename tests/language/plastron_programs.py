@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+
 from hypothesis import strategies as st
 from robot_programs import robot_statements
 
@@ -96,92 +98,121 @@ inputs = st.just("none") | given_values
 about_robots = robot_statements(variables, names, numbers, given_values)
 
 
+def _maybe(clause: st.SearchStrategy[str]) -> st.SearchStrategy[str]:
+    return st.just("") | clause
+
+
+def _any_order(*clauses: st.SearchStrategy[str]) -> st.SearchStrategy[str]:
+    return st.permutations(clauses).flatmap(lambda order: st.tuples(*order)).map("".join)
+
+
+_using = st.sampled_from(["", " using rospy", " using rclpy"])
+_calling = st.sampled_from(["", " calling _handle"]) | variables.map(" calling {}".format)
+_rate = _maybe(rates)
+_quality = _maybe(qos)
+_when = _maybe(conditions.map(" when {}".format))
+_described = _maybe(texts.map(" described_as {}".format))
+_executable = _maybe(names.map(" as {}".format))
+_place = st.lists(
+    st.sampled_from([" in {}", " inside {}", " with parameters {}"]), unique=True
+).flatmap(lambda forms: st.tuples(*(names.map(form.format) for form in forms)).map("".join))
+
+_WORDS: dict[str, st.SearchStrategy[str]] = {
+    "node": variables,
+    "other": variables,
+    "name": names,
+    "other_or_name": variables | names,
+    "type": types,
+    "using": _using,
+    "calling": _calling,
+    "rate": _rate,
+    "rates": rates,
+    "inputs": inputs,
+    "values": values,
+    "texts": texts,
+    "definitions": definitions,
+    "section": _maybe(variables.map(" in {}".format)),
+    "executable": _executable,
+    "of_a_node": _any_order(_using, st.sampled_from(["", " managed"])),
+    "of_a_subscription": _any_order(_quality, _calling),
+    "of_a_publication": _any_order(
+        _rate | st.just(" once") | st.builds(" for_each {}{}".format, names, _when), _quality
+    ),
+    "of_a_service": _any_order(_maybe(inputs.map(" answering {}".format)), _calling),
+    "of_a_parameter": _any_order(
+        _maybe(st.builds(" between {} and {}".format, numbers, numbers)), _described
+    ),
+    "of_a_package": _any_order(
+        _described,
+        _maybe(texts.map(" maintained_by {}".format)),
+        _maybe(texts.map(" licensed_under {}".format)),
+    ),
+    "of_a_start": _any_order(_executable, _place, _maybe(remaps), _maybe(parameter_settings)),
+}
+"""What stands at each place of a form; clauses begin with a space."""
+
+_FORMS = (
+    "create_node {name} as {node}{of_a_node}",
+    "load {other} as {node}",
+    "load {other} node {name} as {node}",
+    "load 'nodes/{other}.py' as {node}",
+    "create_message {node} of message_type {type} and input {inputs}",
+    "subscribe {node} to {name} of message_type {type}{of_a_subscription}",
+    "unsubscribe {node} from {name}",
+    "{node} publish {other} to {name} of message_type {type}{of_a_publication}",
+    "{node} stop_publishing to {name}",
+    "{node} client_requests {name} of service_type {type} with input {inputs}{rate}",
+    "{node} stop_request {name}",
+    "{node} provides_service {name} of service_type {type}{of_a_service}",
+    "{node} stop_service {name}",
+    "{node} provides_action {name} of action_type {type}{calling}",
+    "{node} stop_action {name}",
+    "{node} sends_goal to {name} of action_type {type} with input {inputs}",
+    "{node} stop_goal to {name}",
+    "{node} has_parameter {name} of parameter_type {other} with default {values}{of_a_parameter}",
+    "{node} no_longer_has_parameter {name}",
+    "{node} repeats {other}{rates}",
+    "{node} stop_repeating {other}",
+    "{node} renames {other} {name} to {name}",
+    "generate_node {node}{using}",
+    "create_message_type {type} with {definitions}",
+    "create_service_type {type} with {definitions} returning {definitions}",
+    "create_action_type {type} with {definitions} returning {definitions} reporting {definitions}",
+    "load_type {name} as {node}",
+    "{node} has_field {texts}{section}",
+    "{node} no_longer_has_field {name}{section}",
+    "drop_type {node}",
+    "generate_type {node}",
+    "create_package {name} as {node}{of_a_package}",
+    "load_package {name} as {node}",
+    "{node} contains {other}{executable}",
+    "{node} no_longer_contains {other_or_name}",
+    "generate_package {node}",
+    "create_launch {name} as {node}",
+    "load_launch {name} as {node}",
+    "{node} has_argument {name} with default {values}",
+    "{node} no_longer_has_argument {name}",
+    "{node} starts {other_or_name}{of_a_start}",
+    "{node} no_longer_starts {name}",
+    "{node} includes {name}",
+    "{node} no_longer_includes {name}",
+    "generate_launch {node}",
+)
+
+
+def _formed(form: str) -> st.SearchStrategy[str]:
+    """Return how the places of a form are filled: only its own words are drawn."""
+    words = [_WORDS[word] for word in re.findall(r"\{(\w+)\}", form)]
+    return st.tuples(*words).map(lambda drawn: re.sub(r"\{\w+\}", "{}", form).format(*drawn))
+
+
+_formed_statements = st.one_of(list(map(_formed, _FORMS)))
+
+
 @st.composite
 def statements(draw: st.DrawFn) -> str:
     """Draw a statement, words between single spaces."""
-    if draw(st.integers(0, 5)) == 0:
-        return draw(about_robots)
-    node, other, name = draw(variables), draw(variables), draw(names)
-    type_ = draw(types)
-    using = draw(st.sampled_from(["", " using rospy", " using rclpy"]))
-    calling = draw(st.sampled_from(["", f" calling {other}", " calling _handle"]))
-    managed = draw(st.sampled_from(["", " managed"]))
-    rate = draw(st.just("") | rates)
-    quality = draw(st.just("") | qos)
-    when = draw(st.just("") | conditions.map(" when {}".format))
-    sent = draw(st.sampled_from([rate, " once", f" for_each {name}{when}"]))
-    limits = draw(st.sampled_from(["", f" between {draw(numbers)} and {draw(numbers)}"]))
-    described = draw(st.just("") | texts.map(" described_as {}".format))
-    answering = draw(st.just("") | inputs.map(" answering {}".format))
-    mail = draw(st.just("") | texts.map(" maintained_by {}".format))
-    license_ = draw(st.just("") | texts.map(" licensed_under {}".format))
-    section = draw(st.sampled_from(["", f" in {other}"]))
-    executable = draw(st.sampled_from(["", f" as {name}"]))
-    places = [f" in {name}", f" inside {name}", f" with parameters {name}"]
-    place = draw(st.lists(st.sampled_from(places), unique=True).map("".join))
-    given = draw(st.just("") | remaps), draw(st.just("") | parameter_settings)
-
-    def any_order(*clauses: str) -> str:
-        return "".join(draw(st.permutations(clauses)))
-
-    return draw(
-        st.sampled_from(
-            [
-                f"create_node {name} as {node}{any_order(using, managed)}",
-                f"load {other} as {node}",
-                f"load {other} node {name} as {node}",
-                f"load 'nodes/{other}.py' as {node}",
-                f"create_message {node} of message_type {type_} and input {draw(inputs)}",
-                f"subscribe {node} to {name} of message_type {type_}{any_order(quality, calling)}",
-                f"unsubscribe {node} from {name}",
-                f"{node} publish {other} to {name} of message_type {type_}"
-                f"{any_order(sent, quality)}",
-                f"{node} stop_publishing to {name}",
-                f"{node} client_requests {name} of service_type {type_} with input {draw(inputs)}"
-                f"{rate}",
-                f"{node} stop_request {name}",
-                f"{node} provides_service {name} of service_type {type_}"
-                f"{any_order(answering, calling)}",
-                f"{node} stop_service {name}",
-                f"{node} provides_action {name} of action_type {type_}{calling}",
-                f"{node} stop_action {name}",
-                f"{node} sends_goal to {name} of action_type {type_} with input {draw(inputs)}",
-                f"{node} stop_goal to {name}",
-                f"{node} has_parameter {name} of parameter_type {other} with default"
-                f" {draw(values)}{any_order(limits, described)}",
-                f"{node} no_longer_has_parameter {name}",
-                f"{node} repeats {other}{draw(rates)}",
-                f"{node} stop_repeating {other}",
-                f"{node} renames {other} {name} to {name}",
-                f"generate_node {node}{using}",
-                f"create_message_type {type_} with {draw(definitions)}",
-                f"create_service_type {type_} with {draw(definitions)}"
-                f" returning {draw(definitions)}",
-                f"create_action_type {type_} with {draw(definitions)}"
-                f" returning {draw(definitions)} reporting {draw(definitions)}",
-                f"load_type {name} as {node}",
-                f"{node} has_field {draw(texts)}{section}",
-                f"{node} no_longer_has_field {name}{section}",
-                f"drop_type {node}",
-                f"generate_type {node}",
-                f"create_package {name} as {node}{any_order(described, mail, license_)}",
-                f"load_package {name} as {node}",
-                f"{node} contains {other}{executable}",
-                f"{node} no_longer_contains {draw(st.sampled_from([other, name]))}",
-                f"generate_package {node}",
-                f"create_launch {name} as {node}",
-                f"load_launch {name} as {node}",
-                f"{node} has_argument {name}{draw(values.map(' with default {}'.format))}",
-                f"{node} no_longer_has_argument {name}",
-                f"{node} starts {draw(st.sampled_from([other, name]))}"
-                f"{any_order(executable, place, *given)}",
-                f"{node} no_longer_starts {name}",
-                f"{node} includes {name}",
-                f"{node} no_longer_includes {name}",
-                f"generate_launch {node}",
-            ]
-        )
-    )
+    return draw(about_robots if draw(st.integers(0, 5)) == 0 else _formed_statements)
 
 
 EXAMPLES = tuple(declaration.example for declaration in DECLARATIONS.values())

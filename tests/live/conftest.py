@@ -1,29 +1,25 @@
 from __future__ import annotations
 
-import fcntl
 import os
 import shutil
 import subprocess
 import sys
-from collections.abc import Collection, Iterator, Mapping
-from dataclasses import replace
+from collections.abc import Iterator, Mapping
 from pathlib import Path
 from typing import Any
 from xmlrpc.client import ServerProxy
 
 import pytest
+from command_line import Copies
 from cpp_builds import real_prefix
 from graph import Graph
 from jazzy import jazzy_python
 from machine import domain_id, free_port, skip_or_fail, wait_until
-from processes import Process, processes
+from processes import Process, processes, use_copies
+from table_packages import NEEDED_ON_ROS2, made_packages, shared_cache
 
-from plastron_tui.ros.catalog import Catalog
 from plastron_tui.ros.installations import Origin
-from plastron_tui.ros.interfaces import InterfaceKind
-from plastron_tui.runtime.builds import overlay
-from plastron_tui.runtime.environment import Environment, node_environ
-from plastron_tui.runtime.interface_packages import table_package
+from plastron_tui.runtime.environment import Environment
 
 ROS1_PYTHON = Path("/usr/bin/python3")
 ROS1_INSTALL = (
@@ -34,43 +30,16 @@ ROS1_INSTALL = (
 ROS1_MODULES = "rospy, rosmaster, roslaunch, genpy, std_msgs.msg, std_srvs.srv, geometry_msgs.msg"
 
 
-def made_packages(
-    environment: Environment, cache: Path, only: Collection[str] = ()
-) -> dict[str, str]:
-    """Return the environment of nodes with the packages of the language's table.
-
-    They are made once for all workers, in the folder. No ROS waits for what another one builds.
-
-    Args:
-        environment: the ROS.
-        cache: the folder.
-        only: which packages are needed, where not all are: each takes a third of a minute.
-    """
-    environ = {**os.environ, "XDG_CACHE_HOME": str(cache)}
-    catalog = Catalog(environment.distribution)
-    kinds = (InterfaceKind.SERVICE, InterfaceKind.ACTION)
-    packages = {package for kind in kinds for package in catalog.packages(kind)}
-    needed = packages & set(only) if only else packages
-    definitions = {name: catalog.table_package(name) for name in needed}
-    with (cache / f"{environment.distribution}.lock").open("w") as lock:
-        fcntl.flock(lock, fcntl.LOCK_EX)
-        overlays: list[Path] = []
-        for name, each in sorted(definitions.items()):
-            if each is not None:
-                package = table_package(environment, name, each)
-                made, problems = overlay(environment, [package], print, environ)
-                assert not problems, problems
-                overlays += made.overlays
-    return node_environ(replace(environment, overlays=tuple(overlays)), environ)
+@pytest.fixture(scope="session", autouse=True)
+def plastron_is_copied(copied: Copies) -> None:
+    """Start plastron, which only makes the nodes here, as a copy; tests/cli starts it anew."""
+    use_copies(copied)
 
 
-@pytest.fixture(scope="session")
-def shared_cache(tmp_path_factory: pytest.TempPathFactory) -> Path:
+@pytest.fixture(scope="session", name="shared_cache")
+def _shared_cache(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """A folder of the user's cache, the same for all workers."""
-    base = tmp_path_factory.getbasetemp()
-    cache = (base.parent if "PYTEST_XDIST_WORKER" in os.environ else base) / "cache"
-    cache.mkdir(exist_ok=True)
-    return cache
+    return shared_cache(tmp_path_factory)
 
 
 @pytest.fixture(scope="session")
@@ -188,7 +157,7 @@ def ros2_services_env(ros2_python: Path, shared_cache: Path) -> dict[str, str]:
     if check.returncode != 0 or not all(map(shutil.which, ("cmake", "make", "g++"))):
         skip_or_fail(ROS2_BUILD_INSTALL)
     environment = Environment(Origin.EXTRA, 2, "kilted", ros2_python)
-    return made_packages(environment, shared_cache)
+    return made_packages(environment, shared_cache, NEEDED_ON_ROS2)
 
 
 @pytest.fixture

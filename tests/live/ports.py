@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-import subprocess
 from pathlib import Path
 
 from graph import Graph
-from processes import PLASTRON, Process
+from processes import Process, plastron
 
 
 def run_ported(graph: Graph, file: Path, text: str) -> Process:
@@ -14,9 +13,7 @@ def run_ported(graph: Graph, file: Path, text: str) -> Process:
     file.write_text(text)
     program = file.with_name("port.plastron")
     program.write_text(f"load {file.stem} as node\ngenerate_node node using {graph.target}\n")
-    done = subprocess.run(
-        [PLASTRON, "generate", program], capture_output=True, text=True, check=False
-    )
+    done = plastron("generate", program)
     assert done.returncode == 0, done.stderr
     assert "port-by-hand" not in done.stderr
     return graph.run(file.parent / "output" / file.name)

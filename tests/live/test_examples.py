@@ -4,15 +4,13 @@ from __future__ import annotations
 
 import json
 import re
-import subprocess
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 from typing import Any
 
 import pytest
 from graph import Graph
-from machine import mostly_long
-from processes import PLASTRON, Process, generate, own_tracebacks
+from processes import Process, generate, own_tracebacks, plastron
 
 pytestmark = pytest.mark.live
 
@@ -28,14 +26,11 @@ EXAMPLES = sorted(
     if not re.search(_OF_ANOTHER_KIND, path.read_text(encoding="utf-8"), re.MULTILINE)
 )
 
-QUICK = {"service_and_client"}
-
 
 def drawn(program: Path) -> dict[str, Any]:
     """Return the topics, services and actions of a program."""
-    done = subprocess.run(
-        [PLASTRON, "graph", "--format", "json", program], capture_output=True, check=True
-    )
+    done = plastron("graph", "--format", "json", program)
+    assert done.returncode == 0, done.stderr
     found: dict[str, Any] = json.loads(done.stdout)
     return found
 
@@ -100,7 +95,8 @@ def traffic(graph: Graph, program: Path, output: Path) -> dict[str, Any]:
     return seen
 
 
-@pytest.mark.parametrize("program", mostly_long(EXAMPLES, QUICK, lambda path: path.stem))
+@pytest.mark.long
+@pytest.mark.parametrize("program", EXAMPLES, ids=lambda path: path.stem)
 def test_an_example_is_the_same_on_both(
     program: Path, ros1: Graph, request: pytest.FixtureRequest, tmp_path: Path
 ) -> None:

@@ -127,14 +127,15 @@ def calls(which) -> range:
 def scene(which, tmp_path: Path) -> Iterator[Callable[[], tuple[Path, FilePlan]]]:
     """Builds the same folder again and again, with the plan for it."""
     prepare, plan = SCENES[which[0]]
+    # To write it takes as long as what is tried in it: it is written once.
+    (written := tmp_path / "written").mkdir()
+    prepare(written)
     count = 0
 
     def build() -> tuple[Path, FilePlan]:
         nonlocal count
         count += 1
-        root = tmp_path / str(count)
-        root.mkdir()
-        prepare(root)
+        root = Path(shutil.copytree(written, tmp_path / str(count)))
         return root, plan(root)
 
     yield build

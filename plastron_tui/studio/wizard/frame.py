@@ -64,17 +64,18 @@ class Buttons(Horizontal):
     """The line at the bottom: where one can go, and the keys."""
 
     def compose(self) -> ComposeResult:
-        """Make the buttons."""
+        """Make the buttons; which of them there are is known with the first page."""
         back = Button("Back", id="wizard-back", compact=True)
         # Tab leads from the last field on, and F2 back.
         back.can_focus = False
-        yield back
-        yield Button("Next", id="wizard-next", variant="primary", compact=True)
-        yield Button("Code", id="wizard-turn", compact=True)
+        following = Button("Next", id="wizard-next", variant="primary", compact=True)
+        turn = Button("Code", id="wizard-turn", compact=True)
         leave = Button("Leave", id="wizard-leave", compact=True)
         # Tab goes round the fields: one too many, and Enter, would forget them all.
         leave.can_focus = False
-        yield leave
+        for button in (back, following, turn, leave):
+            button.display = False
+            yield button
         yield Label("", id="wizard-keys", markup=False)
 
     def show(self, course: Course, look: Look, *, is_done: bool, is_narrow: bool) -> None:
@@ -114,7 +115,8 @@ class Frame(Paged, Dialog[str]):
     is_done: bool
 
     def __init__(self) -> None:
-        super().__init__()
+        # Until something is known there is nothing beside the first page.
+        super().__init__(classes="-empty -menu")
         # Who holds it is the only one to look at the course, or to change it.
         self._lock = asyncio.Lock()
         self._is_stale = False
