@@ -10,6 +10,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from machine import examples
 
+from plastron_tui.diagnostics import has_errors
 from plastron_tui.model import checkpoint
 from plastron_tui.session import Session
 
@@ -27,21 +28,21 @@ generate_node talker
 listener publish point to 'place' of message_type Point
 talker provides_service 'add' of service_type AddTwoInts
 listener client_requests 'add' of service_type AddTwoInts with input 1, 2
-talker repeats 'tick' at 5 hz
+talker repeats tick at 5 hz
 talker renames topic 'chatter' to 'news'
 listener renames topic 'chatter' to 'news'
 unsubscribe talker from 'heard'
 generate_node listener using rclpy
 create_node 'mover' as mover
-mover publish speed to 'cmd_vel' of message_type Twist at parameter 'rate'
+mover publish speed to 'cmd_vel' of message_type Twist at 3 hz
 generate_node mover
-listener publish text to '~loud' of message_type String
+listener publish text to '~/loud' of message_type String
 talker stop_publishing to 'news'
 generate_node talker
 create_package 'demo' as demo
 demo contains talker
-create_message_type Mark as mark
-mark has_field 'x' of field_type float64
+create_message_type Mark with float64 x
+Mark has_field "float64 y"
 generate_package demo
 """.splitlines(keepends=True)
 _LINES = st.sampled_from(
@@ -85,7 +86,7 @@ def _edit(session: Session, line: int, count: int, new: list[str]) -> None:
     session.edit(start, end, "".join(new).encode())
 
 
-@settings(max_examples=examples(40), deadline=None)
+@settings(max_examples=examples(30), deadline=None)
 @given(_AT, _edits())
 def test_a_program_means_the_same_whether_it_was_interpreted_from_a_checkpoint(
     length: int, edits: list[tuple[int, int, list[str]]]
@@ -151,6 +152,53 @@ def test_what_was_written_at_the_end_before_counts_no_longer(
         alone = Session(snapshot.document.text, environ={})
         assert snapshot.diagnostics == alone.diagnostics
         assert snapshot.workspace == alone.workspace
+        earlier = snapshot
+
+
+_CLEAN = [*_PROGRAM[:20], *_PROGRAM[22:24]]
+_WARNED = [*_CLEAN, "listener provides_service 'add' of service_type AddTwoInts\n"]
+
+
+@pytest.mark.parametrize(
+    ("program", "are_moved"),
+    [
+        pytest.param(_CLEAN, True, id="nodes"),
+        pytest.param([*_CLEAN, *_PROGRAM[24:]], False, id="a package"),
+        pytest.param(_WARNED, False, id="a warning"),
+    ],
+)
+def test_statements_that_stand_elsewhere_mean_the_same(program: list[str], are_moved: bool) -> None:
+    for line in range(0, len(program) + 1, 2):
+        session = Session("".join(program).encode(), environ={})
+        earlier = session.snapshot()
+        assert not has_errors(earlier.diagnostics)
+        for new in ("$\n", "é", "# ä\n"):
+            _edit(session, line, 0, [new])
+            snapshot = session.snapshot()
+            snapshot.learn_from(earlier)
+            alone = Session(snapshot.document.text, environ={})
+            assert snapshot.diagnostics == alone.diagnostics
+            assert snapshot.workspace == alone.workspace
+            earlier = snapshot
+        assert (earlier.interpret().learnt.workspace is not None) == are_moved
+
+
+@pytest.mark.parametrize("line", [1, 11, 16])
+def test_what_was_behind_the_end_of_a_program_is_gone(line: int) -> None:
+    session = Session("".join(_CLEAN).encode(), environ={})
+    earlier = session.snapshot()
+    assert earlier.diagnostics == ()
+    comment = ["# ä\n"]
+    for at, count, new in (
+        *((line, 0, comment), (line, 0, comment), (line, 0, comment)),
+        *((line - 1, 99, []), (line - 1, 0, comment), (0, 99, []), (0, 0, comment)),
+    ):
+        _edit(session, at, count, new)
+        snapshot = session.snapshot()
+        snapshot.learn_from(earlier)
+        alone = Session(snapshot.document.text, environ={})
+        assert snapshot.workspace == alone.workspace
+        assert snapshot.diagnostics == alone.diagnostics
         earlier = snapshot
 
 

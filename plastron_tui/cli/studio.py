@@ -22,9 +22,7 @@ from .streams import has_terminal
 @target_option
 def command(files: tuple[Path, ...], output: Path | None, target: str | None) -> None:
     """Open the studio, with programs to write or to change, each in a tab."""
-    open_studio(
-        files[0] if files else None, Options(target, output, tells_absent=True), others=files[1:]
-    )
+    open_studio(files[0] if files else None, Options(target, output), others=files[1:])
 
 
 def open_studio(

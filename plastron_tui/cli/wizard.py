@@ -22,4 +22,4 @@ def command(file: Path | None, output: Path | None, target: str | None) -> None:
     The wizard asks what a node is to do, and writes the statements: into FILE, which need not
     be there yet, or into a new program. The studio is behind it.
     """
-    open_studio(file, Options(target, output, tells_absent=True), "wizard")
+    open_studio(file, Options(target, output), "wizard")

@@ -16,15 +16,19 @@ from .grammar import new_parser
 from .line_mistakes import LineMistake, first_mistake
 from .lowering import is_right
 from .mistake_place import shown
-from .repair_steps import Likelihood, Step, steps
-from .sentence_match import intended
-from .tokens import Token, text_at, tokens_of
+from .repair_steps import MARKS, Likelihood, Step, steps
+from .sentence_match import intended, match_sentence
+from .tokens import UNCLOSED_STRING, UNKNOWN, Token, text_at, tokens_of
 
 _LONGEST = 400
 """Bytes of a line that is tried with changes: a trial takes the time that the grammar takes."""
 
+_UNREADABLE = frozenset({UNKNOWN, UNCLOSED_STRING})
+"""What no change of words mends."""
 _MOST_STEPS = 3
 _MOST_TRIALS = 250
+_MOST_EXPLAINED = 10
+"""Of how many texts that one line may become it is found out where their next mistake is."""
 _MOST_LINES = 4
 """How many texts that are right up to another place are gone on with after a step."""
 
@@ -59,6 +63,8 @@ def fixed(
 
 def _may_be_repaired(tokens: Sequence[Token], mistake: LineMistake) -> bool:
     """Tell whether the grammar may guess; what variable is meant for a keyword, nobody knows."""
+    if any(each.kind in _UNREADABLE and each.text not in MARKS for each in tokens):
+        return False
     is_twice = text_at(tokens, mistake.at) == text_at(tokens, mistake.at - 1)
     return mistake.diagnostic.code != codes.KEYWORD_AS_VARIABLE or is_twice
 
@@ -86,6 +92,7 @@ def repaired(line: bytes) -> bytes | None:
         right: dict[bytes, Likelihood] = {}
         farther: list[_Trial] = []
         for trial in going_on:
+            made_of_it: list[_Trial] = []
             for text, likelihood in trial.changed():
                 if text in right:
                     right[text] = min(likelihood, right[text])
@@ -95,8 +102,10 @@ def repaired(line: bytes) -> bytes | None:
                 made = _Trial(text, likelihood)
                 if made.is_right:
                     right[text] = likelihood
-                elif not right and trial.leads_to(made):
-                    farther.append(made)
+                elif not right and trial.may_lead_to(made):
+                    made_of_it.append(made)
+            made_of_it.sort(key=lambda each: each.unmatched)
+            farther += (each for each in made_of_it[:_MOST_EXPLAINED] if each.left < trial.left)
         if right:
             best = min(right.values())
             likeliest = [text for text, likelihood in right.items() if likelihood is best]
@@ -126,13 +135,26 @@ class _Trial:
     def _declaration(self) -> Declaration | None:
         return intended(self._tokens)
 
-    def leads_to(self, made: _Trial) -> bool:
+    def may_lead_to(self, made: _Trial) -> bool:
         """Tell whether another change may follow the one that this line was made into a trial by.
 
         A statement that is merely guessed has to be right at once.
         """
         is_guessed = self._declaration is None and made._likelihood is not Likelihood.PLAIN
-        return not is_guessed and made.left < self.left
+        # In values the mistake is behind what matches, and what is written makes them longer.
+        most = max(self.left, self.unmatched + len(made._line) - len(self._line))
+        return not is_guessed and made.unmatched <= most
+
+    @cached_property
+    def unmatched(self) -> int:
+        """How many bytes are behind what matches the sentence; what is in its slots may be wrong.
+
+        It is found far sooner than the first mistake is.
+        """
+        if self._declaration is None:
+            return len(self._line)
+        end = match_sentence(self._declaration, self._tokens).end
+        return 0 if end == len(self._tokens) else len(self._line) - self._tokens[end].start
 
     @property
     def left(self) -> int:

@@ -76,12 +76,18 @@ _FILLERS = frozenset(
 )
 """Words that say what follows, and that a sentence has no place for."""
 
-_LOOSE = _FILLERS | frozenset(
-    {"is", "in", "on", "for", "by", "into", "onto", "over", "via", "per", "if"}
-    | {"where", "while", "then", "so", "has", "have", "values", "data", "use", "uses", "using"}
-    | {"respond", "reply", "returns", "return", "gives", "run", "runs", "calls", "call", "do"}
-    | {"initially", "starting", "initial", "times", "hertz", "second", "into", "until", "when"}
-    | {"=", ":", "-", ">", "<", "&", "|", ";", "+"}
+MARKS = frozenset({"=", ":", "-", ">", "<", "&", "|", ";", "+"})
+"""Signs that are written in the place of words and commas."""
+
+_LOOSE = (
+    MARKS
+    | _FILLERS
+    | frozenset(
+        {"is", "in", "on", "for", "by", "into", "onto", "over", "via", "per", "if"}
+        | {"where", "while", "then", "so", "has", "have", "values", "data", "use", "uses", "using"}
+        | {"respond", "reply", "returns", "return", "gives", "run", "runs", "calls", "call", "do"}
+        | {"initially", "starting", "initial", "times", "hertz", "second", "into", "until", "when"}
+    )
 )
 """What is written in the place of a word of a sentence, by who does not remember it."""
 
@@ -140,6 +146,7 @@ def _of_known(
     tokens: Sequence[Token], mistake: LineMistake, declaration: Declaration
 ) -> Iterator[Step]:
     at = mistake.at
+    yield from _marks(tokens, at, declaration)
     flags = {each.keyword for each in declaration.clauses if not isinstance(each.elements[0], str)}
     words = [word for word in mistake.words if word not in flags]
     phrases = dict.fromkeys(_phrases(declaration, words))
@@ -165,7 +172,6 @@ def _of_known(
                 yield Step(at, at + 1, word)
         if mistake.wanted is not None and mistake.wanted.form is Form.TEXT:
             yield Step(at, len(tokens), f'"{_written(tokens[at:])}"')
-    yield from _marks(tokens, at, declaration)
     yield from _swapped(tokens, at)
     yield from _moved(tokens, at, mistake.words)
 

@@ -23,10 +23,11 @@ from .context import Setting
 from .kinds import EDITABLE, Message
 from .libraries import Libraries
 from .messages import MessageHistory
+from .moved_workspace import are_moved, move
 from .run import Run
 from .type_agreement import Agreements
 from .value_check import Fitted, Fitter
-from .workspace import Generation, Node
+from .workspace import Generation, Node, Workspace
 
 _BEFORE = 20
 """How many statements a checkpoint is before an edit: the next edit may be some lines above."""
@@ -44,13 +45,28 @@ _OF_NODES: frozenset[type[Statement]] = frozenset(
 """The statements that may be before a checkpoint: others read files, or change several things."""
 
 
-class _Ground(NamedTuple):
-    """What else than statements counted for what they mean."""
+class Ground(NamedTuple):
+    """What else than statements counted for what they mean.
+
+    Attributes:
+        library: the client library of a node that names none.
+        libraries: the client libraries that there are.
+        is_chosen: whether somebody chose `library`.
+        program: the name of the program's file without its ending.
+        catalogs: the interface types that were asked for, by generation of ROS.
+    """
 
     library: str
     libraries: Libraries
     is_chosen: bool
     program: str
+    catalogs: Mapping[int, Catalog]
+
+    def holds(self, setting: Setting) -> bool:
+        """Tell whether statements mean the same in a setting."""
+        now = _ground(setting, self.catalogs)
+        catalogs = self.catalogs.items()
+        return self == now and all(setting.catalog(version) is each for version, each in catalogs)
 
 
 class Checkpoint(NamedTuple):
@@ -59,7 +75,6 @@ class Checkpoint(NamedTuple):
     Attributes:
         statements: those that were run.
         ground: what they were run with.
-        catalogs: the interface types that they asked for, by generation of ROS.
         nodes: the nodes, by variable.
         messages: the messages, by variable.
         generations: the nodes that are written.
@@ -71,8 +86,7 @@ class Checkpoint(NamedTuple):
     """
 
     statements: tuple[Statement, ...]
-    ground: _Ground
-    catalogs: Mapping[int, Catalog]
+    ground: Ground
     nodes: Mapping[str, Node]
     messages: Mapping[str, Message]
     generations: tuple[Generation, ...]
@@ -91,42 +105,89 @@ class Learnt(NamedTuple):
         fitters: what knows their values, by generation of ROS.
         checkpoint: where one can go on.
         clean: how many of them have no mistake before them.
+        workspace: what they have built, if nothing is wrong with any of them, and all are about
+            nodes and messages.
+        ground: what they were run with, in that case.
     """
 
     statements: tuple[Statement, ...] = ()
     fitters: Mapping[int, Fitter] = {}
     checkpoint: Checkpoint | None = None
     clean: int = 0
+    workspace: Workspace | None = None
+    ground: Ground | None = None
 
 
 NOTHING = Learnt()
 
 
+class Start(NamedTuple):
+    """How a run begins.
+
+    Attributes:
+        done: how many statements are done with.
+        mark: before how many a checkpoint is to be taken; 0 for none.
+        checkpoint: the one that the run goes on from; None for none.
+        moved: what is left where all have only moved, and nothing is to be run.
+    """
+
+    done: int
+    mark: int
+    checkpoint: Checkpoint | None
+    moved: Learnt | None = None
+
+
 def is_clean(run: Run) -> bool:
     """Tell whether what was run so far means the same whatever follows."""
-    return not run.consequences.is_used and run.messages.are_sure
+    # What is wrong with a definition is told once more only when it is asked for again.
+    is_fine = not any(each.problems for each in run.types.catalogs.values())
+    return is_fine and not run.consequences.is_used and run.messages.are_sure
 
 
-def resume(run: Run, earlier: Learnt, statements: Sequence[Statement]) -> tuple[int, int]:
-    """Go on where an earlier run of nearly the same statements can be gone on with.
+def start(run: Run, earlier: Learnt, statements: tuple[Statement, ...]) -> Start:
+    """Begin a run where an earlier one of nearly the same statements can be gone on with.
 
     Args:
         run: has run nothing yet.
         earlier: what the earlier run has left.
         statements: those that are to be run.
-
-    Returns:
-        How many statements are done with, and before how many a checkpoint is to be taken; 0 for
-        none.
     """
     same = _common(earlier.statements, statements)
-    start, known = 0, earlier.checkpoint
-    if known is not None and len(known.statements) <= same and _holds(known, run.setting):
-        start = len(known.statements)
-        _restore(run, known, statements[start:])
+    known = earlier.checkpoint
+    if known is not None and (len(known.statements) > same or not known.ground.holds(run.setting)):
+        known = None
+    done = 0 if known is None else len(known.statements)
     most = min(same - _BEFORE, earlier.clean)
-    mark = start + _of_nodes(statements[start:most]) if most >= start + _LEAST else 0
-    return start, mark if mark >= start + _LEAST else 0
+    mark = done + _of_nodes(statements[done:most]) if most >= done + _LEAST else 0
+    mark = mark if mark >= done + _LEAST else 0
+    if not mark and earlier.workspace is not None and _are_moved(run, earlier, statements, same):
+        before = {} if known is None else known.nodes
+        run.workspace = move(earlier.workspace, earlier.statements, statements, same, before)
+        moved = earlier._replace(statements=statements, checkpoint=known, workspace=run.workspace)
+        return Start(len(statements), 0, known, moved)
+    if known is not None:
+        _restore(run, known, statements[done:])
+    return Start(done, mark, known)
+
+
+def leave(
+    run: Run, statements: tuple[Statement, ...], checkpoint: Checkpoint | None, clean: int
+) -> Learnt:
+    """Return what a run leaves; the arguments are what `Learnt` has."""
+    learnt = Learnt(statements, run.types.fitters, checkpoint, clean)
+    if clean < len(statements) or run.found or _of_nodes(statements) < len(statements):
+        return learnt
+    ground = _ground(run.setting, run.types.catalogs)
+    return learnt._replace(workspace=run.workspace, ground=ground)
+
+
+def _are_moved(run: Run, earlier: Learnt, statements: tuple[Statement, ...], same: int) -> bool:
+    """Tell whether nothing happens but that statements about nodes and messages have moved."""
+    return (
+        earlier.ground is not None
+        and are_moved(earlier.statements, statements, same)
+        and earlier.ground.holds(run.setting)
+    )
 
 
 def take(run: Run, statements: Sequence[Statement], count: int) -> Checkpoint:
@@ -140,8 +201,7 @@ def take(run: Run, statements: Sequence[Statement], count: int) -> Checkpoint:
     known = run.workspace
     checkpoint = Checkpoint(
         tuple(statements[:count]),
-        _ground(run.setting),
-        run.types.catalogs,
+        _ground(run.setting, run.types.catalogs),
         dict(known.nodes),
         dict(known.messages),
         tuple(known.generations),
@@ -178,16 +238,9 @@ def _share(run: Run, rest: Sequence[Statement]) -> None:
         run.checks.own_all()
 
 
-def _holds(known: Checkpoint, setting: Setting) -> bool:
-    """Tell whether statements mean the same in a setting as at a checkpoint."""
-    catalogs = known.catalogs.items()
-    return known.ground == _ground(setting) and all(
-        setting.catalog(version) is catalog for version, catalog in catalogs
-    )
-
-
-def _ground(setting: Setting) -> _Ground:
-    return _Ground(setting.library, setting.libraries, setting.is_chosen, setting.program)
+def _ground(setting: Setting, catalogs: Mapping[int, Catalog]) -> Ground:
+    library, libraries = setting.library, setting.libraries
+    return Ground(library, libraries, setting.is_chosen, setting.program, catalogs)
 
 
 def _of_nodes(statements: Sequence[Statement]) -> int:

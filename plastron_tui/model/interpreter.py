@@ -18,7 +18,7 @@ from plastron_tui.ros.interfaces import Interface, InterfaceKind, InterfaceName
 
 from . import launch_statements, robot_statements
 from .absent_packages import absent_packages
-from .checkpoint import NOTHING, Learnt, is_clean, resume, take
+from .checkpoint import NOTHING, Learnt, is_clean, leave, start, take
 from .circles import check_circles
 from .context import Setting
 from .kinds import EDITABLE, EndpointKind
@@ -176,16 +176,16 @@ class Interpreter:
         run, statements = self._run, program.statements
         run.begin(program)
         earlier, self._earlier = self._earlier, NOTHING
-        start, mark = resume(run, earlier, statements)
-        checkpoint, clean = earlier.checkpoint if start else None, len(statements)
-        for first, last in _stretches(start, mark, len(statements)):
+        done, mark, checkpoint, moved = start(run, earlier, statements)
+        clean = len(statements)
+        for first, last in _stretches(done, mark, len(statements)):
             if pulse is not None:
                 pulse()
-            if first == mark > start and is_clean(run):
+            if first == mark > done and is_clean(run):
                 checkpoint = take(run, statements, first)
             self._run_all(statements[first:last])
             clean = clean if is_clean(run) else min(clean, first)
-        self.learnt = Learnt(statements, run.types.fitters, checkpoint, clean)
+        self.learnt = moved or leave(run, statements, checkpoint, clean)
         found = run.found
         if program.diagnostics:
             found += [(0 if each.span is None else each.span.start, each)

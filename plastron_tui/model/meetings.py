@@ -82,18 +82,22 @@ def _meetings(workspace: Workspace, version_of: Callable[[Node], int]) -> _Meeti
     found: _Meetings = defaultdict(list)
     for node in workspace.nodes.values():
         version, guesses = version_of(node), node.guesses
-        for (kind, written), endpoint in node.endpoints.items():
-            if kind.facts.interface is None:
+        for kind, endpoints in node.by_kind.items():
+            interface = kind.facts.interface
+            if interface is None or not endpoints:
                 continue
-            place = kind.facts.interface, version, resolved_name(node.name, written)
-            is_guess = (kind, written) in guesses
-            found[place].append(_User(node, kind, endpoint, is_guess))
+            for written, endpoint in endpoints.items():
+                place = interface, version, resolved_name(node.name, written)
+                is_guess = (kind, written) in guesses
+                found[place].append(_User(node, kind, endpoint, is_guess))
     return found
 
 
 def _disagreements(meetings: _Meetings) -> Iterator[Diagnostic]:
     """Yield a warning for what files mean differently; of two statements that is an error."""
     for (interface, _, name), users in meetings.items():
+        if len(users) < 2:
+            continue
         first: dict[InterfaceName, _User] = {}
         for user in users:
             if user.endpoint.type is not None and not user.is_guess:
@@ -120,7 +124,7 @@ def _unmatched(meetings: _Meetings, program: Program) -> Iterator[Diagnostic]:
     """Yield an error for each publisher and subscription of ROS 2 that never match."""
     statements: dict[Span, Statement] = {}
     for (interface, version, name), users in meetings.items():
-        if interface is not InterfaceKind.MESSAGE or version != 2:
+        if interface is not InterfaceKind.MESSAGE or version != 2 or len(users) < 2:
             continue
         offers, requests = (
             _by_qos(users, EndpointKind.PUBLISHER),
@@ -182,7 +186,8 @@ def _slips(meetings: _Meetings) -> Iterator[tuple[list[_User], list[_User]]]:
     one_sided = [
         (place, users)
         for place, users in meetings.items()
-        if len({user.kind.facts.sends for user in users}) == 1 and len(place[2]) <= _LONGEST
+        if len(place[2]) <= _LONGEST
+        and (len(users) == 1 or len({user.kind.facts.sends for user in users}) == 1)
     ]
     if len({users[0].kind.facts.sends for _, users in one_sided}) < 2:
         return

@@ -44,7 +44,7 @@ def late_changes(program: Program, workspace: Workspace) -> Iterator[Diagnostic]
     for statement in program.statements:
         type_: Any = type(statement)  # which mypy takes for not hashable
         named = _named(type_)
-        generation = _generation(statement, named, last)
+        generation = _generation(statement, named, last) if named.nodes else None
         if generation is None:
             continue
         variable = generation.node.variable

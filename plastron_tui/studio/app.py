@@ -370,7 +370,8 @@ def run(
 ) -> int:
     """Run the studio in this terminal, and return the exit status."""
     teach()
-    app = StudioApp(path, options, first, others)
+    # Who writes here runs the nodes here as well.
+    app = StudioApp(path, (options or Options())._replace(tells_absent=True), first, others)
     app.run(mouse=app.profile.config.mouse)
     if app.last_words:
         print(app.last_words, file=sys.stderr)

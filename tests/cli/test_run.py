@@ -5,9 +5,10 @@ import pty
 import re
 import signal
 import subprocess
-import sys
 import sysconfig
 import venv
+from collections.abc import Callable
+from functools import partial
 from pathlib import Path
 
 import pytest
@@ -16,21 +17,10 @@ from machine import TALKING, find_ros, mostly_long, wait_until
 from ros_runs import Ros, make_ros, said_by
 from table_packages import made_packages, shared_cache
 
+from plastron_tui.runtime import environment
 from plastron_tui.runtime.master import master_pid
 
-# Plastron, where the Python that it runs with and the system's one are others.
-ELSEWHERE = """\
-import functools, sys
-from pathlib import Path
-from plastron_tui.runtime import environment
-python, debian = map(Path, sys.argv[1:3])
-environment.find_environments = functools.partial(
-    environment.find_environments, interpreter=python, debian_python=debian
-)
-sys.argv[1:3] = []
-from plastron_tui.cli import main
-main()
-"""
+Elsewhere = Callable[..., tuple[int, str]]
 
 TABLE_SERVICES = """\
 create_node 'adder' as adder
@@ -155,17 +145,18 @@ def test_a_time_that_is_none(run: Run, here: Path, seconds: str) -> None:
     assert run("run", "p.plastron", "--for", seconds).returncode == 2
 
 
-def elsewhere(
-    here: Path, python: Path, debian: Path, *arguments: str
-) -> subprocess.CompletedProcess[str]:
-    (here / "p.plastron").write_text(TALKER)
-    return subprocess.run(
-        [sys.executable, "-c", ELSEWHERE, python, debian, "run", "p.plastron", *arguments],
-        cwd=here,
-        capture_output=True,
-        text=True,
-        timeout=60,
-    )
+@pytest.fixture
+def elsewhere(here: Path, run_patched: Run, monkeypatch: pytest.MonkeyPatch) -> Elsewhere:
+    """Run a program where the Python that plastron runs with, and the system's one, are others."""
+
+    def elsewhere(python: Path, debian: Path, *arguments: str) -> tuple[int, str]:
+        find = partial(environment.find_environments, interpreter=python, debian_python=debian)
+        monkeypatch.setattr(environment, "find_environments", find)
+        (here / "p.plastron").write_text(TALKER)
+        done = run_patched("run", "p.plastron", *arguments)
+        return done.returncode, done.stderr.decode()
+
+    return elsewhere
 
 
 @pytest.mark.parametrize(
@@ -176,28 +167,29 @@ def elsewhere(
         ("rospy", "sudo apt install python3-rospy python3-rosmaster python3-std-msgs"),
     ],
 )
-def test_no_ros_at_all(here: Path, target: str | None, command: str) -> None:
+def test_no_ros_at_all(here: Path, elsewhere: Elsewhere, target: str | None, command: str) -> None:
     arguments = () if target is None else ("--target", target)
-    done = elsewhere(here, Path("/no/python"), Path("/no/python"), *arguments)
-    assert done.returncode == 1
-    assert "error[no-ros]: no ROS" in done.stderr
+    status, said = elsewhere(Path("/no/python"), Path("/no/python"), *arguments)
+    assert status == 1
+    assert "error[no-ros]: no ROS" in said
     # Without a target the program is for rospy, as without a sourced ROS.
     if target is not None:
-        assert f" with `{command}`" in done.stderr
+        assert f" with `{command}`" in said
     assert not (here / "output").exists()
 
 
-def test_half_a_ros(here: Path) -> None:
+def test_half_a_ros(here: Path, elsewhere: Elsewhere) -> None:
     root = here / "env"
     venv.create(root, symlinks=True)
     package = next(root.glob("lib/python3*/site-packages")) / "rclpy"
     package.mkdir()
     (package / "__init__.py").touch()
     (package / f"_rclpy_pybind11{sysconfig.get_config_var('EXT_SUFFIX')}").touch()
-    done = elsewhere(here, root / "bin" / "python3", Path("/no/python"), "--target", "rclpy")
-    assert done.returncode == 1
-    assert "error[half-a-ros]: rclpy is installed, but no middleware" in done.stderr
-    assert "pip install ros-rmw-fastrtps-cpp" in done.stderr
+    python = root / "bin" / "python3"
+    status, said = elsewhere(python, Path("/no/python"), "--target", "rclpy")
+    assert status == 1
+    assert "error[half-a-ros]: rclpy is installed, but no middleware" in said
+    assert "pip install ros-rmw-fastrtps-cpp" in said
     assert not (here / "output").exists()
 
 

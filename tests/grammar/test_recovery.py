@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 import pytest
 import tree_sitter_plastron
@@ -25,8 +25,11 @@ STRAYS = [
 ]  # fmt: skip
 
 
+PARSER = Parser(LANGUAGE)
+
+
 def parse(text: str) -> Node:
-    return Parser(LANGUAGE).parse(text.encode()).root_node
+    return PARSER.parse(text.encode()).root_node
 
 
 def mistakes(root: Node) -> Iterator[Node]:
@@ -107,9 +110,9 @@ def test_cut_within_every_word(kind: str, text: str, newline: str) -> None:
             assert_recovers(text[:end], WHOLE[-1], after, newline)
 
 
-def assert_cuts_are_last(kind: str, text: str) -> None:
+def assert_cuts_are_last(text: str, befores: Sequence[tuple[str, str]]) -> None:
     for cut in cuts(text):
-        for before in WHOLE:
+        for before in befores:
             root = parse(before[1] + "\n" + cut)
             assert root.type == "program"
             assert_statement(root, 0, *before)
@@ -117,19 +120,33 @@ def assert_cuts_are_last(kind: str, text: str) -> None:
 
 
 def test_a_cut_last_line_without_newline() -> None:
-    check_each(WHOLE, assert_cuts_are_last)
+    """Behind some of the statements each; behind all of them it takes long."""
+    cases = [(text, WHOLE[at % 8 :: 8]) for at, (_, text) in enumerate(WHOLE)]
+    check_each(cases, assert_cuts_are_last)
 
 
-def assert_strays_stay(kind: str, text: str) -> None:
+@pytest.mark.long
+def test_a_cut_last_line_behind_every_statement() -> None:
+    check_each([(text, WHOLE) for _, text in WHOLE], assert_cuts_are_last)
+
+
+def assert_strays_stay(text: str, strays: Sequence[str]) -> None:
     words = text.split(" ")
     for position in range(len(words) + 1):
-        for stray in STRAYS:
+        for stray in strays:
             middle = " ".join([*words[:position], stray, *words[position:]])
             assert_recovers(middle, WHOLE[0], WHOLE[-1])
 
 
 def test_a_stray_word_between_any_two() -> None:
-    check_each(WHOLE, assert_strays_stay)
+    """Each of them in some of the statements; in all of them it takes long."""
+    cases = [(text, STRAYS[at % 4 :: 4]) for at, (_, text) in enumerate(WHOLE)]
+    check_each(cases, assert_strays_stay)
+
+
+@pytest.mark.long
+def test_every_stray_word_between_any_two() -> None:
+    check_each([(text, STRAYS) for _, text in WHOLE], assert_strays_stay)
 
 
 @pytest.mark.long

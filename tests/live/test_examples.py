@@ -10,7 +10,6 @@ from typing import Any
 
 import pytest
 from graph import Graph
-from machine import mostly_long
 from processes import Process, generate, own_tracebacks, plastron
 
 pytestmark = pytest.mark.live
@@ -26,8 +25,6 @@ EXAMPLES = sorted(
     for path in FOLDER.glob("*.plastron")
     if not re.search(_OF_ANOTHER_KIND, path.read_text(encoding="utf-8"), re.MULTILINE)
 )
-
-QUICK = {"service_and_client"}
 
 
 def drawn(program: Path) -> dict[str, Any]:
@@ -98,7 +95,8 @@ def traffic(graph: Graph, program: Path, output: Path) -> dict[str, Any]:
     return seen
 
 
-@pytest.mark.parametrize("program", mostly_long(EXAMPLES, QUICK, lambda path: path.stem))
+@pytest.mark.long
+@pytest.mark.parametrize("program", EXAMPLES, ids=lambda path: path.stem)
 def test_an_example_is_the_same_on_both(
     program: Path, ros1: Graph, request: pytest.FixtureRequest, tmp_path: Path
 ) -> None:

@@ -7,7 +7,6 @@ from typing import Any
 
 import pytest
 from graph import Graph
-from machine import mostly_long
 from played_nodes import NODES, Case
 from processes import edit
 from rospy_edits import ROSPY_EDITS
@@ -20,10 +19,10 @@ BY_HAND = {"rospy/light_switch.py", "rospy/wheels.py"}
 """What calls services, or publishes what may be a message, stays for somebody to port."""
 
 CASES = [*ROSPY_PORTS, *(case for case in ROSPY_EDITS if case.file not in BY_HAND)]
-QUICK = {"rospy/mux.py"}
 
 
-@pytest.mark.parametrize("case", mostly_long(CASES, QUICK, lambda case: case.file))
+@pytest.mark.long
+@pytest.mark.parametrize("case", CASES, ids=lambda case: case.file)
 def test_a_port_sends_what_the_original_sends(
     case: Case, ros1: Graph, ros2: Graph, tmp_path: Path
 ) -> None:

@@ -11,7 +11,7 @@ import plastron_tui.model
 
 MODULES = sorted(Path(plastron_tui.model.__file__).parent.glob("*.py"))
 # What else has an attribute of the name: dataclasses, strings, nodes, what resolves types.
-OTHERS = {"home", "rename", "replace", "resolve"}
+OTHERS = {"home", "owner", "rename", "replace", "resolve"}
 ASKS_THE_DISK = {name for name in dir(Path) if not hasattr(PurePath, name)} - OTHERS
 FUNCTIONS = {"input", "open", "print"}
 

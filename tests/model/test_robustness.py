@@ -131,7 +131,8 @@ def test_anything(text: bytes) -> None:
     swallow(text)
 
 
-def deep() -> Iterator[tuple[str, bytes]]:
+def deep(number: int) -> Iterator[tuple[str, bytes]]:
+    """Return texts that have much of one thing: this number, or some times as many."""
     head = b"create_message m of message_type Twist and input "
     for name, opening, closing in (
         ("parentheses", b"(", b")"),
@@ -139,31 +140,40 @@ def deep() -> Iterator[tuple[str, bytes]]:
         ("both", b"([", b"])"),
         ("named", b"(x=", b")"),
     ):
-        yield f"{name} open", head + opening * 25_000
-        yield f"{name} closed", head + opening * 25_000 + b"1" + closing * 25_000
-        yield f"{name} too often closed", head + b"1" + closing * 25_000
-    yield "path", head + b".".join([b"x"] * 50_000) + b"=1"
-    yield "path that exists", head + b"linear" + b".x" * 50_000 + b"=1"
-    yield "commas", head + b"," * 50_000
-    yield "values", head + b"1," * 50_000 + b"1"
-    yield "type", b"subscribe n to 'a' of message_type " + b"a/" * 50_000 + b"b"
-    yield "quotes", b'"' * 50_000
-    yield "single quotes", b"'" * 50_001
-    yield "comments", b"/*" * 50_000
-    yield "closed comments", b"/**/" * 50_000
-    yield "line comments", b"//" * 50_000
-    yield "backslashes", head + b'"' + b"\\" * 50_001 + b'"'
-    yield "escapes", head + b'"' + b"\\u0041" * 20_000 + b'"'
-    yield "word", b"x" * 200_000
-    yield "garbage", b"$" * 200_000
-    yield "words", b"a " * 100_000
-    yield "mixture", b"subscribe n $ '" * 10_000
-    yield "newlines", b"\n" * 100_000
-    yield "carriage returns", b"\r" * 100_000
-    yield "broken lines", b"creat_node 'a' as n\n" * 20_000
-    yield "unknown nodes", b"generate_node n1\n" * 5_000
+        yield f"{name} open", head + opening * number
+        yield f"{name} closed", head + opening * number + b"1" + closing * number
+        yield f"{name} too often closed", head + b"1" + closing * number
+    yield "path", head + b".".join([b"x"] * (2 * number)) + b"=1"
+    yield "path that exists", head + b"linear" + b".x" * (2 * number) + b"=1"
+    yield "commas", head + b"," * (2 * number)
+    yield "values", head + b"1," * (2 * number) + b"1"
+    yield "type", b"subscribe n to 'a' of message_type " + b"a/" * (2 * number) + b"b"
+    yield "quotes", b'"' * (2 * number)
+    yield "single quotes", b"'" * (2 * number + 1)
+    yield "comments", b"/*" * (2 * number)
+    yield "closed comments", b"/**/" * (2 * number)
+    yield "line comments", b"//" * (2 * number)
+    yield "backslashes", head + b'"' + b"\\" * (2 * number + 1) + b'"'
+    yield "escapes", head + b'"' + b"\\u0041" * number + b'"'
+    yield "word", b"x" * (8 * number)
+    yield "garbage", b"$" * (8 * number)
+    yield "words", b"a " * (4 * number)
+    yield "mixture", b"subscribe n $ '" * (number // 2)
+    yield "newlines", b"\n" * (4 * number)
+    yield "carriage returns", b"\r" * (4 * number)
+    yield "broken lines", b"creat_node 'a' as n\n" * number
+    yield "unknown nodes", b"generate_node n1\n" * (number // 5)
 
 
-@pytest.mark.parametrize(("name", "text"), list(deep()), ids=[name for name, _ in deep()])
+MUCH, VERY_MUCH = [*deep(2_500)], [*deep(25_000)]
+
+
+@pytest.mark.parametrize(("name", "text"), MUCH, ids=[name for name, _ in MUCH])
 def test_much_of_one_thing(name: str, text: bytes) -> None:
+    swallow(text)
+
+
+@pytest.mark.long
+@pytest.mark.parametrize(("name", "text"), VERY_MUCH, ids=[name for name, _ in VERY_MUCH])
+def test_very_much_of_one_thing(name: str, text: bytes) -> None:
     swallow(text)

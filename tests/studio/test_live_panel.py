@@ -185,7 +185,7 @@ async def test_messages_at_a_rate_and_goals_are_sent_and_canceled(
         await driver.press("f5")
         await wait_shown(driver, "/chatter      2.0 Hz 0.25")
         footer = driver.main.query_one(KeyBar)
-        assert "x Cancel" not in footer.text
+        assert "x Stop sending" not in footer.text
         # A rate that is none is said at its field, and nothing is sent.
         await driver.pilot.press("p")
         form = await driver.dialog("LiveForm")
@@ -200,9 +200,9 @@ async def test_messages_at_a_rate_and_goals_are_sent_and_canceled(
         assert (order["rate"], order["values"]) == (10, {"linear": {"x": 0.5}})
         assert not driver.notes()
         # Where it is sent, one key ends that; nowhere else.
-        assert live(driver).row.name == "/chatter" and "x Cancel" in footer.text
+        assert live(driver).row.name == "/chatter" and "x Stop sending" in footer.text
         await driver.press("down", "down")
-        assert live(driver).row.name == "/topic_000" and "x Cancel" not in footer.text
+        assert live(driver).row.name == "/topic_000" and "x Stop sending" not in footer.text
         # What moves a robot goes on out of sight, and that is said.
         await driver.show("graph")
         await driver.until(lambda: "still sending to /chatter; x in Live" in driver.notes())
@@ -233,7 +233,7 @@ async def test_messages_at_a_rate_and_goals_are_sent_and_canceled(
         assert asked(orders, "cancel") == [
             {"do": "cancel", "goal": asked(orders, "goal")[-1]["id"]}
         ]
-        assert "x Cancel" not in footer.text
+        assert "x Cancel the goal" not in footer.text
         # With the nodes everything ends that is sent to them.
         await driver.press("g")
         await driver.dialog("LiveForm")
@@ -241,7 +241,7 @@ async def test_messages_at_a_rate_and_goals_are_sent_and_canceled(
         await driver.back()
         await driver.until(lambda: len(live(driver)._graphs[0].goals) == 2)
         await driver.press("down")
-        assert "x Cancel" in footer.text
+        assert "x Cancel the goal" in footer.text
         await driver.press("f5")
         await driver.until(lambda: not driver.main.runner.is_running)
         await driver.show("live")

@@ -65,12 +65,15 @@ def test_a_name_is_found_by_its_beginning_its_parts_and_its_letters(query: str, 
     assert named[0] == first
 
 
-def test_names_stand_below_their_heading_and_first_where_no_action_is_called_that() -> None:
+def test_names_stand_below_their_heading_and_first_where_no_title_begins_so() -> None:
     entries = answers("save", ACTIONS, [], names())
     assert [each.action for each in entries[:1]] == [BY_ID["save"]]
     entries = answers("base", ACTIONS, [], names())
     assert entries[0].heading == NAMES
     assert entries[1].name is not None
+    # "List where it is used" has a word that begins so.
+    entries = answers("whe", ACTIONS, [], names())
+    assert entries[1].name is not None and entries[-1].action is not None
     entries = answers("go", ACTIONS, [], names())
     assert entries[0].action is not None
     at = [each.heading for each in entries].index(NAMES)

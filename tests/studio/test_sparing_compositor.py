@@ -8,10 +8,12 @@ from random import Random
 import pytest
 from rich.console import Console
 from studio_driver import studio
+from textual import events
 from textual._compositor import Compositor
-from textual.geometry import Region
+from textual.geometry import Region, Size
 from textual.screen import Screen
 
+from plastron_tui.studio.main.screen import MainScreen
 from plastron_tui.studio.sparing_compositor import draw_sparingly
 
 
@@ -59,16 +61,29 @@ async def test_what_is_behind_is_not_asked(program: Path) -> None:
 async def test_the_first_frame_is_drawn_as_a_whole_once(
     program: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    drawn = []
+    drawn: list[Compositor] = []
+    sizes: list[Size] = []
 
     def draw(compositor: Compositor, simplify: bool = False) -> object:
         drawn.append(compositor)
         return whole(compositor, simplify=simplify)
 
-    whole = Compositor.render_full_update
+    def lay_out(screen: MainScreen, size: Size) -> None:
+        sizes.append(size)
+        resized(screen, size)
+
+    whole, resized = Compositor.render_full_update, MainScreen._screen_resized
+    monkeypatch.setattr(MainScreen, "_screen_resized", lay_out)
     monkeypatch.setattr(Compositor, "render_full_update", draw)
     async with studio(program, (100, 30)) as driver:
         assert drawn == [driver.main._compositor]
+        size = driver.app.size
+        sizes.clear()
+        driver.main.post_message(events.Resize(size, size))
+        await driver.pilot.pause()
+        assert sizes == []
+        await driver.pilot.resize_terminal(90, 20)
+        assert Size(90, 20) in sizes
 
 
 def test_a_screen_that_is_put_together_otherwise_is_left_alone() -> None:

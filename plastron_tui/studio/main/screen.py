@@ -106,8 +106,8 @@ class MainScreen(FirstScreen, Paged):
         self.feed.worker.stop()
         self._runs.close()
 
-    def on_resize(self) -> None:
-        """Lay the panels out for another size."""
+    def on_resize(self, event: events.Resize | None = None) -> None:
+        """Lay the panels out for another size, or for the first."""
         self._keys.display = self.app.size.height >= _LEAST_ROWS
         self.dock_layout.fit()
 

@@ -104,6 +104,7 @@ class KeyBar(Toned):
         focused = self.screen.focused
         around = () if focused is None else focused.ancestors_with_self
         self._kept_now = () if any(isinstance(each, Dock) for each in around) else self._added
+        titles = {**self._titles, **getattr(focused, "key_titles", {})}
         shown: dict[str, Binding] = {}
         for active in self.screen.active_bindings.values():
             binding = active.binding
@@ -112,7 +113,7 @@ class KeyBar(Toned):
         keys = tuple(
             Key(
                 self.app.get_key_display(each),
-                self._titles.get(each.id or "", each.description),
+                titles.get(each.id or "", each.description),
                 each.key,
                 each.id or "",
             )

@@ -18,7 +18,14 @@ from .entry_list import EntryList
 from .filter_bar import FilterBar
 from .live_columns import Columns, columns_of, line_of
 from .live_row import Answer, Kind, LiveRow
-from .live_row_places import branch_at, cancelable_at, last_sent_at, stop_near, target_at
+from .live_row_places import (
+    branch_at,
+    cancelable_at,
+    cancels_at,
+    last_sent_at,
+    stop_near,
+    target_at,
+)
 from .live_rows import UNCOUNTED, found_rows, live_rows
 from .live_watching import Watching, watching_of
 from .row_drawing import RowDrawing
@@ -62,7 +69,7 @@ _BINDINGS: list[BindingType] = [
     _asking("publish", "p", "Publish", "Send a message to the topic"),
     _asking("call", "c", "Call", "Call the service"),
     _asking("goal", "g", "Goal", "Send a goal to the action"),
-    _asking("cancel", "x", "Cancel", "Send to the topic no more, or cancel the goal"),
+    _asking("cancel", "x", "Stop sending", "Send to the topic no more, or cancel the goal"),
     _asking("set", "s", "Set", "Give the parameter another value"),
     _asking("restart", "r", "Watch again", "Start the monitor of the nodes again"),
     Binding(
@@ -259,13 +266,14 @@ class LivePanel(EntryList):
             return any(graph.problem for graph in self._graphs)
         return self._target(str(parameters[0])) is not None
 
+    @property
+    def key_titles(self) -> dict[str, str]:
+        """What its keys are called in the line of keys, where that hangs on the row."""
+        return {"live.cancel": cancels_at(self._live, self.index)}
+
     def _target(self, what: str) -> LiveRow | None:
         """Return the row that something is asked for about, None where there is none."""
-        if what == "cancel":
-            return cancelable_at(self._live, self.index)
-        kind = _KINDS.get(what)
-        found = None if kind is None else target_at(self._live, self.index, kind)
-        return None if found is None or _has_ended(self._graphs, found) else found
+        return _target_at(self._live, self.index, what, self._graphs)
 
     def action_ask(self, what: str) -> None:
         """Ask for something to be done."""
@@ -309,6 +317,16 @@ class LivePanel(EntryList):
 
     def _line(self, entry: Entry, width: int) -> Line:
         return line_of(self._live[self._rows[entry.key]], self._columns, width)
+
+
+def _target_at(
+    rows: Sequence[LiveRow], at: int, what: str, graphs: Sequence[LiveGraph]
+) -> LiveRow | None:
+    if what == "cancel":
+        return cancelable_at(rows, at)
+    kind = _KINDS.get(what)
+    found = None if kind is None else target_at(rows, at, kind)
+    return None if found is None or _has_ended(graphs, found) else found
 
 
 def _has_ended(graphs: Sequence[LiveGraph], row: LiveRow) -> bool:

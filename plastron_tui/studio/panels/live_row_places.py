@@ -40,6 +40,12 @@ def cancelable_at(rows: Sequence[LiveRow], at: int) -> LiveRow | None:
     return chosen if chosen.goal else None
 
 
+def cancels_at(rows: Sequence[LiveRow], at: int) -> str:
+    """Return what to cancel is called at a row: of a goal it is another thing than of a message."""
+    found = cancelable_at(rows, at) if 0 <= at < len(rows) else None
+    return "Cancel the goal" if found is not None and found.goal else "Stop sending"
+
+
 def last_sent_at(rows: Sequence[LiveRow], at: int) -> int:
     """Return the place of the last row with what came of what was sent, below a row; or its own."""
     sent = (Kind.SENDING, Kind.ANSWER, Kind.GOAL)

@@ -41,8 +41,6 @@ NAMES = "In this program"
 ONLY_NAMES = "@"
 """What a query begins with that is to find names alone."""
 _MOST_NAMES = 100
-_BY_HELP = 3
-"""From which rank on it is not what an action is called that fits."""
 RECENT = "Recent"
 """The heading of what was done last."""
 
@@ -80,14 +78,14 @@ def answers(
 ) -> tuple[Entry, ...]:
     """Return what fits a query: actions, and the names of the program below their heading.
 
-    The names come first where one begins with the query, and no action is called that.
+    The names come first where one begins with the query, and the title of no action does.
     """
     is_about_names = query.lstrip().startswith(ONLY_NAMES)
     named = _names(query.strip().removeprefix(ONLY_NAMES), names)
     acting = [] if is_about_names else _ranked(query, actions, recent)
     below = [Entry(NAMES), *(Entry(NAMES, name=name) for _, name in named)] if named else []
     above = [Entry("", action) for _, action in acting]
-    is_better = named and named[0][0] == 0 and (not acting or acting[0][0] >= _BY_HELP)
+    is_better = named and named[0][0] == 0 and (not acting or acting[0][0] > 0)
     return (*below, *above) if is_better else (*above, *below)
 
 

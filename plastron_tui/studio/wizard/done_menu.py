@@ -77,8 +77,21 @@ def _usual(session: Session) -> Iterator[tuple[str, Item]]:
     about = "Shows each file before it is written."
     is_advised = is_whole and bool(idle)
     yield "screen.generate", Item("write the files", "", about, closed, is_advised)
-    about = "Writes the files, starts the nodes and shows what they say."
+    about = f"Writes the files, starts the nodes and shows what they say.{_callable(session)}"
     yield RUN, Item("run the nodes", "", about, idle, is_whole and not idle)
+
+
+def _callable(session: Session) -> str:
+    """Say how a service is called that no node of the program calls; "" where there is none."""
+    scene = Scene(session)
+    found = (
+        each.name
+        for version in (1, 2)
+        for each in scene.meetings(InterfaceKind.SERVICE, version).values()
+        if each.takers and not each.senders
+    )
+    name = next(found, None)
+    return "" if name is None else f" Enter on `{name}` in Live calls it: no node does yet."
 
 
 def _is_robot(session: Session) -> bool:

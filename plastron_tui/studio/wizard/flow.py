@@ -15,7 +15,7 @@ from .followers import chosen, extras_of
 from .form import Form
 from .goals import GROUPS, Aim, aim_of, answering
 from .helps import helps_of
-from .menu import RECIPES, Offer, Option, recipe_offers
+from .menu import RECIPES, Offer, Option, recipe_offers, writes_too
 from .offers import Offering, give
 from .pages import Heard, Look, Page, PageKind
 from .program_trial import Finding, Outcome, Placed, check, node_of
@@ -321,7 +321,7 @@ class Course:
             Option(each.key, each.words, self.wanted.get(each.key, True)) for each in look.extras
         ]
         if look.can_generate:
-            words = f"write {look.node} to its file, too"
+            words = writes_too(self.session, look.node or "")
             options.insert(0, Option(GENERATES, words, self.generates))
         if look.driving:
             text = self.session.document.text

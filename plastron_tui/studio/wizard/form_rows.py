@@ -29,6 +29,7 @@ _NOTES = {
     SlotKind.NODE_NAME: "its name in ROS",
     SlotKind.NEW_NODE: "its name in here",
     SlotKind.MANAGED: "switched on later",
+    SlotKind.RATE: "times a second",
 }
 """What stands beside a slot, for who reads the form before going through it."""
 

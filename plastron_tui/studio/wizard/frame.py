@@ -14,6 +14,8 @@ from textual.types import CSSPathType
 from textual.widget import Widget
 from textual.widgets import Button, Label
 
+from plastron_tui.diagnostics.terminal import visible
+
 from ..key_order import Paged
 from ..screens.dialog import Dialog
 from . import strings
@@ -62,17 +64,18 @@ class Buttons(Horizontal):
     """The line at the bottom: where one can go, and the keys."""
 
     def compose(self) -> ComposeResult:
-        """Make the buttons."""
+        """Make the buttons; which of them there are is known with the first page."""
         back = Button("Back", id="wizard-back", compact=True)
         # Tab leads from the last field on, and F2 back.
         back.can_focus = False
-        yield back
-        yield Button("Next", id="wizard-next", variant="primary", compact=True)
-        yield Button("Code", id="wizard-turn", compact=True)
+        following = Button("Next", id="wizard-next", variant="primary", compact=True)
+        turn = Button("Code", id="wizard-turn", compact=True)
         leave = Button("Leave", id="wizard-leave", compact=True)
         # Tab goes round the fields: one too many, and Enter, would forget them all.
         leave.can_focus = False
-        yield leave
+        for button in (back, following, turn, leave):
+            button.display = False
+            yield button
         yield Label("", id="wizard-keys", markup=False)
 
     def show(self, course: Course, look: Look, *, is_done: bool, is_narrow: bool) -> None:
@@ -106,13 +109,16 @@ class Frame(Paged, Dialog[str]):
     """
 
     CSS_PATH: ClassVar[CSSPathType | None] = STYLES
+    # The first page has the focus once it is known, and nothing before.
+    AUTO_FOCUS = ""
 
     course: Course
     look: Look
     is_done: bool
 
     def __init__(self) -> None:
-        super().__init__()
+        # Until something is known there is nothing beside the first page.
+        super().__init__(classes="-empty -menu")
         # Who holds it is the only one to look at the course, or to change it.
         self._lock = asyncio.Lock()
         self._is_stale = False
@@ -187,7 +193,10 @@ class Frame(Paged, Dialog[str]):
     def _show_frame(self, page: Page, look: Look) -> None:
         """Show what is around the page."""
         title = strings.title(page, self.is_done, self.course.group)
-        step = "" if self.is_done or page.kind is PageKind.START else f"step {self.course.at}"
+        path = self.course.session.path
+        is_counted = not (self.is_done or page.kind is PageKind.START)
+        name = "" if path is None else visible(path.name)
+        step = strings.place(name, self.course.at if is_counted else 0)
         self.query_one("#wizard-title", Label).update(title)
         self.query_one("#wizard-step", Label).update(step)
         frame = self.query_one("#wizard-page", Vertical)

@@ -43,19 +43,19 @@ GROUPS = {
     Aim.MORE: Group(
         "give a node something more to do",
         "",
-        "Let a node of the program send, listen, ask, answer, and more; or let it do so no longer.",
+        "Let it send, listen, ask, answer, and more; or let it do so no longer.",
         "What shall it do?",
     ),
     Aim.TYPE: Group(
         "make a type of message, service or action",
         "interface definition",
-        "Where no type that exists has the fields that you need, you make one that has.",
+        "Where no type has the fields that you need, you make one that has.",
         "What about types?",
     ),
     Aim.PACKAGE: Group(
         "make it a package",
         "package",
-        "A folder that a robot's workspace takes, with the nodes and all that they need.",
+        "A folder for a robot's workspace, with the nodes and all that they need.",
         "What about packages?",
     ),
     Aim.LAUNCH: Group(

@@ -39,6 +39,8 @@ def helps_of(filled: Filled, ask: Callable[[Slot], Ask]) -> dict[tuple[str, Path
             said[slot.name, None] = "it drives as long as this holds, and stops where it does not"
         if slot.kind is SlotKind.RATE:
             said[slot.name, None] = _rate(filled, slot)
+        if slot.kind is SlotKind.MESSAGE and filled.cells[slot.name].is_new:
+            said[slot.name, None] += "; a later page asks what a new one says"
         if slot.kind is SlotKind.TOPIC and (sent := sent_already(filled)):
             said[slot.name, None] += f"; {sent}"
         if slot.kind in (SlotKind.SERVICE, SlotKind.ACTION):
@@ -67,6 +69,12 @@ def _rate(filled: Filled, slot: Slot) -> str:
     """Return what is said of how often something is sent, or done."""
     if slot.name not in filled.form.optional:
         return "how many times a second"
+    trigger = filled.form.slot_of(SlotKind.TRIGGER)
+    arrives = "" if trigger is None else filled.cells[trigger.name].text
+    if arrives:
+        return (
+            f"how many times a second; it needs none, as it is sent for each message of `{arrives}`"
+        )
     if filled.form.slot_of(SlotKind.INPUT) is not None:
         return "how many times a second; without it once"
     node = filled.form.slot_of(SlotKind.NODE)

@@ -8,6 +8,7 @@ from typing import NamedTuple
 
 from plastron_tui.language import Declaration
 from plastron_tui.model.workspace import Workspace
+from plastron_tui.session import Session
 
 from ..recipes import recipes
 from .goals import Aim, generating
@@ -74,6 +75,18 @@ def recipe_offers() -> list[Offer]:
     return [
         Offer(None, each.title, "", f"{each.description}.", recipe=each.path) for each in recipes()
     ]
+
+
+def writes_too(session: Session, node: str) -> str:
+    """Return the words of the question whether a node is written to its file along with it."""
+    found = session.workspace.nodes.get(node)
+    source = None if found is None else found.source
+    folder = f"{session.output.name}/"
+    if source is None:
+        return f"write {node} to its file in {folder}, too"
+    if session.options.in_place:
+        return f"write the changed {source.path.name}, too"
+    return f"write the changed {source.path.name} to {folder}, too; your own file stays as it is"
 
 
 def writes_at_once(offer: Offer, workspace: Workspace) -> bool:

@@ -23,6 +23,10 @@ from .values import Entry, Path
 REST_OF_PASTE = 0.1
 """Seconds within which the next piece of a paste comes: a terminal is read 4 KB at a time."""
 
+_LABEL, _LEAST_BOX = 16, 12
+"""The columns of a row's name, and those that the box has at least, as in the style sheet."""
+_UNKNOWN = 1000
+"""The columns of a row that is not laid out yet."""
 _SHORT = 8
 """A text with fewer characters is a short one."""
 
@@ -175,6 +179,19 @@ class Row(Horizontal):
         entry = self.entry
         is_number = entry is not None and entry.python in (int, float) and not entry.type.is_array
         self.set_class(is_number and len(self._text) < _SHORT, "-number")
+        # A value that is not seen whole beside what it means is seen alone.
+        self.set_class(cell_len(self._text) >= self._room - self._noted, "-long")
+
+    @property
+    def _room(self) -> int:
+        """The columns of the box and of what stands beside it; many where that is not known."""
+        return (self.content_size.width or _UNKNOWN) - _LABEL
+
+    @property
+    def _noted(self) -> int:
+        """The columns that the words beside the box take at most."""
+        least = max(0, self._room - _LEAST_BOX - 1)
+        return min(cell_len(self._note) + 1, least) if self._note and not self.is_fixed else 0
 
     @property
     def is_switch(self) -> bool:
@@ -243,11 +260,13 @@ class Row(Horizontal):
 
     def on_resize(self) -> None:
         """Say beside the box as much as there is room for."""
+        self._fit()
         self._show_note()
 
     def _show_note(self) -> None:
         label = self.query_one(".wizard-note", Label)
-        room = label.content_size.width if self.has_class("-number") else 0
+        is_number = self.has_class("-number")
+        room = label.content_size.width if is_number else max(0, self._noted - 1)
         label.update(shortened(self._note, room) if room else self._note)
 
     def align(self, label: int, note: int) -> None:

@@ -69,10 +69,7 @@ def about(form: Form) -> str:
 def question(page: Page, look: Look, group: Aim | None = None) -> str:
     """Return the line above a menu."""
     if page.kind is PageKind.START:
-        return (
-            "The wizard writes statements, the same that you could type: "
-            "you see them grow, and the code that they become."
-        )
+        return "The wizard writes statements that you could type: you see what they become."
     if page.kind is PageKind.RECIPES:
         return "Each is a whole program: take one, run it, then change it."
     if page.kind is PageKind.AWAY:
@@ -124,6 +121,16 @@ def _mistake_before(session: Session) -> str:
     return f" The program has a mistake already, and cannot be run before it goes: {first.message}."
 
 
+def place(program: str, at: int) -> str:
+    """Return what stands beside the title: the program that is written to, and the page.
+
+    Args:
+        program: the name of its file, "" for one that has none yet.
+        at: the number of the page, 0 where they are not counted.
+    """
+    return f"{program or 'a new program'}{f', step {at}' if at else ''}"
+
+
 def leaving(look: Look) -> str:
     """Return what is asked of who leaves what was filled in."""
     count = 0 if look.outcome is None else len(look.outcome.lines)
@@ -144,8 +151,8 @@ def keys(page: Page, is_done: bool, *, is_turn: bool = False) -> str:
     if page.kind in (PageKind.PURPOSE, PageKind.AWAY, PageKind.RECIPES):
         return "↑↓ Enter choose  Esc back"
     if page.kind is PageKind.REVIEW:
-        return "Enter finish  Tab box  Space tick  Esc back"
-    return "Enter next  Tab field  ↑↓ choice  Esc back"
+        return "Enter finish  Tab Space tick  F1 help  Esc back"
+    return "Enter next  Tab field  ↑↓ choice  F1 help  Esc back"
 
 
 _KEYS = """\
@@ -165,6 +172,7 @@ def explanation(page: Page, is_done: bool) -> tuple[str, str]:
     if page.form is not None and not is_done:
         declaration = page.form.declaration
         slots = "\n".join(f"{slot.name}: {slot.help}" for slot in declaration.slots)
-        about = f"{declaration.about}\n\n{declaration.usage}\n{slots}"
-        text = f"{about}\nFor example: {declaration.example}\n\n"
+        told = about(page.form) if page.form.drives else declaration.about
+        says = f"{told}\n\n{declaration.usage}\n{slots}"
+        text = f"{says}\nFor example: {declaration.example}\n\n"
     return title(page, is_done), text + _KEYS

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as some
+from machine import examples
 
 from plastron_tui.session import Session
 from plastron_tui.studio.editor.jumps import MOST, Jumps
@@ -104,6 +105,7 @@ def test_places_are_in_the_text_that_they_were_in_and_go_with_it() -> None:
     assert jumps.turn(-1) is None
 
 
+@settings(max_examples=examples(50), deadline=None)
 @given(
     row=some.integers(0, 199),
     edits=some.lists(

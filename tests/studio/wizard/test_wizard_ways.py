@@ -13,6 +13,9 @@ from wizard_driver import WizardDriver, wizard
 
 from plastron_tui.studio.main.screen import MainScreen
 from plastron_tui.studio.wizard.pages import PageKind
+from plastron_tui.studio.wizard.result_view import ResultView
+from plastron_tui.studio.wizard.screen import Wizard
+from plastron_tui.studio.wizard.statement_view import StatementView
 
 EXAMPLES = Path(__file__).parents[3] / "examples"
 
@@ -39,6 +42,20 @@ async def test_it_is_opened_from_the_welcome_by_a_key_and_from_the_menu(here: Pa
         await driver.pilot.press("l")
         await driver.back()
         assert driver.text == ""
+
+
+async def test_nothing_is_offered_before_the_first_page_is_known(
+    program: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(Wizard, "changed", lambda *_: None)
+    async with studio(program, (120, 40)) as driver:
+        await driver.pilot.press("alt+w")
+        shown = await driver.dialog("Wizard")
+        assert not any(button.display for button in shown.query(Button))
+        assert not shown.query_one(ResultView).display
+        assert not shown.query_one(StatementView).display
+        await driver.pilot.press("escape")
+        await driver.back()
 
 
 def test_nothing_of_it_is_loaded_before_it_is_opened() -> None:
