@@ -10,6 +10,7 @@ import sys
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from pathlib import Path
+from threading import Lock
 
 from command_line import Copies
 from machine import wait_until
@@ -55,6 +56,7 @@ def own_tracebacks(output: str) -> list[str]:
 
 
 _copies: list[Copies] = []
+_one_at_a_time = Lock()
 
 
 def use_copies(copies: Copies) -> None:
@@ -69,7 +71,9 @@ def plastron(*arguments: str | Path) -> subprocess.CompletedProcess[str]:
     """Run plastron in the working folder and the environment of this process."""
     given = list(map(str, arguments))
     if _copies:
-        done = _copies[0].run(given, Path.cwd(), b"", {}, is_debian=False)
+        # Some tests run the nodes of both libraries in threads of their own.
+        with _one_at_a_time:
+            done = _copies[0].run(given, Path.cwd(), b"", {}, is_debian=False)
         out, err = done.stdout.decode(), done.stderr.decode()
         return subprocess.CompletedProcess(done.args, done.returncode, out, err)
     command = [str(PLASTRON), *given]

@@ -28,7 +28,7 @@ _Place = tuple[InterfaceKind | None, int, str]
 class _Use:
     type: InterfaceName
     users: dict[_User, Statement]
-    owner: object
+    holder: object
     """Who may change it; for others it is a value."""
 
 
@@ -42,18 +42,18 @@ class Agreements:
         """Start with nothing in use."""
         self._uses: dict[_Place, _Use] = {}
         # Not this object itself: it would be a cycle, and the collector works seldom.
-        self._owner = object()
+        self._holder = object()
 
     def fork(self) -> Agreements:
         """Return the same once more: what happens to the one is nothing to the other."""
         other = Agreements()
         other._uses = dict(self._uses)
-        self._owner = object()
+        self._holder = object()
         return other
 
     def _own(self, place: _Place, use: _Use) -> _Use:
-        if use.owner is not self._owner:
-            use = self._uses[place] = _Use(use.type, dict(use.users), self._owner)
+        if use.holder is not self._holder:
+            use = self._uses[place] = _Use(use.type, dict(use.users), self._holder)
         return use
 
     def join(
@@ -65,7 +65,7 @@ class Agreements:
         use = self._uses.get(place)
         if use is None:
             assert isinstance(endpoint.type, InterfaceName)
-            use = self._uses[place] = _Use(endpoint.type, {}, self._owner)
+            use = self._uses[place] = _Use(endpoint.type, {}, self._holder)
         elif use.type != endpoint.type:
             return _conflict(use, endpoint, kind, statement)
         else:

@@ -116,6 +116,8 @@ def test_the_last_line_of_a_node_is_known_without_what_its_logger_puts_before_it
     run.note_said(["asker  | begun", "asker  | [INFO] [1.5] [asker]: add: sum=5", "asker  | "])
     run.note_said(["old    | [WARN] [1.5]: it did not fit", "plain  | [1, 2]", "no label"])
     assert run.said == {"asker": "add: sum=5", "old": "it did not fit", "plain": "[1, 2]"}
+    run.note_said(["asker | [INFO] add: example_interfaces.srv.AddTwoInts_Response(sum=5)"])
+    assert run.said["asker"] == "add: (sum=5)"
 
 
 def test_nodes_run_once_what_they_need_is_built() -> None:

@@ -28,8 +28,10 @@ if TYPE_CHECKING:
 
 _BUILDING = re.compile(r"building `([^`]+)`: ")
 """How a line begins that says how far a build is (see `ProgressLine`)."""
-_LOGGED = re.compile(r"^\[[A-Z]+\](?: \[[^\]]*\])*: ?")
+_LOGGED = re.compile(r"^\[[A-Z]+\](?: \[[^\]]*\])*:? ")
 """What a logger puts before a line: how bad it is, when it was, and who says it."""
+_TYPED = re.compile(r"\b\w+\.(?:msg|srv|action)\.\w+(?=\()")
+"""The type of a message before its fields, as Python shows it."""
 
 
 @dataclass(eq=False)
@@ -107,7 +109,8 @@ class TabRun:
         for line in printed:
             label, text = split_label(line)
             if label and text.strip():
-                self.said[label.removesuffix(SIGN).rstrip()] = _LOGGED.sub("", text).strip()
+                said = _TYPED.sub("", _LOGGED.sub("", text)).strip()
+                self.said[label.removesuffix(SIGN).rstrip()] = said
 
     def stage(self, now: float) -> str:
         """Return how far the nodes are: `starting`, built, `running`, `OLDER`, or "" for none.

@@ -109,6 +109,8 @@ class Frame(Paged, Dialog[str]):
     """
 
     CSS_PATH: ClassVar[CSSPathType | None] = STYLES
+    # The first page has the focus once it is known, and nothing before.
+    AUTO_FOCUS = ""
 
     course: Course
     look: Look

@@ -43,7 +43,7 @@ GROUPS = {
     Aim.MORE: Group(
         "give a node something more to do",
         "",
-        "Let a node of the program send, listen, ask, answer, and more; or let it do so no longer.",
+        "Let it send, listen, ask, answer, and more; or let it do so no longer.",
         "What shall it do?",
     ),
     Aim.TYPE: Group(
