@@ -13,7 +13,7 @@ from textual.message import Message
 from plastron_tui import collector
 from plastron_tui.session import Session
 from plastron_tui.studio import analysis_worker as module
-from plastron_tui.studio.analysis import analyse
+from plastron_tui.studio.analysis import PartMemo, analyse
 from plastron_tui.studio.analysis_worker import Analysed, AnalysisWorker
 from plastron_tui.studio.discarding import Discarded
 from plastron_tui.studio.panels.panel import Request
@@ -170,3 +170,15 @@ def test_garbage_is_let_go_when_nobody_asks_for_a_while(monkeypatch: pytest.Monk
     until(lambda: all(each() is None for each in made))
     worker.stop()
     worker.join(5)
+
+
+def test_what_an_analysis_did_not_ask_for_is_there_for_the_next_one() -> None:
+    first = PartMemo()
+    assert first.once("a", lambda: 1) == first.once("a", lambda: 2) == 1
+    first.forget()
+    # One that was given up before it had asked for everything.
+    second = PartMemo(first)
+    third = PartMemo(second)
+    assert third.once("a", lambda: 3) == 1
+    second.forget()
+    assert PartMemo(second).once("a", lambda: 4) == 4

@@ -52,6 +52,13 @@ def test_each_name_stands_once_with_what_it_names_and_its_line() -> None:
     assert names()[3].line.startswith("p publish go to 'cmd_vel'")
 
 
+def test_a_function_that_is_called_no_more_is_none_of_the_names() -> None:
+    text = b"load 'a.py' as a\na stop_repeating tick\na repeats tock at 2 hz\n"
+    session = Session(text, environ={})
+    found = names_of(text, session.program, session.workspace)
+    assert [each.entry.text for each in found if each.kind == "function of a"] == ["tock"]
+
+
 @pytest.mark.parametrize(
     ("query", "first"),
     [
