@@ -392,10 +392,7 @@ def test_commands_work_without_a_shell_around_them(here: Path) -> None:
 def test_check_tells_of_types_that_a_sourced_ros_does_not_have(here: Path, run: Run) -> None:
     write(here, "create_node 'a' as a\nsubscribe a to 'odom' of message_type Odometry\n")
     (here / "ros" / "share" / "std_msgs").mkdir(parents=True)
-    sourced = {
-        "ROS_VERSION": "2",
-        "ROS_DISTRO": "kilted",
-        "AMENT_PREFIX_PATH": str(here / "ros"),
-    }
+    ros = str(here / "ros")
+    sourced = {"ROS_VERSION": "2", "ROS_DISTRO": "kilted", "AMENT_PREFIX_PATH": ros}
     assert b"missing-ros-package" in run("check", "a.plastron", env=sourced).stderr
     assert b"missing-ros-package" not in run("check", "a.plastron").stderr
