@@ -237,7 +237,6 @@ class StyledLate(Widget):
 
     @property
     def _is_late(self) -> bool:
-        """Whether this version of Textual has what that takes."""
         return hasattr(self, "_attach") and hasattr(self, "_component_styles")
 
     def component(self, name: str) -> StylesBase:

@@ -63,7 +63,7 @@ def test_what_is_proposed_stands_first(program: str, first: str) -> None:
 def test_how_a_service_is_called_that_no_node_calls_is_said(is_called: bool) -> None:
     text = "create_node 'a' as a\na provides_service 'reset' of service_type Trigger\n"
     if is_called:
-        text += "a client_requests 'reset' of service_type Trigger\n"
+        text += "a client_requests 'reset' of service_type Trigger with input none\n"
     items = done_items(Session(f"{text}generate_node a\n".encode(), environ={}), "")
     about = next(each.about for each in items.values() if each.title == "run the nodes")
     assert about.endswith("Enter on `reset` in Live calls it: no node does yet.") != is_called
