@@ -238,9 +238,9 @@ class PackageNames:
         """How many bytes were read of other files."""
         return self._package.size
 
-    def is_of(self, other: PackageNames | None) -> bool:
-        """Whether other names were found out from the very same state of the package."""
-        return other is not None and other._package is self._package
+    def is_current(self, other: PackageNames) -> bool:
+        """Tell whether others that ask now would be answered by the disk as these were."""
+        return other._package is self._package or self._package.is_current()
 
     def complete(self, module: Analysis) -> Analysis:
         """Return what is known of another file, its call sites among it."""

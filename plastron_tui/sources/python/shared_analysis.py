@@ -2,11 +2,8 @@
 
 from __future__ import annotations
 
-import os
-import threading
 from pathlib import Path
 from typing import NamedTuple
-from weakref import WeakValueDictionary
 
 from plastron_tui.sources.text_memo import MEMO
 
@@ -17,26 +14,9 @@ from .sites import complete, outline
 from .syntax import parse
 
 
-class _Packages(threading.local):
-    """The packages that something is known of in a thread, by their main files and libraries."""
-
-    def __init__(self) -> None:
-        self.known: WeakValueDictionary[tuple[str, str], Package] = WeakValueDictionary()
-
-
-_PACKAGES = _Packages()
-
-
 def package_names(main: Path, library: ClientLibrary) -> PackageNames:
-    """Return what the names stand for that a file imports from its package.
-
-    What was found out before counts as long as the disk answers each question as it did then.
-    """
-    key = os.path.realpath(main), library.module
-    known = _PACKAGES.known.get(key)
-    if known is None or not known.is_current():
-        known = _PACKAGES.known[key] = Package(main, library)
-    return known.names
+    """Return what the names stand for that a file imports from its package; nothing is read yet."""
+    return Package(main, library).names
 
 
 class _Left(NamedTuple):
@@ -77,13 +57,23 @@ def analyze(text: bytes, library: ClientLibrary, package: PackageNames | None = 
     """
     key = analyze, text, library.module, None if package is None else package.path
     known: _Known | None = MEMO.get(key)
-    if known is not None and (package is None or package.is_of(known.analysis.package)):
+    if known is not None and _holds(known.analysis.package, package):
         known.left.give(known.analysis)
         return known.analysis
     analysis = complete(outline(parse(text), library, package))
     size = len(text) + (0 if package is None else package.size)
     MEMO.keep(key, _Known(analysis, _Left.of(analysis)), size)
     return analysis
+
+
+def _holds(before: PackageNames | None, package: PackageNames | None) -> bool:
+    """Tell whether the disk answers each question about a package as it did before.
+
+    A text has a package of its own: what another one has asked of it takes nothing from its budget.
+    """
+    if before is None or package is None:
+        return before is package
+    return before.is_current(package)
 
 
 def analyze_again(before: Analysis, text: bytes) -> Analysis:

@@ -148,6 +148,21 @@ def test_what_changes_beside_a_text_counts(
     assert analyzed[BESIDE.encode()] == 2
 
 
+def test_what_one_text_asks_of_a_package_takes_nothing_from_the_next(tmp_path: Path) -> None:
+    # So many modules are read of a package (`MOST_MODULES`), for each version of a file.
+    for number in range(40):
+        (tmp_path / f"m{number}.py").write_text(f"TOPIC = 'topic_{number}'\n")
+    for first in (0, 20):
+        text = "import rclpy\nfrom std_msgs.msg import String\nnode = rclpy.create_node('n')\n"
+        for number in range(first, first + 20):
+            text += f"from m{number} import TOPIC as T{number}\n"
+            text += f"node.create_publisher(String, T{number}, 10)\n"
+        found = analyze(text.encode(), RCLPY, package_names(tmp_path / "node.py", RCLPY))
+        assert [site.endpoint.name for site in found.sites] == [
+            f"topic_{number}" for number in range(first, first + 20)
+        ]
+
+
 def test_who_asks_next_may_ask_as_much(analyzed: Counter[bytes]) -> None:
     first = analyze(NODE.encode(), RCLPY)
     left = first.resolver.effort.in_all, first.resolver.passes_left
