@@ -16,7 +16,7 @@ from .line_mistakes import LineMistake
 from .open_values import NAME_MARKS
 from .repair_words import DIRECTIONS, FILLERS, NOUNS, QOS_WORDS, is_like, is_written_for
 from .sentence_match import intended
-from .tokens import QUOTED_KINDS, WORD_KINDS, Token, text_at, token_at
+from .tokens import QUOTED_KINDS, WORD_KINDS, Token, is_glued, text_at, token_at
 from .undoing import nearest_keyword
 
 
@@ -197,7 +197,8 @@ def _are_values(tokens: Sequence[Token], at: int) -> bool:
     before = [token.text for token in tokens[:at]]
     is_named = "=" in before and text_at(tokens, at + 1) not in NAME_MARKS
     is_field = text_at(tokens, at + 1) == "." and all(each.text != "=" for each in tokens[at:])
-    return not (is_named or is_field) and all(
+    # What is written as `5-3` is calculated.
+    return not (is_named or is_field or is_glued(tokens, at)) and all(
         token.text not in MARKS | {"."}
         and (token.text not in WORDS or token.text in ("True", "False"))
         for token in tokens[at - 1 : at + 1]

@@ -231,6 +231,7 @@ drop_robot rover
 create_message_type Mark without float64 x
 create_message go of message_type Point and input 1 - 2 3
 create_message go of message_type Point and input 1 + 2 3
+create_message go of message_type Point and input 5-3, 1, 2
 create_message go of message_type String and input "a" + "b"
 create_message go of message_type Point and no input
 adder provides_service 'add' of service_type AddTwoInts answering received.a x 2
