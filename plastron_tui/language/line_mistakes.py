@@ -6,7 +6,6 @@ from collections.abc import Sequence
 from typing import NamedTuple
 
 from plastron_tui.diagnostics import Diagnostic, Edit, Fix, Span, codes
-from plastron_tui.diagnostics.suggest import nearest
 
 from .broken_lines import Undecided
 from .common_mistakes import completed, recognised
@@ -17,6 +16,7 @@ from .sentence_errors import SentenceErrors
 from .sentence_match import match_sentence
 from .token_errors import unexpected
 from .tokens import UNKNOWN, WORD_KINDS, Token
+from .undoing import nearest_keyword
 from .verbs import kindred_verbs, nearest_verb
 
 
@@ -76,7 +76,7 @@ def _misspelt(tokens: Sequence[Token]) -> tuple[Token, str] | None:
     first = tokens[0]
     if first.kind not in WORD_KINDS:
         return None
-    name = None if _beginning_with(first.text) else nearest(first.text, FIRST_WORDS)
+    name = None if _beginning_with(first.text) else nearest_keyword(first.text, FIRST_WORDS)
     if name is not None:
         return first, name
     if len(tokens) < 2 or tokens[1].kind not in WORD_KINDS:

@@ -1,7 +1,9 @@
 """The fix of a line: what makes it a statement, where exactly one small change does.
 
 What may have been meant is tried with the grammar itself. A fix that would leave a mistake on its
-line is none.
+line is none, but for a word that is put right where the line merely is not all there yet. A wrong
+fix is worse than none: what a statement would say otherwise than the line did (`repair_certainty`)
+is not offered.
 """
 
 from __future__ import annotations
@@ -13,10 +15,12 @@ from plastron_tui.diagnostics import Diagnostic, Edit, Fix, Span, codes
 
 from .declaration import Declaration
 from .grammar import new_parser
+from .keywords import WORDS
 from .line_mistakes import LineMistake, first_mistake
 from .lowering import is_right
 from .mistake_place import shown
-from .repair_steps import MARKS, Likelihood, Step, steps
+from .repair_certainty import has_known_words, is_certain, keeps_undoing
+from .repair_steps import MARKS, SIGNS, Likelihood, Step, steps
 from .sentence_match import intended, match_sentence
 from .tokens import UNCLOSED_STRING, UNKNOWN, Token, text_at, tokens_of
 
@@ -25,6 +29,9 @@ _LONGEST = 400
 
 _UNREADABLE = frozenset({UNKNOWN, UNCLOSED_STRING})
 """What no change of words mends."""
+_GOING_ON = SIGNS | {".", ",", "="}
+"""What a line does not end with that is all there."""
+
 _MOST_STEPS = 3
 """How many changes a fix may consist of."""
 _MOST_TRIALS = 250
@@ -49,26 +56,50 @@ def fixed(
     found, remedy = mistake.diagnostic._replace(fix=None), mistake.diagnostic.fix
     start, end = tokens[0].start, tokens[-1].end
     line = source[start:end]
+    unrepaired = found
     if b"\n" in line or b"/*" in line:
         return mistake.diagnostic
     if remedy is not None:
         if any(edit.span.start < start or edit.span.end > end for edit in remedy.edits):
             return mistake.diagnostic
-        text = _edited(line, remedy.edits, start)
-        if is_right(new_parser().parse(text).root_node, text):
+        made = _Trial(_edited(line, remedy.edits, start))
+        is_kept = keeps_undoing(tokens, made.tokens) and has_known_words(made.tokens)
+        is_typed = _is_begun(tokens, mistake) and not is_spelling(mistake)
+        if is_kept and made.is_right and not is_typed:
             return mistake.diagnostic
+        # Of a line that is still being typed, what is written so far is put right.
+        if is_kept and is_spelling(mistake) and made.is_unfinished:
+            unrepaired = mistake.diagnostic
     if not is_tried or len(line) > _LONGEST or not _may_be_repaired(tokens, mistake):
-        return found
+        return unrepaired
     right = repaired(line)
-    return found if right is None else _with_fix(found, source, _fix(line, right, start))
+    return unrepaired if right is None else _with_fix(found, source, _fix(line, right, start))
+
+
+def is_spelling(mistake: LineMistake) -> bool:
+    """Tell whether the remedy of a mistake is to write one word of the language for another."""
+    fix = mistake.diagnostic.fix
+    if fix is None or len(fix.edits) != 1 or fix.edits[0].span != mistake.diagnostic.span:
+        return False
+    return fix.edits[0].text in WORDS
 
 
 def _may_be_repaired(tokens: Sequence[Token], mistake: LineMistake) -> bool:
     """Tell whether the grammar may guess; what variable is meant for a keyword, nobody knows."""
-    if any(each.kind in _UNREADABLE and each.text not in MARKS for each in tokens):
+    if any(each.kind in _UNREADABLE and each.text not in MARKS | SIGNS for each in tokens):
+        return False
+    if tokens[-1].text in _GOING_ON or _is_begun(tokens, mistake):
         return False
     is_twice = text_at(tokens, mistake.at) == text_at(tokens, mistake.at - 1)
     return mistake.diagnostic.code != codes.KEYWORD_AS_VARIABLE or is_twice
+
+
+def _is_begun(tokens: Sequence[Token], mistake: LineMistake) -> bool:
+    """Tell whether the last word of a line may be one of the language that is still being typed."""
+    last, wanted = tokens[-1].text, mistake.wanted
+    if mistake.at < len(tokens) - 1 or (wanted is not None and wanted.is_quoted):
+        return False
+    return last not in WORDS and any(word.startswith(last) for word in WORDS)
 
 
 def _with_fix(found: Diagnostic, source: bytes, fix: Fix) -> Diagnostic:
@@ -89,6 +120,7 @@ def _with_fix(found: Diagnostic, source: bytes, fix: Fix) -> Diagnostic:
 def repaired(line: bytes) -> bytes | None:
     """Return the statement that a line was to be, None where none or several may be meant."""
     going_on = [_Trial(line)]
+    tokens = going_on[0].tokens
     seen = {line}
     for _ in range(_MOST_STEPS):
         right: dict[bytes, Likelihood] = {}
@@ -103,7 +135,8 @@ def repaired(line: bytes) -> bytes | None:
                 seen.add(text)
                 made = _Trial(text, likelihood)
                 if made.is_right:
-                    right[text] = likelihood
+                    if is_certain(tokens, made.tokens):
+                        right[text] = likelihood
                 elif not right and trial.may_lead_to(made):
                     made_of_it.append(made)
             made_of_it.sort(key=lambda each: each.unmatched)
@@ -126,16 +159,17 @@ class _Trial:
         self.is_right = is_right(self._root, line)
 
     @cached_property
-    def _tokens(self) -> tuple[Token, ...]:
+    def tokens(self) -> tuple[Token, ...]:
+        """The words of the line."""
         return tuple(tokens_of(self._line, self._root.children))
 
     @cached_property
     def _mistake(self) -> LineMistake:
-        return first_mistake(self._line, self._tokens, self._declaration)
+        return first_mistake(self._line, self.tokens, self._declaration)
 
     @cached_property
     def _declaration(self) -> Declaration | None:
-        return intended(self._tokens)
+        return intended(self.tokens)
 
     def may_lead_to(self, made: _Trial) -> bool:
         """Tell whether another change may follow the one that this line was made into a trial by.
@@ -155,14 +189,19 @@ class _Trial:
         """
         if self._declaration is None:
             return len(self._line)
-        end = match_sentence(self._declaration, self._tokens).end
-        return 0 if end == len(self._tokens) else len(self._line) - self._tokens[end].start
+        end = match_sentence(self._declaration, self.tokens).end
+        return 0 if end == len(self.tokens) else len(self._line) - self.tokens[end].start
+
+    @property
+    def is_unfinished(self) -> bool:
+        """Whether the line is right up to its end."""
+        return self._mistake.at == len(self.tokens)
 
     @property
     def left(self) -> int:
         """How many bytes of the line are from its first mistake on."""
         at = self._mistake.at
-        return 0 if at == len(self._tokens) else len(self._line) - self._tokens[at].start
+        return 0 if at == len(self.tokens) else len(self._line) - self.tokens[at].start
 
     def changed(self) -> Iterator[tuple[bytes, Likelihood]]:
         """Yield what the line may be with one change at its first mistake."""
@@ -170,12 +209,16 @@ class _Trial:
         if mistake.diagnostic.fix is not None:
             text = _edited(self._line, mistake.diagnostic.fix.edits, 0)
             yield text, max(self._likelihood, Likelihood.POSSIBLE)
-        for step in steps(self._tokens, mistake):
+        is_spelt = is_spelling(mistake) and self._declaration is not None
+        for step in steps(self.tokens, mistake):
+            if is_spelt and (not step.text or step.first == step.end):
+                # What is near a word of the sentence is no value.
+                continue
             yield self._with(step), max(self._likelihood, step.likelihood)
 
     def _with(self, step: Step) -> bytes:
         """Return the line after a step, with one space around what is written."""
-        tokens, line = self._tokens, self._line
+        tokens, line = self.tokens, self._line
         before = line[: tokens[step.first - 1].end] if step.first else b""
         after = line[tokens[step.end].start :] if step.end < len(tokens) else b""
         text = step.text.encode()

@@ -10,14 +10,14 @@ from enum import IntEnum
 from itertools import pairwise
 from typing import Literal, NamedTuple
 
-from plastron_tui.diagnostics.suggest import nearest
-
 from .declaration import Declaration, Element, Form
 from .keywords import FIRST_WORDS, VERBS, WORDS
 from .line_mistakes import LineMistake
 from .open_values import NAME_MARKS
+from .repair_words import DIRECTIONS, FILLERS, NOUNS, QOS_WORDS, is_like, is_written_for
 from .sentence_match import intended
-from .tokens import WORD_KINDS, Token, text_at
+from .tokens import QUOTED_KINDS, WORD_KINDS, Token, is_glued, text_at, token_at
+from .undoing import nearest_keyword
 
 
 class Likelihood(IntEnum):
@@ -49,51 +49,12 @@ _LISTS = frozenset({Form.VALUES, Form.QOS, Form.FIELDS, Form.REMAPS, Form.SETTIN
 _LEAST_WORDS = 5
 """A line of fewer words says too little for a whole word of it to be guessed that is not there."""
 
-_LEAST_STEM = 2
-"""Letters that a word has besides its ending, at least one more than that."""
+MARKS = frozenset({"=", ":", "&", ";"})
+"""Signs that are written in the place of words and commas; no operators, which values have."""
 
-_SYNONYMS = {
-    "subscribe": ("listen", "listens", "receive", "receives", "hear", "hears", "subscriber"),
-    "unsubscribe": ("unlisten",),
-    "publish": ("send", "sends", "emit", "emits", "publisher", "write", "writes", "post"),
-    "client_requests": ("call", "calls", "ask", "asks", "client", "query", "queries"),
-    "provides_service": ("serve", "serves", "offer", "offers", "answer", "answers", "server"),
-    "repeats": ("call", "calls", "runs", "run", "timer", "every", "does", "loop", "loops"),
-    "load": ("import", "open", "read", "include", "use"),
-    "has_parameter": ("param", "parameters"),
-    "renames": ("remap", "remaps"),
-    "described_as": ("description", "describes", "describe", "described", "documented_as"),
-    "calling": ("callback", "handler", "with"),
-    "using": ("library",),
-}
-"""What others write for words of the language."""
-
-_SAYING_NOTHING = frozenset({"ha", "has", "no", "to", "stop"})
-"""Parts of words, as `_stem` leaves them, that do not tell one word from another."""
-
-_FILLERS = frozenset(
-    {"a", "an", "the", "topic", "node", "named", "called", "message", "service", "action", "type"}
-    | {"parameter", "rate", "function", "callback", "library", "variable", "name", "value"}
-)
-"""Words that say what follows, and that a sentence has no place for."""
-
-MARKS = frozenset({"=", ":", "-", ">", "<", "&", "|", ";", "+"})
-"""Signs that are written in the place of words and commas."""
-
-_LOOSE = (
-    MARKS
-    | _FILLERS
-    | frozenset(
-        {"is", "in", "on", "for", "by", "into", "onto", "over", "via", "per", "if"}
-        | {"where", "while", "then", "so", "has", "have", "values", "data", "use", "uses", "using"}
-        | {"respond", "reply", "returns", "return", "gives", "run", "runs", "calls", "call", "do"}
-        | {"initially", "starting", "initial", "times", "hertz", "second", "until", "when"}
-    )
-)
-"""What is written in the place of a word of a sentence, by who does not remember it."""
-
-_EQUALS = frozenset({":", "is", "equals", "equal", "to"})
-_COMMAS = frozenset({"and", ";", "&", "|", "+"})
+_EQUALS = frozenset({":", "is", "equals", "equal"})
+_COMMAS = frozenset({"and", ";", "&"})
+SIGNS = frozenset({"+", "-", "*", "/", "<", ">"})
 
 
 def steps(tokens: Sequence[Token], mistake: LineMistake) -> Iterator[Step]:
@@ -113,8 +74,6 @@ def _of_unknown(tokens: Sequence[Token]) -> Iterator[Step]:
         for word in words:
             if is_word and is_like(text, word):
                 yield Step(at, at + 1, word, Likelihood.PLAIN)
-            elif is_word and len(tokens) >= _LEAST_WORDS:
-                yield Step(at, at + 1, word)
             if len(tokens) >= _LEAST_WORDS:
                 yield Step(at, at, word)
     # What comes first is second, or what comes second is first.
@@ -126,23 +85,6 @@ def _of_unknown(tokens: Sequence[Token]) -> Iterator[Step]:
             yield Step(0, 2, f"{second} {word}", Likelihood.PLAIN)
 
 
-def is_like(text: str, word: str) -> bool:
-    """Tell whether a word may stand for one of the language: a synonym, or a part of it."""
-    text = text.lower()
-    if text in _SYNONYMS.get(word, ()):
-        return True
-    parts = {_stem(part) for part in word.split("_")} - _SAYING_NOTHING
-    return any(_stem(part) in parts for part in text.split("_"))
-
-
-def _stem(word: str) -> str:
-    """Return a word without the ending that it has in `publishes` and `listening`."""
-    for ending in ("ing", "s", "e"):
-        if word.endswith(ending) and len(word) > len(ending) + _LEAST_STEM:
-            word = word.removesuffix(ending)
-    return word
-
-
 def _of_known(
     tokens: Sequence[Token], mistake: LineMistake, declaration: Declaration
 ) -> Iterator[Step]:
@@ -152,29 +94,36 @@ def _of_known(
     words = [word for word in mistake.words if word not in flags]
     phrases = dict.fromkeys(_phrases(declaration, words))
     for phrase in phrases:
-        # Any words can be words of quality of service.
-        if phrase != "with qos":
-            yield Step(at, at, phrase)
-    yield from _taken_away(tokens, at)
-    behind = [each for each in (at - 1, at) if _is_loose(tokens, each)]
+        yield Step(at, at, phrase)
+    yield from _taken_away(tokens, at, _words(declaration))
     others = dict.fromkeys((*phrases, *_phrases(declaration, _beginnings(declaration))))
-    for first in behind:
+    for first in (at - 1, at):
         for end in (first + 1, first + 2):
-            if end <= max(at + 1, first + 1) and all(
-                _is_loose(tokens, i) for i in range(first, end)
-            ):
-                for phrase in others:
+            written = " ".join(token.text for token in tokens[first:end])
+            if first < 1 or end > min(at + 1, len(tokens)):
+                continue
+            for phrase in others:
+                if written != phrase and _is_for(tokens[first:end], phrase, declaration.keyword):
                     yield Step(first, end, phrase)
     if at < len(tokens) and tokens[at].kind in WORD_KINDS:
         expected = [*mistake.words, *_beginnings(declaration)]
-        near = nearest(tokens[at].text, expected)
+        near = nearest_keyword(tokens[at].text, expected)
         for word in expected:
             if word == near or is_like(tokens[at].text, word):
                 yield Step(at, at + 1, word)
         if mistake.wanted is not None and mistake.wanted.form is Form.TEXT:
             yield Step(at, len(tokens), f'"{_written(tokens[at:])}"')
     yield from _swapped(tokens, at)
-    yield from _moved(tokens, at, mistake.words)
+    if declaration.keyword != "renames":
+        yield from _moved(tokens, at, mistake.words)
+
+
+def _is_for(written: Sequence[Token], phrase: str, keyword: str) -> bool:
+    """Tell whether one or two tokens are surely written for words of a sentence."""
+    first, *rest = (token.text for token in written)
+    if not is_written_for(first, phrase, keyword):
+        return False
+    return not rest or rest[0] in ("=", ":", *phrase.split(" "))
 
 
 def _phrases(declaration: Declaration, words: Iterable[str]) -> Iterator[str]:
@@ -186,6 +135,12 @@ def _phrases(declaration: Declaration, words: Iterable[str]) -> Iterator[str]:
             for at in range(len(elements)):
                 if elements[at] == word:
                     yield " ".join(_words_from(elements, at))
+
+
+def _words(declaration: Declaration) -> list[str]:
+    """Return the words of a sentence."""
+    sequences = (declaration.elements, *(each.elements for each in declaration.clauses))
+    return [each for elements in sequences for each in elements if isinstance(each, str)]
 
 
 def _words_from(elements: Sequence[Element], first: int) -> Iterator[str]:
@@ -200,30 +155,36 @@ def _beginnings(declaration: Declaration) -> list[str]:
     return [each.keyword for each in declaration.clauses if isinstance(each.elements[0], str)]
 
 
-def _is_loose(tokens: Sequence[Token], at: int) -> bool:
-    text = text_at(tokens, at)
-    return 0 < at < len(tokens) and (text.lower() in _LOOSE or text in WORDS)
-
-
-def _taken_away(tokens: Sequence[Token], at: int) -> Iterator[Step]:
-    """Yield what a sentence has no place for, or has once."""
+def _taken_away(tokens: Sequence[Token], at: int, words: Sequence[str]) -> Iterator[Step]:
+    """Yield what says nothing, and what is said twice."""
     for first in (at - 1, at):
-        text = text_at(tokens, first)
-        if text and text == text_at(tokens, first + 1):
+        text, after = text_at(tokens, first), token_at(tokens, first + 1)
+        if after is None or first < 0 or tokens[first].kind not in WORD_KINDS | MARKS:
+            continue
+        if "." in (after.text, text_at(tokens, first - 1)):
+            continue
+        before = text_at(tokens, first - 1)
+        if (
+            text == after.text
+            or text in FILLERS
+            or (text in NOUNS and after.kind in QUOTED_KINDS)
+            or (text == "rate" and after.kind == "number")
+        ):
             yield Step(first, first + 1, "", Likelihood.PLAIN)
-        if text in _FILLERS:
-            yield Step(first, first + 1, "", Likelihood.PLAIN)
-    if _is_loose(tokens, at):
-        yield Step(at, at + 1, "")
+        elif (text == "and" and after.text in words) or (
+            text in MARKS and (before in WORDS or before in QOS_WORDS)
+        ):
+            yield Step(first, first + 1, "")
 
 
 def _marks(tokens: Sequence[Token], at: int, declaration: Declaration) -> Iterator[Step]:
     """Yield commas that are missing between values, and `=` for other words and marks."""
     if all(slot.kind.form not in _LISTS for slot in declaration.slots):
         return
-    if text_at(tokens, at) in _COMMAS:
+    is_calculated = any(token.text in SIGNS for token in tokens)
+    if text_at(tokens, at) in _COMMAS and not is_calculated:
         yield Step(at, at + 1, ",", joins="before")
-    if 0 < at < len(tokens) and not _is_unnamed_behind_named(tokens, at):
+    if 0 < at < len(tokens) and not is_calculated and _are_values(tokens, at):
         yield Step(at, at, ",", joins="before")
     for place in (at, at + 1):
         text = text_at(tokens, place)
@@ -231,16 +192,27 @@ def _marks(tokens: Sequence[Token], at: int, declaration: Declaration) -> Iterat
             yield Step(place, place + 1, "=", joins="both" if text == ":" else "")
 
 
-def _is_unnamed_behind_named(tokens: Sequence[Token], at: int) -> bool:
-    """Tell whether a value without a name would follow one that has a name, which cannot be."""
+def _are_values(tokens: Sequence[Token], at: int) -> bool:
+    """Tell whether two values, or words of a list, stand beside one another."""
     before = [token.text for token in tokens[:at]]
-    return "=" in before and text_at(tokens, at + 1) not in NAME_MARKS
+    is_named = "=" in before and text_at(tokens, at + 1) not in NAME_MARKS
+    is_field = text_at(tokens, at + 1) == "." and all(each.text != "=" for each in tokens[at:])
+    # What is written as `5-3` is calculated.
+    return not (is_named or is_field or is_glued(tokens, at)) and all(
+        token.text not in MARKS | {"."}
+        and (token.text not in WORDS or token.text in ("True", "False"))
+        for token in tokens[at - 1 : at + 1]
+    )
 
 
 def _swapped(tokens: Sequence[Token], at: int) -> Iterator[Step]:
     for first in (at - 1, at):
-        if 0 < first < len(tokens) - 1:
-            yield Step(first, first + 2, f"{tokens[first + 1].text} {tokens[first].text}")
+        if not 0 < first < len(tokens) - 1:
+            continue
+        pair = tokens[first : first + 2]
+        is_turned = any(token.text in DIRECTIONS for token in pair)
+        if not is_turned and any(token.text in WORDS for token in pair):
+            yield Step(first, first + 2, f"{pair[1].text} {pair[0].text}")
 
 
 def _moved(tokens: Sequence[Token], at: int, words: Iterable[str]) -> Iterator[Step]:

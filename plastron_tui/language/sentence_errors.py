@@ -6,7 +6,6 @@ from collections.abc import Iterator, Sequence
 from itertools import pairwise
 
 from plastron_tui.diagnostics import Diagnostic, Edit, Fix, Span, codes, write
-from plastron_tui.diagnostics.suggest import nearest
 
 from .declaration import Declaration, Element, Form, Slot, SlotKind
 from .field_mistakes import without_fields
@@ -17,6 +16,7 @@ from .open_values import ARITHMETIC, NAME_MARKS, OpenValues, end_of_received, is
 from .sentence_match import BEHIND_NUMBERS, SentenceMatch, SlotMatch
 from .token_errors import broken_text, unexpected
 from .tokens import QUOTED_KINDS, UNCLOSED_STRING, UNKNOWN, WORD_KINDS, Token, text_at, token_at
+from .undoing import nearest_keyword
 
 SENTENCE_IS = "the sentence is: "
 """What a help begins with that says how the whole statement is written."""
@@ -87,7 +87,7 @@ class SentenceErrors:
             )
         if token.kind in (UNKNOWN, UNCLOSED_STRING):
             return unexpected(token)
-        clause = nearest(token.text, match.following)
+        clause = nearest_keyword(token.text, match.following)
         if clause is not None and token.kind in WORD_KINDS:
             return self._not_the_word(clause, token)
         if token.text in match.passed:
@@ -101,7 +101,7 @@ class SentenceErrors:
                 continue
             if token.text in match.passed:
                 return self._no_more(token)
-            clause = nearest(token.text, match.following)
+            clause = nearest_keyword(token.text, match.following)
             # The word itself stands in a bracket that is not closed.
             if token.kind in WORD_KINDS and clause not in (None, token.text):
                 return self._not_the_word(clause, token)
@@ -113,7 +113,7 @@ class SentenceErrors:
     def _not_the_word(self, word: str, token: Token | None, *others: str) -> Diagnostic:
         found = self._expected(" or ".join(f"`{each}`" for each in (word, *others)), token)
         if token is not None and token.kind in WORD_KINDS:
-            meant = nearest(token.text, [word, *others])
+            meant = nearest_keyword(token.text, [word, *others])
             if meant is not None:
                 help_ = f"did you mean `{meant}`?"
                 return found._replace(help=help_, fix=write(meant, token.span))

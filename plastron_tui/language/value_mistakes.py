@@ -87,6 +87,9 @@ def period(place: Place, found: Diagnostic) -> Diagnostic | None:
         number, unit, end = "1", number, at + 2
     elif place.text(at) != "at" and _has_exact_rate(number) and unit not in _SECONDS:
         unit, end = "s", at + 2
+    if place.text(at) != "at" and place.text(at + 2) == "hz":
+        span = place.span(at, at + 3)
+        return mended(found, "how often is said with `at`", span, f"at {number} hz")
     if unit not in _SECONDS or not re.fullmatch(r"\d*\.?\d+", number) or not float(number):
         return None
     rate = f"at {1 / (float(number) * _SECONDS[unit]):.6g} hz"

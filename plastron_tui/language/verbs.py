@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-from plastron_tui.diagnostics.suggest import nearest
-
 from .keywords import VERBS
+from .undoing import nearest_keyword
 
 _BEGINNINGS = ("no_longer_has_", "has_")
 _ENDING_VERBS = ("no_longer_", "stop_")
@@ -21,9 +20,9 @@ def nearest_verb(word: str) -> str | None:
     for beginning in _BEGINNINGS:
         if word.startswith(beginning):
             ends = [each.removeprefix(beginning) for each in VERBS if each.startswith(beginning)]
-            end = nearest(word.removeprefix(beginning), ends)
+            end = nearest_keyword(word.removeprefix(beginning), ends)
             return None if end is None else beginning + end
-    found = nearest(word, VERBS)
+    found = nearest_keyword(word, VERBS)
     if found is None or (_is_ending(word) and not found.startswith(_ENDING_VERBS)):
         return None
     return found

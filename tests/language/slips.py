@@ -107,7 +107,6 @@ subscribe base to '/cmd_vel' of message_type Twist
     base listens to '/cmd_vel' of message_type Twist
 subscribe base to '/cmd_vel' of message_type Twist calling on_cmd
     subscribe base to '/cmd_vel' of message_type Twist call on_cmd
-    subscribe base to '/cmd_vel' of message_type Twist on_cmd
     subscribe base to '/cmd_vel' of message_type Twist calling calling on_cmd
 unsubscribe base from '/cmd_vel'
     unsubscribe base to '/cmd_vel'
@@ -119,7 +118,6 @@ adder provides_service 'add' of service_type AddTwoInts
     adder provides_service 'add' service_type AddTwoInts
     adder provides_service 'add' of message_type AddTwoInts
     adder provides_service 'add' of type AddTwoInts
-    adder provides_service to 'add' of service_type AddTwoInts
     adder provides 'add' of service_type AddTwoInts
     adder service 'add' of service_type AddTwoInts
     adder offers_service 'add' of service_type AddTwoInts
@@ -155,7 +153,16 @@ driver has_parameter 'speed' of parameter_type float with default 0.3 between 0 
     driver has_parameter 'speed' of parameter_type float with default 0.3 between 0, 1
 driver has_parameter 'speed' of parameter_type float with default 0.3 described_as "x"
     driver has_parameter 'speed' of parameter_type float with default 0.3 description "x"
+rover no_longer_has_link 'arm'
+    rover has_no_link 'arm'
+    rover lacks_link 'arm'
+    rover remove_link 'arm'
+demo no_longer_contains pilot
+    demo dont_contain pilot
+bring no_longer_starts 'pilot'
+    bring not_starts 'pilot'
 blinker repeats blink at 2 hz
+    blinker repeats blink every 2 hz
     blinker repeats blink 2 hz
     blinker repeats blink at 2
     blinker repeats blink every 0.5
@@ -210,6 +217,48 @@ subscribe base to '/cmd_vel' of message_type Twist with function on_cmd
 stop base publishing to '/cmd_vel'
 driver renames 'scan' to 'front/scan'
 generate pilot
+subscribe base to '/cmd_vel' of message_type Twist on_cmd
+adder provides_service to 'add' of service_type AddTwoInts
+delete_node 'n'
+kill_node pilot
+remove_package demo
+unload 'a.py' as pilot
+create_node 'n' as n unmanaged
+create_node 'n' as n not managed
+bring excludes 'x/y.launch.py'
+drop pilot
+drop_robot rover
+create_message_type Mark without float64 x
+create_message go of message_type Point and input 1 - 2 3
+create_message go of message_type Point and input 1 + 2 3
+create_message go of message_type Point and input 5-3, 1, 2
+create_message go of message_type String and input "a" + "b"
+create_message go of message_type Point and no input
+adder provides_service 'add' of service_type AddTwoInts answering received.a x 2
+generate_node pilot and base
+demo contains pilot and base
+bring starts pilot and base
+pilot publish go to '/cmd_vel' of message_type Twist for 10 seconds
+pilot publish go to '/cmd_vel' of message_type Twist until 5 s
+pilot publish go to '/cmd_vel' of message_type Twist in 5 seconds
+pilot publish go to '/cmd_vel' of message_type Twist at 2 khz
+pilot publish go to '/cmd_vel' of message_type Twist at once
+pilot publish go to '/cmd_vel' of message_type Twist one time
+pilot publish go to '/cmd_vel' of message_type Twist at half hz
+pilot publish go to '/cmd_vel' of message_type Twist at 2 hz once
+pilot publish go to '/cmd_vel' of message_type Twist not at 2 hz
+pilot publish go to '/cmd_vel' of message_type Twist with qos not latched
+pilot publish go to '/cmd_vel' of message_type Twist at 2 hz for_each 'scan'
+pilot publish go and stay to '/cmd_vel' of message_type Twist
+pilot publish '/cmd_vel' to go of message_type Twist
+subscribe base to '/cmd_vel' of message_type Twist not calling on_cmd
+unsubscribe '/cmd_vel' from base
+driver renames topic to 'b' from 'a'
+driver renames topic 'b' for 'a'
+driver renames topic 'a' <- 'b'
+rover has_joint 'j' of joint_type fixed 'arm' on 'base'
+rover has_joint 'j' of joint_type fixed to 'arm'
+rover has_link 'w' shaped sphere 5 at x=1
 """
 """Lines that several statements may be meant by, or one that cannot be told."""
 

@@ -249,7 +249,7 @@ _ENDS: dict[str, list[tuple[str, str, str, str | None]]] = {
         ("r delete_joint 'a'", "delete_joint", "`delete_joint` starts no statement",
          "did you mean `no_longer_has_joint`?"),
         ("r joint_limits 'j' -90 90", "joint_limits", "`joint_limits` starts no statement",
-         "did you mean `limits_joint 'j' between -90 and 90 deg`?"),
+         "did you mean `has_joint` or `limits_joint`?"),
         ("r has a link 'w'", "has", "`has` starts no statement", "`has_link` or `has_joint`?"),
         ("r.has_link 'a'", ".", "no point stands before `has_link`", "write `r has_link`"),
         ("generate r", "generate", "`generate` starts no statement",
