@@ -16,7 +16,7 @@ from processes import generate_one
 from test_goals import CANCELED, ENDLESS, ORDER, TYPE, patient
 
 import plastron_tui.runtime.observers as observers
-from plastron_tui.runtime.live_graph import LiveGraph
+from plastron_tui.runtime.live_graph import LiveGraph, LiveSending
 from plastron_tui.runtime.monitor import Monitor, MonitorCommand
 
 pytestmark = [pytest.mark.live, pytest.mark.long]
@@ -187,7 +187,7 @@ def test_a_message_is_sent_at_a_rate_until_it_is_stopped(
     order: dict[str, Any] = {"name": "/goal", "type": "std_msgs/Float64", "rate": 20}
     watched.ask(1, do="publish", values={"data": 1.5}, **order)
     node.wait_to_print("1.5", count=3)
-    assert known.sendings["/goal"] == (20, "1.5")
+    assert known.sendings["/goal"] == LiveSending(20, "1.5")
     # Another one replaces it, and what was sent is not one of theirs.
     watched.ask(2, do="publish", values={"data": 2.5}, **order)
     node.wait_to_print("2.5", count=3)

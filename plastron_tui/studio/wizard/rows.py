@@ -289,9 +289,12 @@ class Row(Horizontal):
         self.post_message(Entered(self, text))
 
     def select(self) -> None:
-        """Select what is entered, as after Tab: what is typed then takes its place."""
+        """Select what is entered, as after Tab: what is typed then takes its place.
+
+        What ends in a space is a beginning, such as a field's type: what is typed goes behind it.
+        """
         box = self.box
-        if isinstance(box, Input):
+        if isinstance(box, Input) and not box.value.endswith(" "):
             box.select_all()
 
     def on_input_changed(self, event: Input.Changed) -> None:
