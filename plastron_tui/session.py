@@ -248,15 +248,15 @@ class Session:
     @property
     def diagnostics(self) -> tuple[Diagnostic, ...]:
         """All that is wrong with the program, its project file, and the types that it uses."""
-        from plastron_tui.project.program_checks import program_problems
+        from plastron_tui.project.start_checks import start_problems
+        from plastron_tui.project.written_twice import written_twice
 
-        # The types are read when the program is interpreted.
-        meaning = self.interpret().diagnostics
-        whole = () if has_errors(meaning) else program_problems(
-            self.workspace, self.generate, self.plan, self.output, self.library
-        )  # fmt: skip
-        left = (each for problems in self._files.problems.values() for each in problems)
-        return (*self.project_problems, *meaning, *whole, *left, *self.type_problems)
+        meaning = self.interpret().diagnostics  # which reads the types
+        whole = [each for problems in self._files.problems.values() for each in problems]
+        if not has_errors(meaning):
+            whole += start_problems(self.workspace, self.generate, self.output, self.library)
+            whole += written_twice(self.workspace, self.plan)
+        return (*self.project_problems, *meaning, *whole, *self.type_problems)
 
     def lines(self, file: Path | None) -> LineIndex | None:
         """Return the lines of a file that a diagnostic is about; None is the program."""
