@@ -7,6 +7,7 @@ move. To move what they have built takes a third of the time that it takes to ru
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from functools import cache
 from itertools import islice
 from operator import attrgetter, is_
@@ -98,19 +99,8 @@ class _Mover:
             renamed = {
                 key: Renamed(each.name, self._span(each.span)) for key, each in renamed.items()
             }
-        return Node(
-            node.name,
-            node.variable,
-            self._span(node.span),
-            node.library,
-            node.source,
-            by_kind,
-            removed,
-            renamed,
-            node.file,
-            node.is_managed,
-            node.home,
-        )
+        span = self._span(node.span)
+        return replace(node, span=span, by_kind=by_kind, removed=removed, renamed=renamed)
 
     def message(self, message: Message) -> Message:
         if message.span.start < self._start:
