@@ -86,6 +86,16 @@ def _edit(session: Session, line: int, count: int, new: list[str]) -> None:
     session.edit(start, end, "".join(new).encode())
 
 
+def _as_alone(session: Session, earlier: Session) -> Session:
+    """Return a snapshot that has learnt, and means what a session means that has not."""
+    snapshot = session.snapshot()
+    snapshot.learn_from(earlier)
+    alone = Session(snapshot.document.text, environ={})
+    assert snapshot.diagnostics == alone.diagnostics
+    assert snapshot.workspace == alone.workspace
+    return snapshot
+
+
 @settings(max_examples=examples(30), deadline=None)
 @given(_AT, _edits())
 def test_a_program_means_the_same_whether_it_was_interpreted_from_a_checkpoint(
@@ -147,12 +157,7 @@ def test_what_was_written_at_the_end_before_counts_no_longer(
     assert earlier.workspace.nodes
     for end in ends:
         _edit(session, len(begin), 1, [end])
-        snapshot = session.snapshot()
-        snapshot.learn_from(earlier)
-        alone = Session(snapshot.document.text, environ={})
-        assert snapshot.diagnostics == alone.diagnostics
-        assert snapshot.workspace == alone.workspace
-        earlier = snapshot
+        earlier = _as_alone(session, earlier)
 
 
 _CLEAN = [*_PROGRAM[:20], *_PROGRAM[22:24]]
@@ -174,12 +179,7 @@ def test_statements_that_stand_elsewhere_mean_the_same(program: list[str], are_m
         assert not has_errors(earlier.diagnostics)
         for new in ("$\n", "é", "# ä\n"):
             _edit(session, line, 0, [new])
-            snapshot = session.snapshot()
-            snapshot.learn_from(earlier)
-            alone = Session(snapshot.document.text, environ={})
-            assert snapshot.diagnostics == alone.diagnostics
-            assert snapshot.workspace == alone.workspace
-            earlier = snapshot
+            earlier = _as_alone(session, earlier)
         assert (earlier.interpret().learnt.workspace is not None) == are_moved
 
 
@@ -194,12 +194,7 @@ def test_what_was_behind_the_end_of_a_program_is_gone(line: int) -> None:
         *((line - 1, 99, []), (line - 1, 0, comment), (0, 99, []), (0, 0, comment)),
     ):
         _edit(session, at, count, new)
-        snapshot = session.snapshot()
-        snapshot.learn_from(earlier)
-        alone = Session(snapshot.document.text, environ={})
-        assert snapshot.workspace == alone.workspace
-        assert snapshot.diagnostics == alone.diagnostics
-        earlier = snapshot
+        earlier = _as_alone(session, earlier)
 
 
 def test_statements_before_a_checkpoint_are_not_run_again() -> None:
