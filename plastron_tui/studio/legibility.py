@@ -83,6 +83,10 @@ def legible_style(style: Style, background: Color) -> Style | None:
     front, back = style.color, style.bgcolor
     behind = None if background.ansi is not None or background.a < 1 else background
     letters, cells = _seen(front), behind if back is None else _seen(back)
+    if cells is not None and back is not None and _is_default(front) and not style.reverse:
+        # Letters of the terminal's own colour go with its own ground, and with no other.
+        letters = _WHITE if luminance(cells) < _EVEN_LUMINANCE else _BLACK
+        return style + Style(color=_told(letters, back))
     if letters is None or cells is None:
         return None
     # In reverse the letters have the colour of the background; that one is moved then.
@@ -91,6 +95,10 @@ def legible_style(style: Style, background: Color) -> Style | None:
         return None if moved == cells else style + Style(bgcolor=_told(moved, back))
     moved = legible(letters, cells)
     return None if moved == letters else style + Style(color=_told(moved, front))
+
+
+def _is_default(color: TerminalColor | None) -> bool:
+    return color is None or color.is_default
 
 
 def _seen(color: TerminalColor | None) -> Color | None:

@@ -61,6 +61,24 @@ def test_the_terminals_own_colours_stay_its_own() -> None:
         assert legible_style(known_to_the_terminal, unknown) is None
 
 
+@pytest.mark.parametrize(
+    ("back", "color"),
+    [
+        ("white", "black"),
+        ("black", "bright_white"),
+        ("blue", "bright_white"),
+        ("#ffff00", "#000000"),
+    ],
+)
+@pytest.mark.parametrize("front", [None, "default"])
+def test_letters_of_the_terminals_own_colour_are_on_its_own_ground_alone(
+    back: str, color: str, front: str | None
+) -> None:
+    unknown = Color.parse("ansi_default")
+    style = Style(color=front, bgcolor=back)
+    assert legible_style(style, unknown) == style + Style(color=color)
+
+
 def test_what_is_not_read_keeps_its_colour() -> None:
     faint = Style(color="#202020", bgcolor="#000000")
     line = [Segment(text, faint) for text in ("a", "─│", "■ ", "⣿", "  ", "×37")]
