@@ -10,13 +10,38 @@ import errno
 import os
 import re
 import stat
-from contextlib import suppress
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager, suppress
+from contextvars import ContextVar
 from pathlib import Path
 from typing import TypeAlias
 
 # Open descriptors, which nobody can put into a folder.
 _HANDED_OVER = re.compile(r"/dev/stdin|(?:/dev|/proc/self)/fd/[0-9]+")
 _FLAGS = os.O_RDONLY | os.O_NONBLOCK | os.O_NOCTTY | os.O_CLOEXEC
+
+Observer: TypeAlias = Callable[[str, "os.stat_result | None", "bytes | None"], None]
+"""Gets a path, the status of the file as it was opened, and what it held; None where it failed."""
+
+_OBSERVER: ContextVar[Observer | None] = ContextVar("observer", default=None)
+
+
+def observer() -> Observer | None:
+    """Return who is to know of what is read, None for nobody."""
+    return _OBSERVER.get()
+
+
+@contextmanager
+def observed(tell: Observer) -> Iterator[None]:
+    """Let an observer know of each file that `read_regular` is asked for meanwhile.
+
+    So what was made of files can be kept together with all that it hangs on.
+    """
+    token = _OBSERVER.set(tell)
+    try:
+        yield
+    finally:
+        _OBSERVER.reset(token)
 
 
 def read_regular(path: Path | str, limit: int, *, is_own: bool = False) -> bytes:
@@ -32,6 +57,19 @@ def read_regular(path: Path | str, limit: int, *, is_own: bool = False) -> bytes
             to another user where it must not (`EPERM`).
         ValueError: the path has a NUL character.
     """
+    tell = _OBSERVER.get()
+    try:
+        status, text = _read(path, limit, is_own=is_own)
+    except (OSError, ValueError):
+        if tell is not None:
+            tell(os.fspath(path), None, None)
+        raise
+    if tell is not None:
+        tell(os.fspath(path), status, text)
+    return text
+
+
+def _read(path: Path | str, limit: int, *, is_own: bool) -> tuple[os.stat_result, bytes]:
     # Without waiting: opening a FIFO would wait for one that writes.
     descriptor = os.open(path, _FLAGS | (os.O_NOFOLLOW if is_own else 0))
     try:
@@ -48,7 +86,7 @@ def read_regular(path: Path | str, limit: int, *, is_own: bool = False) -> bytes
                 # A file of /proc says 0, and one that grows says too little.
                 text = stream.read(limit + 1)
             if len(text) <= limit:
-                return text
+                return status, text
     finally:
         os.close(descriptor)
     raise _too_large(path, limit)

@@ -6,7 +6,6 @@ more than a publisher offers.
 
 from __future__ import annotations
 
-import re
 from collections import defaultdict
 from collections.abc import Callable, Iterator, Mapping
 from itertools import islice, pairwise, product
@@ -16,6 +15,7 @@ from plastron_tui.diagnostics import Diagnostic, Edit, Fix, Label, Severity, Spa
 from plastron_tui.language.declaration import Statement
 from plastron_tui.language.lowering import Program
 from plastron_tui.ros.interfaces import InterfaceKind, InterfaceName
+from plastron_tui.ros.name_slips import LONGEST, is_slip, shortened
 from plastron_tui.ros.names import resolved_name, spelled
 from plastron_tui.ros.qos import Mismatch, Qos, mismatches, value_text
 
@@ -24,15 +24,8 @@ from .qos_remedies import meant_qos, qos_remedy
 from .type_agreement import CONFLICTS
 from .workspace import Node, Workspace
 
-_LONGEST = 100
-"""The longest name that is looked at, in characters: each of them may be the slip."""
 _MOST = 200
 """How many names that one side alone uses are compared at most, and pairs told of."""
-_OPPOSITES = frozenset({frozenset({"ping", "pong"}), frozenset({"near", "rear"})})
-"""Words of a letter's difference that people name two things by."""
-_SERIES = tuple(map(frozenset, ("xyz", "rpy", "rgb", "lr", "abcd")))
-"""Letters that people tell things of a kind apart by."""
-
 _Place = tuple[InterfaceKind, int, str]
 """A topic (or a service), in a generation of ROS, by its full name."""
 
@@ -186,7 +179,7 @@ def _slips(meetings: _Meetings) -> Iterator[tuple[list[_User], list[_User]]]:
     one_sided = [
         (place, users)
         for place, users in meetings.items()
-        if len(place[2]) <= _LONGEST
+        if len(place[2]) <= LONGEST
         and (len(users) == 1 or len({user.kind.facts.sends for user in users}) == 1)
     ]
     if len({users[0].kind.facts.sends for _, users in one_sided}) < 2:
@@ -197,7 +190,7 @@ def _slips(meetings: _Meetings) -> Iterator[tuple[list[_User], list[_User]]]:
         types = {user.endpoint.type for user in users}
         if len(types) == 1 and None not in types and not any(user.is_guess for user in users):
             side = sent if users[0].kind.facts.sends else heard
-            for name in _shortened(place[2]):
+            for name in shortened(place[2]):
                 side[place[:2], name, users[0].endpoint.type].append(place)
     pairs = (
         (one, other) for key in sent.keys() & heard for one in sent[key] for other in heard[key]
@@ -206,35 +199,8 @@ def _slips(meetings: _Meetings) -> Iterator[tuple[list[_User], list[_User]]]:
         senders, receivers = meetings[one], meetings[other]
         # A node that uses both names means both.
         nodes = {user.node.name for user in senders} & {user.node.name for user in receivers}
-        if not nodes and _is_slip(one[2], other[2]):
+        if not nodes and is_slip(one[2], other[2]):
             yield senders, receivers
-
-
-def _shortened(name: str) -> set[str]:
-    """Return a name, and it without each of its characters: names one slip apart share one."""
-    return {name, *(name[:at] + name[at + 1 :] for at in range(len(name)))}
-
-
-def _is_slip(one: str, other: str) -> bool:
-    """Tell whether a slip of the finger makes one name the other, and no other thing is meant."""
-    start = _common(one, other)
-    end = _common(one[start:][::-1], other[start:][::-1])
-    a, b = one[start : len(one) - end], other[start : len(other) - end]
-    is_slip = max(len(a), len(b)) == 1 or (len(a) == 2 and a == b[::-1])
-    words = set(re.split("[_/]", one)) ^ set(re.split("[_/]", other))
-    return (
-        is_slip
-        and not any(char.isdigit() for char in a + b)
-        and all(len(word) > 2 for word in words)
-        and words not in _OPPOSITES
-        and not any({a, b} <= series for series in _SERIES)
-    )
-
-
-def _common(one: str, other: str) -> int:
-    """Return how many characters two texts begin with alike."""
-    pairs = enumerate(zip(one, other, strict=False))
-    return next((at for at, (a, b) in pairs if a != b), min(len(one), len(other)))
 
 
 def _misspelt(one: list[_User], other: list[_User], program: Program) -> Diagnostic:

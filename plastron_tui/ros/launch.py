@@ -85,11 +85,13 @@ class Variable(Item):
     value: Text
 
 
-class Remapping(NamedTuple):
-    """A name of a node's, and the one that it gets."""
+@dataclass(frozen=True, slots=True)
+class Remapping:
+    """A name of a node's, and the one that it gets; where it stands tells no two apart."""
 
     old: Text
     new: Text
+    place: Place | None = field(default=None, compare=False, repr=False)
 
 
 class ParameterValue(NamedTuple):

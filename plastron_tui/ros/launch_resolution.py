@@ -8,8 +8,9 @@ namespace to the one around it unless it starts with `/`; `launch_ros.actions.No
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field, replace
+from typing import NamedTuple
 
 from .launch import (
     Argument,
@@ -31,7 +32,16 @@ from .launch import (
     joined,
 )
 from .launch_inclusion import Including
-from .launch_started import SHOWN, Opened, Resolved, Settings, Started, Unresolved
+from .launch_started import (
+    SHOWN,
+    VALUES,
+    Opened,
+    Resolved,
+    Settings,
+    Site,
+    Started,
+    Unresolved,
+)
 from .launch_text import Scope, Text
 from .launch_values import typed, typed_as
 from .names import spelled
@@ -50,6 +60,13 @@ def _no_include(path: str) -> Opened:
     return Opened(None, 2, "", "included files are not read here")
 
 
+class _Renaming(NamedTuple):
+    """A remap, and where it stands."""
+
+    names: tuple[str, str]
+    site: Site
+
+
 @dataclass(frozen=True, slots=True)
 class _State:
     """What holds at a place of a launch file."""
@@ -59,9 +76,13 @@ class _State:
     ros_version: int
     around: tuple[Including, ...] = ()
     namespace: str = ""
-    remaps: tuple[tuple[str, str], ...] = ()
+    remaps: tuple[_Renaming, ...] = ()
     settings: Settings = ()
     given: frozenset[str] = field(default_factory=frozenset)
+    unknown: frozenset[str] = frozenset()
+    included: tuple[Site, ...] = ()
+    pushed: Site | None = None
+    is_named: bool = True
 
 
 def resolve(
@@ -106,23 +127,28 @@ class _Resolution:
     def _item(self, item: Item, state: _State) -> _State:
         match item:
             case Argument(name=name, default=default):
-                if name not in state.scope.arguments and default is not None:
+                is_set = name in state.scope.arguments or name in state.unknown
+                if not is_set and default is not None:
                     return self._set(state, name, default, item)
             case Variable(name=name, value=value):
                 return self._set(state, name, value, item)
             case Namespace(namespace=namespace):
                 pushed = self._value(namespace, state, item, "a namespace")
                 if pushed is not None:
-                    return replace(state, namespace=joined(state.namespace, pushed) or "")
+                    within = joined(state.namespace, pushed) or ""
+                    return replace(state, namespace=within, pushed=(state.file, item.place))
+                return replace(state, is_named=False)
             case Remap(old=old, new=new):
                 pair = state.scope.value(old), state.scope.value(new)
                 if pair[0] is not None and pair[1] is not None:
                     names = (spelled(pair[0]), spelled(pair[1]))
-                    return replace(state, remaps=(*state.remaps, names))
+                    found = _Renaming(names, (state.file, item.place))
+                    return replace(state, remaps=(*state.remaps, found))
                 self._tell(state, item, "a remap", old if pair[0] is None else new)
+                return replace(state, is_named=False)
             case SetParameter(parameter=parameter) if state.ros_version == 2:
-                found = self._settings((parameter,), state, item)
-                return replace(state, settings=(*state.settings, *found))
+                set_ = self._settings((parameter,), state, item)
+                return replace(state, settings=(*state.settings, *set_))
             case StartedNode():
                 self._start(item, state, None)
             case Container():
@@ -133,7 +159,8 @@ class _Resolution:
             case Include():
                 return self._include(item, state)
             case Unread(what=what):
-                self._left_out(state, item, f"{what} is not understood, and left out")
+                message = f"{what} is not understood, and left out"
+                self._left_out(state, item, message, is_value=what in VALUES)
             case _:
                 pass
         return state
@@ -151,27 +178,33 @@ class _Resolution:
         known = dict(state.scope.arguments)
         if found is None:
             known.pop(name, None)
-            self._tell(state, item, f"the value of `{name}`", value)
+            self._tell(state, item, f"the value of `{name}`", value, is_value=True)
+            state = replace(state, unknown=state.unknown | {name})
         else:
             known[name] = found
+            state = replace(state, unknown=state.unknown - {name})
         return replace(state, scope=replace(state.scope, arguments=known))
 
     def _start(self, item: StartedNode, state: _State, container: str | None) -> Started | None:
         names = [item.package, item.executable, *(x for x in (item.name, item.namespace) if x)]
         if any(self._value(each, state, item, "a node") is None for each in names):
             return None
-        value = state.scope.value
+        value, remaps = state.scope.value, self._remaps(item, state)
         found = Started(
             value(item.package) or "",
             value(item.executable) or "",
             None if item.name is None else value(item.name) or None,
             self._within(item, state) or "",
-            self._remaps(item, state),
+            tuple(each.names for each in remaps),
             (*state.settings, *self._settings(item.parameters, state, item)),
             tuple(self._others(item, state)),
             container,
             state.file,
             item.place,
+            tuple(each.site for each in remaps),
+            state.included,
+            (state.file, item.place) if item.namespace is not None else state.pushed,
+            state.is_named and len(remaps) == len(state.remaps) + len(item.remaps),
         )
         self.started.append(found)
         return found
@@ -189,19 +222,20 @@ class _Resolution:
             elif key not in SHOWN:
                 self._tell(state, item, f"`{key}`", text)
 
-    def _remaps(self, item: StartedNode, state: _State) -> tuple[tuple[str, str], ...]:
+    def _remaps(self, item: StartedNode, state: _State) -> tuple[_Renaming, ...]:
         """Return the remaps of a node, the one that holds first.
 
         In ROS 1 one that stands nearer to the node holds. ROS 2 has those around it before its
         own on the command line, and takes the first that fits.
         """
         found = list(state.remaps)
-        for old, new in item.remaps:
-            pair = state.scope.value(old), state.scope.value(new)
+        for each in item.remaps:
+            pair = state.scope.value(each.old), state.scope.value(each.new)
             if pair[0] is None or pair[1] is None:
-                self._tell(state, item, "a remap", old if pair[0] is None else new)
+                self._tell(state, item, "a remap", each.old if pair[0] is None else each.new)
             else:
-                found.append((spelled(pair[0]), spelled(pair[1])))
+                names, place = (spelled(pair[0]), spelled(pair[1])), each.place or item.place
+                found.append(_Renaming(names, (state.file, place)))
         return tuple(found if state.ros_version == 2 else reversed(found))
 
     def _settings(
@@ -209,8 +243,10 @@ class _Resolution:
     ) -> Iterable[tuple[str, Setting] | str]:
         for each in parameters:
             if isinstance(each, ParameterFile):
-                file = self._value(each.file, state, item, "a parameter file")
-                if file is not None:
+                file = state.scope.value(each.file)
+                if file is None:
+                    self._tell(state, item, "a parameter file", each.file, is_value=True)
+                else:
                     yield file
                 continue
             name, value = state.scope.value(each.name), self._setting(each, state)
@@ -218,7 +254,9 @@ class _Resolution:
                 yield name, value
             else:
                 unknown = each.value if isinstance(each.value, Text) else each.name
-                self._tell(state, item, f"the parameter `{each.name}`", unknown)
+                self._tell(state, item, f"the parameter `{each.name}`", unknown, is_value=True)
+                told = self.unresolved.pop()
+                self.unresolved.append(told._replace(parameter=name or ""))
 
     def _setting(self, parameter: ParameterValue, state: _State) -> Setting | None:
         if not isinstance(parameter.value, Text):
@@ -273,7 +311,10 @@ class _Resolution:
             ros_version=opened.ros_version,
             around=around,
             namespace=namespace,
+            pushed=state.pushed if item.namespace is None else (state.file, item.place),
             given=frozenset(known),
+            unknown=_unknown_in(item, state, known),
+            included=(*state.included, (state.file, item.place)),
         )
         after = self.go(opened.launch.items, inner)
         if state.ros_version == 1:
@@ -281,7 +322,10 @@ class _Resolution:
         return replace(
             state,
             scope=replace(state.scope, arguments=after.scope.arguments),
+            unknown=after.unknown,
             namespace=after.namespace,
+            pushed=after.pushed,
+            is_named=after.is_named,
             remaps=after.remaps,
             settings=after.settings,
         )
@@ -298,8 +342,11 @@ class _Resolution:
                 return None
         known = dict(state.scope.arguments) if is_all else {}
         for name, text in item.arguments:
-            value = self._value(text, state, item, f"the argument `{name}`")
-            if value is not None:
+            value = state.scope.value(text)
+            if value is None:
+                self._tell(state, item, f"the argument `{name}`", text, is_value=True)
+                known.pop(name, None)
+            else:
                 known[name] = value
         return known
 
@@ -325,13 +372,22 @@ class _Resolution:
             self._tell(state, item, what, text)
         return found
 
-    def _tell(self, state: _State, item: Item, what: str, text: Text) -> None:
+    def _tell(
+        self, state: _State, item: Item, what: str, text: Text, *, is_value: bool = False
+    ) -> None:
         unknown = state.scope.unknown(text)
         shown = f"`{text}`" if unknown is None else f"`{Text((unknown,))}`"
-        self._left_out(state, item, f"{what} is left out: {shown} is not known here")
+        message = f"{what} is left out: {shown} is not known here"
+        self._left_out(state, item, message, is_value=is_value)
 
-    def _left_out(self, state: _State, item: Item, message: str) -> None:
-        self.unresolved.append(Unresolved(message, state.file, item.place))
+    def _left_out(self, state: _State, item: Item, message: str, *, is_value: bool = False) -> None:
+        self.unresolved.append(Unresolved(message, state.file, item.place, is_value=is_value))
+
+
+def _unknown_in(item: Include, state: _State, known: Mapping[str, str]) -> frozenset[str]:
+    """Return the arguments that an included file is given, and whose values are not known."""
+    around = state.unknown if state.ros_version == 2 else ()
+    return frozenset((*around, *(name for name, _ in item.arguments))) - known.keys()
 
 
 def holds(condition: Condition, scope: Scope) -> bool | None:

@@ -12,8 +12,21 @@ SHOWN = frozenset(("output", "emulate_tty", "exec_name", "respawn_delay", "sigte
 """What is said of a node and makes no difference to what runs: how its lines are shown, and how
 long it may take."""
 
+VALUES = frozenset(
+    (
+        "`<param>`", "`<rosparam>`", "`<env>`", "`<set_env>`", "`<unset_env>`", "`<append_env>`",
+        "`<log>`", "`<log_info>`", "`SetEnvironmentVariable`", "`AppendEnvironmentVariable`",
+        "`UnsetEnvironmentVariable`", "`LogInfo`", "`SetUseSimTime`", "`SetParametersFromFile`",
+    )
+)  # fmt: skip
+"""What is not understood and starts no node: it sets values, or says something."""
+
 Settings = tuple[tuple[str, Setting] | str, ...]
 """Values of parameters by their names, and files with such, in the order that nodes get them."""
+
+
+Site = tuple[str | None, Place | None]
+"""Where something stands: the launch file, and the place in it."""
 
 
 class Started(NamedTuple):
@@ -31,6 +44,10 @@ class Started(NamedTuple):
         container: the full name of the container that it runs in, None for a process of its own.
         file: the launch file that starts it.
         place: where that file does.
+        remap_places: the file and the place of each of the remaps.
+        included: the includes that lead to the file, the outermost first: each a file and a place.
+        pushed: what says the last part of its namespace, None where nothing does.
+        is_named: whether its namespace and all of its remaps are known.
     """
 
     package: str
@@ -43,6 +60,10 @@ class Started(NamedTuple):
     container: str | None = None
     file: str | None = None
     place: Place | None = None
+    remap_places: tuple[Site, ...] = ()
+    included: tuple[Site, ...] = ()
+    pushed: Site | None = None
+    is_named: bool = True
 
     @property
     def full_name(self) -> str | None:
@@ -68,12 +89,16 @@ class Unresolved(NamedTuple):
         file: the launch file.
         place: where it stands there.
         is_wrong: whether the files cannot be started at all.
+        is_value: whether it is a value alone: no node and no name is left out with it.
+        parameter: the parameter whose value it is, "" for anything else.
     """
 
     message: str
     file: str | None
     place: Place | None
     is_wrong: bool = False
+    is_value: bool = False
+    parameter: str = ""
 
 
 class Resolved(NamedTuple):

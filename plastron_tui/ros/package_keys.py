@@ -97,6 +97,32 @@ def key_of_header(header: str, ros_version: int, packages: Container[str]) -> st
     return folder if folder in packages or folder in table["packages"][ros_version] else None
 
 
+def package_of_module(module: str, ros_version: int, packages: Container[str]) -> str | None:
+    """Return the package of ROS that a module is of, None where that is not known.
+
+    Args:
+        module: the module's full name, such as `std_msgs.msg`.
+        ros_version: the generation of ROS, 1 or 2.
+        packages: further packages that are known, with a module of their name.
+    """
+    name = module.partition(".")[0]
+    key = _table("rosdep_keys.yaml")["ros"][ros_version].get(name)
+    return name if name in packages or key == name else None
+
+
+def package_of_header(header: str, ros_version: int, packages: Container[str]) -> str | None:
+    """Return the package of ROS that a header is of, None where that is not known.
+
+    Args:
+        header: the header's path as it is included, such as `std_msgs/msg/string.hpp`.
+        ros_version: the generation of ROS, 1 or 2.
+        packages: further packages that are known, with headers in a folder of their name.
+    """
+    name = header.partition("/")[0]
+    own = _table("header_keys.yaml")["packages"][ros_version]
+    return name if name in packages or name in own else None
+
+
 def is_ros_package(key: str, ros_version: int, packages: Container[str]) -> bool:
     """Tell whether what a header is of is a package of ROS, which CMake finds by its name."""
     table = _table("header_keys.yaml")

@@ -31,7 +31,8 @@ _NAME = re.compile(r"[A-Za-z_]\w*(?:[./][A-Za-z_]\w*)*", re.ASCII)
 _PATTERN_PART = re.compile(r"\*\*?|\w+", re.ASCII)
 _NO_XML = re.compile("[^\t\n\x20-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")
 _HALF = re.compile("[\ud800-\udfff]")
-_SECTION = "ros__parameters"
+SECTION = "ros__parameters"
+MIXED_LIST = "a list is of one type"
 _STRING = "tag:yaml.org,2002:str"
 _QUOTE_IT = 'write a text in quotes, such as `"0.8"`'
 
@@ -152,7 +153,7 @@ def params_file(nodes: Mapping[str, Mapping[str, Setting]]) -> str:
 
     document = {
         f"/{node.removeprefix('/')}": {
-            _SECTION: {
+            SECTION: {
                 name: _Text(value) if isinstance(value, str) else value
                 for name, value in of.items()
             }
@@ -180,7 +181,7 @@ def params_problem(text: str, ros_version: int) -> Mistake | None:
     """
     if ros_version == 2:
         found, mistakes = read_params(text)
-        nothing = Mistake("it gives no node a parameter", help=f"they stand below `{_SECTION}:`")
+        nothing = Mistake("it gives no node a parameter", help=f"they stand below `{SECTION}:`")
         return next(iter(mistakes), None if any(each.values for each in found) else nothing)
     root = _composed(text)
     if isinstance(root, Mistake):
@@ -218,9 +219,28 @@ def values_of(found: Iterable[NodeParameters], *names: str) -> dict[str, Setting
     """Return the parameters of a node that goes by these full names; what comes later wins."""
     values: dict[str, Setting] = {}
     for pattern, of in found:
-        if any(re.fullmatch(_expression(pattern), name, re.ASCII) for name in names):
+        if any(is_for(pattern, name) for name in names):
             values |= of
     return values
+
+
+def is_for(pattern: str, name: str) -> bool:
+    """Tell whether the parameters of a pattern are for the node of a full name."""
+    return re.fullmatch(_expression(pattern), name, re.ASCII) is not None
+
+
+def is_node_pattern(text: str) -> bool:
+    """Tell whether a text is a name of nodes, with wildcards or not."""
+    return text != "" and all(map(_PATTERN_PART.fullmatch, text.split("/")))
+
+
+def value_of(node: _Node, text: str) -> Setting | Mistake:
+    """Return the value of a node of the tree of a text, or why it has none that ROS takes."""
+    try:
+        return _value(node, text)
+    except _NoValueError as error:
+        mistake: Mistake = error.args[0]
+        return mistake
 
 
 class _Reader:
@@ -233,13 +253,13 @@ class _Reader:
 
     def nodes(self, node: _Node, pattern: str) -> None:
         """Read what stands below a part of a node's name."""
-        for key, value in self._pairs(node, f"a node's parameters stand below `{_SECTION}:`"):
+        for key, value in self._pairs(node, f"a node's parameters stand below `{SECTION}:`"):
             name = key.value.strip("/")
-            if name == _SECTION and pattern:
+            if name == SECTION and pattern:
                 values: dict[str, Setting] = {}
                 self._values(value, "", values)
                 self.found.append(NodeParameters(pattern, values))
-            elif name and all(map(_PATTERN_PART.fullmatch, name.split("/"))):
+            elif is_node_pattern(name):
                 self.nodes(value, f"{pattern}/{name}")
             else:
                 self._report(_at(key, f"{_shown(key.value)} is no name of a node"))
@@ -285,19 +305,16 @@ def _value(node: _Node, text: str) -> Setting:
     if node.id == "scalar":
         return _scalar(node, text)
     if not node.value:
-        raise _NoValueError(
-            _at(node, "an empty list has no type, and ROS 2 takes none at the start")
-        )
+        message = "an empty list has no type, and ROS 2 takes none at the start"
+        raise _NoValueError(_at(node, message))
     if any(each.id != "scalar" for each in node.value):
         raise _NoValueError(_at(node, "a list holds single values, and no lists", _QUOTE_IT))
     values = tuple(_scalar(each, text) for each in node.value)
     kinds = {type(each) for each in values}
     if kinds == {int, float}:
-        raise _NoValueError(
-            _at(node, "a list is of one type", "write each number with a point: `1.0`")
-        )
+        raise _NoValueError(_at(node, MIXED_LIST, "write each number with a point: `1.0`"))
     if len(kinds) > 1:
-        raise _NoValueError(_at(node, "a list is of one type", _QUOTE_IT))
+        raise _NoValueError(_at(node, MIXED_LIST, _QUOTE_IT))
     return values
 
 

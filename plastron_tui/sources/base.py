@@ -12,6 +12,7 @@ from pathlib import Path
 from typing import ClassVar, NamedTuple, TypeVar
 
 from plastron_tui.diagnostics import Diagnostic, codes
+from plastron_tui.model.code_facts import CodeFacts
 from plastron_tui.model.source import FileSet, SourceUnit
 
 _Method = TypeVar("_Method", bound=Callable[..., object])
@@ -101,6 +102,12 @@ class Language:
         del files, library
         message = f"plastron cannot read {self.title} files yet, such as `{path.name}`"
         return ReadResult(None, (Diagnostic(codes.UNSUPPORTED_TARGET, message),))
+
+    @if_it_fails(CodeFacts())
+    def code_facts(self, source: SourceUnit) -> CodeFacts:
+        """Return what the code of files does besides creating endpoints, as far as it is sure."""
+        del source
+        return CodeFacts()
 
     def runs_by_itself(self, name: str, packages: Container[str], *, is_own: bool) -> str | None:
         """Tell what runs a file of a name unasked, None where nothing of the language does.

@@ -8,7 +8,8 @@ from __future__ import annotations
 
 import threading
 from collections import OrderedDict
-from collections.abc import Callable, Hashable
+from collections.abc import Callable, Hashable, Iterator
+from contextlib import contextmanager
 from functools import wraps
 from typing import Any, TypeVar
 
@@ -22,6 +23,7 @@ _LEAST = 1024
 """What a result counts at least: a text of a few bytes is not all that is kept of it."""
 
 _Result = TypeVar("_Result")
+_Source = TypeVar("_Source")
 
 
 class TextMemo(threading.local):
@@ -62,6 +64,12 @@ class TextMemo(threading.local):
             _, (_, left) = self._known.popitem(last=False)
             self.size -= left
 
+    def take(self, key: Hashable) -> Any:
+        """Return the result of a key and forget it, None where it is not known."""
+        found, size = self._known.pop(key, (None, 0))
+        self.size -= size
+        return found
+
     def clear(self) -> None:
         """Forget all, in this thread."""
         self._known.clear()
@@ -89,3 +97,48 @@ def remembered(make: Callable[[bytes], _Result]) -> Callable[[bytes], _Result]:
         return found[0]
 
     return find
+
+
+class _Lending(threading.local):
+    """Results that may be had again, and those that somebody has now."""
+
+    depth = 0
+
+    def __init__(self) -> None:
+        """Begin with nothing, in a thread that asks for the first time."""
+        self.lent: list[tuple[Hashable, object, int]] = []
+
+
+_LENDING = _Lending()
+
+
+@contextmanager
+def sharing() -> Iterator[None]:
+    """Let `lent` return what was lent before, to who has given it back at the end of this.
+
+    For who reads many files one after the other, and keeps nothing of a file but plain data.
+    """
+    _LENDING.depth += 1
+    try:
+        yield
+    finally:
+        _LENDING.depth -= 1
+        if not _LENDING.depth:
+            for key, result, size in _LENDING.lent:
+                MEMO.keep(key, result, size)
+            _LENDING.lent.clear()
+
+
+def lent(make: Callable[[_Source], _Result], source: _Source, text: bytes) -> _Result:
+    """Return what a function makes of something that stands for a text.
+
+    Who gets it may change it, until somebody else gets it: of two that have it at the same time
+    each has one of its own. Without `sharing` it is always made anew.
+    """
+    if not _LENDING.depth:
+        return make(source)
+    key = lent, make, text
+    found: _Result | None = MEMO.take(key)
+    result = make(source) if found is None else found
+    _LENDING.lent.append((key, result, len(text)))
+    return result

@@ -128,7 +128,7 @@ def test_somebody_says_where_joints_are(
     assert names == {*wanted, "robot_state_publisher"}
     assert ("joint_state_publisher" in depends(package)) == ("joint_state_publisher" in wanted)
     remaps = nodes_there["robot_state_publisher"].remaps
-    heard = {str(old): str(new) for old, new in remaps}.get("joint_states", "/joint_states")
+    heard = {str(each.old): str(each.new) for each in remaps}.get("joint_states", "/joint_states")
     assert heard == published
     if {"driver", "joint_state_publisher"} <= wanted:
         sources = settings(nodes_there["joint_state_publisher"])["source_list"]

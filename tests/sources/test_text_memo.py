@@ -6,7 +6,7 @@ import gc
 from concurrent.futures import ThreadPoolExecutor
 from weakref import ref
 
-from plastron_tui.sources.text_memo import MEMO, TextMemo, remembered
+from plastron_tui.sources.text_memo import MEMO, TextMemo, lent, remembered, sharing
 
 
 def test_the_least_recently_used_is_forgotten_first():
@@ -66,3 +66,26 @@ def test_what_is_forgotten_is_let_go():
         assert left() is None
     finally:
         gc.enable()
+
+
+def test_what_is_lent_is_nobody_elses_until_it_is_given_back():
+    MEMO.clear()
+
+    def make(source: bytes) -> list[bytes]:
+        return [source]
+
+    def borrow() -> list[bytes]:
+        return lent(make, b"text", b"text")
+
+    assert borrow() is not borrow()
+    with sharing():
+        had = [borrow(), borrow()]
+        with sharing():
+            had.append(borrow())
+        assert len(set(map(id, had))) == 3
+    with sharing():
+        again = borrow()
+    assert any(again is each for each in had)
+    alone = borrow()
+    assert all(alone is not each for each in had)
+    MEMO.clear()

@@ -113,6 +113,17 @@ class Catalog:
             self._found[key] = interface
         return interface
 
+    def is_sole(self, name: InterfaceName, kind: InterfaceKind) -> bool:
+        """Tell whether there is one definition of an interface at most.
+
+        There is more than one where several folders have it, and where a type folder has a type of
+        a package of the distribution, whose own one counts.
+        """
+        index = data.index(self.distribution)
+        is_own = name in index.names[kind] and name.package not in index.partial
+        has_file = self._own.file(name, kind) is not None
+        return not (is_own and has_file) and not self._own.is_twice(name, kind)
+
     def with_undefined(self, used: Iterable[tuple[InterfaceKind, InterfaceName]]) -> Catalog:
         """Return a catalog that takes the types that a file uses as they are, defined or not."""
         unknown = {

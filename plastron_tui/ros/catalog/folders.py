@@ -55,10 +55,15 @@ class TypeFolders:
         self._folders = tuple(folders)
         self._files: dict[InterfaceKind, dict[InterfaceName, Path]] | None = None
         self._by_bare: dict[InterfaceKind, dict[str, list[InterfaceName]]] = {}
+        self._again: set[tuple[InterfaceKind, InterfaceName]] = set()
 
     def file(self, name: InterfaceName, kind: InterfaceKind) -> Path | None:
         """Return the file that defines an interface, None when no folder has one."""
         return self._listed()[kind].get(name)
+
+    def is_twice(self, name: InterfaceName, kind: InterfaceKind) -> bool:
+        """Tell whether several files define an interface, of which the first one counts."""
+        return bool(self._listed()) and (kind, name) in self._again
 
     def names(self, kind: InterfaceKind) -> Sequence[InterfaceName]:
         """Return the names of the interfaces of a kind, in no order."""
@@ -79,7 +84,9 @@ class TypeFolders:
             for folder in self._folders:
                 for package, kind, listing in _interface_folders(folder):
                     for name, file in _definitions(listing, kind):
-                        self._files[kind].setdefault(InterfaceName(package, name), file)
+                        known = self._files[kind].setdefault(InterfaceName(package, name), file)
+                        if known != file:
+                            self._again.add((kind, InterfaceName(package, name)))
         return self._files
 
 

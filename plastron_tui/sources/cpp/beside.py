@@ -9,7 +9,7 @@ from __future__ import annotations
 from contextlib import suppress
 from pathlib import Path
 
-from plastron_tui.regular_files import read_regular
+from plastron_tui.sources.still_disk import asked_once, read_once
 
 from .scopes import CppFile, Function
 from .structure import outline
@@ -32,20 +32,23 @@ def sources_beside(path: Path, files: list[CppFile]) -> tuple[list[CppFile], tup
     paths: list[Path] = []
     own = {file.name.replace("{}", path.stem).rpartition("/")[2] for file in files}
     with suppress(OSError):
-        beside = sorted(
-            each for each in path.parent.iterdir() if each.suffix in _SUFFIXES and each != path
-        )
+        beside = [each for each in _sources_in(path.parent) if each != path]
         for other in beside[:_MOST_LOOKED_AT]:
             if other.name in own or len(found) >= MOST_SOURCES:
                 continue
             with suppress(OSError, ValueError):
-                text = read_regular(other, _LARGEST)
+                text = read_once(other, _LARGEST)
                 if b"\x00" not in text and any(name in text for name in headers):
                     file = outline(other.name, parse(text))
                     file.is_beside = True
                     found.append(file)
                     paths.append(other)
     return found, tuple(paths)
+
+
+@asked_once
+def _sources_in(folder: Path) -> tuple[Path, ...]:
+    return tuple(sorted(each for each in folder.iterdir() if each.suffix in _SUFFIXES))
 
 
 def _declares(file: CppFile, files: list[CppFile], stem: str) -> bytes | None:

@@ -11,14 +11,16 @@ import os
 import re
 from collections.abc import Iterator
 from contextlib import suppress
+from functools import lru_cache
 from pathlib import Path
 
-from plastron_tui.regular_files import read_regular
+from plastron_tui.sources.still_disk import asked_once, is_file, read_once
 
 MOST_HEADERS = 24
 """The most headers that one file is read with."""
 
 _MOST_INCLUDES = 200
+_MOST_TEXTS = 64
 _LARGEST = 256 * 1024
 _MOST_BYTES = 1024 * 1024
 _MOST_DEEP = 4
@@ -70,7 +72,7 @@ def included_by(path: Path, text: bytes) -> Iterator[Path]:
 def _gather(
     text: bytes,
     folder: str,
-    roots: list[str],
+    roots: tuple[str, ...],
     main: str,
     stem: str,
     found: dict[str, None],
@@ -88,7 +90,7 @@ def _gather(
         if name is None or name in found or name.startswith("{}.c"):
             continue
         with suppress(OSError, ValueError):
-            held = read_regular(Path(place), _LARGEST)
+            held = read_once(place, _LARGEST)
             if len(held) > left[0]:
                 continue
             left[0] -= len(held)
@@ -99,7 +101,12 @@ def _gather(
             _gather(held, where, roots, main, stem, found, left, depth + 1)
 
 
-def _includes(text: bytes) -> Iterator[str]:
+@lru_cache(_MOST_TEXTS)
+def _includes(text: bytes) -> tuple[str, ...]:
+    return tuple(_included(text))
+
+
+def _included(text: bytes) -> Iterator[str]:
     for at, include in enumerate(_INCLUDE.finditer(text)):
         if at >= _MOST_INCLUDES:
             return
@@ -110,11 +117,12 @@ def _includes(text: bytes) -> Iterator[str]:
             yield name
 
 
-def _place(include: str, folder: str, roots: list[str]) -> str | None:
+@asked_once
+def _place(include: str, folder: str, roots: tuple[str, ...]) -> str | None:
     """Return the file of the package that an include names, None for one of another package."""
     for root in (folder, *roots):
         place = os.path.normpath(os.path.join(root, include))  # noqa: PTH118
-        if os.path.isfile(place):  # noqa: PTH113
+        if is_file(place):
             return place
     return None
 
@@ -132,8 +140,18 @@ def _relative(place: str, main: str, stem: str) -> str | None:
     return None
 
 
-def _roots(folder: str) -> list[str]:
+def _roots(folder: str) -> tuple[str, ...]:
     """Return the folders that the headers of a package are looked for in."""
+    roots, package = _near(folder)
+    if package is None:
+        return roots
+    # They are of one target or another: what is near comes first.
+    return tuple(dict.fromkeys((*roots, *_added(package))))
+
+
+@asked_once
+def _near(folder: str) -> tuple[tuple[str, ...], str | None]:
+    """Return the folders where headers are by habit, and that of the package, None for none."""
     above = [folder]
     for _ in range(_MOST_ABOVE):
         outer = os.path.dirname(above[-1])  # noqa: PTH120
@@ -141,7 +159,7 @@ def _roots(folder: str) -> list[str]:
             break
         above.append(outer)
     package = next(
-        (at for at, each in enumerate(above) if os.path.isfile(os.path.join(each, "package.xml"))),  # noqa: PTH113,PTH118
+        (at for at, each in enumerate(above) if is_file(os.path.join(each, "package.xml"))),  # noqa: PTH118
         None,
     )
     chain = above[: package + 1] if package is not None else above[:3]
@@ -153,23 +171,27 @@ def _roots(folder: str) -> list[str]:
             roots += folders[:_MOST_ABOVE]
     for each in chain:
         roots += [os.path.join(each, "include"), os.path.join(each, "src"), each]  # noqa: PTH118
-    if package is not None:
-        # They are of one target or another: what is near comes first.
-        roots += _added(chain[-1])
-    return roots
+    return tuple(roots), None if package is None else chain[-1]
 
 
 def _added(package: str) -> list[str]:
     """Return the folders of a package that its CMakeLists.txt has headers looked for in."""
-    found: dict[str, None] = {}
+    # It is asked of for each file: who notes what is read for one has to hear of it.
     with suppress(OSError, ValueError):
-        text = read_regular(os.path.join(package, "CMakeLists.txt"), _LARGEST)  # noqa: PTH118
-        for command in _ADDED.finditer(text):
-            for word in command[1].decode("utf-8", "replace").split():
-                folder = os.path.normpath(_OWN_FOLDER.sub("", word.strip('"')).rstrip(">"))
-                if not folder.startswith(("/", "..", "$")) and "{" not in folder:
-                    found[os.path.join(package, folder)] = None  # noqa: PTH118
-    return list(found)[:_MOST_FOLDERS]
+        text = read_once(os.path.join(package, "CMakeLists.txt"), _LARGEST)  # noqa: PTH118
+        return [os.path.join(package, folder) for folder in _added_by(text)]  # noqa: PTH118
+    return []
+
+
+@lru_cache(_MOST_TEXTS)
+def _added_by(text: bytes) -> tuple[str, ...]:
+    found: dict[str, None] = {}
+    for command in _ADDED.finditer(text):
+        for word in command[1].decode("utf-8", "replace").split():
+            folder = os.path.normpath(_OWN_FOLDER.sub("", word.strip('"')).rstrip(">"))
+            if not folder.startswith(("/", "..", "$")) and "{" not in folder:
+                found[folder] = None
+    return tuple(found)[:_MOST_FOLDERS]
 
 
 def _sources_of(path: Path, folder: str) -> Iterator[str]:
@@ -187,7 +209,7 @@ def _sources_of(path: Path, folder: str) -> Iterator[str]:
         for suffix in _SOURCES:
             name = f"{outer}{{}}{suffix}"
             place = os.path.join(folder, name.replace("{}", path.stem))  # noqa: PTH118
-            if os.path.isfile(place):  # noqa: PTH113
+            if is_file(place):
                 yield name
                 return
     if found:

@@ -5,7 +5,8 @@ from __future__ import annotations
 from pathlib import Path
 from typing import ClassVar
 
-from plastron_tui.model.source import FileSet
+from plastron_tui.model.code_facts import CodeFacts
+from plastron_tui.model.source import FileSet, SourceUnit
 from plastron_tui.sources.base import Language, ReadResult
 
 from .includes import included
@@ -41,6 +42,12 @@ class Cpp(Language):
         from .mentioned import mentioned_library
 
         return mentioned_library(text)
+
+    def code_facts(self, source: SourceUnit) -> CodeFacts:
+        """Return what the C++ files of a unit do besides creating endpoints."""
+        from .facts import code_facts
+
+        return code_facts(source)
 
     def is_worse(self, text: bytes, *others: bytes) -> bool:
         """Tell whether a text parses at fewer places than each of the others."""

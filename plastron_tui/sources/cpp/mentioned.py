@@ -5,6 +5,10 @@ from __future__ import annotations
 import re
 
 _ROS1 = re.compile(rb'#[ \t]*include[ \t]*[<"]ros/|\bros::[A-Za-z]')
+_ROSSERIAL = re.compile(rb'^[ \t]*#[ \t]*include[ \t]*[<"]ros\.h[>"]', re.MULTILINE)
+_ROSCPP = re.compile(rb'#[ \t]*include[ \t]*[<"]ros/')
+"""What rosserial, the ROS of microcontrollers, does not have: its classes have the same names."""
+
 _ROS2 = re.compile(rb'#[ \t]*include[ \t]*[<"]rclcpp|\brclcpp(?:_\w+)?::')
 _NODELET = re.compile(
     rb"\bnodelet::Nodelet\b|\bPLUGINLIB_(?:EXPORT|DECLARE)_CLASS[ \t]*\([^;{}]*nodelet"
@@ -45,4 +49,6 @@ def mentioned_library(text: bytes) -> str | None:
         return "component" if is_component(text) else "rclcpp"
     if is_nodelet(text):
         return "nodelet"
+    if _ROSSERIAL.search(text) is not None and _ROSCPP.search(text) is None:
+        return None
     return "roscpp" if _ROS1.search(text) is not None else None

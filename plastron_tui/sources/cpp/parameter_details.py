@@ -60,14 +60,14 @@ def parameter_details(analysis: Analysis, site: Site) -> ParameterDetails:
     described = _described(analysis, said.descriptor, scope, call.node)
     type_ = (
         named
-        or _type(types.expand(_text(said.type, scope), scope))
-        or _type_of(worth)
-        or _type(analysis.receivers.type_of(said.into, scope) if said.into else "")
-        or _type_of(set_to)
+        or type_of_text(types.expand(_text(said.type, scope), scope))
+        or type_of_worth(worth)
+        or type_of_text(analysis.receivers.type_of(said.into, scope) if said.into else "")
+        or type_of_worth(set_to)
         or described.type
         or _type_of_use(call.node, scope)
     )
-    into = _type(analysis.receivers.type_of(said.into, scope)) if said.into else None
+    into = type_of_text(analysis.receivers.type_of(said.into, scope)) if said.into else None
     if analysis.ros_version == 1 and into is not None and said.type is None:
         type_ = into
     return ParameterDetails(
@@ -98,20 +98,21 @@ def _text(node: Node | None, scope: Scope) -> str:
     return type_text(scope.file.syntax.word(node)) if node is not None else ""
 
 
-def _type(text: str) -> str | None:
+def type_of_text(text: str) -> str | None:
     """Return the type of parameter that a type of C++ is for, None for none."""
     if found := _LIST.fullmatch(text):
         inner = template_arguments(found[1])[0]
         if inner in ("uint8_t", "std::uint8_t", "unsignedchar", "std::byte"):
             return "byte_list"
-        of = _type(inner)
+        of = type_of_text(inner)
         return f"{of}_list" if of is not None and not of.endswith("_list") else None
     if text in _SCALARS:
         return _SCALARS[text]
     return "int" if text and _INTEGERS.fullmatch(text) else None
 
 
-def _type_of(value: Value | None) -> str | None:
+def type_of_worth(value: Value | None) -> str | None:
+    """Return the type of parameter that a value is of, None for none."""
     if value is None:
         return None
     names = {bool: "bool", int: "int", float: "float", str: "string"}
@@ -162,7 +163,7 @@ def _type_of_use(call: Node, scope: Scope) -> str | None:
     if outer.name in AS_VALUE:
         return AS_VALUE[outer.name]
     if outer.name in ("get", "get_value") and outer.type_nodes:
-        return _type(_text(outer.type_nodes[0], scope))
+        return type_of_text(_text(outer.type_nodes[0], scope))
     return None
 
 
@@ -256,4 +257,4 @@ def _range(
     return Range(found["from_value"], found["to_value"], found.get("step", 0))
 
 
-__all__ = ["parameter_details"]
+__all__ = ["parameter_details", "type_of_text", "type_of_worth"]

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from functools import lru_cache
 from pathlib import Path
 
 from plastron_tui.diagnostics import Code, Diagnostic, codes
@@ -11,6 +12,7 @@ from plastron_tui.sources.base import ReadResult
 
 from .analysis import Analysis
 from .beside import sources_beside
+from .last_read import keep_analysis
 from .mentioned import is_component, is_nodelet
 from .node_sites import nodelets
 from .nodes import group
@@ -24,6 +26,8 @@ MOST_BYTES = 4_000_000
 
 MOST_NODES = 1_000_000
 """A tree of more nodes is that of a generated file; what people write has some ten in a line."""
+
+_MOST_TEXTS = 64
 
 # What an include says comes first: it is looked for by its `#`, which there are few of.
 _MENTIONS = {
@@ -77,6 +81,7 @@ def read_cpp(path: Path, files: FileSet, library: str | None = None) -> ReadResu
         problem = f"the file creates more than {MOST_SITES} endpoints, and is not read"
         return _refuse(path, codes.FILE_TOO_LARGE, problem)
     source = SourceUnit(path, files, _library(best), group(best))
+    keep_analysis(source, best)
     return ReadResult(source, beside=paths)
 
 
@@ -89,11 +94,18 @@ def analyze(unit: Unit, ros_version: int) -> Analysis:
 
 def _mentioned(files: FileSet) -> list[int]:
     """Return the generations of ROS that files mention."""
-    return [
+    found = {version for _, text in files.texts for version in _versions(text)}
+    return sorted(found)
+
+
+@lru_cache(_MOST_TEXTS)
+def _versions(text: bytes) -> tuple[int, ...]:
+    """Return the generations of ROS that a text mentions; that of a header is asked for often."""
+    return tuple(
         version
         for version, patterns in _MENTIONS.items()
-        if any(pattern.search(text) for pattern in patterns for _, text in files.texts)
-    ]
+        if any(pattern.search(text) for pattern in patterns)
+    )
 
 
 def _library(analysis: Analysis) -> str:

@@ -7,6 +7,8 @@ from collections.abc import Callable
 
 from tree_sitter import Node
 
+from plastron_tui.sources.text_memo import lent
+
 from .arguments import arguments_of, call_of
 from .scopes import _FUNCTION_LIKE, _KINDS, CppFile, Function, Scope, Variable, declared, type_text
 from .syntax import Syntax
@@ -18,7 +20,13 @@ MOST_SCOPES_DEEP = 200
 
 def outline(name: str, syntax: Syntax) -> CppFile:
     """Return a file with the scopes of its names."""
-    file = CppFile(name, syntax)
+    file = lent(_outlined, syntax, syntax.text)
+    file.name, file.is_beside = name, False
+    return file
+
+
+def _outlined(syntax: Syntax) -> CppFile:
+    file = CppFile("", syntax)
     root = Scope(file, "file", "", syntax.root, None, 0, len(syntax.text))
     file.root = root
     file.scopes.append(root)

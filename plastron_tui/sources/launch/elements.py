@@ -55,7 +55,7 @@ def remaps_of(element: Element, ros_version: int) -> Iterator[Remapping]:
         words = Words(child, ros_version)
         old, new = words.get("from"), words.get("to")
         if old is not None and new is not None and words.condition is None:
-            yield Remapping(old, new)
+            yield Remapping(old, new, words.place)
 
 
 def value_of(name: Text, source: str, type_: str | None, ros_version: int) -> ParameterValue:

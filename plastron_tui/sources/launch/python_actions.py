@@ -39,6 +39,16 @@ class Computed(NamedTuple):
     what: str
 
 
+class Written(tuple[Any, ...]):
+    """A tuple of Python, and where it stands."""
+
+    place: Place
+
+
+SEQUENCES = (list, tuple, Written)
+"""The classes of lists and tuples of Python; those above are tuples, but none of Python's."""
+
+
 class _TypedText(NamedTuple):
     """A `ParameterValue` of Python: its text stays one, where `is_text`."""
 
@@ -66,7 +76,7 @@ def as_text(value: Any) -> Text | None:
         return text(str(value))
     if isinstance(value, (str, int, float)):
         return text(str(value))
-    if type(value) in (list, tuple):
+    if type(value) in SEQUENCES:
         found = [as_text(each) for each in value]
         known = [each for each in found if each is not None]
         return text(*known) if len(known) == len(found) else None
@@ -186,9 +196,10 @@ def _remaps(found: Any) -> Iterable[Remapping]:
     if isinstance(found, Computed):
         yield Remapping(_unknown(found), _unknown(found))
     for each in found if isinstance(found, list) else ():
-        pair = each if isinstance(each, (list, tuple)) and not isinstance(each, Computed) else ()
+        pair: Any = each if type(each) in SEQUENCES else ()
         if len(pair) == 2:
-            yield Remapping(_optional(pair[0]) or text(), _optional(pair[1]) or text())
+            place = each.place if isinstance(each, Written) else None
+            yield Remapping(_optional(pair[0]) or text(), _optional(pair[1]) or text(), place)
         else:
             yield Remapping(_unknown(each), _unknown(each))
 

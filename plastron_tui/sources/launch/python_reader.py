@@ -13,7 +13,7 @@ from plastron_tui.diagnostics import Diagnostic, Span, codes
 from plastron_tui.ros.launch import Format, Item, LaunchFile, Unread
 from plastron_tui.ros.launch_text import text
 
-from .python_actions import Computed, placed
+from .python_actions import SEQUENCES, Computed, placed
 from .python_values import (
     HEAVIEST,
     Values,
@@ -207,7 +207,7 @@ class _Reader:
                 self._forget(name)
 
     def _elements(self, value: Any, node: Node) -> list[Any]:
-        if type(value) in (list, tuple):
+        if type(value) in SEQUENCES:
             return list(value)
         what = value.what if isinstance(value, Computed) else short(node)
         return [Unread(f"`{what}`", place=placed(node))]

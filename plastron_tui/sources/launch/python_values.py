@@ -11,7 +11,7 @@ from tree_sitter import Node
 from plastron_tui.ros.launch import Group
 from plastron_tui.ros.launch_text import Text, text
 
-from .python_actions import ACTIONS, Computed, as_text, placed
+from .python_actions import ACTIONS, SEQUENCES, Computed, Written, as_text, placed
 
 _DEEPEST = 60
 _LONGEST_LITERAL = 20_000
@@ -73,13 +73,15 @@ class Values:
         for child in node.named_children:
             if child.type == "list_splat" and child.named_children:
                 inner = self.value(child.named_children[0])
-                found += inner if type(inner) in (list, tuple) else (Computed(short(child)),)
+                found += inner if type(inner) in SEQUENCES else (Computed(short(child)),)
             elif child.type != "comment":
                 found.append(self.value(child))
         return found
 
     def _tuple(self, node: Node) -> Any:
-        return tuple(self._list(node))
+        found = Written(self._list(node))
+        found.place = placed(node)
+        return found
 
     def _dictionary(self, node: Node) -> Any:
         found = {}
@@ -147,7 +149,7 @@ class Values:
         of = function.child_by_field_name("object")
         between = None if of is None else as_text(self.value(of))
         values = [self.value(each) for each in arguments_of(node)]
-        parts = values[0] if len(values) == 1 and type(values[0]) in (list, tuple) else None
+        parts = values[0] if len(values) == 1 and type(values[0]) in SEQUENCES else None
         known = [] if parts is None else [each for each in map(as_text, parts) if each is not None]
         if between is None or parts is None or len(known) < len(parts):
             return Computed(short(node))

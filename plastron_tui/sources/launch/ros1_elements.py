@@ -49,7 +49,7 @@ def item_of(element: Element) -> Item | None:
             return _include(words)
         case "group":
             namespace = words.get("ns")
-            items = () if namespace is None else (Namespace(namespace),)
+            items = () if namespace is None else (Namespace(namespace, place=words.place),)
             return Group(items, condition=words.condition, place=words.place)
         case "remap":
             old, new = words.get("from"), words.get("to")

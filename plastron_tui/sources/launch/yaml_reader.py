@@ -101,13 +101,17 @@ class _Reader:
         except (yaml.YAMLError, RecursionError, ValueError):
             return  # Composing tells what is wrong.
 
-    def _element(self, key: yaml.Node, body: yaml.Node, depth: int) -> Element:
+    def _element(
+        self, key: yaml.Node, body: yaml.Node, depth: int, *, is_listed: bool = False
+    ) -> Element:
+        """Return what a key has; one of several that share their key begins behind it."""
+        first = body if is_listed else key
         self._count += 1
         keys = [name for name, _ in body.value] if isinstance(body, yaml.MappingNode) else []
         for each in (key, *keys):
             if not isinstance(each, yaml.ScalarNode):
                 raise _BrokenError("a key is a word, and this is none", self._span(each))
-        span = Span(self._byte(key.start_mark.index), self._byte(body.end_mark.index))
+        span = Span(self._byte(first.start_mark.index), self._byte(body.end_mark.index))
         if self._count > _MOST_ELEMENTS or depth > _DEEPEST:
             raise _BrokenError("the aliases make too much of the file", self._span(key))
         attributes: list[Attribute] = []
@@ -133,7 +137,7 @@ class _Reader:
             self._span(key),
             span,
             None,
-            key.start_mark.line + 1,
+            first.start_mark.line + 1,
         )
 
     def _actions(self, body: yaml.SequenceNode, depth: int) -> Iterator[Element]:
@@ -146,10 +150,11 @@ class _Reader:
 
     def _nested(self, name: yaml.Node, value: yaml.Node, depth: int) -> Iterator[Element]:
         """Yield the parts of an action, such as its parameters."""
-        for each in value.value if isinstance(value, yaml.SequenceNode) else (value,):
+        is_list = isinstance(value, yaml.SequenceNode)
+        for each in value.value if is_list else (value,):
             if not isinstance(each, yaml.MappingNode):
                 raise _BrokenError(f"each `{name.value}` has a name and more", self._span(each))
-            yield self._element(name, each, depth + 1)
+            yield self._element(name, each, depth + 1, is_listed=is_list)
 
     def _is_value(self, value: yaml.Node) -> bool:
         if isinstance(value, yaml.SequenceNode):

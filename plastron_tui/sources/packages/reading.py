@@ -185,12 +185,12 @@ def _cmake_parts(files: PackageFiles) -> _Parts:
         sources_of,
         targets,
     )
-    from plastron_tui.sources.cmake.reader import read_cmake
+    from plastron_tui.sources.cmake.shared_reading import read_shared
 
     from .nodelets import nodelets
 
     text, path = _text(files, CMAKE_LISTS), files.folder / CMAKE_LISTS
-    lists, found = read_cmake(text, path)
+    lists, found = read_shared(text, path)
     if lists is None:
         raise RefusedError(found[0])
     build_type_of(lists)

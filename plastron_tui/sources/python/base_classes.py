@@ -27,7 +27,7 @@ def inherited(analysis: Analysis, owner: Scope | None) -> list[SourceEndpoint]:
     found: dict[tuple[str, int], SourceEndpoint] = {}
     details: dict[int, Details] = {}
     for leaf in leaves:
-        for module, site in _sites(analysis, leaf, set()):
+        for module, site in inherited_sites(analysis, leaf):
             if module.package is not None:
                 file = analysis.package.relative(module.package)
                 # What a parameter may decide, the class of this file may decide otherwise.
@@ -41,11 +41,14 @@ def inherited(analysis: Analysis, owner: Scope | None) -> list[SourceEndpoint]:
     return list(found.values())
 
 
-def _sites(analysis: Analysis, owner: Scope, seen: set[Scope]) -> Iterator[tuple[Analysis, Site]]:
+def inherited_sites(
+    analysis: Analysis, owner: Scope, seen: set[Scope] | None = None
+) -> Iterator[tuple[Analysis, Site]]:
     """Yield the call sites that a class inherits from classes not yet seen, each with its file."""
     package = analysis.package
     if package is None:
         return
+    seen = set() if seen is None else seen
     own = [owner, *analysis.resolver.classes.bases(owner)]
     for name in analysis.resolver.foreign_bases(owner):
         held = package.class_(name)
@@ -55,7 +58,7 @@ def _sites(analysis: Analysis, owner: Scope, seen: set[Scope]) -> Iterator[tuple
         seen.add(base)
         family = [base, *module.resolver.classes.bases(base)]
         of_module = ((module, each) for each in module.sites)
-        for file, site in (*of_module, *_sites(module, base, seen)):
+        for file, site in (*of_module, *inherited_sites(module, base, seen)):
             classes = family if file is module else file.scopes.classes()
             method = _method(site, classes)
             if method is not None and not _is_replaced(method, own, analysis):

@@ -15,12 +15,10 @@ from .addition import Addition
 from .functions import definition
 from .messages import CannotAddError
 from .place import place_behind
+from .positional import bounds, signature_of, takes
 from .scopes import Binding, BindingKind, Scope
-from .syntax import parts_of
 
 _ANOTHER = "name another function with `calling`"
-_OPTIONAL = frozenset({"default_parameter", "typed_default_parameter"})
-_PLAIN_DECORATORS = frozenset({"@staticmethod", "@classmethod"})
 
 
 class NotCallableError(CannotAddError):
@@ -84,21 +82,21 @@ def misfit(added: Addition, callback: str) -> str | None:
     that of a timer with nothing.
     """
     function = _function(added, callback)
-    counts = _parameters(added, function) if function is not None else None
-    if counts is None:
+    signature = signature_of(function, added.analysis.syntax) if function is not None else None
+    if signature is None:
         return None
-    least, most = counts
     given = 2 if added.is_rclpy and added.kind is EndpointKind.SERVICE else 1
     is_action = added.kind is EndpointKind.ACTION_SERVER
     ways = {given, 2} if added.is_rclpy and not is_action else {given}
     if added.is_rclpy and added.kind is EndpointKind.TIMER:
         given, ways = 0, {0}
     given += len(added.handed)
-    if any(least <= each + len(added.handed) <= most for each in ways):
+    if any(takes(signature, each + len(added.handed)) for each in ways):
         return None
-    takes = least if least > given else int(most)
+    least, most = bounds(signature)
+    taken = least if least > given or most == math.inf else int(most)
     name = callback.rpartition(".")[2]
-    return f"`{name}` takes {counted(takes, 'argument')}, and would be called with {given}"
+    return f"`{name}` takes {counted(taken, 'argument')}, and would be called with {given}"
 
 
 def _function(added: Addition, callback: str) -> Scope | None:
@@ -114,31 +112,6 @@ def _function(added: Addition, callback: str) -> Scope | None:
         found = visible[1] if visible is not None else []
     functions = [each for each in found if each.kind is BindingKind.FUNCTION]
     return functions[0].owner if len(found) == len(functions) == 1 else None
-
-
-def _parameters(added: Addition, function: Scope) -> tuple[int, float] | None:
-    """Return how few and how many arguments a function takes by position, `self` left out.
-
-    What a decorator makes of a function nobody knows.
-    """
-    whole, least, most = definition(function), 0, 0.0
-    decorators = {
-        added.analysis.syntax.slice(each) for each in whole.children if each.type == "decorator"
-    }
-    if decorators - _PLAIN_DECORATORS:
-        return None
-    for each in parts_of(function.node.child_by_field_name("parameters")):
-        inner = each.named_children[0].type if each.type == "typed_parameter" else each.type
-        if inner in ("keyword_separator", "list_splat_pattern"):
-            most += math.inf if inner == "list_splat_pattern" else 0
-            break
-        if inner not in ("dictionary_splat_pattern", "positional_separator"):
-            least += each.type not in _OPTIONAL
-            most += 1
-    is_bound = function.parent is not None and function.parent.kind == "class"
-    if is_bound and "@staticmethod" not in decorators:
-        return max(least - 1, 0), most - 1
-    return least, most
 
 
 def _attributes(added: Addition, owner: Scope, name: str) -> Iterator[Binding]:

@@ -9,7 +9,8 @@ from collections.abc import Container
 from pathlib import Path
 from typing import ClassVar
 
-from plastron_tui.model.source import FileSet
+from plastron_tui.model.code_facts import CodeFacts
+from plastron_tui.model.source import FileSet, SourceUnit
 from plastron_tui.sources.base import Language, ReadResult
 
 _LIBRARIES = (b"rospy", b"rclpy")
@@ -60,6 +61,12 @@ class Python(Language):
         from .reader import read_python  # loads tree-sitter-python
 
         return read_python(path, files, library)
+
+    def code_facts(self, source: SourceUnit) -> CodeFacts:
+        """Return what a Python file does besides creating endpoints."""
+        from .facts import code_facts
+
+        return code_facts(source)
 
     def runs_by_itself(self, name: str, packages: Container[str], *, is_own: bool) -> str | None:
         """Tell what of Python or its tools runs a file of a name, or imports it unasked."""

@@ -33,14 +33,14 @@ def group(analysis: Analysis) -> tuple[SourceNode, ...]:
         return (SourceNode(None, "", tuple(known)),) if known else ()
     return tuple(
         _source_node(maker, (*map(details.of, sites), *inherited(analysis, maker.owner)), analysis)
-        for maker, sites in zip(makers, _owned(makers, analysis), strict=True)
+        for maker, sites in zip(makers, owned_sites(makers, analysis), strict=True)
     )
 
 
 def part_of(analysis: Analysis, label: str | None) -> Analysis:
     """Return what is known of one of the nodes alone; of all for None."""
     makers = makers_of(analysis) if label is not None else []
-    for maker, sites in zip(makers, _owned(makers, analysis), strict=True):
+    for maker, sites in zip(makers, owned_sites(makers, analysis), strict=True):
         if _label(maker) == label:
             return replace(analysis, sites=sites, nodes=[maker])
     return analysis
@@ -50,7 +50,7 @@ def labels_of(analysis: Analysis) -> dict[Site, str]:
     """Return the label of the node that each call site belongs to."""
     makers = makers_of(analysis)
     labels: dict[Site, str] = {}
-    for maker, sites in zip(makers, _owned(makers, analysis), strict=True):
+    for maker, sites in zip(makers, owned_sites(makers, analysis), strict=True):
         labels.update(dict.fromkeys(sites, _label(maker)))
     return labels
 
@@ -82,7 +82,7 @@ def _label(maker: NodeSite) -> str:
     return SourceNode(maker.name, "", (), None, class_name).label
 
 
-def _owned(makers: Sequence[NodeSite], analysis: Analysis) -> Sequence[Sequence[Site]]:
+def owned_sites(makers: Sequence[NodeSite], analysis: Analysis) -> Sequence[Sequence[Site]]:
     """Return the call sites of each node."""
     if len(makers) < 2:
         return [analysis.sites for _ in makers]

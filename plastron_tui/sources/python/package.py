@@ -1,7 +1,7 @@
-"""The other files of the package that a file is in, as far as the file imports from them.
+"""The other files of the package, or the workspace, that a file is in, as far as it imports them.
 
 They are read and never run: constants, classes, and what they import in turn. What leads out of
-the package stays a name.
+the workspace stays a name.
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ from .analysis import Analysis
 from .calls import ClientLibrary
 from .constants import MOST_BINDINGS, MOST_DEEP, Folded
 from .imported_names import joined
-from .package_root import root_of
+from .module_files import Found, ModuleFiles
 from .reading_cost import is_readable
 from .scopes import Binding, BindingKind, Scope
 from .sites import complete, outline
@@ -34,15 +34,6 @@ MOST_MODULES = 32
 
 _LARGEST = 256 * 1024
 _MOST_BYTES = 1024 * 1024
-_MOST_PARTS = 8
-_SUFFIX = ".py"
-
-
-class _Found(NamedTuple):
-    """The file of a module, and the names that lead on from it."""
-
-    path: str
-    names: tuple[str, ...]
 
 
 class Package:
@@ -56,16 +47,20 @@ class Package:
         constants: the constants that names of a file are, as far as known.
     """
 
-    def __init__(self, main: Path, library: ClientLibrary) -> None:
-        """Begin with the file that is read; its own text is never taken from the disk."""
+    def __init__(self, main: Path, library: ClientLibrary, *, in_workspace: bool = False) -> None:
+        """Begin with the file that is read; its own text is never taken from the disk.
+
+        Args:
+            main: the file.
+            library: its client library.
+            in_workspace: whether names lead to other packages of the workspace, too.
+        """
         self.main = os.path.realpath(main)
         self._library = library
-        self._root = root_of(self.main)
+        self._files = ModuleFiles(self.main, in_workspace=in_workspace)
         self._texts: dict[str, bytes | None] = {}
         self._stamps: dict[str, Stamp | None] = {}
         self._modules: dict[str, Analysis | None] = {}
-        self._found: dict[tuple[str, str], _Found | None] = {}
-        self._is_own: dict[tuple[str, str], bool] = {}
         self.effort = Effort(_MOST_BYTES)
         self.led: dict[tuple[str, str], tuple[str, ...]] = {}
         self.constants: dict[tuple[str, str], Folded] = {}
@@ -89,66 +84,18 @@ class Package:
 
     def is_current(self) -> bool:
         """Tell whether each question to the disk would be answered now as it was."""
-        return (
-            self._root == root_of(self.main)
-            and all(self._is_there(*key) == known for key, known in self._is_own.items())
-            and all(self._find(*key) == known for key, known in self._found.items())
-            and all(stamp_of(Path(path)) == stamp for path, stamp in self._stamps.items())
+        return self._files.is_current() and all(
+            stamp_of(Path(path)) == stamp for path, stamp in self._stamps.items()
         )
 
-    def find(self, name: str, seen_from: str) -> _Found | None:
+    def find(self, name: str, seen_from: str) -> Found | None:
         """Return the module that a qualified name leads to, None where it leads elsewhere.
 
         Args:
             name: the name.
             seen_from: the file that imports it.
         """
-        key = name, os.path.dirname(seen_from)  # noqa: PTH120
-        if not self._may_be_own(*key):
-            return None
-        if key not in self._found:
-            self._found[key] = self._find(*key)
-        return self._found[key]
-
-    def _may_be_own(self, name: str, folder: str) -> bool:
-        first = name.partition(".")[0]
-        if (first, folder) not in self._is_own:
-            self._is_own[first, folder] = self._is_there(first, folder)
-        return self._is_own[first, folder]
-
-    def _is_there(self, module: str, folder: str) -> bool:
-        """Whether a folder of modules has one of a name."""
-        places = (os.path.join(each, module) for each in self._folders(folder))  # noqa: PTH118
-        return any(
-            os.path.isdir(place) or os.path.isfile(place + _SUFFIX)  # noqa: PTH112, PTH113
-            for place in places
-        )
-
-    def _folders(self, folder: str) -> tuple[str, ...]:
-        """Return where Python, or what a build makes of a package, has its modules."""
-        scripts = os.path.dirname(self.main)  # noqa: PTH120
-        sources = os.path.join(self._root, "src")  # noqa: PTH118
-        return tuple(dict.fromkeys((folder, scripts, self._root, sources)))
-
-    def _find(self, name: str, folder: str) -> _Found | None:
-        bare = name.lstrip(".")
-        parts = tuple(bare.split("."))
-        if not all(map(str.isidentifier, parts)) or len(parts) > _MOST_PARTS:
-            return None
-        above = len(name) - len(bare)
-        folders = self._folders(folder)
-        if above:
-            folders = (os.path.normpath(os.path.join(folder, *[os.pardir] * (above - 1))),)  # noqa: PTH118
-        for start in folders:
-            for count in range(len(parts), 0, -1):
-                place = os.path.join(start, *parts[:count])  # noqa: PTH118
-                for path in (place + _SUFFIX, os.path.join(place, "__init__.py")):  # noqa: PTH118
-                    if os.path.isfile(path) and self._is_within(os.path.realpath(path)):  # noqa: PTH113
-                        return _Found(os.path.realpath(path), parts[count:])
-        return None
-
-    def _is_within(self, path: str) -> bool:
-        return path != self.main and path.startswith(self._root + os.sep)
+        return self._files.find(name, seen_from)
 
     def text(self, path: str) -> bytes | None:
         """Return what a module holds, None where it is not read."""

@@ -15,8 +15,8 @@ from .syntax import parse
 
 
 def package_names(main: Path, library: ClientLibrary) -> PackageNames:
-    """Return what the names stand for that a file imports from its package; nothing is read yet."""
-    return Package(main, library).names
+    """Return what the names stand for that a file imports from its workspace; none is read yet."""
+    return Package(main, library, in_workspace=True).names
 
 
 class _Left(NamedTuple):

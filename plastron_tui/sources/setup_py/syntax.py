@@ -24,7 +24,8 @@ _CATKIN_CALL = "generate_distutils_setup"
 
 
 @cache
-def _parser() -> Parser:
+def python_parser() -> Parser:
+    """Return a parser of Python."""
     return Parser(Language(tree_sitter_python.language()))
 
 
@@ -86,7 +87,7 @@ def parse_setup(text: bytes, path: Path) -> Setup:
     """
     check_text(text, path)
     _check_encoding(text, path)
-    root = _parser().parse(text).root_node
+    root = python_parser().parse(text).root_node
     nodes = _nodes(text, path, root)
     if root.has_error:
         wrong = next(each for each in nodes if each.is_error or each.is_missing)

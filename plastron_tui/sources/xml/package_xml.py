@@ -6,6 +6,7 @@ from pathlib import Path
 from typing import NamedTuple
 
 from plastron_tui.diagnostics import Diagnostic
+from plastron_tui.sources.text_memo import MEMO
 
 from .document import read_xml
 from .package_data import PackageXml, parse_package
@@ -26,6 +27,15 @@ def read_package(text: bytes, file: Path | None = None) -> PackageResult:
         text: what the file holds.
         file: the file, for diagnostics.
     """
+    key = read_package, text, file
+    found: PackageResult | None = MEMO.get(key)
+    if found is None:
+        found = _read(text, file)
+        MEMO.keep(key, found, len(text))
+    return found
+
+
+def _read(text: bytes, file: Path | None) -> PackageResult:
     document, diagnostics = read_xml(text, file)
     if document is None:
         return PackageResult(None, diagnostics)

@@ -169,7 +169,7 @@ class _Writer:
             is_flag = key != "output" and word in ("true", "false")
             found.append((key, str(word == "true") if is_flag else self._text(value)))
         if item.remaps:
-            pairs = (f"({self._text(old)}, {self._text(new)})" for old, new in item.remaps)
+            pairs = (f"({self._text(each.old)}, {self._text(each.new)})" for each in item.remaps)
             found.append(("remappings", self._list(pairs, indent)))
         if item.parameters:
             found.append(("parameters", self._list(self._parameters(item.parameters), indent)))

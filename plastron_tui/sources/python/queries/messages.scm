@@ -1,0 +1,3 @@
+; Where messages may be looked into.
+
+(attribute) @attribute
