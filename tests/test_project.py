@@ -62,7 +62,7 @@ def test_nothing_is_said(tmp_path: Path, text: str) -> None:
     assert read(tmp_path, text) == (Project(tmp_path / FILE_NAME), [])
 
 
-KEYS = "the keys are target, distribution, output, file_names, templates, types, launch, cpp"
+KEYS = "the keys are target, distribution, output, file_names, templates, types, launch, cpp, lint"
 FOLDER = "is to be the path of a folder"
 
 

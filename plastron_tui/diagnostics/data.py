@@ -49,10 +49,17 @@ def write_before(line: str, span: Span) -> Fix:
 
 
 class Label(NamedTuple):
-    """A second place that explains the first, such as an earlier declaration."""
+    """A second place that explains the first, such as an earlier declaration.
+
+    Attributes:
+        span: the place.
+        message: what is there.
+        file: the file that it lies in, None for that of the diagnostic.
+    """
 
     span: Span
     message: str
+    file: Path | None = None
 
 
 class _Parts(NamedTuple):
@@ -122,7 +129,10 @@ class Diagnostic(_Parts):
                 self.fix.title,
                 tuple(Edit(edit.span.moved(by), edit.text) for edit in self.fix.edits),
             ),
-            labels=tuple(Label(label.span.moved(by), label.message) for label in self.labels),
+            labels=tuple(
+                label if label.file else label._replace(span=label.span.moved(by))
+                for label in self.labels
+            ),
         )
 
 

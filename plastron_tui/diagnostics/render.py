@@ -8,7 +8,7 @@ from itertools import accumulate
 from pathlib import Path
 from typing import Any, NamedTuple
 
-from .data import Diagnostic, Span
+from .data import Diagnostic, Label, Span
 from .lines import LineIndex
 from .severity import Severity
 from .terminal import visible
@@ -57,6 +57,8 @@ class TextRenderer:
             where = f"{_shown(file)}:{at.line}:{at.column}"
             out.append(f"{' ' * margin}{self._paint('-->', _BLUE)} {where}")
             out += self._excerpt(lines, marks, margin, tint)
+            for label in diagnostic.labels:
+                out += self._elsewhere(label, margin)
         elif file is not None:
             out.append(f" {self._paint('-->', _BLUE)} {_shown(file)}")
         if diagnostic.help is not None:
@@ -85,6 +87,18 @@ class TextRenderer:
             signs = self._paint(mark.sign * width + note, tint if mark.sign == "^" else _BLUE)
             yield f"{' ' * margin} {bar} {' ' * start}{signs}"
 
+    def _elsewhere(self, label: Label, margin: int) -> Iterator[str]:
+        """Yield the lines of a second place in another file."""
+        lines = None if label.file is None else self._lines(label.file)
+        if lines is None:
+            return
+        start, end = lines.position(label.span.start), lines.position(label.span.end)
+        stop = end.column if end.line == start.line else len(lines.line(start.line)) + 1
+        sign = self._paint(":::", _BLUE)
+        yield f"{' ' * margin}{sign} {_shown(label.file)}:{start.line}:{start.column}"
+        mark = _Mark(start.line, start.column, stop, "-", label.message)
+        yield from self._excerpt(lines, [mark], max(margin, len(str(start.line))), _BLUE)
+
     def _paint(self, text: str, style: str) -> str:
         return f"\x1b[{style}m{text}\x1b[{_PLAIN}m" if self._color else text
 
@@ -93,7 +107,7 @@ def _marks(diagnostic: Diagnostic, lines: LineIndex) -> list[_Mark]:
     """Return what is underlined, in the order of the file; of several lines the first."""
     assert diagnostic.span is not None
     places = [(diagnostic.span, "^", "")]
-    places += [(label.span, "-", label.message) for label in diagnostic.labels]
+    places += [(each.span, "-", each.message) for each in diagnostic.labels if each.file is None]
     marks = []
     for span, sign, message in places:
         start, end = lines.position(span.start), lines.position(span.end)
@@ -145,11 +159,13 @@ def as_json(
     or `title` and `edits`) and `labels`.
     """
     lines = cache(lines)
-    return [_describe(found, lines(found.file), found.file or program) for found in diagnostics]
+    return [_describe(found, lines, found.file or program) for found in diagnostics]
 
 
-def _describe(found: Diagnostic, lines: LineIndex | None, file: Path | None) -> dict[str, Any]:
-    def place(span: Span | None) -> dict[str, Any] | None:
+def _describe(found: Diagnostic, lines_of: Lines, file: Path | None) -> dict[str, Any]:
+    lines = lines_of(found.file)
+
+    def place(span: Span | None, lines: LineIndex | None = lines) -> dict[str, Any] | None:
         if span is None or lines is None:
             return None
         return {
@@ -170,6 +186,13 @@ def _describe(found: Diagnostic, lines: LineIndex | None, file: Path | None) -> 
         "help": found.help,
         "fix": fix,
         "labels": [
-            {"range": place(label.span), "message": label.message} for label in found.labels
+            {"range": place(label.span), "message": label.message}
+            if label.file is None
+            else {
+                "range": place(label.span, lines_of(label.file)),
+                "message": label.message,
+                "file": str(label.file),
+            }
+            for label in found.labels
         ],
     }

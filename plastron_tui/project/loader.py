@@ -18,6 +18,7 @@ from plastron_tui.model.source import LARGEST_FILE
 from plastron_tui.model.workspace import Generation
 from plastron_tui.output.own_files import MANIFEST, is_own_name, settled
 from plastron_tui.regular_files import Stamp, read_regular, reason, stamp_of
+from plastron_tui.sources.still_disk import read_once
 
 from .missing_files import missing
 from .robot_files import KnownRobots
@@ -348,7 +349,7 @@ def with_others(path: Path, text: bytes, stamps: Stamps | None = None) -> FileSe
         if stamps is not None:
             stamps[other] = stamp_of(other)
         with suppress(OSError):
-            return read_regular(other, LARGEST_FILE)
+            return read_once(other, LARGEST_FILE)
         return None
 
     return files_of(path, text, read)

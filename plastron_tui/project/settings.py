@@ -14,6 +14,8 @@ from plastron_tui.regular_files import read_regular
 from plastron_tui.ros.catalog import DISTRIBUTIONS
 from plastron_tui.trust import real_path
 
+from .lint_settings import LintSettings, read_lint
+
 LARGEST_PROJECT = 64 * 1024
 """The largest project file that is read, in bytes; one is a few lines."""
 
@@ -39,7 +41,9 @@ MOST_MISTAKES = 20
 _Node = Any
 """A node of PyYAML's tree: its `id` says whether it is a scalar, a sequence or a mapping."""
 
-_KEYS = ("target", "distribution", "output", "file_names", "templates", "types", "launch", "cpp")
+_KEYS = (
+    "target", "distribution", "output", "file_names", "templates", "types", "launch", "cpp", "lint"
+)  # fmt: skip
 _LAUNCH = ("xml", "python")
 _CPP = ("single", "split")
 _FILE_NAMES = ("ending", "plain")
@@ -62,6 +66,7 @@ class Project(NamedTuple):
             is said.
         cpp: whether a new node in C++ has its class in a header: `split`, or `single`; None for
             what is usual for its client library.
+        lint: what it sets for `plastron lint`.
     """
 
     file: Path | None = None
@@ -73,6 +78,7 @@ class Project(NamedTuple):
     types: tuple[Path, ...] = ()
     launch: str | None = None
     cpp: str | None = None
+    lint: LintSettings = LintSettings()
 
     @property
     def layouts(self) -> dict[str, str]:
@@ -137,6 +143,7 @@ def read_project(
         tuple(reader.folders("types", values.get("types"))),
         reader.choice("launch", values.get("launch"), _LAUNCH),
         reader.choice("cpp", values.get("cpp"), _CPP),
+        read_lint(reader, values.get("lint")),
     )
     reader.check_agreement(project, values.get("distribution"), libraries)
     return project, reader.found()
@@ -166,24 +173,26 @@ class _Reader:
         last = Diagnostic(codes.BAD_PROJECT, f"… and {more} more mistakes", file=self._file)
         return (*self.diagnostics[:MOST_MISTAKES], last)
 
-    def pairs(self, root: _Node | None) -> dict[str, _Node]:
+    def pairs(
+        self, root: _Node | None, keys: Collection[str] = _KEYS, of: str = "a project file"
+    ) -> dict[str, _Node]:
         """Return the nodes of the keys that there are."""
         values: dict[str, _Node] = {}
         if root is None or root.tag == _NULL:
             return values
         if root.id != "mapping":
-            self._report(root, "a project file is a list of `key: value` lines")
+            self.report(root, f"{of} is a list of `key: value` lines")
             return values
         for key, value in root.value:
-            name = key.value if key.id == "scalar" else None
-            if name not in _KEYS:
+            name: str | None = key.value if key.id == "scalar" else None
+            if name is None or name not in keys:
                 shown = "this" if name is None else f"`{_short(name)}`"
-                remedy = f"the keys are {', '.join(_KEYS)}"
+                remedy = f"the keys are {', '.join(keys)}"
                 if name is not None:
-                    remedy = did_you_mean(name, _KEYS) or remedy
-                self._report(key, f"{shown} is no key of a project file", remedy)
+                    remedy = did_you_mean(name, keys) or remedy
+                self.report(key, f"{shown} is no key of {of}", remedy)
             elif name in values:
-                self._report(key, f"`{name}` is set twice")
+                self.report(key, f"`{name}` is set twice")
             else:
                 values[name] = value
         return values
@@ -194,12 +203,12 @@ class _Reader:
             return None
         listed = f"`{key}` is one of {', '.join(choices)}"
         if node.id != "scalar":
-            self._report(node, f"`{key}` cannot be a {node.id}", listed)
+            self.report(node, f"`{key}` cannot be a {node.id}", listed)
             return None
         value: str = node.value
         if value in choices:
             return value
-        self._report(
+        self.report(
             node, f"`{key}` cannot be `{_short(value)}`", did_you_mean(value, choices) or listed
         )
         return None
@@ -208,29 +217,31 @@ class _Reader:
         """Yield the folders of a list, or of a single entry."""
         entries = [node] if node is None or node.id != "sequence" else node.value
         for entry in entries[MOST_FOLDERS:][:1]:
-            self._report(entry, f"`{key}` lists more than {MOST_FOLDERS} folders")
+            self.report(entry, f"`{key}` lists more than {MOST_FOLDERS} folders")
         for entry in entries[:MOST_FOLDERS]:
             folder = self.folder(key, entry, must_exist=True)
             if folder is not None:
                 yield folder
 
-    def folder(self, key: str, node: _Node | None, *, must_exist: bool = False) -> Path | None:
-        """Return the path of a folder, from the project file's own."""
+    def folder(
+        self, key: str, node: _Node | None, *, must_exist: bool = False, what: str = "folder"
+    ) -> Path | None:
+        """Return the path of a folder, or of a file, from the project file's own."""
         if node is None or node.tag == _NULL:
             return None
         if node.id != "scalar" or node.tag != _TEXT or not node.value or "\0" in node.value:
-            self._report(node, f"`{key}` is to be the path of a folder")
+            self.report(node, f"`{key}` is to be the path of a {what}")
             return None
         if len(node.value) > LONGEST_PATH:
-            self._report(node, f"the path of a folder has at most {LONGEST_PATH} characters")
+            self.report(node, f"the path of a {what} has at most {LONGEST_PATH} characters")
             return None
         # `Path.expanduser` raises for a user that there is none of.
         path: Path = self._file.parent / os.path.expanduser(node.value)  # noqa: PTH111
         if key not in self._overruled and not self._boundary.allows(path):
-            self._report(node, *_outside(key, path, self._boundary), code=codes.OUTSIDE_PROJECT)
+            self.report(node, *_outside(key, path, self._boundary), code=codes.OUTSIDE_PROJECT)
             return None
         if must_exist and not os.path.isdir(path):  # noqa: PTH112 - a path too long is none
-            self._report(node, f"there is no folder `{_short(node.value)}`")
+            self.report(node, f"there is no folder `{_short(node.value)}`")
             return None
         return path
 
@@ -240,7 +251,7 @@ class _Reader:
         if folder is None or self._boundary.is_trusted:
             return folder
         message = "the templates of the project are not used until you trust it"
-        self._report(node, message, self._boundary.remedy, codes.UNTRUSTED_TEMPLATES)
+        self.report(node, message, self._boundary.remedy, codes.UNTRUSTED_TEMPLATES)
         return None
 
     def check_agreement(self, project: Project, node: _Node | None, libraries: Libraries) -> None:
@@ -251,24 +262,28 @@ class _Reader:
         wanted = libraries[target].ros_version
         if DISTRIBUTIONS[distribution] != wanted:
             fitting = ", ".join(name for name, ros in DISTRIBUTIONS.items() if ros == wanted)
-            self._report(
+            self.report(
                 node,
                 f"`{distribution}` is no distribution of ROS {wanted}, which `{target}` is for",
                 f"for `{target}` there is {fitting}",
             )
 
-    def _report(
+    def report(
         self,
         node: _Node,
         message: str,
         remedy: str | None = None,
         code: Code = codes.BAD_PROJECT,
     ) -> None:
+        """Report a node that is wrong."""
+        found = Diagnostic(code, message, self.span(node), self._file, help=remedy)
+        self.diagnostics.append(found)
+
+    def span(self, node: _Node) -> Span:
+        """Return the bytes of a node."""
         text = self._text
         start, end = node.start_mark.index, node.end_mark.index
-        span = Span(len(text[:start].encode()), len(text[:end].rstrip().encode()))
-        found = Diagnostic(code, message, span, self._file, help=remedy)
-        self.diagnostics.append(found)
+        return Span(len(text[:start].encode()), len(text[:end].rstrip().encode()))
 
 
 def as_error(found: Diagnostic) -> Diagnostic:

@@ -38,6 +38,12 @@ def test_a_page_that_differs_fails_the_check(
     page = tmp_path / "language.md"
     page.write_text(page.read_text(encoding="utf-8") + "\n", encoding="utf-8")
     assert script.main(["--check"]) == 1
+    assert script.main([]) == 0
+    gone = tmp_path / "rules" / "RG999.md"
+    gone.touch()
+    assert script.main(["--check"]) == 1
+    assert script.main([]) == 0
+    assert not gone.exists()
     page.unlink()
     assert script.main(["--check"]) == 1
 

@@ -1,0 +1,86 @@
+"""How comments are written in the files of a workspace, and where a text has them."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from enum import Enum
+from pathlib import Path
+
+from plastron_tui.diagnostics import Span
+
+_STRINGS = rb"\"(?:\\.|[^\"\\\n])*\"?|'(?:\\.|[^'\\\n])*'?"
+
+
+class CommentStyle(Enum):
+    """What a file's comments look like."""
+
+    CPP = "cpp"
+    PYTHON = "python"
+    YAML = "yaml"
+    CMAKE = "cmake"
+    XML = "xml"
+    PROGRAM = "plastron"
+
+    def comment(self, codes: str) -> str:
+        """Return the comment that says that what breaks rules is meant."""
+        if self is CommentStyle.CPP:
+            return f"// NOLINT({codes})"
+        if self is CommentStyle.XML:
+            return f"<!-- noqa: {codes} -->"
+        return f"{'//' if self is CommentStyle.PROGRAM else '#'} noqa: {codes}"
+
+
+# Each begins at the first match, so that a sign in a string begins no comment. What has no end
+# goes on to the end of the text, so that a text is passed over once.
+_PARTS = {
+    CommentStyle.CPP: rb"R\"(?P<raw>[^()\\\s]{0,16})\(.*?(?:\)(?P=raw)\"|\Z)|" + _STRINGS
+    + rb"|(?P<comment>//(?:\\\r?\n|[^\n])*|/\*.*?(?:\*/|\Z))",
+    CommentStyle.PYTHON: rb"\"\"\"(?:\\.|[^\\])*?(?:\"\"\"|\Z)|'''(?:\\.|[^\\])*?(?:'''|\Z)|"
+    + _STRINGS + rb"|(?P<comment>#[^\n]*)",
+    CommentStyle.CMAKE: rb"(?P<comment>#\[(?P<c>=*)\[.*?(?:\](?P=c)\]|\Z)|#[^\n]*)"
+    rb"|\"(?:\\.|[^\"\\])*\"?|\[(?P<b>=*)\[.*?(?:\](?P=b)\]|\Z)",
+    CommentStyle.XML: rb"(?P<comment><!--.*?(?:-->|\Z))|<!\[CDATA\[.*?(?:\]\]>|\Z)|"
+    rb"<\?.*?(?:\?>|\Z)|<(?:[^\"'<>]|\"[^\"]*(?:\"|\Z)|'[^']*(?:'|\Z))*>?",
+    # Quotes of a plain scalar are letters: whether a sign is in a string shows in what is read.
+    CommentStyle.YAML: rb"(?<![^ \t\n])(?P<comment>#[^\n]*)",
+    CommentStyle.PROGRAM: _STRINGS + rb"|(?P<comment>//[^\n]*)",
+}  # fmt: skip
+_LEXERS = {style: re.compile(parts, re.S) for style, parts in _PARTS.items()}
+
+_STYLES = {
+    ".py": CommentStyle.PYTHON,
+    ".yaml": CommentStyle.YAML,
+    ".yml": CommentStyle.YAML,
+    ".cmake": CommentStyle.CMAKE,
+    ".xml": CommentStyle.XML,
+    ".launch": CommentStyle.XML,
+    ".xacro": CommentStyle.XML,
+    ".urdf": CommentStyle.XML,
+    ".plastron": CommentStyle.PROGRAM,
+} | dict.fromkeys((".cpp", ".cc", ".cxx", ".hpp", ".hxx", ".hh", ".h"), CommentStyle.CPP)
+
+
+def style_of(file: Path) -> CommentStyle | None:
+    """Return what the comments of a file look like, None where none can say anything of rules."""
+    if file.name == "CMakeLists.txt":
+        return CommentStyle.CMAKE
+    return _STYLES.get(file.suffix)
+
+
+def tag_at(text: bytes, offset: int) -> Span | None:
+    """Return the tag of an XML text that an offset is in, None where it is in none."""
+    for match in _LEXERS[CommentStyle.XML].finditer(text):
+        if match.start() <= offset < match.end():
+            is_tag = text[match.start() + 1 : match.start() + 2].isalpha()
+            return Span(*match.span()) if is_tag else None
+    return None
+
+
+def comment_spans(style: CommentStyle, text: bytes) -> Iterator[Span]:
+    """Yield the places of the comments of a text."""
+    for match in _LEXERS[style].finditer(text):
+        if match["comment"] is not None:
+            yield Span(
+                match.start("comment"), len(match["comment"].rstrip()) + match.start("comment")
+            )

@@ -1,0 +1,108 @@
+"""What packages depend on over others, and in which words a package.xml says so."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from plastron_tui.model.package_facts import BuildFacts, Used
+
+from .tree import PackageFacts, SourceTree
+
+_BRINGING: dict[str, frozenset[str]] = {
+    "common_interfaces": frozenset(
+        {"actionlib_msgs", "builtin_interfaces", "diagnostic_msgs", "geometry_msgs", "nav_msgs",
+         "sensor_msgs", "shape_msgs", "std_msgs", "std_srvs", "stereo_msgs", "trajectory_msgs",
+         "visualization_msgs"}
+    ),
+    "common_msgs": frozenset(
+        {"actionlib_msgs", "diagnostic_msgs", "geometry_msgs", "nav_msgs", "sensor_msgs",
+         "shape_msgs", "stereo_msgs", "trajectory_msgs", "visualization_msgs"}
+    ),
+}  # fmt: skip
+"""What packages bring that are there for nothing else: the metapackages of messages."""
+
+
+def is_umbrella(tree: SourceTree, package: PackageFacts) -> bool:
+    """Tell whether a package of the workspace is there to bring others, and makes nothing."""
+    build = package.build
+    if build is None or package.executables or build.targets or build.entries:
+        return False
+    return not any(unit.package == package.name for unit in tree.units)
+
+
+def brought(tree: SourceTree, package: PackageFacts) -> Iterator[str]:
+    """Yield the packages that come with those which a package depends on for nothing else."""
+    waiting = [] if package.build is None else [each.name for each in package.build.dependencies]
+    seen: set[str] = set()
+    while waiting:
+        name = waiting.pop()
+        if name in seen:
+            continue
+        seen.add(name)
+        yield from _BRINGING.get(name, ())
+        other = tree.packages.get(name)
+        if other is None or other.build is None or other.build.has_code or _has_types(tree, other):
+            continue
+        own = [each.name for each in other.build.dependencies if {"build", "exec"} & each.covers]
+        yield from own
+        waiting += own
+
+
+def _has_types(tree: SourceTree, package: PackageFacts) -> bool:
+    return any(
+        each.endswith((".msg", ".srv", ".action"))
+        for each in (() if package.build is None else package.build.files)
+    )
+
+
+def depends_on(tree: SourceTree, name: str, wanted: str) -> bool:
+    """Tell whether a package of the workspace depends on another one, over others or itself."""
+    waiting, seen = [name], set[str]()
+    while waiting:
+        current = waiting.pop()
+        package = tree.packages.get(current)
+        if current in seen or package is None or package.build is None:
+            continue
+        seen.add(current)
+        names = [each.name for each in package.build.dependencies if "test" not in each.tag]
+        if wanted in names:
+            return True
+        waiting += names
+    return False
+
+
+def remedy_for(
+    tree: SourceTree, package: PackageFacts, used: Used, name: str, needs: frozenset[str]
+) -> str:
+    """Return what to write so that a package depends on another one.
+
+    Args:
+        tree: the workspace.
+        package: the package.
+        used: what it needs of the other one first.
+        name: the other one.
+        needs: for what it needs it in all, `build` or `exec`.
+    """
+    build, version = package.build, package.ros_versions[0]
+    assert build is not None
+    catalog = tree.catalogs.get(version)
+    is_known = name in tree.packages or catalog is None or catalog.has_package(name)
+    if used.package and not is_known:
+        return f"no package is called `{name}`: the folder of its definitions has no package.xml"
+    tags = " and ".join(f"`<{tag}>{name}</{tag}>`" for tag in _tags(needs, build))
+    remedy = f"write {tags} into package.xml"
+    if "build" not in needs or build.build_type == "ament_python" or name in build.found:
+        return remedy
+    finding = f"find_package(catkin REQUIRED COMPONENTS … {name})"
+    if build.build_type != "catkin":
+        finding = f"find_package({name} REQUIRED)"
+    return f"{remedy}, and `{finding}` into CMakeLists.txt"
+
+
+def _tags(needs: frozenset[str], build: BuildFacts) -> tuple[str, ...]:
+    tags = {each.tag for each in build.dependencies}
+    if "run_depend" in tags:
+        # What is built is linked with it, or made of its types, and needs it when it runs.
+        return ("build_depend", "run_depend") if "build" in needs else ("run_depend",)
+    is_python = "build" not in needs and build.build_type == "ament_python"
+    return ("exec_depend",) if is_python else ("depend",)

@@ -1,0 +1,94 @@
+"""Which files of nodes an executable, a component or a nodelet of a launch file is made of."""
+
+from __future__ import annotations
+
+import re
+from collections import defaultdict
+from collections.abc import Iterable
+from functools import lru_cache
+
+from plastron_tui.ros.launch import loaded_nodelet
+from plastron_tui.ros.launch_started import Started
+
+from .tree import PackageFacts, SourceTree, UnitFacts
+
+
+class Executables:
+    """Finds the files of nodes that launch files start."""
+
+    def __init__(self, tree: SourceTree) -> None:
+        """Remember the files of each package by their names, and by the classes of their nodes."""
+        self._tree = tree
+        self._by_file: dict[tuple[str, str], list[UnitFacts]] = defaultdict(list)
+        self._by_class: dict[tuple[str, str], list[UnitFacts]] = defaultdict(list)
+        for unit in tree.built:
+            self._by_file[unit.package, unit.path.name].append(unit)
+            for class_name in {node.class_name for node in unit.nodes if node.class_name}:
+                self._by_class[unit.package, class_name].append(unit)
+
+    def is_alone(self, started: Started, unit: UnitFacts) -> bool:
+        """Tell whether nothing else is built into what a launch file starts than these files.
+
+        What a program of C++ is linked with may create endpoints of its nodes as well, which is
+        likely where its own source has none.
+        """
+        if unit.path.suffix == ".py":
+            return True
+        package = self._tree.packages.get(unit.package)
+        executables = {} if package is None else package.executables
+        known = executables.get(started.executable) or next(
+            (each for each in executables.values() if each.loaded == started.executable), None
+        )
+        has_endpoints = any(
+            endpoint.kind.facts.interface is not None
+            for node in unit.nodes
+            for endpoint in node.endpoints
+        )
+        return known is not None and len(known.sources) == 1 and has_endpoints
+
+    def started(self, started: Started) -> UnitFacts | None:
+        """Return the files of what a launch file starts, None where that is not known."""
+        name, package = started.executable, self._tree.packages.get(started.package)
+        nodelet = loaded_nodelet(started.package, dict(started.others).get("args", ""))
+        if nodelet is not None:
+            name = nodelet
+            package = self._tree.packages.get(nodelet.partition("/")[0])
+        return None if package is None else self.find(package, name)
+
+    def find(self, package: PackageFacts, name: str) -> UnitFacts | None:
+        """Return the files that an executable of a package is made of, None for unknown ones.
+
+        Args:
+            package: the package.
+            name: what starts it, or the class of a component (`demo::Talker`) or a nodelet
+                (`demo/Talker`).
+        """
+        if "::" in name or "/" in name:
+            return self._of_class(package, name)
+        known = package.executables.get(name)
+        if known is None:
+            # `rosrun` starts any file of a package that may be executed, installed or not.
+            is_found = 1 in package.ros_versions
+            return _only(self._by_file[package.name, name]) if is_found else None
+        return self._made_of(package, [known.file] if known.file is not None else known.sources)
+
+    def _of_class(self, package: PackageFacts, name: str) -> UnitFacts | None:
+        for each in package.executables.values():
+            if each.loaded == name:
+                return self._made_of(package, each.sources)
+        return _only(self._by_class[package.name, re.split("::|/", name)[-1]])
+
+    def _made_of(self, package: PackageFacts, files: Iterable[str]) -> UnitFacts | None:
+        by_path = self._tree.by_path
+        paths = {package.folder / each for each in files}
+        return _only([by_path[path] for path in sorted(paths) if path in by_path])
+
+
+@lru_cache(maxsize=1)
+def executables_of(tree: SourceTree) -> Executables:
+    """Return what finds the files of nodes of a workspace, the same for all who ask."""
+    return Executables(tree)
+
+
+def _only(units: list[UnitFacts]) -> UnitFacts | None:
+    return units[0] if len(units) == 1 else None

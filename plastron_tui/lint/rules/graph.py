@@ -1,0 +1,275 @@
+"""What is wrong between nodes that run together."""
+
+from __future__ import annotations
+
+from collections import Counter, defaultdict
+from collections.abc import Iterable, Iterator, Mapping
+from pathlib import Path
+
+from plastron_tui.diagnostics import Code, Diagnostic, Label, Span
+from plastron_tui.lint.rule import rule
+from plastron_tui.lint.runs import Place, RunningNode, User, runs_of, span_of
+from plastron_tui.lint.sides import are_parts, everywhere, is_left_behind, is_variant
+from plastron_tui.lint.tree import SourceTree
+from plastron_tui.lint.well_known import IS_EVERYWHERE
+from plastron_tui.model.kinds import EndpointKind
+from plastron_tui.ros.interfaces import InterfaceKind, InterfaceName
+from plastron_tui.ros.launch_started import Site, Started
+from plastron_tui.ros.qos import mismatches, value_text
+
+from .graph_examples import LISTENER, NAMED_TWICE, TALKER, listener, talker
+
+_Typed = tuple[InterfaceName, User]
+
+
+@rule(
+    "RG101",
+    "type-conflict",
+    "Two nodes that run together use one topic, service or action with different types.",
+    why="They never hear each other: ROS 1 refuses the connection with a line in its log, ROS 2 "
+    "without a word. It is told of nodes that one launch file starts. Of nodes that none starts "
+    "together it is told where the one sends what the other one is to hear, and nobody there is at "
+    "the other side with the first one's type: two drivers of which a user starts one are no "
+    "mistake. Where nothing says that their packages belong together, the type has to be that of "
+    "one file alone, and no variant of the other one (`Twist`, `TwistStamped`). A node that itself "
+    "sends or hears two types by a name has a choice, and is left alone.",
+    bad={"talker.py": TALKER, "listener.py": listener(type="Int32")},
+    good={"talker.py": TALKER, "listener.py": LISTENER},
+)
+def type_conflict(tree: SourceTree, code: Code) -> Iterator[Diagnostic]:
+    """Find topics, services and actions of two types."""
+    told: set[tuple[Path, Span]] = set()
+    for run in runs_of(tree):
+        for place, user, other in _conflicts(tree, run.meetings(), is_run=run.launch is not None):
+            told.add((user.path, user.endpoint.span))
+            yield _conflict(code, place, user, other)
+    meetings = everywhere(tree).meetings
+    for place, user, other in _conflicts(tree, meetings, is_run=False):
+        if (other.path, other.endpoint.span) in told or _is_moved(user, other):
+            continue
+        if any(is_left_behind(tree, each) for each in (user, other)):
+            continue
+        far = other.endpoint.type, other.sends
+        across = [each for each in meetings[place] if (each.endpoint.type, each.sends) == far]
+        part = next((each for each in across if are_parts(tree, user, each)), None)
+        if part is not None or _is_odd(meetings[place], user, other):
+            yield _conflict(code, place, user, part or other)
+
+
+def _is_odd(users: Iterable[User], user: User, other: User) -> bool:
+    """Tell whether a file alone uses its type for a name, and it is no variant of the other one.
+
+    Variants of a type are what two robots of a workspace differ by.
+    """
+    one, far = user.endpoint.type, other.endpoint.type
+    if one is None or far is None or is_variant(one.name, far.name):
+        return False
+    return not any(each.endpoint.type == one and each.path != user.path for each in users)
+
+
+def _is_moved(one: User, other: User) -> bool:
+    """Tell whether two types may be one that has moved to another package."""
+    names = {
+        None if each.endpoint.type is None else each.endpoint.type.name for each in (one, other)
+    }
+    return len(names) == 1
+
+
+def _conflicts(
+    tree: SourceTree, meetings: Mapping[Place, list[User]], *, is_run: bool
+) -> Iterator[tuple[Place, User, User]]:
+    for place, users in meetings.items():
+        settled = [] if place[2] in IS_EVERYWHERE else _settled(users)
+        types = Counter(type_ for type_, _ in settled)
+        if len(types) < 2:
+            continue
+        usual = types.most_common(1)[0][0]
+        for type_, user in settled:
+            other = _conflicting(usual, (type_, user), settled, is_run=is_run)
+            if other is not None and _are_two(tree, place[:2], type_, other[0]):
+                yield place, user, other[1]
+
+
+def _conflict(code: Code, place: Place, user: User, other: User) -> Diagnostic:
+    type_, far = user.endpoint.type, other.endpoint.type
+    return Diagnostic(
+        code,
+        f"{user.endpoint.kind.facts.named} `{place[2]}` is of type `{type_}` here, and of type "
+        f"`{far}` in `{other.node.shown}`",
+        user.endpoint.span,
+        user.path,
+        labels=(Label(other.endpoint.span, f"`{far}` here", other.path),),
+    )
+
+
+def _settled(users: Iterable[User]) -> list[_Typed]:
+    """Return the users whose node has one type alone for the name and side, one of each."""
+    found: dict[object, dict[InterfaceName, User]] = defaultdict(dict)
+    for user in users:
+        if user.endpoint.type is not None:
+            found[user.node.key, user.sends].setdefault(user.endpoint.type, user)
+    return [pair for types in found.values() if len(types) == 1 for pair in types.items()]
+
+
+def _conflicting(
+    usual: InterfaceName, typed: _Typed, settled: Iterable[_Typed], *, is_run: bool
+) -> _Typed | None:
+    """Return whom an endpoint cannot hear, or be heard by; None where it is right, or may be."""
+    type_, user = typed
+    across = [each for each in settled if each[1].sends is not user.sends]
+    others = [each for each in across if each[0] != type_]
+    has_partner = any(type_ == each[0] for each in across)
+    if is_run:
+        beside = [each for each in settled if each[0] == usual]
+        return None if type_ == usual else next(iter((*others, *beside)), None)
+    if has_partner or not others:
+        return None
+    # Of two that cannot hear each other, the one that is more alone is told of.
+    first = others[0]
+    is_other_alone = not any(
+        each[0] == first[0] and each[1].sends is not first[1].sends for each in settled
+    )
+    return None if is_other_alone and type_ == usual else first
+
+
+def _are_two(
+    tree: SourceTree, of: tuple[InterfaceKind, int], one: InterfaceName, other: InterfaceName
+) -> bool:
+    """Tell whether two types differ; a package that has moved may have left a name behind."""
+    catalog = tree.catalogs.get(of[1])
+    if one.name != other.name or catalog is None:
+        return True
+    return all(catalog.find(each, of[0]) is not None for each in (one, other))
+
+
+@rule(
+    "RG102",
+    "qos-mismatch",
+    "A publisher and a subscription that run together never match, by their quality of service.",
+    why="In ROS 2 a publisher has to offer no less than a subscription asks for; else no message "
+    "arrives, and the only sign is a warning in the log of either. Policies that are not known, or "
+    "that the middleware chooses, are no reason. Of nodes that no launch file starts together, one "
+    "has to be without anybody else whom it matches.",
+    bad={"talker.py": talker(qos="qos_profile_sensor_data"), "listener.py": LISTENER},
+    good={"talker.py": TALKER, "listener.py": LISTENER},
+)
+def qos_mismatch(tree: SourceTree, code: Code) -> Iterator[Diagnostic]:
+    """Find publishers and subscriptions of ROS 2 that never match."""
+    runs = [(run.meetings(), True) for run in runs_of(tree)]
+    for meetings, is_run in (*runs, (everywhere(tree).meetings, False)):
+        for (_, version, name), users in meetings.items():
+            if version == 2:
+                yield from _never_matching(code, name, users, is_run=is_run)
+
+
+def _never_matching(
+    code: Code, name: str, users: Iterable[User], *, is_run: bool
+) -> Iterator[Diagnostic]:
+    """Yield what is wrong between the users of a topic, once for each that hears.
+
+    Of two that no launch file starts together, one has to be without anybody whom it matches.
+    """
+    users = list(users)
+    senders = _alone(user for user in users if user.endpoint.kind is EndpointKind.PUBLISHER)
+    receivers = _alone(user for user in users if user.endpoint.kind is EndpointKind.SUBSCRIPTION)
+    for receiver in receivers:
+        for sender in senders:
+            found = _never_match(code, name, sender, receiver)
+            if found is None:
+                continue
+            if is_run or not (
+                any(_never_match(code, name, each, receiver) is None for each in senders)
+                and any(_never_match(code, name, sender, each) is None for each in receivers)
+            ):
+                yield found
+                break
+
+
+def _alone(users: Iterable[User]) -> list[User]:
+    """Return the users of which their node has no other: one of several may be a choice."""
+    found: dict[object, list[User]] = defaultdict(list)
+    for user in users:
+        found[user.node.key].append(user)
+    return [each[0] for each in found.values() if len(each) == 1]
+
+
+def _never_match(code: Code, name: str, sender: User, receiver: User) -> Diagnostic | None:
+    offered, requested = sender.endpoint.qos, receiver.endpoint.qos
+    if len({sender.endpoint.type, receiver.endpoint.type} - {None}) > 1:
+        return None
+    found = () if offered is None or requested is None else mismatches(offered, requested)
+    if not found:
+        return None
+    policies = " and ".join(each.policy for each in found)
+    offers = " and ".join(f"`{value_text(each.offered)}`" for each in found)
+    asks = " and ".join(f"`{value_text(each.requested)}`" for each in found)
+    verb = "does" if len(found) == 1 else "do"
+    return Diagnostic(
+        code,
+        f"{policies} of topic `{name}` {verb} not match: `{sender.node.shown}` offers {offers}"
+        f", and `{receiver.node.shown}` asks for {asks}",
+        receiver.endpoint.span,
+        receiver.path,
+        labels=(Label(sender.endpoint.span, "the publisher", sender.path),),
+    )
+
+
+@rule(
+    "RG103",
+    "duplicate-node-name",
+    "A launch file starts two nodes of one name.",
+    why="ROS 1 ends the first of them when the second one starts. ROS 2 keeps both, and "
+    "parameters, logs and `ros2 node` mix them up. A node that gets no name in the launch file has "
+    "the one that its code says.",
+    bad=NAMED_TWICE["bad"],
+    good=NAMED_TWICE["good"],
+)
+def duplicate_node_name(tree: SourceTree, code: Code) -> Iterator[Diagnostic]:
+    """Find nodes that get the full name of another one of their launch file."""
+    for run in runs_of(tree):
+        if run.launch is None:
+            continue
+        own = {id(node.started): node for node in run.nodes}
+        counts = Counter(id(node.started) for node in run.nodes)
+        first: dict[str, Started] = {}
+        for started in run.launch.resolved.started:
+            node = own.get(id(started)) if counts[id(started)] == 1 else None
+            name = _name_of(started, node)
+            if name is None:
+                continue
+            other = first.setdefault(name, started)
+            places = None if other is started else _places(other, started)
+            if places is None:
+                continue
+            yield from _named_twice(code, name, *places)
+
+
+def _name_of(started: Started, node: RunningNode | None) -> str | None:
+    """Return the full name of a node that is started, None where it is not known."""
+    if not started.is_named or any("__n" in value for _, value in started.others):
+        return None
+    if started.name is not None:
+        return started.full_name
+    if node is None or node.node.name is None or node.unit.ros_version != 2:
+        return None
+    return node.full_name
+
+
+def _places(first: Started, second: Started) -> tuple[Site, Site] | None:
+    """Return what makes two nodes of two: where each is started, or its file is included."""
+    one, other = (first.file, first.place), (second.file, second.place)
+    if one != other:
+        return one, other
+    pairs = zip(first.included, second.included, strict=False)
+    return next(((a, b) for a, b in pairs if a != b), None)
+
+
+def _named_twice(code: Code, name: str, first: Site, second: Site) -> Iterator[Diagnostic]:
+    (file, place), (other_file, other_place) = second, first
+    if file is None or place is None:
+        return
+    labels: tuple[Label, ...] = ()
+    if other_file is not None and other_place is not None:
+        labels = (Label(span_of(other_place), "the other one", Path(other_file)),)
+    message = f"another node is called `{name}`, too"
+    yield Diagnostic(code, message, span_of(place), Path(file), labels=labels)

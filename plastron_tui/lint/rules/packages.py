@@ -1,0 +1,231 @@
+"""What is wrong between a package's code and its package.xml."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from functools import cache
+
+from plastron_tui.diagnostics import Code, Diagnostic, Edit, Fix, Label, Severity, Span
+from plastron_tui.lint.dependencies import brought, depends_on, is_umbrella, remedy_for
+from plastron_tui.lint.rule import rule
+from plastron_tui.lint.tree import PackageFacts, SourceTree
+from plastron_tui.model.package_facts import BuildFacts, Declared, Used
+from plastron_tui.ros.interfaces import InterfaceKind
+from plastron_tui.ros.package_keys import package_of_header, package_of_module
+
+from .package_examples import NODE_PACKAGE, package_xml
+
+_BROUGHT = frozenset(
+    {"action_msgs", "actionlib_msgs", "builtin_interfaces", "service_msgs",
+     "unique_identifier_msgs"}
+)  # fmt: skip
+"""What the build of types needs, or brings, without anybody naming it."""
+_HANDED_ON = _BROUGHT | {"lifecycle_msgs", "rcl_interfaces", "rosgraph_msgs"}
+"""What the client libraries themselves hand to whoever uses them."""
+_LIBRARIES = frozenset({"rclcpp", "rclpy", "roscpp", "rospy"})
+_FURTHER = frozenset(
+    {"actionlib", "cv_bridge", "image_transport", "message_filters", "tf", "tf2_ros"}
+)
+"""Packages without types of their own that code uses by their name."""
+_ENDINGS = ("_msgs", "_srvs", "_interfaces", "_msg", "_srv", "_actions", "_action", "_messages")
+
+
+def packages_of_types(tree: SourceTree, version: int) -> frozenset[str]:
+    """Return the packages that have types, in a generation of ROS."""
+    catalog = tree.catalogs.get(version)
+    if catalog is None:
+        return frozenset()
+    return frozenset(each for kind in InterfaceKind for each in catalog.packages(kind))
+
+
+@rule(
+    "RK501",
+    "undeclared-dependency",
+    "Code uses a package of ROS that its package.xml does not depend on.",
+    severity=Severity.WARNING,
+    why="It works where somebody else has installed or built that package before, and breaks on "
+    "the next machine, or when the packages are built in another order. What another package "
+    "depends on does not count. Code that is not installed, tests, and what is imported in `try` "
+    "are left alone, as are most packages without types that are not of the workspace.",
+    bad=NODE_PACKAGE | {"demo/package.xml": package_xml("demo", exec_depend=["rclpy"])},
+    good=NODE_PACKAGE,
+)
+def undeclared_dependency(tree: SourceTree, code: Code) -> Iterator[Diagnostic]:
+    """Find packages that code uses and package.xml does not name."""
+    known = cache(lambda version: packages_of_types(tree, version))
+    with_headers, with_modules = _own(tree)
+    for package, build in _built(tree):
+        if build.has_groups:
+            continue
+        seen = {package.name, *brought(tree, package)}
+        for used in build.used:
+            own = with_modules if used.need == "exec" else with_headers
+            types = known(package.ros_versions[0])
+            name = _package_of(used, package, types, own)
+            if name is None or name in seen or _is_of_another(used, build, tree):
+                continue
+            if depends_on(tree, name, package.name):
+                # The two cannot depend on each other.
+                continue
+            if not _counts(name, build, types, tree):
+                continue
+            declared = [each for each in build.dependencies if each.name == name]
+            version = package.ros_versions[0]
+            if any(used.need in each.covers and version in each.versions for each in declared):
+                continue
+            seen.add(name)
+            own_uses = ((x, with_modules if x.need == "exec" else with_headers) for x in build.used)
+            needs = frozenset(
+                x.need for x, own in own_uses if _package_of(x, package, types, own) == name
+            )
+            yield Diagnostic(
+                code,
+                _undeclared(name, used, declared),
+                used.place.span,
+                package.folder / used.place.file,
+                help=remedy_for(tree, package, used, name, needs),
+                labels=(
+                    Label(
+                        declared[0].span if declared else build.name_span,
+                        "this is all that it says" if declared else "this package.xml",
+                        package.folder / "package.xml",
+                    ),
+                ),
+            )
+
+
+def _built(tree: SourceTree) -> Iterator[tuple[PackageFacts, BuildFacts]]:
+    for package in tree.packages.values():
+        if package.build is not None:
+            yield package, package.build
+
+
+def _package_of(
+    used: Used, package: PackageFacts, known: frozenset[str], own: frozenset[str]
+) -> str | None:
+    """Return the package of ROS that something is of, None where that is not known."""
+    if used.package:
+        return used.package if used.package in known else None
+    version = package.ros_versions[0]
+    find = package_of_module if used.need == "exec" else package_of_header
+    return find(used.what, version, known | own)
+
+
+def _own(tree: SourceTree) -> tuple[frozenset[str], frozenset[str]]:
+    """Return the packages of a workspace that have headers, and those that have modules."""
+    built = list(_built(tree))
+    return (
+        frozenset(package.name for package, build in built if build.has_headers),
+        frozenset(package.name for package, build in built if package.name in build.modules),
+    )
+
+
+def _counts(name: str, build: BuildFacts, types: frozenset[str], tree: SourceTree) -> bool:
+    """Tell whether a package is one that everybody is to declare, and that nobody hands on."""
+    if name in tree.packages or name in _LIBRARIES:
+        return True
+    if name in _FURTHER:
+        start = name.partition("_")[0].rstrip("2")
+        return not any(each.name.startswith(start) for each in build.dependencies)
+    return name in types and name not in _HANDED_ON
+
+
+def _is_of_another(used: Used, build: BuildFacts, tree: SourceTree) -> bool:
+    """Tell whether a header may be of a package that is depended on, in a folder of this name."""
+    folder = used.what.partition("/")[0]
+    others = (
+        tree.packages.get(each.name)
+        for each in build.dependencies
+        if "build" in each.covers and each.name != folder
+    )
+    return used.need == "build" and any(
+        each is not None and each.build is not None and folder in each.build.folders
+        for each in others
+    )
+
+
+def _undeclared(name: str, used: Used, declared: list[Declared]) -> str:
+    if not declared:
+        return f"`{name}` is used here, and package.xml does not depend on it"
+    when = "when it runs" if used.need == "exec" else "to be built"
+    return f"`{name}` is used here {when}, and package.xml has it as `<{declared[0].tag}>` alone"
+
+
+@rule(
+    "RK502",
+    "unused-dependency",
+    "A package.xml depends on a package of types that nothing in the package names.",
+    severity=Severity.WARNING,
+    why="Whoever installs or builds the package gets the other one for nothing. It is told of "
+    "packages that have types and nothing else, where no file of the package has the name: no "
+    "code, launch file, configuration or definition; what CMake hands on to others counts as used.",
+    bad=NODE_PACKAGE
+    | {"demo/package.xml": package_xml("demo", exec_depend=["rclpy", "std_msgs", "sensor_msgs"])},
+    good=NODE_PACKAGE,
+)
+def unused_dependency(tree: SourceTree, code: Code) -> Iterator[Diagnostic]:
+    """Find packages of types that package.xml names and nothing else."""
+    known = cache(lambda version: packages_of_types(tree, version))
+    for package, build in _built(tree):
+        # What `ament_auto_package` hands on matters to those who include a header alone.
+        if not build.has_code or ("*" in build.exported and build.has_headers):
+            continue
+        told: set[str] = set()
+        is_empty = is_umbrella(tree, package)
+        for each in build.dependencies:
+            name = each.name
+            used = build.mentioned | build.exported | build.linked | _BROUGHT
+            is_used = name in used or (is_empty and name in tree.packages)
+            if is_used or name in told or not each.is_plain or each.tag == "doc_depend":
+                continue
+            if name not in known(package.ros_versions[0]) or not _has_only_types(name, tree):
+                continue
+            if _belongs_with(name, package.name):
+                continue
+            told.add(name)
+            yield Diagnostic(
+                code,
+                f"nothing in this package uses `{name}`",
+                each.span,
+                package.folder / "package.xml",
+                help=_to_take_out(name, build),
+                labels=_looked_for(name, build, package),
+                fix=_without(each, build) if name not in build.found else None,
+            )
+
+
+def _to_take_out(name: str, build: BuildFacts) -> str:
+    tags = [each.tag for each in build.dependencies if each.name == name]
+    lines = f"all {len(tags)} lines of it" if len(tags) > 1 else "the dependency"
+    if name not in build.found:
+        return f"take {lines} out"
+    return f"take {lines} out of package.xml, and `{name}` out of CMakeLists.txt"
+
+
+def _looked_for(name: str, build: BuildFacts, package: PackageFacts) -> tuple[Label, ...]:
+    place = build.found.get(name)
+    if place is None:
+        return ()
+    return (Label(place.span, "this alone names it", package.folder / place.file),)
+
+
+def _belongs_with(name: str, package: str) -> bool:
+    """Tell whether a package may be there to bring others along, this one among them."""
+    is_one_of_them = name.partition("_")[0] == package.partition("_")[0]
+    return name.startswith(f"{package}_") or (is_one_of_them and package.endswith("_bringup"))
+
+
+def _has_only_types(name: str, tree: SourceTree) -> bool:
+    """Tell whether a package has types, and nothing else that one may depend on it for."""
+    own = tree.packages.get(name)
+    if own is not None:
+        return not own.executables and own.build is not None and not own.build.has_code
+    return name.endswith(_ENDINGS)
+
+
+def _without(declared: Declared, build: BuildFacts) -> Fix | None:
+    """Return the fix that takes a dependency out, None where another tag names it, too."""
+    others = [each for each in build.dependencies if each.name == declared.name]
+    if len(others) > 1 or declared.line is None:
+        return None
+    return Fix("take the dependency out", (Edit(Span(*declared.line), ""),))

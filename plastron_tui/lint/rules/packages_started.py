@@ -1,0 +1,170 @@
+"""Names of programs that lead nowhere: of entry points, and of launch files."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from pathlib import Path
+from typing import NamedTuple
+
+from plastron_tui.diagnostics import Code, Diagnostic, write
+from plastron_tui.diagnostics.suggest import nearest
+from plastron_tui.lint.rule import rule
+from plastron_tui.lint.runs import span_of
+from plastron_tui.lint.tree import PackageFacts, SourceTree, StartedPlace
+from plastron_tui.model.package_facts import BuildFacts
+from plastron_tui.ros.launch_started import Started
+from plastron_tui.ros.name_slips import is_slip
+
+from .package_examples import NODE_PACKAGE, setup_py
+
+_LAUNCH = '<launch>\n  <node pkg="demo" exec="{}"/>\n</launch>\n'
+
+
+@rule(
+    "RK505",
+    "entry-point-to-nothing",
+    "A console script names a module or a function that is not there.",
+    why="The package installs, and `ros2 run` ends with an ImportError. A module that is in no "
+    "package of `packages` is not installed either. Where names are computed, or a module takes "
+    "all of another one, nothing is told.",
+    bad=NODE_PACKAGE | {"demo/setup.py": setup_py("talker = demo.talker:mian")},
+    good=NODE_PACKAGE,
+)
+def entry_point_to_nothing(tree: SourceTree, code: Code) -> Iterator[Diagnostic]:
+    """Find console scripts without a function."""
+    for package in tree.packages.values():
+        for each in () if package.build is None else package.build.entries:
+            yield Diagnostic(
+                code,
+                f"`{each.name}` starts nothing: {each.message}",
+                each.place.span,
+                package.folder / each.place.file,
+                help=f"did you mean `{each.remedy}`?" if each.remedy else each.help or None,
+                fix=write(each.remedy, each.place.span) if each.is_sure else None,
+            )
+
+
+@rule(
+    "RK506",
+    "launch-of-nothing",
+    "A launch file starts a program that its package does not have.",
+    why="The launch ends with an error, or goes on without that node. It is told of packages of "
+    "the workspace whose programs are all known, and of components in a container; what "
+    "`CMakeLists.txt` makes in a way that is not followed, and packages that are not in the "
+    "workspace, may have any program.",
+    bad=NODE_PACKAGE | {"demo/launch/demo.launch.xml": _LAUNCH.format("taker")},
+    good=NODE_PACKAGE | {"demo/launch/demo.launch.xml": _LAUNCH.format("talker")},
+)
+def launch_of_nothing(tree: SourceTree, code: Code) -> Iterator[Diagnostic]:
+    """Find nodes of launch files that no package has."""
+    told: set[tuple[str, str, str]] = set()
+    for launch in tree.launches:
+        for started in launch.resolved.started:
+            place = started.place
+            if place is None or started.file is None or _is_test(tree, started.file):
+                continue
+            fault = _fault(tree, started, launch.ros_version)
+            if fault is None or (started.file, started.package, started.executable) in told:
+                continue
+            told.add((started.file, started.package, started.executable))
+            known = tree.started_places.get(StartedPlace(started.file, place.start, fault.word))
+            is_sure = known is not None and is_slip(fault.word, fault.near)
+            yield Diagnostic(
+                code,
+                fault.message,
+                span_of(place) if known is None else known,
+                Path(started.file),
+                help=f"did you mean `{fault.near}`?" if fault.near else fault.help or None,
+                fix=write(fault.near, known) if known is not None and is_sure else None,
+            )
+
+
+def _is_test(tree: SourceTree, file: str) -> bool:
+    """Tell whether a launch file is for tests, which may start what is built for them alone."""
+    path = Path(file)
+    folders = path.relative_to(tree.root).parts[:-1] if path.is_relative_to(tree.root) else ()
+    return any(each in ("deprecated", "test", "tests") for each in folders)
+
+
+class _Fault(NamedTuple):
+    """What a launch file asks for in vain.
+
+    Attributes:
+        message: what is wrong.
+        word: the name that nothing has.
+        near: the name that may be meant, "" for none.
+        help: what to do about it, where no other name is meant.
+    """
+
+    message: str
+    word: str
+    near: str
+    help: str = ""
+
+
+def _fault(tree: SourceTree, started: Started, version: int) -> _Fault | None:
+    package = tree.packages.get(started.package)
+    name = started.executable
+    if package is None:
+        near = [
+            each.name
+            for each in tree.packages.values()
+            if is_slip(each.name, started.package) and name in each.executables
+        ]
+        if len(near) != 1:
+            return None
+        message = (
+            f"no package `{started.package}` is in this workspace, and `{near[0]}` has `{name}`"
+        )
+        return _Fault(message, started.package, near[0])
+    build = package.build
+    if started.container is not None:
+        return None if build is None else _component_fault(build, package.name, name)
+    # A launch file of ROS 1 beside a package of ROS 2 was left there when it was ported.
+    if version not in package.ros_versions or build is None or _may_have(package, build, name):
+        return None
+    broken = {each.name for each in build.entries}
+    near_name = _slip(name, (each for each in package.executables if each not in broken))
+    return _Fault(f"`{package.name}` has no program `{name}`", name, near_name, _left(build, name))
+
+
+def _slip(name: str, names: Iterable[str]) -> str:
+    """Return the name that a slip of the finger tells from another one, "" for none."""
+    found = nearest(name, names) or ""
+    if found.removesuffix(".py") == name.removesuffix(".py") or is_slip(name, found):
+        return found
+    return ""
+
+
+def _left(build: BuildFacts, name: str) -> str:
+    """Return what to do with a source of the name of a program that nothing makes of it."""
+    stem = name.removesuffix(".py")
+    found = next((x for x in (f"{stem}.cpp", f"{stem}.py") if x in build.files), None)
+    if found is None:
+        return ""
+    file = "`setup.py`" if build.build_type == "ament_python" else "`CMakeLists.txt`"
+    return f"`{found}` is there, and {file} makes no program of it"
+
+
+def _component_fault(build: BuildFacts, package: str, name: str) -> _Fault | None:
+    """Return what is wrong with a component: no class of the package is registered as that."""
+    if not build.components or name in build.components or "::" not in name:
+        return None
+    message = f"`{package}` registers no component `{name}`"
+    return _Fault(message, name, _slip(name, build.components))
+
+
+def _may_have(package: PackageFacts, build: BuildFacts, name: str) -> bool:
+    """Tell whether a package may have a program, as far as it is known."""
+    known = {*package.executables, *build.placed, *(each.name for each in build.targets)}
+    if name in known:
+        return True
+    if any(not each.isprintable() or each in "$ /" for each in name) or not name:
+        return True
+    if 1 in package.ros_versions and name in build.files:
+        return True
+    if build.is_settled:
+        return False
+    if build.words is None:
+        return True
+    return any(name == word or (word and word in name) for word in build.words)

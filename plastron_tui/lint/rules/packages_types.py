@@ -1,0 +1,85 @@
+"""Definitions of types that no build makes types of."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from functools import cache
+
+from plastron_tui.diagnostics import Code, Diagnostic, Label, Severity, write
+from plastron_tui.lint.rule import rule
+from plastron_tui.lint.tree import SourceTree
+from plastron_tui.model.package_facts import DefinitionMistake
+from plastron_tui.ros.catalog import Catalog
+from plastron_tui.ros.interfaces import InterfaceKind, InterfaceName
+
+from .package_examples import TYPES_PACKAGE
+
+
+@rule(
+    "RK507",
+    "definition-not-built",
+    "A definition that the build does not take, or that it takes and that is not there.",
+    why="A definition that no command of CMake names has no type: who imports it gets an error. "
+    "Types are built where `rosidl_generate_interfaces` (in ROS 1 `add_message_files` and "
+    "`generate_messages`) names the files and the packages that they are made of, what generates "
+    "them is found, and, in ROS 2, the package is a member of `rosidl_interface_packages`. Lists "
+    "that are computed are not followed. A definition that no node of the workspace uses is a "
+    "warning, and is not told where a comment in the command has its name.",
+    bad=TYPES_PACKAGE | {"demo/msg/Angle.msg": "float64 value\n"},
+    good=TYPES_PACKAGE,
+)
+def definition_not_built(tree: SourceTree, code: Code) -> Iterator[Diagnostic]:
+    """Find what keeps types from being built."""
+    used = cache(lambda: _used(tree))
+    for package in tree.packages.values():
+        for each in () if package.build is None else package.build.definitions:
+            catalog = tree.catalogs.get(package.ros_versions[0])
+            if each.package and (catalog is None or _comes_along(each, catalog)):
+                continue
+            is_left = bool(each.type) and InterfaceName(package.name, each.type) not in used()
+            if is_left and each.is_taken_out:
+                continue
+            other = each.other
+            yield Diagnostic(
+                code,
+                each.message,
+                each.place.span,
+                package.folder / each.place.file,
+                help=f"{each.help}, or take the file out: no node uses it"
+                if is_left
+                else each.help,
+                fix=write(each.remedy, each.place.span) if each.remedy else None,
+                labels=()
+                if other is None
+                else (Label(other.span, "the command", package.folder / other.file),),
+                severity=Severity.WARNING if is_left else None,
+            )
+
+
+def _used(tree: SourceTree) -> frozenset[InterfaceName | None]:
+    """Return the types that nodes of the workspace use."""
+    return frozenset(
+        endpoint.type for unit in tree.built for node in unit.nodes for endpoint in node.endpoints
+    )
+
+
+def _comes_along(mistake: DefinitionMistake, catalog: Catalog) -> bool:
+    """Tell whether a package that the build is told of may bring the one that it is not told of."""
+    seen: set[str] = set()
+    waiting = list(mistake.named)
+    names = {kind: catalog.names(kind) for kind in InterfaceKind}
+    while waiting:
+        package = waiting.pop()
+        if package in seen:
+            continue
+        seen.add(package)
+        own = [(kind, one) for kind in names for one in names[kind] if one.package == package]
+        if not own or package == mistake.package:
+            return True
+        for kind, name in own:
+            interface = catalog.find(name, kind)
+            if interface is None:
+                return True
+            for section in interface.sections:
+                waiting.extend(x.type.package for x in section.fields if x.type.package)
+    return False

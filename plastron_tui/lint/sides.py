@@ -1,0 +1,85 @@
+"""Who sends, and who hears, in all of a workspace."""
+
+from __future__ import annotations
+
+import re
+from collections import defaultdict
+from collections.abc import Mapping
+from functools import lru_cache
+from typing import NamedTuple
+
+from .runs import Place, User, runs_of
+from .tree import SourceTree
+
+
+class Sides(NamedTuple):
+    """The endpoints of all runs together.
+
+    Attributes:
+        meetings: who is at each topic, service and action, whichever run it is in.
+        strays: the endpoints whose name is not sure.
+    """
+
+    meetings: Mapping[Place, list[User]]
+    strays: tuple[User, ...]
+
+
+@lru_cache(maxsize=1)
+def everywhere(tree: SourceTree) -> Sides:
+    """Return the endpoints of all runs of a workspace, each once for each name that it gets."""
+    found: dict[Place, dict[object, User]] = defaultdict(dict)
+    strays: dict[object, User] = {}
+    for run in runs_of(tree):
+        for place, users in run.meetings().items():
+            for user in users:
+                found[place].setdefault((user.node.key, user.endpoint.span), user)
+        for user in run.strays():
+            strays.setdefault((user.path, user.endpoint.span), user)
+    meetings = {place: list(users.values()) for place, users in found.items()}
+    return Sides(meetings, tuple(strays.values()))
+
+
+def are_parts(tree: SourceTree, one: User, other: User) -> bool:
+    """Tell whether the nodes of two endpoints are of one robot, as far as packages say so.
+
+    Two that launch files start are told of only where one of them starts both.
+    """
+    is_by_hand = None in (one.node.started, other.node.started)
+    return is_by_hand and are_connected(tree, one.node.unit.package, other.node.unit.package)
+
+
+_LEFT_BEHIND = re.compile(
+    r"(^|[_\W\d])(old|older|backup|bak|copy|deprecated|archive|unused|trash)($|[_\W\d])", re.I
+)
+
+
+def is_left_behind(tree: SourceTree, user: User) -> bool:
+    """Tell whether a file's path in the workspace says that another one is used in its place."""
+    return _LEFT_BEHIND.search(str(user.path).removeprefix(str(tree.root))) is not None
+
+
+def is_variant(one: str, other: str) -> bool:
+    """Tell whether one type carries what the other does, and more: `Twist`, `TwistStamped`."""
+    short, long = sorted((one, other), key=len)
+    return long.startswith(short) or long.endswith(short)
+
+
+def are_connected(tree: SourceTree, one: str, other: str) -> bool:
+    """Tell whether packages are parts of one robot: by what they, or others, depend on."""
+    if one == other:
+        return True
+    needs = {name: _own_needs(tree, name) for name in tree.packages}
+    first, second = needs.get(one, frozenset()), needs.get(other, frozenset())
+    return (
+        other in first
+        or one in second
+        or bool(first & second)
+        or any({one, other} <= each for each in needs.values())
+    )
+
+
+def _own_needs(tree: SourceTree, name: str) -> frozenset[str]:
+    """Return the packages of the workspace that one of them depends on."""
+    build = tree.packages[name].build
+    declared = () if build is None else build.dependencies
+    return frozenset(each.name for each in declared if each.name in tree.packages)

@@ -1,0 +1,152 @@
+"""Comments that say of a line that what breaks a rule there is meant.
+
+`# noqa: RG101` in Python, YAML and CMake; `// NOLINT(RG101)` in C++, `NOLINTNEXTLINE` for the line
+below, `NOLINTBEGIN` and `NOLINTEND` for the lines between; `<!-- noqa: RK501 -->` in XML, in a line
+of its own for the tag below; `// noqa: RG101` in programs. Without codes a comment is about all
+rules, those of other linters too.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Iterator
+from pathlib import Path
+from typing import NamedTuple
+
+from plastron_tui.diagnostics import LineIndex, Span
+
+from .comment_syntax import CommentStyle, style_of
+from .rule import Rule
+
+_WORD_TEXT = rb"(?:[A-Za-z]\w*(?:-\w+)*|\*)"
+_CODES = _WORD_TEXT + rb"(?:[ \t]*[, \t][ \t]*" + _WORD_TEXT + rb")*"
+_NOQA = re.compile(
+    rb"(?:\#|//|<!--)[ \t]*noqa(?![\w-])(?P<colon>[ \t]*:[ \t]*(?P<codes>" + _CODES + rb")?)?", re.I
+)
+_NOLINT = re.compile(
+    rb"\bNOLINT(?P<kind>NEXTLINE|BEGIN|END)?(?![\w-])(?P<colon>\((?P<codes>[^)\r\n]*)\))?"
+)
+_WORD = re.compile(_WORD_TEXT)
+_NAMED = re.compile(rb"(?:noqa|NOLINT)[^\n]*?(?:\bR[A-Z][0-9]{3}|[a-z]-[a-z])", re.I)
+_CODE = re.compile(r"[A-Z]+[0-9]+")
+
+
+class Comment(NamedTuple):
+    """A comment about rules.
+
+    Attributes:
+        span: from its sign to its last code.
+        first: the first line that it is about.
+        last: the last one.
+        codes: what it names, each with its place; None where it is about all rules.
+    """
+
+    span: Span
+    first: int
+    last: int
+    codes: tuple[tuple[str, Span], ...] | None
+
+    def is_about(self, rule: Rule) -> bool:
+        """Tell whether it names a rule, or all of them."""
+        return self.codes is None or any(_means(word, rule) for word, _ in self.codes)
+
+    def covers(self, lines: LineIndex, span: Span) -> bool:
+        """Tell whether a place begins or ends in a line that it is about."""
+        ends = {lines.line_at(span.start), lines.line_at(max(span.start, span.end - 1))}
+        return any(self.first <= each <= self.last for each in ends)
+
+
+def may_have_comments(text: bytes) -> bool:
+    """Tell whether a text has such comments at all."""
+    return b"NOLINT" in text or b"noqa" in text or b"noqa" in text.lower()
+
+
+def may_name_rules(text: bytes) -> bool:
+    """Tell whether a comment of a text may name a rule, by its code or its name."""
+    return may_have_comments(text) and _NAMED.search(text) is not None
+
+
+def comments_of(file: Path, text: bytes, lines: LineIndex) -> tuple[Comment, ...]:
+    """Return the comments of a file about rules; what stands in a string looks like one, too."""
+    style = style_of(file)
+    if style is None or not may_have_comments(text):
+        return ()
+    if style is CommentStyle.CPP:
+        return tuple(_nolints(text, lines))
+    return tuple(_noqa(each, style, text, lines) for each in _NOQA.finditer(text))
+
+
+def _nolints(text: bytes, lines: LineIndex) -> Iterator[Comment]:
+    """Yield the comments of C++; one that begins lines counts where another one ends them."""
+    begun: dict[tuple[str, ...], re.Match[bytes]] = {}
+    for found in _NOLINT.finditer(text):
+        line = lines.line_at(found.start())
+        named = None if found["colon"] is None else tuple(_codes(found))
+        words = tuple(word for word, _ in named or ())
+        match found["kind"]:
+            case b"BEGIN":
+                begun[words] = found
+            case b"END":
+                if (begin := begun.pop(words, None)) is not None:
+                    named = None if begin["colon"] is None else tuple(_codes(begin))
+                    first = lines.line_at(begin.start())
+                    yield Comment(Span(*begin.span()), first, line, named)
+            case b"NEXTLINE":
+                yield Comment(Span(*found.span()), line + 1, line + 1, named)
+            case _:
+                yield Comment(Span(*found.span()), line, line, named)
+
+
+def _noqa(match: re.Match[bytes], style: CommentStyle, text: bytes, lines: LineIndex) -> Comment:
+    first = last = lines.line_at(match.start())
+    if style is CommentStyle.XML:
+        first, last = _lines_in_xml(match, text, lines, first)
+    codes = None if match["colon"] is None else tuple(_codes(match))
+    return Comment(Span(*match.span()), first, last, codes)
+
+
+def _codes(match: re.Match[bytes]) -> Iterator[tuple[str, Span]]:
+    start = match.start("codes")
+    for word in _WORD.finditer(match["codes"] or b""):
+        yield word[0].decode(), Span(start + word.start(), start + word.end())
+
+
+def _lines_in_xml(
+    match: re.Match[bytes], text: bytes, lines: LineIndex, line: int
+) -> tuple[int, int]:
+    """Return the lines that a comment of XML is about: its own, or those of the tag below."""
+    end = text.find(b"-->", match.end())
+    before = text[text.rfind(b"\n", 0, match.start()) + 1 : match.start()]
+    if end < 0 or before.strip():
+        return line, line
+    tag = re.compile(rb"\s*<").match(text, end + 3)
+    if tag is None or b"\n" not in tag[0]:
+        return line, line
+    close = text.find(b">", tag.end())
+    return lines.line_at(tag.end() - 1), lines.line_at(len(text) if close < 0 else close)
+
+
+def _means(word: str, rule: Rule) -> bool:
+    """Tell whether a word of a comment means a rule; words of prose may stand behind the codes."""
+    if word == "*" or word == rule.name or word.upper() == rule.code:
+        return True
+    return len(word) > 1 and word.isupper() and rule.code.startswith(word)
+
+
+def named_rules(comment: Comment, rules: Iterable[Rule]) -> list[tuple[Rule, Span]]:
+    """Return the rules that a comment names one by one, by code or by name."""
+    return [
+        (rule, span)
+        for word, span in comment.codes or ()
+        for rule in rules
+        if word.upper() == rule.code or word == rule.name
+    ]
+
+
+def with_codes(comment: Comment, codes: str, style: CommentStyle) -> tuple[int, str]:
+    """Return where more codes go into a comment that names some, and how they are written there."""
+    known = [span for word, span in comment.codes or () if _CODE.fullmatch(word)]
+    if known:
+        return known[-1].end, f", {codes}"
+    end = comment.span.end - 1 if style is CommentStyle.CPP else comment.span.end
+    return end, f", {codes}" if comment.codes else codes

@@ -1,0 +1,165 @@
+"""What was read of a workspace: its packages, the files of nodes, launch files, definitions."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from functools import cached_property
+from pathlib import Path
+from typing import NamedTuple
+
+from plastron_tui.diagnostics import Diagnostic, Span
+from plastron_tui.model.code_facts import CodeFacts
+from plastron_tui.model.package_facts import BuildFacts
+from plastron_tui.model.package_source import InstalledExecutable
+from plastron_tui.model.source import SourceEndpoint, SourceNode, place_of
+from plastron_tui.ros.catalog import Catalog
+from plastron_tui.ros.interfaces import Interface, InterfaceKind, InterfaceName
+from plastron_tui.ros.launch_started import Resolved, Started
+from plastron_tui.ros.parameter_blocks import ParameterBlock
+
+
+class UnitFacts(NamedTuple):
+    """What the files of a node, or of several, say; their texts are not kept.
+
+    Attributes:
+        path: the main file.
+        library: the client library.
+        ros_version: the generation of ROS that it is for.
+        nodes: the nodes, with their endpoints.
+        code: what else the code does.
+        package: the name of the package that it is in, "" for none.
+        is_test: whether it is a test, which the robot does not run.
+        is_unbuilt: whether no build takes it, so that it is no part of what runs.
+    """
+
+    path: Path
+    library: str
+    ros_version: int
+    nodes: tuple[SourceNode, ...]
+    code: CodeFacts = CodeFacts()
+    package: str = ""
+    is_test: bool = False
+    is_unbuilt: bool = False
+
+    def path_of(self, endpoint: SourceEndpoint) -> Path:
+        """Return the file that has a call site."""
+        return self.file(endpoint.file)
+
+    def file(self, name: str) -> Path:
+        """Return the file of a name of the set, "" for the main one."""
+        return place_of(self.path, name) if name else self.path
+
+
+class PackageFacts(NamedTuple):
+    """A package of the workspace.
+
+    Attributes:
+        folder: where it is.
+        name: what its package.xml calls it.
+        ros_versions: the generations of ROS that it is for.
+        executables: what it installs for people to start.
+        build: what its files say of each other, None where that is not known.
+    """
+
+    folder: Path
+    name: str
+    ros_versions: tuple[int, ...]
+    executables: Mapping[str, InstalledExecutable]
+    build: BuildFacts | None = None
+
+
+class LaunchFacts(NamedTuple):
+    """A launch file that no other one of the workspace includes, and all that it starts.
+
+    Attributes:
+        path: the file.
+        resolved: what it starts.
+        ros_version: the generation of ROS that it is written for.
+    """
+
+    path: Path
+    resolved: Resolved
+    ros_version: int = 2
+
+
+class SettingPlace(NamedTuple):
+    """A parameter that a launch file sets, by the byte where the node begins that gets it."""
+
+    file: str
+    start: int
+    name: str
+
+
+class StartedPlace(NamedTuple):
+    """What a launch file starts: the file, where the node begins there, and the word for it."""
+
+    file: str
+    start: int
+    word: str
+
+
+class Earlier(NamedTuple):
+    """What the types of a workspace were at an earlier revision.
+
+    Attributes:
+        revision: what it is called.
+        interfaces: the types that it defined.
+        unchanged: the files of nodes that hold what they held.
+    """
+
+    revision: str
+    interfaces: Mapping[tuple[InterfaceKind, InterfaceName], Interface]
+    unchanged: frozenset[Path] = frozenset()
+
+
+@dataclass(frozen=True, eq=False)
+class SourceTree:
+    """The packages, nodes and launch files of a workspace.
+
+    Attributes:
+        root: the folder that all of them are in.
+        packages: by their names.
+        units: the files of nodes.
+        launches: what the launch files start.
+        catalogs: the interface types, those of the workspace among them, by generation of ROS.
+        parameter_files: what the parameter files of ROS 2 say.
+        unstarted: the nodes that launch files start only where they are given other arguments.
+        setting_places: where launch files name the parameters that they set, as far as known.
+        started_places: where launch files name what the workspace lacks, as far as known.
+        is_whole: whether nothing was left out, for being too much or for a problem.
+        problems: the files that could not be read, and why.
+        wrong: what is wrong with each package.xml that the build tools refuse.
+        asked: the rules that were asked for by their own codes or names: some then tell of what
+            may have its other side beyond the workspace.
+        files: all files that are looked at, as whole paths.
+        commented: those that may have comments which name rules.
+        earlier: the types at the revision that they are compared with, None for none.
+    """
+
+    root: Path
+    packages: Mapping[str, PackageFacts] = field(default_factory=dict)
+    units: tuple[UnitFacts, ...] = ()
+    launches: tuple[LaunchFacts, ...] = ()
+    catalogs: Mapping[int, Catalog] = field(default_factory=dict)
+    parameter_files: Mapping[Path, tuple[ParameterBlock, ...]] = field(default_factory=dict)
+    unstarted: tuple[Started, ...] = ()
+    setting_places: Mapping[SettingPlace, Span] = field(default_factory=dict)
+    started_places: Mapping[StartedPlace, Span] = field(default_factory=dict)
+    is_whole: bool = True
+    problems: tuple[tuple[Path, str], ...] = ()
+    wrong: tuple[Diagnostic, ...] = ()
+    asked: frozenset[str] = frozenset()
+    files: tuple[str, ...] = ()
+    commented: tuple[str, ...] = ()
+    earlier: Earlier | None = None
+
+    @cached_property
+    def built(self) -> tuple[UnitFacts, ...]:
+        """The files of nodes without those that no build takes."""
+        return tuple(unit for unit in self.units if not unit.is_unbuilt)
+
+    @cached_property
+    def by_path(self) -> Mapping[Path, UnitFacts]:
+        """The files of nodes, by the paths of their main files."""
+        return {unit.path: unit for unit in self.units}

@@ -1,0 +1,83 @@
+"""Reading a package: its build files, and what its other files have to do with them."""
+
+from __future__ import annotations
+
+import os
+import stat
+from collections.abc import Iterable, Iterator
+from contextlib import suppress
+from pathlib import Path
+from typing import Any, NamedTuple
+
+from plastron_tui.diagnostics import Diagnostic, codes
+from plastron_tui.lint.tree import PackageFacts
+from plastron_tui.regular_files import read_regular
+from plastron_tui.sources.packages.facts import build_facts
+from plastron_tui.sources.packages.facts.texts import LARGEST
+from plastron_tui.sources.packages.files import BUILD_FILES
+from plastron_tui.sources.packages.reading import PackageFiles, read_package_files
+
+_OF_XML = frozenset({codes.BROKEN_XML, codes.UNSUPPORTED_XML, codes.BROKEN_PACKAGE})
+
+
+class PackageRead(NamedTuple):
+    """What was read of a package.
+
+    Attributes:
+        facts: what it says, None where nothing of it counts.
+        wrong: why its package.xml is none: diagnostics, their codes as plain texts.
+    """
+
+    facts: PackageFacts | None
+    wrong: tuple[tuple[Any, ...], ...] = ()
+
+    def diagnostics(self) -> Iterator[Diagnostic]:
+        """Yield why its package.xml is none."""
+        for code, *parts in self.wrong:
+            yield Diagnostic(codes.CODES[code], *parts)
+
+
+_MAY_RUN = stat.S_IXUSR | stat.S_IXGRP | stat.S_IXOTH
+
+
+def runnable(folder: str, names: Iterable[str]) -> frozenset[str]:
+    """Return the files of a package that may be scripts, and that their mode lets somebody run."""
+    found = set()
+    for name in names:
+        if name.endswith(".py") or "." not in name.rpartition("/")[2]:
+            with suppress(OSError):
+                if os.stat(f"{folder}/{name}").st_mode & _MAY_RUN:
+                    found.add(name)
+    return frozenset(found)
+
+
+def read_package(folder: str, names: frozenset[str], programs: frozenset[str]) -> PackageRead:
+    """Return what a package says.
+
+    Args:
+        folder: where it is.
+        names: its files.
+        programs: those that somebody may run.
+    """
+
+    def read(name: str) -> bytes | None:
+        with suppress(OSError, ValueError):
+            return read_regular(Path(folder, name), LARGEST)
+        return None
+
+    texts = {name: text for name in BUILD_FILES if (text := read(name)) is not None}
+    if "package.xml" not in texts:
+        return PackageRead(None)
+    files = PackageFiles(Path(folder), names, texts, is_whole=False)
+    source, found = read_package_files(files, 2)
+    if source is None:
+        wrong = (each for each in found if each.code in _OF_XML)
+        return PackageRead(None, tuple((str(each.code), *each[1:]) for each in wrong))
+    facts = PackageFacts(
+        source.folder,
+        source.name,
+        (source.ros_version,),
+        dict(source.executables),
+        build_facts(source, read, programs),
+    )
+    return PackageRead(facts)

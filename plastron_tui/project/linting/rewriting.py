@@ -1,0 +1,232 @@
+"""Changing the files of a workspace, none of which reads worse than before."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Collection, Iterable, Mapping
+from pathlib import Path
+from typing import NamedTuple
+
+from plastron_tui.diagnostics import Diagnostic, Fix, Severity, codes, has_errors
+from plastron_tui.lint.comment_syntax import CommentStyle, style_of
+from plastron_tui.lint.fixing import with_fixes
+from plastron_tui.lint.noting import with_comments
+from plastron_tui.output.manifest import Manifest
+from plastron_tui.output.plan import FilePlan, OutputFile, make_plan
+from plastron_tui.output.target_paths import cannot_write
+from plastron_tui.output.writer import write
+from plastron_tui.targets import language_of
+
+from .run import LintRun
+
+MOST_ROUNDS = 20
+"""How often fixes that touch others get their turn."""
+
+
+class Rewrite(NamedTuple):
+    """A file, what it holds and what it shall hold.
+
+    Attributes:
+        path: the file.
+        before: what it holds.
+        after: what it shall hold.
+        fixes: what of it mends something.
+    """
+
+    path: Path
+    before: bytes
+    after: bytes
+    fixes: tuple[Fix, ...] = ()
+
+
+class Changes(NamedTuple):
+    """What was written.
+
+    Attributes:
+        run: what is found now.
+        done: how many things were mended, or noted.
+        files: how many files were written.
+        diagnostics: what could not be written.
+    """
+
+    run: LintRun
+    done: int
+    files: int
+    diagnostics: tuple[Diagnostic, ...] = ()
+
+
+def fixed(
+    run: LintRun,
+    refused: Collection[tuple[Path, Fix]] = (),
+    careful: Collection[Path] = (),
+) -> tuple[Rewrite, ...]:
+    """Return the files that the fixes of what is found change.
+
+    Fixes that touch each other wait for their turn. A file that would read worse gets its fixes
+    one by one, without those that do harm.
+
+    Args:
+        run: what is found.
+        refused: fixes that have done harm.
+        careful: files that get one fix at a time.
+    """
+    found = []
+    for path, fixes in _fixes(run, refused).items():
+        before = run.text(path)
+        if before is not None:
+            after, applied = _applied(path, before, fixes[:1] if path in careful else fixes)
+            if after != before:
+                found.append(Rewrite(path, before, after, applied))
+    return tuple(found)
+
+
+def _fixes(run: LintRun, refused: Collection[tuple[Path, Fix]]) -> Mapping[Path, list[Fix]]:
+    found: dict[Path, list[Fix]] = {}
+    for each in run.told:
+        file, fix = each.diagnostic.file, each.diagnostic.fix
+        if file is not None and fix is not None and (file, fix) not in refused:
+            found.setdefault(file, []).append(fix)
+    return found
+
+
+def _applied(path: Path, before: bytes, fixes: list[Fix]) -> tuple[bytes, tuple[Fix, ...]]:
+    together = with_fixes(before, fixes)
+    if not _is_worse(path, before, together.text):
+        return together.text, together.applied
+    good: list[Fix] = []
+    for fix in together.applied:
+        if not _is_worse(path, before, with_fixes(before, [*good, fix]).text):
+            good.append(fix)
+    return with_fixes(before, good).text, tuple(good)
+
+
+def mend(run: LintRun) -> Changes:
+    """Write the fixes of what is found, read it again, and go on until there are no more.
+
+    What makes more rules be broken in its file is put back, and its fixes are tried one by one.
+    """
+    count, files = 0, set[Path]()
+    refused: set[tuple[Path, Fix]] = set()
+    careful: set[Path] = set()
+    problems: list[Diagnostic] = []
+    for _ in range(MOST_ROUNDS):
+        rewrites = fixed(run, refused, careful)
+        if not rewrites:
+            break
+        found = write_all(rewrites)
+        problems += found
+        written = [each for each in rewrites if each.path not in _unwritten(found)]
+        refused |= {(x.path, fix) for x in rewrites if x not in written for fix in x.fixes}
+        now = run.again()
+        harmed = [each for each in written if _breaks_more(each.path, run, now)]
+        if harmed:
+            back = [Rewrite(each.path, each.after, each.before) for each in harmed]
+            problems += write_all(back)
+            refused |= {(each.path, each.fixes[0]) for each in harmed if len(each.fixes) == 1}
+            careful |= {each.path for each in harmed}
+            now = run.again()
+        kept = [each for each in written if each not in harmed]
+        count += sum(len(each.fixes) for each in kept)
+        files |= {each.path for each in kept}
+        run = now
+    return Changes(run, count, len(files), tuple(problems))
+
+
+def _unwritten(problems: Iterable[Diagnostic]) -> set[Path]:
+    return {each.file for each in problems if each.file and each.severity is Severity.ERROR}
+
+
+def _breaks_more(path: Path, before: LintRun, after: LintRun) -> bool:
+    """Tell whether more breaks some rule in a file than before."""
+
+    def counted(run: LintRun) -> Counter[str]:
+        return Counter(str(x.rule.code) for x in run.told if x.diagnostic.file == path)
+
+    return bool(counted(after) - counted(before))
+
+
+def note_all(run: LintRun) -> Changes:
+    """Write a comment for each thing that is found: it is meant.
+
+    That a comment is about nothing is not noted: it is to be taken away.
+    """
+    rewrites, count = [], 0
+    told = [each for each in run.told if each.diagnostic.code != codes.UNUSED_NOQA]
+    for path in dict.fromkeys(each.diagnostic.file for each in told):
+        before = None if path is None else run.text(path)
+        if path is None or before is None:
+            continue
+        here = [
+            (span, str(x.rule.code))
+            for x in told
+            if x.diagnostic.file == path and (span := x.diagnostic.span) is not None
+        ]
+        noted = with_comments(path, before, here)
+        if noted.done and not _is_worse(path, before, noted.text):
+            rewrites.append(Rewrite(path, before, noted.text))
+            count += noted.done
+    problems = write_all(rewrites)
+    return Changes(run.again() if rewrites else run, count, len(rewrites), problems)
+
+
+def write_all(rewrites: Iterable[Rewrite]) -> tuple[Diagnostic, ...]:
+    """Write files, each as a whole; return what could not be written."""
+    problems: list[Diagnostic] = []
+    for each in rewrites:
+        plan, diagnostics = plan_of(each)
+        refusal = (*diagnostics, *plan.conflicts)
+        problems += refusal
+        if not has_errors(refusal):
+            problems += write(plan).diagnostics
+    return tuple(problems)
+
+
+def write_file(path: Path, text: bytes) -> tuple[Diagnostic, ...]:
+    """Write a file that is the linter's own: nothing in it is anybody's work."""
+    try:
+        path.write_bytes(text)
+    except (OSError, ValueError) as error:
+        return (cannot_write(path, error),)
+    return ()
+
+
+def plan_of(rewrite: Rewrite) -> tuple[FilePlan, tuple[Diagnostic, ...]]:
+    """Return what writing a file does, and why it cannot be written."""
+    path = rewrite.path
+    file = OutputFile(
+        path.name, rewrite.after, is_executable=False, merged_from=rewrite.before, path=path
+    )
+    return make_plan(path.parent, [file], Manifest())
+
+
+def _is_worse(path: Path, before: bytes, after: bytes) -> bool:
+    """Tell whether a text breaks the rules of its language, which it did not before."""
+    language = language_of(path)
+    if language is not None:
+        return language.is_worse(after, before)
+    style = style_of(path)
+    if style is CommentStyle.XML:
+        return _is_xml(before) and not _is_xml(after)
+    if style is CommentStyle.YAML:
+        return _is_yaml(before) and not _is_yaml(after)
+    return False
+
+
+def _is_xml(text: bytes) -> bool:
+    from xml.parsers.expat import ExpatError, ParserCreate
+
+    try:
+        ParserCreate().Parse(text, True)
+    except ExpatError:
+        return False
+    return True
+
+
+def _is_yaml(text: bytes) -> bool:
+    import yaml
+
+    try:
+        yaml.compose(text.decode(), Loader=yaml.SafeLoader)
+    except (yaml.YAMLError, ValueError, RecursionError):
+        return False
+    return True

@@ -1,0 +1,68 @@
+"""Which of the files that were read no build takes: what they say is no part of the robot."""
+
+from __future__ import annotations
+
+import os
+from collections import defaultdict
+from collections.abc import Callable, Collection, Mapping
+from contextlib import suppress
+from pathlib import Path
+
+from plastron_tui.regular_files import read_regular
+from plastron_tui.sources.build_files import LARGEST
+from plastron_tui.sources.packages.taken import SOURCES, unbuilt_sources
+
+from .units import UnitRead
+
+_LISTS = ("CMakeLists.txt", ".cmake")
+
+
+def unbuilt_units(
+    found: Mapping[str, UnitRead],
+    package_of: Callable[[str], str],
+    *,
+    inner: Collection[str],
+    has_packages: bool,
+    read: Callable[[str, frozenset[str]], frozenset[str]],
+) -> frozenset[str]:
+    """Return the files of nodes that no build takes.
+
+    These are all those of a package in another one, and files of C++ that are in no package of a
+    workspace which has some, or sources that the CMakeLists.txt of their package does not mean.
+
+    Args:
+        found: the files of nodes.
+        package_of: returns the folder of the package that a file is in, "" for none.
+        inner: the folders of packages that are in another one.
+        has_packages: whether the workspace has packages at all.
+        read: returns which sources of a package its files of CMake do not mean.
+    """
+    folders = tuple(f"{each}{os.sep}" for each in inner)
+    left = {path for path in found if path.startswith(folders)} if folders else set()
+    sources: dict[str, set[str]] = defaultdict(set)
+    for path in found:
+        package = package_of(path)
+        if path not in left and path.endswith(SOURCES):
+            sources[package].add(path[len(package) + 1 :] if package else path)
+    sources.pop("", None)
+    if has_packages:
+        left |= {path for path in found if not path.endswith(".py") and not package_of(path)}
+    for package, names in sources.items():
+        left.update(f"{package}{os.sep}{each}" for each in read(package, frozenset(names)))
+    # One that is read with another one, which is built, may be included there.
+    parts = {part for path, each in found.items() if path not in left for part in each.parts}
+    return frozenset(left - parts)
+
+
+def read_unbuilt(
+    folder: str, names: Collection[str], sources: frozenset[str]
+) -> frozenset[str] | None:
+    """Return which sources of a package its files of CMake do not mean, None for unknown ones."""
+    texts = {}
+    for name in sorted(names):
+        if name.endswith(_LISTS):
+            with suppress(OSError, ValueError):
+                texts[name] = read_regular(Path(folder, name), LARGEST)
+            if name not in texts:
+                return None
+    return unbuilt_sources(texts, sources)
