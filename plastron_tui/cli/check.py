@@ -11,6 +11,7 @@ import click
 
 from plastron_tui.diagnostics import has_errors
 from plastron_tui.generating.nothing import nothing_to_generate
+from plastron_tui.project.loaded_problems import loaded_problems
 
 from .common import (
     Report,
@@ -28,6 +29,8 @@ from .common import (
 @format_option("text", "json")
 def command(files: tuple[Path, ...], target: str | None, format_: str) -> None:
     """Say what is wrong with programs: all that `generate` would refuse.
+
+    And what breaks a rule of `plastron lint` in the files that they load, as plastron.yaml has it.
 
     Exits with 1 when a program has errors, and with 2 when a file cannot be read. As JSON, the
     diagnostics of all programs are one list on standard output. That nothing is wrong is said on a
@@ -50,6 +53,7 @@ def command(files: tuple[Path, ...], target: str | None, format_: str) -> None:
             # What a file or a package that exists does not take shows when it is changed.
             _, found_in_files = session.plan()
             diagnostics = tuple(dict.fromkeys((*diagnostics, *found_in_files)))
+        diagnostics = (*diagnostics, *loaded_problems(session))
         if format_ == "json":
             from plastron_tui.diagnostics.render import as_json
 

@@ -124,8 +124,10 @@ def print_text(text: str) -> None:
 class Report:
     """The diagnostics of a run of a command, written as they come, and its exit status."""
 
-    def __init__(self) -> None:
+    def __init__(self, *, is_strict: bool = False) -> None:
+        """Start a report; a strict one ends with 1 for warnings, too."""
         self.status = 0
+        self._is_strict = is_strict
         self._errors = 0
         self._warnings = 0
         self._told: set[Diagnostic] = set()
@@ -183,7 +185,7 @@ class Report:
         ]
         if parts:
             click.echo(f"found {' and '.join(parts)}", err=True)
-        return self.status
+        return max(self.status, int(self._is_strict and bool(parts)))
 
 
 def read_input(file: Path, report: Report) -> bytes | None:

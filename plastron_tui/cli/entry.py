@@ -47,7 +47,7 @@ def run() -> None:
         discard(sys.stdout)
         status = status_after(error)
     status = flush_streams(status if isinstance(status, int) else 0)
-    collector.leave()
+    collector.spare()
     sys.exit(status)
 
 

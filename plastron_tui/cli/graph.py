@@ -58,11 +58,21 @@ def command(
 
     Of a launch file it is what that starts; behind it stand its arguments, as NAME:=VALUE.
 
+    Of folders it is the workspace in them: the nodes of its packages, with the names that its
+    launch files give them.
+
     Robots are shown below the nodes, those of programs and those of files: FILE.urdf, FILE.xacro.
     Behind a FILE.xacro stand its arguments, as NAME:=VALUE.
     """
     report = Report()
     files, arguments = files_and_arguments(words, _takes_arguments)
+    folders = tuple(filter(_is_folder, files))
+    if folders:
+        others = [each for each in files if each not in folders]
+        refuse(_wrong_with_folders(others, remaps, namespace))
+        _show_folders(folders, format_, report)
+        finish(report)
+        return
     launches = [each for each in files if launch_language(each.name)]
     if launches:
         programs = tuple(each for each in files if each not in launches)
@@ -91,6 +101,30 @@ def command(
     for session in sessions:
         report.add(session.diagnostics, session.lines, session.path)
     finish(report)
+
+
+def _wrong_with_folders(
+    others: list[Path], remaps: tuple[Remap, ...], namespace: str | None
+) -> str | None:
+    for each in others:
+        return f"a workspace is shown without other files, such as `{each}`"
+    return _names_without_programs(remaps, namespace, "a workspace has its launch files")
+
+
+def _show_folders(folders: tuple[Path, ...], format_: str, report: Report) -> None:
+    from plastron_tui.project.linting.drawing import drawn
+    from plastron_tui.project.linting.run import LintOptions, LintRun
+
+    from .lint_programs import read_program
+
+    run = LintRun(LintOptions(folders, read_program=read_program))
+    print_text(render(graph_of(drawn(run.tree)), format_))
+    report.add(run.diagnostics, run.lines)
+
+
+def _is_folder(file: Path) -> bool:
+    """Tell whether a folder is named, and not one in the place of a file."""
+    return file.is_dir() and not (_takes_arguments(file) or file.suffix == ".plastron")
 
 
 def _takes_arguments(file: Path) -> bool:

@@ -23,6 +23,7 @@ _COMMANDS = {
     "fmt": "Lay programs out.",
     "generate": "Write the nodes and robots of programs.",
     "graph": "Show nodes, topics, services and robots.",
+    "lint": "Say what is wrong between the nodes of a workspace.",
     "inspect": "Show what files of nodes and robots hold.",
     "run": "Start the nodes of a program.",
     "serve": "Show the studio in a browser.",

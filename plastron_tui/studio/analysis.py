@@ -16,6 +16,7 @@ from plastron_tui.diagnostics import Diagnostic
 from plastron_tui.language import Program
 from plastron_tui.model.graph import Graph, graph_of
 from plastron_tui.model.workspace import Workspace
+from plastron_tui.project.loaded_problems import loaded_problems
 from plastron_tui.session import Session
 
 from .insertion_point import Ground
@@ -65,6 +66,7 @@ class Analysis:
         program: its statements.
         workspace: what it builds.
         diagnostics: what is wrong with it.
+        in_files: what breaks a rule of the linter in the files that it loads.
         counts: how much is in each panel, by the panel's name.
         made: what was made of it for the panels, by what was asked for.
         memo: what was made for the panels of parts of it; only the worker asks.
@@ -75,6 +77,7 @@ class Analysis:
     program: Program
     workspace: Workspace
     diagnostics: tuple[Diagnostic, ...]
+    in_files: tuple[Diagnostic, ...] = ()
     counts: Mapping[str, int] = field(default_factory=dict)
     made: dict[Hashable, object] = field(default_factory=dict)
     memo: PartMemo = field(default_factory=PartMemo)
@@ -130,4 +133,6 @@ def analyse(session: Session, check: Callable[[], None]) -> Analysis:
     workspace = session.workspace
     diagnostics = session.diagnostics
     check()
-    return Analysis(session, session.document.text, program, workspace, diagnostics)
+    in_files = loaded_problems(session)
+    check()
+    return Analysis(session, session.document.text, program, workspace, diagnostics, in_files)

@@ -133,7 +133,9 @@ class PanelFeed:
         shown = [each for each in analysis.diagnostics if each not in held]
         meaning = (analysis.program, analysis.workspace)
         self._program.editor.set_diagnostics(shown, meaning)
-        self._layout.show_counts({**analysis.counts, PROBLEMS.name: len(shown)})
+        self._layout.show_counts(
+            {**analysis.counts, PROBLEMS.name: len(shown) + len(analysis.in_files)}
+        )
 
     def _show_known(self) -> None:
         """Show all that is wrong, if that is known."""

@@ -27,7 +27,8 @@ _SIGNS = {
 def make(analysis: Analysis, _: object) -> Entries:
     """Make what the panel shows."""
     in_order = sorted(
-        analysis.diagnostics, key=lambda found: (found.file is not None, found.span or (0, 0))
+        (*analysis.diagnostics, *analysis.in_files),
+        key=lambda found: (found.file is not None, found.span or (0, 0)),
     )
     lines = analysis.session.lines
     return Entries((entry for found in in_order for entry in _problem(found, lines)), _EMPTY)
@@ -104,4 +105,4 @@ def _problem(
 
 def count(analysis: Analysis) -> int:
     """Return how much there is."""
-    return len(analysis.diagnostics)
+    return len(analysis.diagnostics) + len(analysis.in_files)
