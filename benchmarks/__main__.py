@@ -8,7 +8,7 @@ from plastron_tui import collector
 _PARTS = (
     *("language", "process", "output", "source", "cpp_source", "editor", "studio"),
     *("robots", "graphs", "collector", "threads", "memory", "rates", "live"),
-    *("pasting", "beside", "flood"),
+    *("pasting", "beside", "flood", "lint"),
 )
 
 

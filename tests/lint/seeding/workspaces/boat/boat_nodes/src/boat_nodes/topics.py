@@ -1,0 +1,3 @@
+THRUST = 'thrust'
+DEPTH = 'sonar/depth'
+WAYPOINT = 'waypoint'

@@ -1,0 +1,346 @@
+"""What is known of the code of nodes in C++: what waits, is made again, is dropped, never spins."""
+
+from __future__ import annotations
+
+import pytest
+from cpp_programs import PUB, SETUP, SLEPT, SPUN, SUB1, at, facts, ros1, ros2
+
+from plastron_tui.model.code_facts import Wait
+
+_GET = ros2(callback="ask();", ask="future.get();")
+
+
+@pytest.mark.parametrize(
+    ("text", "wait", "place", "is_endless"),
+    [
+        (_GET, Wait.SERVICE, "future.get()", True),
+        (ros2(callback="ask();", ask="auto r = future.get();"), Wait.SERVICE, "future.get()", True),
+        (ros2(callback="ask();", ask="future.wait();"), Wait.SERVICE, "future.wait()", True),
+        (
+            ros2(callback="ask();", ask="if (future.wait_for(5s) == std::future_status::ready) {}"),
+            Wait.SERVICE,
+            "future.wait_for(5s)",
+            True,
+        ),
+        (
+            ros2(callback="auto r = client_->async_send_request(nullptr).get();"),
+            Wait.SERVICE,
+            "client_->async_send_request(nullptr).get()",
+            True,
+        ),
+        (
+            ros2(callback="ask();", ask=f"{SPUN};"),
+            Wait.SPIN,
+            SPUN,
+            True,
+        ),
+        (
+            ros2(callback="rclcpp::spin_some(this->get_node_base_interface());"),
+            Wait.SPIN,
+            "rclcpp::spin_some(this->get_node_base_interface())",
+            True,
+        ),
+        (
+            ros2(callback="std::this_thread::sleep_for(2s);"),
+            Wait.SLEEP,
+            "std::this_thread::sleep_for(2s)",
+            False,
+        ),
+        (ros2(callback="rclcpp::sleep_for(500ms);"), Wait.SLEEP, "rclcpp::sleep_for(500ms)", False),
+        (
+            ros2(callback="rclcpp::Rate rate(10); rate.sleep();"),
+            Wait.SLEEP,
+            "rate.sleep()",
+            False,
+        ),
+        (
+            ros2(setup=f"timer_ = create_wall_timer(1s, [this]() {{ {SLEPT}; }});"),
+            Wait.SLEEP,
+            SLEPT,
+            False,
+        ),
+        (
+            ros2(callback="ask();", ask="while (future.wait_for(0s) != ready) {}"),
+            Wait.SERVICE,
+            "future.wait_for(0s)",
+            True,
+        ),
+        (
+            ros2(
+                main='auto n = rclcpp::Node::make_shared("n"); auto s = n->create_subscription<'
+                'std_msgs::msg::String>("c", 1, [n](std_msgs::msg::String::SharedPtr) {'
+                "rclcpp::spin_until_future_complete(n, asked); }); rclcpp::spin(n);"
+            ),
+            Wait.SPIN,
+            "rclcpp::spin_until_future_complete(n, asked)",
+            True,
+        ),
+        (
+            ros2(callback="get_clock()->sleep_for(1s);"),
+            Wait.SLEEP,
+            "get_clock()->sleep_for(1s)",
+            False,
+        ),
+        (ros1(callback="ros::Rate(10).sleep();"), Wait.SLEEP, "ros::Rate(10).sleep()", False),
+        (ros1(callback="ros::Duration(1).sleep();"), Wait.SLEEP, "ros::Duration(1).sleep()", False),
+        (ros1(callback="sleep(2);"), Wait.SLEEP, "sleep(2)", False),
+    ],
+)
+def test_call_that_waits_in_a_callback_is_found(
+    text: str, wait: Wait, place: str, is_endless: bool
+) -> None:
+    found = facts(text).blocking
+    assert [each.wait for each in found] == [wait]
+    assert at(text, found) == [place]
+    assert found[0].is_endless is is_endless
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        # Nobody calls it from a callback.
+        ros2(ask="future.get();"),
+        # Others of the node may be called meanwhile.
+        ros2(
+            callback=f"{SLEPT};",
+            setup=f"{SETUP} group_ = create_callback_group(rclcpp::CallbackGroupType::Reentrant);",
+        ),
+        # What is called so is the file's own.
+        ros2(callback="sleep(2);").replace("class Talker", "void sleep(int) {}\nclass Talker"),
+        # Another class has a method of the name, and this one inherits its own.
+        ros2(callback="pause();").replace(
+            "class Talker", f"struct Other {{ void pause() {{ {SLEPT}; }} }};\nclass Talker"
+        ),
+        # The answer comes by another group of callbacks.
+        _GET.replace('Trigger>("go")', 'Trigger>("go", rclcpp::ServicesQoS(), group_)'),
+        # What it asks for by may be ready.
+        ros2(callback="ask();", ask="future.wait_for(0s);"),
+        # Another thread waits.
+        ros2(callback="std::thread([this]() { ask(); }).detach();", ask="future.get();"),
+        ros2(callback="client_->async_send_request(nullptr, [](auto f) { f.get(); });"),
+        # Other callbacks are called meanwhile.
+        ros2(callback=SLEPT + ";", main="rclcpp::executors::MultiThreadedExecutor executor;"),
+        ros1(callback="while (busy) { ros::spinOnce(); sleep(1); }"),
+        # Another node spins.
+        ros2(callback="rclcpp::spin_some(other_);"),
+        ros1(callback="sleep(2);", main=f"{SUB1} ros::AsyncSpinner s(2); s.start(); ros::spin();"),
+        ros1(main=f"{SUB1} ros::Rate r(9); while (ros::ok()) {{ ros::spinOnce(); r.sleep(); }}"),
+    ],
+)
+def test_call_that_may_be_harmless_is_left(text: str) -> None:
+    assert facts(text).blocking == ()
+
+
+def test_length_of_a_sleep_is_known() -> None:
+    text = ros2(callback="rclcpp::sleep_for(500ms);")
+    assert [each.seconds for each in facts(text).blocking] == [0.5]
+
+
+@pytest.mark.parametrize(
+    ("text", "places"),
+    [
+        (ros2(callback=f"pub_ = {PUB};"), [PUB]),
+        (ros2(callback=f"auto pub = {PUB}; pub->publish(*msg);"), [PUB]),
+        (ros2(callback=f'if (msg->data == "go") {{ pub_ = {PUB}; }}'), [PUB]),
+        (ros2(callback="ask();", ask=f"pub_ = {PUB};"), [PUB]),
+        (
+            ros2(
+                main=f'auto n = rclcpp::Node::make_shared("n"); while (rclcpp::ok()) '
+                f"{{ auto p = n->{PUB}; rclcpp::spin_some(n); }}"
+            ),
+            [f"n->{PUB}"],
+        ),
+        (
+            ros1(callback='ros::NodeHandle n; auto p = n.advertise<std_msgs::String>("o", 1);'),
+            ['n.advertise<std_msgs::String>("o", 1)'],
+        ),
+        (
+            ros1(main='while (ros::ok()) { s = nh.subscribe("c", 1, heard); ros::spinOnce(); }'),
+            ['nh.subscribe("c", 1, heard)'],
+        ),
+        (ros2(callback=f"try {{ pub_ = {PUB}; }} catch (...) {{}}"), [PUB]),
+        (
+            ros2(callback=f"if (msg->data.empty()) {{ ask(); }} else {{ pub_ = {PUB}; }}"),
+            [PUB],
+        ),
+        # Made but once, or where nobody has made it yet.
+        (ros2(callback=f"if (pub_) {{ ask(); }} else {{ pub_ = {PUB}; }}"), []),
+        (ros2(callback=f"sub_ = nullptr; pub_ = {PUB};"), []),
+        (
+            ros1(main="ros::Timer t = nh.createTimer(ros::Duration(1.0), tick, true);").replace(
+                "int main",
+                "void tick(const ros::TimerEvent &) {"
+                ' ros::NodeHandle n; pub = n.advertise<std_msgs::String>("o", 1); }\nint main',
+            ),
+            [],
+        ),
+        (ros2(setup=f"{SETUP} pub_ = {PUB};"), []),
+        (ros2(callback=f"if (!pub_) {{ pub_ = {PUB}; }}"), []),
+        (ros2(callback=f"if (pub_) return; pub_ = {PUB};"), []),
+        (ros2(callback=f"static auto pub = {PUB}; pub->publish(*msg);"), []),
+        (ros2(callback=f"pub_ = {PUB}; timer_->cancel();"), []),
+        (ros2(callback="static tf2_ros::TransformBroadcaster sender(this);"), []),
+        (ros1(callback='static ros::Publisher p = nh.advertise<std_msgs::String>("o", 1);'), []),
+    ],
+)
+def test_endpoint_that_is_made_again_and_again(text: str, places: list[str]) -> None:
+    assert at(text, facts(text).repeated) == places
+
+
+@pytest.mark.parametrize(
+    ("text", "places"),
+    [
+        (ros2(setup=SETUP.replace("sub_ = ", "")), ["create_subscription"]),
+        (ros2(setup=SETUP.replace("sub_ = ", "auto sub = ")), ["create_subscription"]),
+        (ros2(setup="create_wall_timer(1s, [this]() { ask(); });"), ["create_wall_timer"]),
+        (ros2(setup="auto timer_ = this->create_wall_timer(1s, [] {});"), ["this->create"]),
+        (ros1(main='nh.subscribe("chatter", 10, heard); ros::spin();'), ["nh.subscribe"]),
+        (ros1(main=f"{{ {SUB1} }} ros::spin();"), ["nh.subscribe"]),
+        (ros1(main=f"{{ {SUB1} ros::spin(); }}"), []),
+        (ros2(setup="(void)create_wall_timer(1s, []() {});"), ["create_wall_timer"]),
+        (ros1(main='nh.advertise<std_msgs::String>("out", 1); ros::spin();'), ["nh.advertise"]),
+        (ros2(), []),
+        (
+            ros2(
+                setup=SETUP.replace("sub_ = ", "auto sub = ")
+                + " timer_ = create_wall_timer(1s, [=]() { sub->get_topic_name(); });"
+            ),
+            [],
+        ),
+        (ros2(setup=SETUP.replace("sub_ = ", "auto sub = ") + " sub_ = sub;"), []),
+        (ros2(setup=SETUP.replace("sub_ = ", "auto sub = ") + " keep(std::move(sub));"), []),
+        (
+            ros2(
+                main='auto n = rclcpp::Node::make_shared("n"); auto s = n->create_subscription<'
+                'std_msgs::msg::String>("c", 1, [](std_msgs::msg::String::SharedPtr) {});'
+                "rclcpp::spin(n);"
+            ),
+            [],
+        ),
+    ],
+)
+def test_endpoint_that_nobody_keeps(text: str, places: list[str]) -> None:
+    found = at(text, facts(text).dropped)
+    assert len(found) == len(places)
+    assert all(each.startswith(start) for each, start in zip(found, places, strict=True))
+
+
+_ONCE = 'std_msgs::String m; m.data = "x"; pub.publish(m);'
+_ADVERTISED = 'auto pub = nh.advertise<std_msgs::String>("out", 1);'
+
+
+@pytest.mark.parametrize(
+    ("text", "count"),
+    [
+        (ros1(main=f"{_ADVERTISED} {_ONCE} ros::spin();"), 1),
+        (ros2(setup=f"{SETUP} pub_ = {PUB}; std_msgs::msg::String m; pub_->publish(m);"), 1),
+        # It is kept for who comes later, or time passes.
+        (ros1(main=f"{_ADVERTISED.replace('1)', '1, true)')} {_ONCE} ros::spin();"), 0),
+        (ros1(main=f"{_ADVERTISED} ros::Duration(1).sleep(); {_ONCE} ros::spin();"), 0),
+        (ros1(main=f"{_ADVERTISED} while (ros::ok()) {{ {_ONCE} ros::spinOnce(); }}"), 0),
+        (ros1(main=f"{_ADVERTISED} {_ONCE} pub.publish(m); ros::spin();"), 0),
+        (ros2(setup=f"pub_ = {PUB}; Arm arm(this); pub_->publish(std_msgs::msg::String());"), 0),
+        (
+            ros2(
+                setup=f"pub_ = {PUB}; auto arm = std::make_shared<Arm>(1);"
+                " pub_->publish(std_msgs::msg::String());"
+            ),
+            0,
+        ),
+        (
+            ros2(
+                setup=f"pub_ = {PUB}; auto m = std::make_shared<std_msgs::msg::String>();"
+                " pub_->publish(*m);"
+            ),
+            1,
+        ),
+        (ros2(setup=f"pub_ = {PUB}; std_msgs::msg::String m; pub_->publish(m);"), 1),
+    ],
+)
+def test_message_that_is_published_too_early(text: str, count: int) -> None:
+    assert len(facts(text).early) == count
+
+
+@pytest.mark.parametrize(
+    ("text", "is_idle"),
+    [
+        (ros2(main="auto node = std::make_shared<Talker>(); rclcpp::shutdown();"), True),
+        (ros1(main=f"{SUB1} return 0;"), True),
+        (ros1(main=f"{SUB1} ros::Rate r(10); while (ros::ok()) {{ r.sleep(); }}"), True),
+        (ros2(), False),
+        (ros1(), False),
+        (ros1(main=f"{SUB1} while (ros::ok()) {{ ros::spinOnce(); }}"), False),
+        (ros1(main=f"{SUB1} run_node(nh);"), False),
+        (ros1(main="return 0;"), False),
+    ],
+)
+def test_program_that_never_spins(text: str, is_idle: bool) -> None:
+    assert (facts(text).idle is not None) is is_idle
+
+
+@pytest.mark.parametrize(
+    "main",
+    [
+        "auto robot = std::make_shared<Talker>(); run(robot);",
+        "auto robot = std::make_shared<Talker>(); run(std::move(robot));",
+        "auto robot = std::make_shared<Talker>(); run(*robot);",
+        "auto robot = std::make_shared<Talker>(); Runner runner(robot);",
+        "auto robot = std::make_shared<Talker>(); Runner runner{robot};",
+        "Talker robot; run(robot);",
+        "run(std::make_shared<Talker>());",
+        "run(std::shared_ptr<Talker>(new Talker()));",
+        "std::vector<rclcpp::Node::SharedPtr> robots{std::make_shared<Talker>()}; run(robots);",
+    ],
+)
+def test_node_that_other_code_gets_may_be_spun_there(main: str) -> None:
+    found = facts(ros2(main=main))
+    assert found.idle is None
+    assert not found.is_closed
+
+
+@pytest.mark.parametrize(
+    ("text", "is_closed"),
+    [
+        (ros2().replace("public rclcpp::Node", "public rclcpp::Node, public tools::Extra"), False),
+        (ros2().replace("public rclcpp::Node", "public rclcpp::Node, public std::mutex"), True),
+        (ros1(), True),
+        (f"#include <driver/driver.h>\n{ros1()}", False),
+    ],
+)
+def test_node_with_parts_that_are_not_read_is_not_closed(text: str, is_closed: bool) -> None:
+    assert facts(text).is_closed is is_closed
+
+
+def test_node_that_its_own_program_spins_is_closed() -> None:
+    main = "auto robot = std::make_shared<Talker>(); rclcpp::spin(robot);"
+    assert facts(ros2(main=main)).is_closed
+    assert facts(ros2()).is_closed
+
+
+_BOUND = "std::bind(&Talker::heard, this, _1)"
+
+
+@pytest.mark.parametrize(
+    ("text", "counts"),
+    [
+        (ros2(setup=SETUP.replace(_BOUND, "std::bind(&Talker::heard, this)")), [("heard", 0, 1)]),
+        (ros2(setup=SETUP.replace("_1)", "_1, _2)")), [("heard", 2, 1)]),
+        (ros2(setup=SETUP.replace(_BOUND, "[]() {}")), [("lambda", 1, 0)]),
+        (ros2(setup="timer_ = create_wall_timer(1s, [](int a, int b) {});"), [("lambda", 0, 2)]),
+        (
+            ros1().replace("heard(const std_msgs::String::ConstPtr & msg)", "heard()"),
+            [("heard", 1, 0)],
+        ),
+        (ros2(), []),
+        (ros2(setup=SETUP.replace(_BOUND, "[](std_msgs::msg::String::SharedPtr m) {}")), []),
+        (ros2(setup="timer_ = create_wall_timer(1s, [this] { ask(); });"), []),
+        (ros2(setup="timer_ = create_wall_timer(1s, std::bind(&Talker::ask, this));"), []),
+        (ros2(setup="timer_ = create_wall_timer(1s, std::bind(&Other::ask, this));"), []),
+        (ros1(), []),
+    ],
+)
+def test_callback_that_does_not_take_what_it_gets(
+    text: str, counts: list[tuple[str, int, int]]
+) -> None:
+    found = facts(text).arities
+    assert [(each.callback, each.given, each.least) for each in found] == counts

@@ -1,0 +1,276 @@
+"""Parameters that launch files and parameter files give to nodes."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from textwrap import dedent
+
+import pytest
+from parameter_packages import (
+    CONFIG,
+    LAUNCH,
+    NODE,
+    cpp,
+    driver,
+    found,
+    launch,
+    marked,
+    package,
+    python,
+    told,
+)
+
+CODES = ("RP301", "RP302", "RP303")
+
+SPEED = python("self.declare_parameter('max_speed', 0.5)")
+PID = python("self.declare_parameters('pid', [('kp', 1.0), ('ki', 0.0)])")
+TYPES = python("""
+    self.declare_parameter('rate', 1.0)
+    self.declare_parameter('count', Parameter.Type.INTEGER)
+    self.declare_parameter('frame', 'map')
+    self.declare_parameter('on', False)
+    self.declare_parameter('gains', [1.0, 2.0])
+""")
+OPEN = python("""
+    import tools
+    tools.declare_more(self)
+    self.declare_parameter('max_speed', 0.5)
+""")
+
+
+def _config(text: str, block: str = "driver") -> str:
+    lines = "".join(f"    {line}\n" for line in dedent(text).strip("\n").splitlines())
+    return f"{block}:\n  ros__parameters:\n{lines}"
+
+
+RP301 = {
+    "a slip": (SPEED, _config("max_sped: 1.0  # wrong")),
+    "a key of no node": (SPEED, _config("max_speed: 1.0\nreverse: true  # wrong")),
+    "a key for all nodes": (SPEED, _config("max_sped: 1.0  # wrong", "/**")),
+    "a key below another": (PID, _config("pid:\n  kp: 1.0\n  kd: 1.0  # wrong")),
+    "a key with dots": (PID, _config("pid.kp: 1.0\npid.k_i: 1.0  # wrong")),
+    "a key above others": (PID, _config("pdi:  # wrong\n  kp: 1.0\n  ki: 1.0")),
+    "a block of a node that declares nothing": (
+        python("pass"),
+        _config("max_speed: 1.0  # wrong\nreverse: true\nrate: 2.0"),
+    ),
+    "an entry that shows how to write one": (
+        SPEED,
+        _config("max_speed: 1.0\nexample_home_do_not_execute: 1.0\nreverse: true  # wrong"),
+    ),
+    "a slip where more may be declared": (OPEN, _config("max_sped: 1.0  # wrong\nmore: 2")),
+}
+RP303 = {
+    "an int for a float": (TYPES, _config("rate: 10  # wrong")),
+    "a float for an int": (TYPES, _config("count: 10.5  # wrong")),
+    "a text for a float": (TYPES, _config("rate: fast  # wrong")),
+    "a number in quotes": (TYPES, _config("rate: '1.0'  # wrong")),
+    "a number for a text": (TYPES, _config("frame: 12  # wrong")),
+    "a word that is a bool": (TYPES, _config("frame: yes  # wrong")),
+    "a number for a bool": (TYPES, _config("on: 1  # wrong")),
+    "a value for a list": (TYPES, _config("gains: 1.0  # wrong")),
+    "a list for a value": (TYPES, _config("rate: [1.0]  # wrong")),
+    "a list of ints": (TYPES, _config("gains: [1, 2]  # wrong")),
+    "a list of two types": (TYPES, _config("gains: [1, 2.0]  # wrong")),
+}
+RP302 = {
+    "a slip": (SPEED, _config("max_speed: 1.0").replace("driver:", "drivr:  # wrong")),
+    "another name": (SPEED, _config("max_speed: 1.0").replace("driver:", "wheels:  # wrong")),
+    "a namespace": (
+        SPEED,
+        _config("max_speed: 1.0").replace("driver:", "/front/driver:  # wrong"),
+    ),
+}
+WRONG = {
+    f"{code} {name}": (code, {NODE: node, CONFIG: config})
+    for code, cases in (("RP301", RP301), ("RP302", RP302), ("RP303", RP303))
+    for name, (node, config) in cases.items()
+}
+WRONG |= {
+    "RP301 in a launch file": (
+        "RP301",
+        {NODE: SPEED, LAUNCH: launch(driver("{\n'max_sped': 1.0,  # wrong\n}"))},
+    ),
+    "RP301 in a launch file, of a value that is not known": (
+        "RP301",
+        {
+            NODE: SPEED,
+            LAUNCH: launch(
+                "DeclareLaunchArgument('top')",
+                driver("{\n'max_sped': LaunchConfiguration('top'),  # wrong\n}"),
+            ),
+        },
+    ),
+    "RP301 of a node that starts with other arguments": (
+        "RP301",
+        {
+            NODE: SPEED,
+            LAUNCH: launch(
+                "DeclareLaunchArgument('go', default_value='false')",
+                driver(
+                    "{\n'max_sped': 1.0,  # wrong\n}",
+                    ", condition=IfCondition(LaunchConfiguration('go'))",
+                ),
+            ),
+        },
+    ),
+    "RP303 in a launch file": (
+        "RP303",
+        {NODE: SPEED, LAUNCH: launch(driver("{\n'max_speed': 1,  # wrong\n}"))},
+    ),
+    "RP301 of a file that no launch file hands on": (
+        "RP301",
+        {NODE: SPEED, LAUNCH: launch(), CONFIG: _config("max_speed: 1.0\nback: 1  # wrong")},
+    ),
+    "RP303 of a node that gets its name elsewhere": (
+        "RP303",
+        {
+            NODE: TYPES,
+            LAUNCH: launch(),
+            CONFIG: _config("rate: 1.0\ncount: 1\non: yes\nframe: 12  # wrong", "front"),
+        },
+    ),
+    "RP302 of a file that no launch file hands on": (
+        "RP302",
+        {
+            NODE: SPEED,
+            LAUNCH: launch(),
+            CONFIG: _config("max_speed: 1.0").replace("driver:", "drvier:  # wrong"),
+        },
+    ),
+    "RP302 of a node in a namespace": (
+        "RP302",
+        {
+            NODE: SPEED,
+            LAUNCH: launch(driver("CONFIG", ", namespace='front'")),
+            CONFIG: _config("max_speed: 1.0").replace("driver:", "driver:  # wrong"),
+        },
+    ),
+}
+
+
+@pytest.mark.parametrize(("code", "files"), WRONG.values(), ids=WRONG)
+def test_wrong_value_is_told_and_nothing_else(
+    tmp_path: Path, code: str, files: dict[str, str]
+) -> None:
+    whole = package(files)
+    assert told(tmp_path, whole, code) == marked(whole)
+
+
+RIGHT = {
+    "what is declared": {NODE: TYPES, CONFIG: _config("rate: 10.0\ncount: 1\non: yes\nframe: x")},
+    "what every node has": {
+        NODE: SPEED,
+        CONFIG: _config("use_sim_time: true\nqos_overrides:\n  /scan:\n    depth: 1"),
+    },
+    "a name of another level": {NODE: SPEED, CONFIG: _config("max_speed: 1.0", "/**/driver")},
+    "a node in a namespace": {
+        NODE: SPEED,
+        LAUNCH: launch(driver("CONFIG", ", namespace='front'")),
+        CONFIG: _config("max_speed: 1.0", "/front/driver"),
+    },
+    "a node in the namespaces of several robots": {
+        NODE: SPEED,
+        CONFIG: _config("max_speed: 1.0", "/one/driver") + _config("max_speed: 2.0", "/two/driver"),
+    },
+    "more that may be declared": {NODE: OPEN, CONFIG: _config("reverse: true")},
+    "a type that may change": {
+        NODE: python(
+            "self.declare_parameter('rate', 1.0, ParameterDescriptor(dynamic_typing=True))"
+        ),
+        CONFIG: _config("rate: 10"),
+    },
+    "a default that is computed": {
+        NODE: python("self.declare_parameter('rate', 1.0 if ROS else 10)"),
+        CONFIG: _config("rate: 10"),
+    },
+    "a node that starts with other arguments": {
+        NODE: SPEED,
+        LAUNCH: launch(
+            "DeclareLaunchArgument('all', default_value='false')",
+            driver("CONFIG"),
+            "Node(package='other', executable='arm', name='arm', parameters=[CONFIG],"
+            " condition=IfCondition(LaunchConfiguration('all')))",
+        ),
+        CONFIG: _config("reach: 1.0", "/**"),
+    },
+    "a block of another node": {
+        NODE: SPEED,
+        LAUNCH: launch(
+            driver("CONFIG"),
+            "Node(package='other', executable='arm', name='arm', parameters=[CONFIG])",
+        ),
+        CONFIG: _config("max_speed: 1.0") + _config("reach: 1.0", "arm"),
+    },
+    "no block for a node that is not read": {
+        LAUNCH: launch(
+            driver("CONFIG"),
+            "Node(package='other', executable='arm', name='arm', parameters=[CONFIG])",
+        ),
+        CONFIG: _config("max_speed: 1.0") + _config("reach: 1.0", "arm_controller"),
+    },
+    "a node of no package": {CONFIG: _config("reach: 1.0", "arm"), LAUNCH: launch()},
+    "aliases": {NODE: SPEED, CONFIG: "a: &a 1\n" + _config("max_sped: *a")},
+    "no YAML": {NODE: SPEED, CONFIG: "ros__parameters: [\n"},
+    "a deep file": {NODE: SPEED, CONFIG: "ros__parameters: " + "[" * 90_000},
+}
+
+
+@pytest.mark.parametrize("files", RIGHT.values(), ids=RIGHT)
+def test_what_may_be_right_is_not_told(tmp_path: Path, files: dict[str, str]) -> None:
+    assert told(tmp_path, package(files), *CODES) == []
+
+
+CMAKE = """\
+cmake_minimum_required(VERSION 3.8)
+project(rover)
+find_package(ament_cmake REQUIRED)
+find_package(rclcpp REQUIRED)
+add_executable(driver src/driver.cpp)
+ament_target_dependencies(driver rclcpp)
+install(TARGETS driver DESTINATION lib/${PROJECT_NAME})
+ament_package()
+"""
+TYPED = cpp("""
+    declare_parameter("rate", 1.0);
+    double speed = 1;
+    declare_parameter("max_speed", speed);
+    declare_parameter<int>("count", 1.5);
+    declare_parameter("frames", std::vector<std::string>());
+    nav2_util::declare_parameter_if_not_declared(this, "gain", rclcpp::ParameterValue(1.0));
+""")
+
+
+def test_values_of_nodes_in_cpp(tmp_path: Path) -> None:
+    config = """
+        rat: 1.0  # wrong
+        max_speed: 1.0
+        count: 2.5  # wrong
+        frames: [1, 2]  # wrong
+        gain: 1  # wrong
+    """
+    files = package({CONFIG: _config(config)})
+    files = {name: text for name, text in files.items() if not name.endswith((".py", "setup.py"))}
+    files[LAUNCH] = launch(driver("CONFIG"))
+    files["rover/package.xml"] = files["rover/package.xml"].replace("ament_python", "ament_cmake")
+    files |= {"rover/CMakeLists.txt": CMAKE, "rover/src/driver.cpp": TYPED}
+    assert told(tmp_path, files, *CODES) == marked(files)
+
+
+FIXES = {
+    "RP301": ("max_sped: 1.0", "max_speed: 1.0"),
+    "RP302": ("drivr:", "driver:"),
+    "RP303": ("max_speed: 1\n", "max_speed: 1.0\n"),
+}
+
+
+@pytest.mark.parametrize("code", FIXES)
+def test_fix_writes_what_was_meant(tmp_path: Path, code: str) -> None:
+    wrong, right = FIXES[code]
+    meant = "# Grüße\n" + _config("max_speed: 1.0\n")
+    files = package({NODE: SPEED, CONFIG: meant.replace(right, wrong)})
+    (told_of,) = found(tmp_path, files, code)
+    assert told_of.fix is not None
+    ((span, text),) = told_of.fix.edits
+    written = files[CONFIG].encode()
+    assert (written[: span.start] + text.encode() + written[span.end :]).decode() == meant

@@ -1,0 +1,51 @@
+"""Which publishers of rospy are told for having no `queue_size`, and which setpoints no stamp."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+from linted import NO_QUEUE, run_over, told, write_tree
+
+_LATE = """\
+import rospy
+from std_msgs.msg import String
+def talk():
+    {first}
+    if rospy.is_shutdown():
+        pub = rospy.Publisher('a', String)
+        pub.publish('b')
+"""
+
+
+@pytest.mark.parametrize(
+    ("file", "text", "found"),
+    [
+        ("scripts/talker.py", NO_QUEUE, [("RC407", 3)]),
+        ("test/talker.py", NO_QUEUE, []),
+        ("scripts/test_talker.py", NO_QUEUE, []),
+        ("talker.py", _LATE.format(first="pass"), [("RC407", 6)]),
+        ("talker.py", _LATE.format(first="return"), []),
+        ("talker.py", _LATE.format(first="if rospy.is_shutdown(): return"), [("RC407", 6)]),
+    ],
+)
+def test_publisher_that_is_made_needs_a_queue_size(
+    tmp_path: Path, file: str, text: str, found: list[tuple[str, int]]
+) -> None:
+    assert told(run_over(write_tree(tmp_path, {file: text}), "RC407")) == found
+
+
+@pytest.mark.parametrize(("topic", "count"), [("mavros/setpoint_position/local", 0), ("goal", 2)])
+def test_nobody_reads_the_header_of_a_setpoint(tmp_path: Path, topic: str, count: int) -> None:
+    text = f"""\
+import rospy
+from geometry_msgs.msg import PoseStamped
+rospy.init_node('pilot')
+pub = rospy.Publisher('{topic}', PoseStamped, queue_size=1)
+pose = PoseStamped()
+pose.pose.position.z = 2.0
+pub.publish(pose)
+rospy.spin()
+"""
+    root = write_tree(tmp_path, {"pilot.py": text})
+    assert len(told(run_over(root, "RM205", "RM206"))) == count

@@ -1,0 +1,136 @@
+"""Sleeps in callbacks while others wait."""
+
+from __future__ import annotations
+
+import pytest
+from python_programs import marked, script, told, worker
+
+CLIENT = "self.client = self.create_client(Trigger, 'reset')\n"
+MULTI = """
+node = Worker()
+executor = MultiThreadedExecutor()
+executor.add_node(node)
+executor.spin()
+"""
+ALONE = "self.sub = self.create_subscription(String, 'orders', self.on_order, 10)\n"
+LISTEN = ALONE + "self.create_subscription(String, 'news', print, 10)\n"
+RATE = "self.rate = self.create_rate(10)\n"
+RATED = "def on_order(self, msg):\n    self.rate.sleep()"
+SLEEPING = {
+    "time": worker(LISTEN, "def on_order(self, msg):\n    time.sleep(1)  # wrong"),
+    "a name": worker(LISTEN, "def on_order(self, msg):\n    sleep(0.5)  # wrong"),
+    "unknown": worker(LISTEN, "def on_order(self, msg):\n    time.sleep(self.how_long)  # wrong"),
+    "in a loop": worker(
+        LISTEN,
+        "def on_order(self, msg):\n    for _ in range(9):\n        time.sleep(0.1)  # wrong",
+    ),
+    "in a helper": worker(
+        LISTEN,
+        """
+        def on_order(self, msg):
+            self.stop()
+
+        def stop(self):
+            time.sleep(2)  # wrong
+        """,
+    ),
+    "in a goal": worker(
+        "self.server = ActionServer(self, Fibonacci, 'fib', execute_callback=self.go)",
+        "def go(self, goal):\n    time.sleep(1)  # wrong\n    return Fibonacci.Result()",
+    ),
+    "once for a callback": worker(
+        LISTEN,
+        "def on_order(self, msg):\n    time.sleep(0.1)  # wrong\n    time.sleep(2)",
+    ),
+    "nothing else waits": worker(ALONE, "def on_order(self, msg):\n    time.sleep(1)"),
+    "the answer of a service waits": worker(
+        ALONE + CLIENT, "def on_order(self, msg):\n    time.sleep(1)  # wrong"
+    ),
+    "before the end": worker(
+        LISTEN,
+        """
+        def on_order(self, msg):
+            if msg.data == 'end':
+                time.sleep(1)
+                self.destroy_node()
+                sys.exit(0)
+            self.stop()
+            self.finish()
+
+        def finish(self):
+            for _ in range(9):
+                self.stop()
+                time.sleep(0.1)
+            self.create_timer(1.0, self.shutdown)
+
+        def stop(self):
+            time.sleep(0.2)
+        """,
+    ),
+    "before a word of the end, or what may be it": worker(
+        LISTEN,
+        """
+        def on_order(self, msg):
+            time.sleep(1)  # wrong
+            self.get_logger().info('exit')
+            if msg.data == 'exit':
+                sys.exit(0)
+        """,
+    ),
+    "a demonstration": worker(
+        LISTEN,
+        "def on_order(self, msg):\n    # slow\n    self.get_logger().info('a')\n"
+        "    time.sleep(1)\n    print('b')",
+    ),
+    "no time to speak of": worker(LISTEN, "def on_order(self, msg):\n    time.sleep(0.001)"),
+    "several threads": worker(LISTEN, "def on_order(self, msg):\n    time.sleep(1)", MULTI),
+    "a rate": worker(LISTEN + RATE, RATED + "  # wrong"),
+    "where another file spins": worker(
+        LISTEN, "def on_order(self, msg):\n    time.sleep(1)  # wrong", ""
+    ),
+    "where another file spins, and groups are told apart": worker(
+        LISTEN
+        + "self.create_timer(1.0, self.tick, callback_group=MutuallyExclusiveCallbackGroup())",
+        "def on_order(self, msg):\n    time.sleep(1)\n\ndef tick(self):\n    pass",
+        "",
+    ),
+    "a rate, several threads": worker(LISTEN + RATE, RATED, MULTI),
+    "a rate of the moment": worker(
+        LISTEN,
+        "def on_order(self, msg):\n    rate = self.create_rate(2)\n    rate.sleep()  # wrong",
+    ),
+    "a clock": worker(
+        LISTEN,
+        "def on_order(self, msg):\n    self.get_clock().sleep_for(Duration(seconds=1))  # wrong",
+    ),
+    "rospy": script(
+        """
+        def heard(msg):
+            rospy.sleep(0.1)
+            rospy.Rate(1).sleep()  # wrong
+            time.sleep(2)
+
+        def tick(event):
+            rospy.sleep(2)
+
+        rospy.Subscriber('orders', String, heard)
+        rospy.Timer(rospy.Duration(9), tick)
+        """
+    ),
+    "not in a callback": worker(LISTEN + "time.sleep(1)", "def on_order(self, msg):\n    pass"),
+    "in a thread": worker(
+        LISTEN,
+        """
+        def on_order(self, msg):
+            threading.Thread(target=self.work).start()
+
+        def work(self):
+            time.sleep(1)
+        """,
+    ),
+}
+
+
+@pytest.mark.parametrize("text", SLEEPING.values(), ids=SLEEPING)
+def test_a_sleep_in_a_callback_is_told(text: str) -> None:
+    assert told(text, "RC402") == marked(text)

@@ -1,0 +1,127 @@
+"""Types that changed since a revision of git, and what of that is told."""
+
+from __future__ import annotations
+
+import subprocess
+from collections.abc import Mapping
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+from linted import write_tree
+from packages import CMAKE, PY_NODE
+
+from plastron_tui.diagnostics import Diagnostic
+from plastron_tui.lint import lint
+from plastron_tui.lint.rules import RULES
+from plastron_tui.lint.tree import Earlier, SourceTree
+from plastron_tui.project.linting import read_tree
+from plastron_tui.project.linting.cache import FactCache
+from plastron_tui.project.linting.earlier import interfaces_of, read_earlier
+
+_SPEED = "float64 value\nstring unit\nint32[] history\nuint8 FAST=1\n"
+_USER = PY_NODE.replace("geometry_msgs.msg import Twist", "rover.msg import Speed").replace(
+    "Twist, 'cmd_vel', 10)",
+    "Speed, 'speed', 10)\n        self.pub.publish(Speed(value=1.0, unit='m'))",
+)
+_BEFORE = {**CMAKE, "rover/msg/Speed.msg": _SPEED, "user.py": _USER}
+_LINE = 11
+
+
+def _tree(folder: Path, files: Mapping[str, str]) -> SourceTree:
+    root = write_tree(folder, files)
+    return read_tree([root], FactCache(root, folder / "cache"), workers=1)
+
+
+def _told(tree: SourceTree, earlier: Earlier) -> list[str]:
+    found = []
+    for each in lint(replace(tree, earlier=earlier), [RULES["RK508"]]):
+        file, span = each.diagnostic.file, each.diagnostic.span
+        assert file is not None and span is not None
+        line = file.read_bytes()[: span.start].count(b"\n") + 1
+        found.append(f"{file.name}:{line} {each.diagnostic.message}")
+    return found
+
+
+@pytest.mark.parametrize(
+    ("now", "is_unchanged", "told"),
+    [
+        (_SPEED, True, []),
+        (_SPEED + "bool more\n", True, []),
+        (_SPEED.replace("float64", "float32").replace("int32[]", "int64[]"), True, []),
+        (
+            _SPEED.replace("value", "speed"),
+            False,
+            [f"user.py:{_LINE} `value` of `rover/Speed` is gone since `main`"],
+        ),
+        (
+            _SPEED.replace("string unit", "int32 unit"),
+            True,
+            [
+                f"user.py:{_LINE} `unit` of `rover/Speed` was `string`, and is `int32` since "
+                "`main`",
+            ],
+        ),
+        (
+            _SPEED.replace("string unit", "int32 unit"),
+            False,
+            [
+                "Speed.msg:1 `unit` of `rover/Speed` was `string`, and is `int32` since `main`, "
+                "which breaks whoever uses it",
+            ],
+        ),
+        (
+            _SPEED.replace("int32[] history\n", ""),
+            True,
+            ["Speed.msg:1 `history` of `rover/Speed` is gone since `main`, "
+             "which breaks whoever uses it"],
+        ),
+        (
+            _SPEED.replace("uint8 FAST=1\n", ""),
+            True,
+            ["Speed.msg:1 `FAST` of `rover/Speed` is gone since `main`, "
+             "which breaks whoever uses it"],
+        ),
+        (None, True, ["user.py:10 `rover/Speed` is gone since `main`"]),
+    ],
+)  # fmt: skip
+def test_change_is_told_of_who_breaks(
+    tmp_path: Path, now: str | None, is_unchanged: bool, told: list[str]
+) -> None:
+    files = dict(_BEFORE)
+    del files["rover/msg/Speed.msg"]
+    if now is not None:
+        files["rover/msg/Speed.msg"] = now
+    tree = _tree(tmp_path, files)
+    unchanged = frozenset({tree.root / "user.py"} if is_unchanged else ())
+    earlier = Earlier("main", interfaces_of(_BEFORE, tree.packages), unchanged)
+    assert _told(tree, earlier) == told
+
+
+def _git(folder: Path, *words: str) -> None:
+    command = ["git", "-c", "user.name=Ada", "-c", "user.email=ada@example.com", *words]
+    subprocess.run(command, cwd=folder, check=True, capture_output=True)
+
+
+def test_revision_is_read_and_nothing_of_the_repository_is_run(tmp_path: Path) -> None:
+    root = write_tree(tmp_path, {f"inner/{name}": text for name, text in _BEFORE.items()})
+    _git(root, "init", "-q")
+    _git(root, "add", "-A")
+    _git(root, "commit", "-q", "-m", "before")
+    hook = root / ".git/hooks/post-checkout"
+    hook.parent.mkdir(exist_ok=True)
+    hook.write_text(f"#!/bin/sh\ntouch {tmp_path}/was-run\n")
+    hook.chmod(0o755)
+    for name in ("core.fsmonitor", "core.pager", "core.sshCommand", "filter.x.smudge"):
+        _git(root, "config", name, f"touch {tmp_path}/was-run")
+    (root / "inner/rover/msg/Speed.msg").write_text("float64 speed\n")
+    (root / "inner/user.py").write_text(_USER + "# more\n")
+    tree = read_tree([root / "inner"], FactCache(root, tmp_path / "cache"), workers=1)
+    earlier = read_earlier(tree, "HEAD")
+    assert isinstance(earlier, Earlier)
+    assert {str(name) for _, name in earlier.interfaces} == {"rover/Speed", "rover/Reset"}
+    changed = {each.path.name for each in tree.units if each.path not in earlier.unchanged}
+    assert changed == {"user.py"}
+    assert not (tmp_path / "was-run").exists()
+    for revision in ("nothing", "--help", "HEAD:inner", ""):
+        assert isinstance(read_earlier(tree, revision), Diagnostic)
