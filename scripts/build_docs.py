@@ -1,6 +1,6 @@
 """Write the parts of the documentation that follow from the source.
 
-python scripts/build_docs.py            writes docs/language.md and docs/diagnostics.md
+python scripts/build_docs.py            writes docs/language.md, docs/diagnostics.md, docs/rules/
 python scripts/build_docs.py --check    exits with 1 when they are not what they should be
 """
 
@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import sys
 from collections.abc import Callable, Iterator
+from functools import partial
 from pathlib import Path
 
 from language_prose import LANGUAGE_HEAD, LANGUAGE_TAIL, STATEMENTS_HEAD
@@ -17,6 +18,8 @@ from plastron_tui.diagnostics import Code
 from plastron_tui.diagnostics.codes import GROUPS
 from plastron_tui.language import DECLARATIONS, Declaration, Slot
 from plastron_tui.language.keywords import KEYWORDS
+from plastron_tui.lint.explaining import explained, table
+from plastron_tui.lint.rules import RULES
 from plastron_tui.ros.qos_words import WORDS
 from plastron_tui.ros.robots.colors import NAMES
 
@@ -108,9 +111,26 @@ def _code(code: Code) -> str:
     return text
 
 
+_RULES_HEAD = """\
+# Rules
+
+What [`plastron lint`](../commands.md#plastron-lint) finds in a workspace that exists, without building
+or running it. A rule is named by its code, by what codes begin with (`RG`), or by its name; `plastron
+lint --explain CODE` shows its page. What is not sure is not told.
+
+"""
+
+
+def rules_page() -> str:
+    """Return the table of all rules."""
+    return _RULES_HEAD + table(RULES.values())
+
+
 PAGES: dict[str, Callable[[], str]] = {
     "language.md": language_page,
     "diagnostics.md": diagnostics_page,
+    "rules/README.md": rules_page,
+    **{f"rules/{rule.code}.md": partial(explained, rule) for rule in RULES.values()},
 }
 """The files in `docs` that this script writes."""
 
@@ -130,6 +150,12 @@ def main(arguments: list[str]) -> int:
         if not arguments:
             path.parent.mkdir(exist_ok=True)
             path.write_text(text, encoding="utf-8", newline="\n")
+    for path in sorted(DOCS.glob("rules/*.md")):
+        name = path.relative_to(DOCS).as_posix()
+        if name not in PAGES:
+            stale.append(name)
+            if not arguments:
+                path.unlink()
     if arguments and stale:
         print(f"out of date: {', '.join(stale)}; run scripts/build_docs.py", file=sys.stderr)
         return 1
