@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
-from typing import ClassVar
+from typing import ClassVar, NamedTuple
 
 import tree_sitter_cpp
 from tree_sitter import Node, Parser
@@ -19,6 +20,14 @@ from .preprocessing import Define, Include, blank, preprocess
 _WIDEST_ERROR = 2_000
 
 
+class Sought(NamedTuple):
+    """What was found in the code of a file."""
+
+    has: dict[re.Pattern[bytes], bool]
+    matches: dict[re.Pattern[bytes], tuple[re.Match[bytes], ...]]
+    fields: list[Node]
+
+
 @dataclass(frozen=True, slots=True)
 class Syntax(ParsedFile):
     """A parsed C++ file; `tree` is that of `code`.
@@ -30,6 +39,7 @@ class Syntax(ParsedFile):
         defines: its macros without arguments.
         conditionals: where its conditionals start and end, as in `Preprocessed`.
         overrides_qos: whether it lets parameters change a quality of service.
+        sought: what was looked for in it before: many units include one header.
     """
 
     grammar: ClassVar[Grammar] = Grammar(
@@ -41,10 +51,32 @@ class Syntax(ParsedFile):
     defines: tuple[Define, ...]
     conditionals: tuple[tuple[int, int], ...]
     overrides_qos: bool
+    sought: Sought = field(default_factory=lambda: Sought({}, {}, []), compare=False, repr=False)
 
     def word(self, node: Node) -> str:
         """Return the source of a node that is a name, or a type without comments in it."""
         return self.code[node.start_byte : node.end_byte].decode(self.encoding, "replace")
+
+    def has(self, pattern: re.Pattern[bytes]) -> bool:
+        """Tell whether one of the patterns that are looked for in every file is in the code."""
+        found = self.sought.has.get(pattern)
+        if found is None:
+            found = self.sought.has[pattern] = pattern.search(self.code) is not None
+        return found
+
+    def matches(self, pattern: re.Pattern[bytes]) -> tuple[re.Match[bytes], ...]:
+        """Return where one of the patterns that are looked for in every file is in the code."""
+        found = self.sought.matches.get(pattern)
+        if found is None:
+            found = self.sought.matches[pattern] = tuple(pattern.finditer(self.code))
+        return found
+
+    @property
+    def field_expressions(self) -> list[Node]:
+        """The expressions that name a member of something, `a.b` and `a->b`."""
+        if not self.sought.fields:
+            self.sought.fields.extend(self.captures("members").get("field", []))
+        return self.sought.fields
 
 
 @remembered

@@ -126,7 +126,7 @@ class Writers:
         """Where something is counted up, read from a stream or handed out to be changed."""
         found: dict[str, list[tuple[CppFile, int]]] = {}
         for file in self._unit.files:
-            for change in _CHANGE.finditer(file.syntax.code):
+            for change in file.syntax.matches(_CHANGE):
                 name = (change[1] or change[2]).decode("utf-8", "replace")
                 found.setdefault(name, []).append((file, change.start()))
         return found

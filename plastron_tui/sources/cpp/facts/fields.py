@@ -18,8 +18,7 @@ def field_uses(analysis: Analysis, types: MessageTypes) -> Iterator[FieldUse]:
     for file in analysis.unit.files:
         conditionals = Conditionals(file)
         seen: set[int] = set()
-        nodes = file.syntax.captures("members").get("field", [])
-        for node, scope in with_scopes(file, nodes):
+        for node, scope in with_scopes(file, file.syntax.field_expressions):
             if node.id in seen or method_of(node) is not None or conditionals.has(node.start_byte):
                 continue
             reach = types.of(node, scope)

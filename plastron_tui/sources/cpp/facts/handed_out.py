@@ -27,6 +27,9 @@ _PASSING = re.compile(
 """What gives what it gets."""
 
 _MOST = 2_000
+_LETTERS = frozenset(
+    bytes([each]) for each in range(128) if chr(each).isalnum() or each == ord("_")
+)
 
 
 def handed_out(analysis: Analysis, file: CppFile) -> Iterator[tuple[CppFile, Node | None]]:
@@ -54,15 +57,22 @@ def _named(analysis: Analysis, file: CppFile) -> Iterator[Node]:
         for variable in variables
         if variable.name and _has_node(analysis, variable, classes)
     }
-    named = b"|".join(re.escape(each.encode()) for each in sorted(words))
-    patterns = (_HANDED, re.compile(rb"\b(?:%b)\b" % named)) if words else (_HANDED,)
-    starts: dict[int, int] = {}
-    for pattern in patterns:
-        starts.update(each.span() for each in pattern.finditer(file.syntax.code))
+    starts = dict(each.span() for each in file.syntax.matches(_HANDED))
+    for word in words:
+        starts.update(_places(file.syntax.code, word.encode()))
     for start, end in sorted(starts.items()):
         node = file.syntax.root.descendant_for_byte_range(start, end)
         if node is not None:
             yield node
+
+
+def _places(code: bytes, word: bytes) -> Iterator[tuple[int, int]]:
+    """Yield where a word stands; to look for each is faster than for any of them."""
+    end = 0
+    while (start := code.find(word, end)) >= 0:
+        end = start + len(word)
+        if code[end : end + 1] not in _LETTERS and code[max(start - 1, 0) : start] not in _LETTERS:
+            yield start, end
 
 
 def _has_node(analysis: Analysis, variable: Variable, classes: set[str]) -> bool:

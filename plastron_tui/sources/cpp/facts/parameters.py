@@ -30,8 +30,8 @@ _ALLOWED = re.compile(
 
 def allows_undeclared(analysis: Analysis) -> bool:
     """Tell whether files make nodes that may have parameters which they do not declare."""
-    texts = (file.syntax.code for file in analysis.unit.files)
-    return analysis.ros_version == 2 and any(_ALLOWED.search(text) for text in texts)
+    files = (file.syntax for file in analysis.unit.files)
+    return analysis.ros_version == 2 and any(each.has(_ALLOWED) for each in files)
 
 
 def parameter_facts(analysis: Analysis) -> Iterator[ParameterFacts]:

@@ -33,7 +33,7 @@ def idle(analysis: Analysis) -> Span | None:
     main = _starting(analysis)
     if main is None or main.file is not unit.files[0] or not _is_called(analysis):
         return None
-    if any(_SPINNING.search(file.syntax.code) for file in unit.all_files):
+    if any(file.syntax.has(_SPINNING) for file in unit.all_files):
         return None
     is_sure = _is_alone(analysis) if analysis.ros_version == 2 else has_known_headers(analysis)
     return span_of(main.declarator) if is_sure else None
@@ -47,9 +47,7 @@ def _is_called(analysis: Analysis) -> bool:
         and "wait" not in site.call.name
         and not site.endpoint.is_guess
         for site in analysis.sites
-    ) or any(
-        _CREATING.search(file.syntax.code) for file in analysis.unit.all_files if file.is_beside
-    )
+    ) or any(file.syntax.has(_CREATING) for file in analysis.unit.all_files if file.is_beside)
 
 
 def _is_alone(analysis: Analysis) -> bool:

@@ -111,9 +111,9 @@ class _Waits:
         self._a = analysis
         self._bodies = bodies
         self._found: dict[int, list[_Waiting]] = {}
-        texts = [file.syntax.code for file in analysis.unit.files]
-        self._has_threads = any(_THREADS.search(each) for each in texts)
-        self._has_groups = any(_GROUPS.search(each) for each in texts)
+        files = [file.syntax for file in analysis.unit.files]
+        self._has_threads = any(each.has(_THREADS) for each in files)
+        self._has_groups = any(each.has(_GROUPS) for each in files)
         spins = (*analysis.unit.calls.get("spin", ()), *analysis.unit.calls.get("spinOnce", ()))
         # The manager of nodelets gives those of one nodelet to one thread at a time.
         is_nodelet = bool(nodelets(analysis)) if analysis.ros_version == 1 else False

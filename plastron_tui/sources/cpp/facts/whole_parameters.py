@@ -69,7 +69,7 @@ def _declares_beside(analysis: Analysis) -> bool:
     """Tell whether a source whose call sites are others' may declare in methods of the classes."""
     unit = analysis.unit
     return any(
-        _DECLARING.search(file.syntax.code) is not None
+        file.syntax.has(_DECLARING)
         and any(
             each.qualifier and unit.class_of_function(each) is not None
             for scope in file.scopes
@@ -133,7 +133,7 @@ def _other_declarations(analysis: Analysis) -> Iterator[Node]:
     }
     own = analysis.unit.functions
     for file in analysis.unit.files:
-        for found in _DECLARING.finditer(file.syntax.code):
+        for found in file.syntax.matches(_DECLARING):
             node = file.syntax.root.descendant_for_byte_range(found.start(), found.end())
             if node is None or not node.type.endswith("identifier"):
                 continue
