@@ -312,10 +312,12 @@ class Types:
             yield from (self.expand(name, each.file.root) for name in each.usings)
             if each.kind == "namespace":
                 yield each.name
-        for file in self._unit.files:
-            for inner in file.scopes:
-                if inner.kind in ("file", "namespace"):
-                    yield from inner.usings
+        yield from self._usings_of_all
+
+    @cached_property
+    def _usings_of_all(self) -> tuple[str, ...]:
+        scopes = (each for each in self._unit.scopes() if each.kind in ("file", "namespace"))
+        return tuple(name for each in scopes for name in each.usings)
 
 
 def _template_of(call: Call) -> list[str]:
