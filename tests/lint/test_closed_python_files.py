@@ -16,6 +16,11 @@ HEARD = "def heard(self, msg):\n    pass"
 NODE = worker(LISTEN, HEARD)
 OLD = script("rospy.init_node('worker')\nrospy.Subscriber('orders', String, print)\nrospy.spin()\n")
 
+HEIR = (
+    "class Arm(Base):\n    def __init__(self):\n"
+    "        self.pub = self.node.create_publisher(String, 'arm', 10)\n"
+)
+
 
 def is_closed(text: str) -> bool:
     source = read_python(Path("worker.py"), one(text.encode())).source
@@ -33,6 +38,7 @@ def is_closed(text: str) -> bool:
         (worker(f"{LISTEN}\nself.arms = [Arm(self)]", HEARD), False),
         (worker(f"{LISTEN}\nself.arms = make([self])", HEARD), False),
         (worker(f"{LISTEN}\nprint(self)", HEARD), True),
+        (f"import rclpy\nfrom std_msgs.msg import String\nfrom robots import Base\n{HEIR}", False),
         (OLD, True),
         (f"from robots import start\n{OLD}start()\n", False),
         (f"from robots import Base\n{OLD}class Arm(Base):\n    pass\n", False),

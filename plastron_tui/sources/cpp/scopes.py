@@ -284,6 +284,17 @@ class CppFile:
         return f"{line} of `{self.name.rpartition('/')[2]}`" if self.name else f"{line}"
 
 
+def scope_at(file: CppFile, offset: int) -> Scope:
+    """Return the innermost scope that an offset is in."""
+    found = file.root
+    for scope in file.scopes:
+        if scope.start > offset:
+            break
+        if offset < scope.end:
+            found = scope
+    return found
+
+
 def _parameters(listed: Node, scope: Scope) -> Iterator[Variable]:
     for each in listed.named_children:
         if not each.type.endswith("parameter_declaration"):

@@ -12,10 +12,9 @@ from collections.abc import Iterator
 from tree_sitter import Node
 
 from ..analysis import Analysis
-from ..scopes import CppFile, Scope, Variable
+from ..scopes import CppFile, Scope, Variable, scope_at
 from .deletions import Deletions
 from .leftovers import logs
-from .uses import scope_at
 
 _READING = frozenset(
     {"get", "c_str", "str", "size", "empty", "valid", "to_string", "toString", "getText", "data"}

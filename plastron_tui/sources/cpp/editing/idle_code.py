@@ -13,8 +13,7 @@ from plastron_tui.model.source import Change
 from plastron_tui.sources.left_behind import idle, taking
 
 from ..analysis import Analysis
-from ..scopes import CppFile
-from .uses import scope_at
+from ..scopes import CppFile, scope_at
 
 _LOOPS = frozenset({"while_statement", "for_statement", "do_statement", "for_range_loop"})
 _BEGINNING = re.compile(rb"\b(?:while|for|do)\b")

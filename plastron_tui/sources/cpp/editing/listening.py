@@ -9,9 +9,9 @@ from tree_sitter import Node
 from plastron_tui.model.source import EndpointKind
 
 from ..analysis import Analysis
-from ..scopes import CppFile
+from ..scopes import CppFile, scope_at
 from .creation import holder_of
-from .uses import scope_at, word
+from .uses import word
 
 _COUNT = r"[\w.>-]+(?:\.|->)(?:getNumSubscribers|get_subscription_count)\(\)"
 _LISTENS = re.compile(rf"\((?:{_COUNT}(?:(?:>|!=)0u?|>=1u?)?|0u?<{_COUNT})\)", re.IGNORECASE)

@@ -9,8 +9,7 @@ from tree_sitter import Node
 
 from ..analysis import Analysis, Site
 from ..arguments import call_of
-from ..scopes import CppFile, Scope, Variable, last_name
-from .uses import scope_at
+from ..scopes import CppFile, Scope, Variable, last_name, scope_at
 
 SAME = frozenset({"c_str", "str", "data", "string", "get", "string_view"})
 _MOST_STEPS = 16

@@ -8,11 +8,11 @@ from collections.abc import Iterator, Sequence
 from tree_sitter import Node
 
 from ..analysis import Analysis
-from ..scopes import CppFile, Function, Scope, Variable
+from ..scopes import CppFile, Function, Scope, Variable, scope_at
 from ..serving_timers import description_of
 from .deletions import Deletions
 from .leftovers import has_uses
-from .uses import scope_at, word
+from .uses import word
 
 _WAITS = ("is_served", "wait_until_served", "wait_for_action")
 _ASKS = frozenset({"ask", "call", "send_goal"})

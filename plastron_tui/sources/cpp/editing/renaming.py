@@ -12,13 +12,13 @@ from plastron_tui.ros.names import name_as_read, name_as_written
 
 from .. import literals
 from ..analysis import Analysis, Site
-from ..scopes import Scope
+from ..scopes import Scope, scope_at
 from .origins import SAME, Origin, name_argument, origin_of
 from .plans import Plan
 from .refusals import RefusedError, not_there, refuse_parts
 from .statements import is_inside
 from .units import key_of, labels_of, sites_of
-from .uses import scope_at, uses_of, word
+from .uses import uses_of, word
 
 _WRITTEN = {
     "assignment_expression": "left",

@@ -11,7 +11,7 @@ from plastron_tui.ros.interfaces import InterfaceKind, InterfaceName
 from plastron_tui.sources.splices import line_end, line_start, newline_of
 
 from .. import interface_types
-from ..scopes import CppFile, Variable
+from ..scopes import CppFile, Variable, scope_at
 from ..shapes import OBJECTS
 from .creation import creation_of
 from .include_place import add_include
@@ -20,7 +20,7 @@ from .replacing import NotInPlaceError, Replacement
 from .resending import Sending
 from .retyped_callbacks import called_back, check_retyped, vanishing
 from .statements import is_inside
-from .uses import scope_at, uses_of
+from .uses import uses_of
 
 _POINTER = re.compile(r"(?:Const)?Ptr\Z|(?:::(?:Const)?(?:Shared|Unique|Weak)?Ptr)\Z")
 _PART = re.compile(r"::(?:Request|Response|Event)(?:Type)?\b.*|(?:Request|Response)(?:Ptr)?\Z")

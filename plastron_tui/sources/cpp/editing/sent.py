@@ -12,13 +12,13 @@ from tree_sitter import Node
 from plastron_tui.model.source import EndpointKind
 
 from ..analysis import Analysis, Site
-from ..scopes import CppFile, Function, Scope, Variable, last_name
+from ..scopes import CppFile, Function, Scope, Variable, last_name, scope_at
 from ..timers import recreated, timer_details
 from .leftovers import functions_of
 from .pacing import set_period, set_rate
 from .replacing import NotInPlaceError, Replacement
 from .statements import is_inside, statement_of
-from .uses import scope_at, uses_of, word
+from .uses import uses_of, word
 
 _LOOPS = frozenset({"while_statement", "for_statement", "do_statement"})
 _IDLE = re.compile(

@@ -14,14 +14,14 @@ from plastron_tui.model.source import Change
 from plastron_tui.sources.left_behind import no_longer_set, taking
 
 from ..analysis import Analysis
-from ..scopes import CppFile, Function, Scope, Variable
+from ..scopes import CppFile, Function, Scope, Variable, scope_at
 from .accesses import CLEARING, Access, Path, access
 from .creation import variable_of
 from .deletions import Deletions
 from .leftovers import has_uses
 from .uncalled import span_of
 from .units import sites_of
-from .uses import scope_at, uses_of
+from .uses import uses_of
 
 _NAMES = frozenset({"identifier", "field_identifier"})
 _LOOPS = frozenset({"while_statement", "for_statement", "do_statement", "for_range_loop"})

@@ -8,7 +8,7 @@ from collections.abc import Iterator
 from tree_sitter import Node
 
 from ..analysis import Analysis
-from ..scopes import CppFile, Function, Scope, Variable
+from ..scopes import CppFile, Function, Scope, Variable, scope_at
 from .deletions import Deletions
 
 _NAMES = frozenset({"identifier", "field_identifier"})
@@ -72,12 +72,6 @@ def hidden_uses(analysis: Analysis, name: str, gone: Deletions) -> Iterator[tupl
 def word(name: str) -> re.Pattern[bytes]:
     """Return what matches a name as a word of its own."""
     return re.compile(rb"(?<![A-Za-z0-9_])" + re.escape(name.encode()) + rb"(?!\w)")
-
-
-def scope_at(file: CppFile, offset: int) -> Scope:
-    """Return the innermost scope that an offset is in."""
-    inside = (scope for scope in file.scopes if scope.start <= offset < scope.end)
-    return max(inside, key=lambda scope: (scope.start, -scope.end), default=file.root)
 
 
 def is_static(analysis: Analysis, function: Function) -> bool:

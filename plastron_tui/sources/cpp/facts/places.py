@@ -8,6 +8,7 @@ from tree_sitter import Node
 
 from plastron_tui.diagnostics import Span
 from plastron_tui.sources.cpp.scopes import CppFile, Scope
+from plastron_tui.sources.cpp.scopes import scope_at as scope_at
 
 _GUARD = 0.8
 """A conditional over this much of a file keeps it from being included twice."""
@@ -33,17 +34,6 @@ def with_scopes(file: CppFile, nodes: Iterable[Node]) -> Iterator[tuple[Node, Sc
         while len(stack) > 1 and stack[-1].end <= at:
             stack.pop()
         yield node, stack[-1]
-
-
-def scope_at(file: CppFile, at: int) -> Scope:
-    """Return the innermost scope that an offset is in."""
-    found = file.scopes[0]
-    for scope in file.scopes:
-        if scope.start > at:
-            break
-        if at < scope.end:
-            found = scope
-    return found
 
 
 class Conditionals:

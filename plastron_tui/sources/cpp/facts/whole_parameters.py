@@ -10,11 +10,10 @@ from tree_sitter import Node
 
 from plastron_tui.sources.cpp.analysis import Analysis, NodeSite
 from plastron_tui.sources.cpp.arguments import call_of
-from plastron_tui.sources.cpp.scopes import CppFile, Function, Scope, last_name, type_text
+from plastron_tui.sources.cpp.scopes import CppFile, Function, Scope, last_name, scope_at, type_text
 
 from .handed_out import MAKING, handed_out
 from .helped_parameters import HELPERS, helper_calls
-from .places import scope_at
 
 _DECLARING = re.compile(
     rb"\b(?!undeclare_|allow_undeclared_|automatically_declare_)\w*declare\w*\b", re.I

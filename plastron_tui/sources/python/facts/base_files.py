@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Container, Iterator
 from typing import NamedTuple
 
 from tree_sitter import Node
@@ -22,20 +22,28 @@ class Base(NamedTuple):
     owner: Scope
 
 
-def read_bases(analysis: Analysis) -> tuple[Base, ...] | None:
+def read_bases(
+    analysis: Analysis, owner: Scope | None = None, plain: Container[str] = _PLAIN
+) -> tuple[Base, ...] | None:
     """Return the classes of other files that the nodes of a file derive from, directly or not.
 
     None where one of them, up to those of the client library, is not read.
+
+    Args:
+        analysis: the file.
+        owner: the class of one of its nodes, None for those of all.
+        plain: modules whose classes do nothing that is asked about.
     """
     found: dict[Scope, Base] = {}
-    pending = [Base(analysis, each.owner) for each in analysis.nodes if each.owner is not None]
+    owners = [each.owner for each in analysis.nodes] if owner is None else [owner]
+    pending = [Base(analysis, each) for each in owners if each is not None]
     seen: set[Scope] = set()
     while pending:
         file, owner = pending.pop()
         if owner in seen:
             continue
         seen.add(owner)
-        others = list(_others(file, owner))
+        others = list(_others(file, owner, plain))
         if any(each is None for each in others) or len(seen) > _MOST_CLASSES:
             return None
         for each in others:
@@ -45,12 +53,7 @@ def read_bases(analysis: Analysis) -> tuple[Base, ...] | None:
     return tuple(found.values())
 
 
-def has_read_bases(analysis: Analysis) -> bool:
-    """Tell whether the classes of a file's nodes derive from classes that are read, or known."""
-    return read_bases(analysis) is not None
-
-
-def _others(file: Analysis, owner: Scope) -> Iterator[Base | None]:
+def _others(file: Analysis, owner: Scope, plain: Container[str]) -> Iterator[Base | None]:
     """Yield the classes of other files that a class derives from, None for what is not read."""
     known = file.library.node_classes
     for each in (owner, *file.resolver.classes.bases(owner)):
@@ -58,7 +61,7 @@ def _others(file: Analysis, owner: Scope) -> Iterator[Base | None]:
             names = file.resolver.qualified(base, each.parent or each)
             if any(name in known for name in names) or _is_own(file, base):
                 continue
-            if names and all(name.partition(".")[0] in _PLAIN for name in names):
+            if names and all(name.partition(".")[0] in plain for name in names):
                 continue
             if not names and file.syntax.slice(base) == "object":
                 continue

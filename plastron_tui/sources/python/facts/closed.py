@@ -56,8 +56,11 @@ def is_closed(analysis: Analysis) -> bool:
     """Tell whether no node of a file is handed to code of other files that may create more.
 
     So it is not where a class has a base that is not read, where a node is an argument of what the
-    file does not define, or where a part of the text does not parse.
+    file does not define, where the node comes from another file, or where a part of the text does
+    not parse.
     """
+    if analysis.library.node_classes and not analysis.nodes:
+        return False
     bases = read_bases(analysis)
     if analysis.syntax.errors or bases is None:
         return False

@@ -10,9 +10,10 @@ from typing import NamedTuple
 from tree_sitter import Node
 
 from plastron_tui.sources.python.analysis import Analysis, NodeSite
-from plastron_tui.sources.python.scopes import BindingKind, Scope
+from plastron_tui.sources.python.scopes import BindingKind
 
 from .aliased_parameters import aliases
+from .base_files import read_bases
 from .closed import handed_out
 
 _DECLARING = re.compile(rb"\b(?:declare_parameters?|_declare_parameter\w*)\b")
@@ -26,6 +27,8 @@ _HARMLESS = frozenset(
 """What gets a node and declares no parameter of it, but for the qualities of topics."""
 _OWN_NAMES = _HARMLESS | {"nav2_simple_commander", "py_trees_ros"}
 """What gets a node and declares no parameter that the code of the node reads itself."""
+_DECLARE_NOTHING = sys.stdlib_module_names | {"rclpy"}
+"""Modules of whose classes none declares a parameter of what derives from it."""
 _DEEPEST = 4
 _MOST = 64
 
@@ -45,7 +48,8 @@ def wholeness(analysis: Analysis, maker: NodeSite) -> Wholeness:
 def _declares_all(analysis: Analysis, maker: NodeSite, known: frozenset[str]) -> bool:
     if analysis.syntax.errors or not _is_harmless(analysis, known):
         return False
-    return maker.owner is None or _knows_bases(analysis, maker.owner, known, set())
+    bases = () if maker.owner is None else read_bases(analysis, maker.owner, _DECLARE_NOTHING)
+    return bases is not None and all(_is_harmless(each.file, known) for each in bases)
 
 
 def _is_harmless(analysis: Analysis, known: frozenset[str]) -> bool:
@@ -108,36 +112,3 @@ def _declares_nothing(module: Analysis, seen: set[int], depth: int) -> bool:
             if held is not None and not _declares_nothing(held[0], seen, depth + 1):
                 return False
     return not module.scopes.module.star_imports
-
-
-def _knows_bases(analysis: Analysis, owner: Scope, known: frozenset[str], seen: set[Scope]) -> bool:
-    """Tell whether all classes that a node's class derives from are read, or are of rclpy."""
-    if owner in seen:
-        return True
-    seen.add(owner)
-    own = {scope.name for scope in analysis.scopes.classes()}
-    for each in (owner, *analysis.resolver.classes.bases(owner)):
-        for base in each.bases:
-            names = analysis.resolver.qualified(base, each.parent or each)
-            text = analysis.syntax.slice(base)
-            if not names and text != "object" and text not in own:
-                return False
-            if not all(_knows_base(analysis, name, known, seen) for name in names):
-                return False
-    return True
-
-
-def _knows_base(analysis: Analysis, name: str, known: frozenset[str], seen: set[Scope]) -> bool:
-    first = name.partition(".")[0]
-    if first == "rclpy" or first in sys.stdlib_module_names:
-        return True
-    package = analysis.package
-    held = package.class_(name) if package is not None else None
-    if held is None or package is None:
-        return False
-    module = package.complete(held[0])
-    return (
-        not module.syntax.errors
-        and _is_harmless(module, known)
-        and _knows_bases(module, held[1], known, seen)
-    )
