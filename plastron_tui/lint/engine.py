@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
+from pathlib import Path
 from typing import NamedTuple
 
-from plastron_tui.diagnostics import Diagnostic
+from plastron_tui.diagnostics import Diagnostic, Span
 
 from .rule import Rule
 from .tree import SourceTree
@@ -19,14 +20,20 @@ class Found(NamedTuple):
 
 
 def lint(tree: SourceTree, rules: Iterable[Rule]) -> tuple[Found, ...]:
-    """Return what breaks rules in a workspace, in the order of files and places, each once."""
-    found = {
-        (rule.code, each.file, each.span): Found(rule, each)
-        for rule in rules
-        for each in rule.check(tree)
-        if not _is_of_one_program(each)
-    }
-    return in_order(found.values())
+    """Return what breaks rules in a workspace, in the order of files and places.
+
+    Of what one rule finds at a place, the first is told; nothing of what another one tells there.
+    """
+    found: dict[tuple[str, Path | None, Span | None], Found] = {}
+    for rule in rules:
+        for each in rule.check(tree):
+            if not _is_of_one_program(each):
+                found.setdefault((rule.code, each.file, each.span), Found(rule, each))
+    return in_order(
+        each
+        for (_, file, span), each in found.items()
+        if (each.rule.told_by, file, span) not in found
+    )
 
 
 def in_order(found: Iterable[Found]) -> tuple[Found, ...]:

@@ -40,6 +40,8 @@ class Rule:
         good: the workspace with that mended.
         before: what the bad example was at an earlier revision, for a rule about changes.
         is_opt_in: whether it is followed only where it is selected by its code or its name.
+        told_by: the code of a rule that tells this as well where it finds something at the same
+            place; "" for none.
     """
 
     code: Code
@@ -50,6 +52,7 @@ class Rule:
     good: Files
     is_opt_in: bool = False
     before: Files = field(default_factory=dict)
+    told_by: str = ""
 
     @property
     def group(self) -> Group:
@@ -82,6 +85,7 @@ def rule(
     severity: Severity = Severity.ERROR,
     is_opt_in: bool = False,
     before: Files | None = None,
+    told_by: str = "",
 ) -> Callable[[Callable[[SourceTree, Code], Iterable[Diagnostic]]], Rule]:
     """Declare a rule, whose function gets the workspace and the code of what it finds."""
 
@@ -96,6 +100,7 @@ def rule(
             good,
             is_opt_in,
             before or {},
+            told_by,
         )
         assert code not in RULES
         RULES[code] = found

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import pytest
+from message_programs import node
+from message_programs import told as fields_told
 from python_programs import diagnostics, marked, script, told, worker
 
 LISTEN = "self.create_subscription(String, 'orders', {}, 10)"
@@ -240,3 +242,15 @@ def test_what_is_called_with_more_says_with_what(more: str, help_: str) -> None:
         f"`{more}` as `callback_args`"
     )
     assert found.help == help_
+
+
+@pytest.mark.parametrize(("parameters", "count"), [("request, response", 2), ("request", 1)])
+def test_what_a_callback_gets_that_cannot_be_called_has_no_fields(
+    parameters: str, count: int
+) -> None:
+    text = node(f"""
+        def on_set(self, {parameters}):
+            print(request.dota)
+            Vector3().w = 1.0
+    """)
+    assert len(fields_told(text, "RM201")) == count

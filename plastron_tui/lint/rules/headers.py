@@ -82,18 +82,20 @@ def missing_stamp(tree: SourceTree, code: Code) -> Iterator[Diagnostic]:
     severity=Severity.WARNING,
     why="Whoever wants to know where it is looks the frame up by its name, and there is no frame "
     "that is called ``. What is in no frame, such as states of joints, and pictures that people "
-    "only look at, are not told.",
+    "only look at, are not told. Where the stamp lacks too, RM205 tells both.",
     bad={"scanner.py": scanner(has_frame=False)},
     good={"scanner.py": scanner()},
+    told_by="RM205",
 )
 def missing_frame_id(tree: SourceTree, code: Code) -> Iterator[Diagnostic]:
     """Find messages that are sent without the name of their frame."""
-
-    def is_told(sent: Sent) -> bool:
-        return sent.type.name.package in _FRAMED and sent.type.name not in _NO_FRAME
-
-    found = (each for each in _without(tree, "frame_id") if is_told(each[1]))
+    found = (each for each in _without(tree, "frame_id") if _has_frame(each[1]))
     yield from _told(code, found, "frame_id", "stays empty")
+
+
+def _has_frame(sent: Sent) -> bool:
+    """Tell whether a message stands in a frame."""
+    return sent.type.name.package in _FRAMED and sent.type.name not in _NO_FRAME
 
 
 def _stamped(tree: SourceTree) -> set[InterfaceName]:
@@ -152,12 +154,15 @@ def _told(code: Code, found: Iterable[_Place], field: str, state: str) -> Iterat
         objects[unit.file(sent.file), sent.made, span].append(sent)
     for (file, _, _), places in objects.items():
         first, *others = sorted(places, key=lambda each: each.span.start)
+        message, lacking = f"`header.{field}` of {described(first.type)} {state}", field
+        if field == "stamp" and _has_frame(first) and not _may_have(first, "frame_id"):
+            message, lacking = f"{message}, and its `frame_id` empty", "stamp` and `frame_id"
         yield Diagnostic(
             code,
-            f"`header.{field}` of {described(first.type)} {state}",
+            message,
             first.span,
             file,
-            help=f"give `header.{field}` a value before it is sent",
+            help=f"give `header.{lacking}` a value before it is sent",
             labels=tuple(
                 Label(each.span, "it is sent here, too", file)
                 for each in others

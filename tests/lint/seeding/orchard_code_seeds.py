@@ -116,13 +116,12 @@ MESSAGES = (
     seed("RM205", (MOTOR, "odom.header = self.header()", "odom.header = Header(frame_id='odom')"), (MOTOR, "from std_srvs", "from std_msgs.msg import Header\nfrom std_srvs"), at=((MOTOR, "odom = Odometry()"), (MOTOR, "odom.header ="), (MOTOR, "self.odom_pub.publish(odom)"))),
     seed("RM205", (BASE, "        header.stamp = self.get_clock().now().to_msg()\n", ""), at=((BASE, "header = Header()"), (BASE, "return header"), (MOTOR, "self.odom_pub.publish(odom)"), (BATTERY, "self.state.publish("), (MOTOR, "odom = Odometry()"), (BATTERY, "msg = BatteryState(")), missed="a header that a helper of another file makes"),
     seed("RM205", (ROW, "        self.goal_pub.publish(pose)", "        §self.goal_pub.publish(PoseStamped(header=Header(frame_id='map'), pose=pose.pose))"), (ROW, "import Float64", "import Float64, Header")),
-    seed("RM205", (PICKER, "        self.tip.publish(self.tip_at(", "        §self.tip.publish(PointStamped(point="), (PICKER, "'arm.reach').value)))", "'arm.reach').value)))"), also="RM206"),
+    seed("RM205", (PICKER, "        self.tip.publish(self.tip_at(", "        §self.tip.publish(PointStamped(point="), (PICKER, "'arm.reach').value)))", "'arm.reach').value)))")),
     seed("RM206", (ROW, "        pose.header.frame_id = 'map'\n", ""), at=((ROW, "pose = PoseStamped()"), (ROW, "self.goal_pub.publish(pose)"))),
     seed("RM206", (PICKER, "        tip.header.frame_id = 'arm_base'\n", ""), at=((PICKER, "tip = PointStamped()"), (PICKER, "self.tip.publish("))),
     seed("RM206", (MOTOR, "odom.header = self.header()", "odom.header.stamp = self.get_clock().now().to_msg()"), at=((MOTOR, "odom = Odometry()"), (MOTOR, "self.odom_pub.publish(odom)"))),
     seed("RM206", (MOTOR, "odom.header = self.header()", "odom.header = Header(stamp=self.get_clock().now().to_msg())"), (MOTOR, "from std_srvs", "from std_msgs.msg import Header\nfrom std_srvs"), at=((MOTOR, "odom = Odometry()"), (MOTOR, "odom.header ="), (MOTOR, "self.odom_pub.publish(odom)"))),
     seed("RM206", (ROW, "        self.goal_pub.publish(pose)", "        §self.goal_pub.publish(PoseStamped(header=Header(stamp=pose.header.stamp), pose=pose.pose))"), (ROW, "import Float64", "import Float64, Header")),
-    seed("RM206", (PICKER, "        self.tip.publish(self.tip_at(", "        §self.tip.publish(PointStamped(point="), also="RM205"),
 )
 
 CALL_COUNT = "self.count_client.call(CountFruits.Request(row='A1'))"

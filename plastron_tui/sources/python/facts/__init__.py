@@ -19,7 +19,7 @@ def code_facts(source: SourceUnit) -> CodeFacts:
     library = LIBRARIES[source.library]
     analysis = analyze(source.files.main, library, package_names(source.path, library))
     callbacks = callback_facts(analysis)
-    messages = message_facts(analysis)
+    messages = message_facts(analysis, {each.definition for each in callbacks.arities})
     return CodeFacts(
         is_closed=is_closed(analysis),
         blocking=callbacks.blocking,

@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Container
 from typing import NamedTuple
 
+from plastron_tui.diagnostics import Span
 from plastron_tui.model.code_facts import Built, FieldUse, FieldValue, Sent
 from plastron_tui.sources.python.analysis import Analysis
 
@@ -29,15 +31,20 @@ class MessageFacts(NamedTuple):
     sent: tuple[Sent, ...] = ()
 
 
-def message_facts(analysis: Analysis) -> MessageFacts:
-    """Return what a file does with messages."""
+def message_facts(analysis: Analysis, misfits: Container[Span] = frozenset()) -> MessageFacts:
+    """Return what a file does with messages.
+
+    Args:
+        analysis: the file.
+        misfits: the parameters of callbacks that cannot be called.
+    """
     if all(each.search(analysis.syntax.text) for each in _LIBRARIES):
         # What a message has hangs on the generation of ROS that the file runs in.
         return MessageFacts()
     messages = MessageValues(analysis)
     kinds = ValueKinds(messages)
     return MessageFacts(
-        tuple(field_uses(messages)),
+        tuple(field_uses(messages, misfits)),
         (*field_values(messages, kinds), *answered_values(messages, kinds)),
         tuple(built_messages(messages, kinds)),
         tuple(sent_messages(messages)),
