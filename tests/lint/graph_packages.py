@@ -66,6 +66,18 @@ def package_of(talker: str = "", listener: str = "", **launches: str) -> dict[st
     }
 
 
+def alone(name: str, needs: str, code: str) -> dict[str, str | bytes]:
+    """Return a package of one node that no launch file starts."""
+    depend = f"<license>MIT</license><depend>{needs}</depend>"
+    xml = PACKAGE_XML.replace("demo<", f"{name}<").replace("<license>MIT</license>", depend)
+    setup = f"from setuptools import setup\nsetup(name='{name}', packages=['{name}'])\n"
+    return {
+        f"{name}/package.xml": xml,
+        f"{name}/setup.py": setup,
+        f"{name}/{name}/node.py": code,
+    }
+
+
 def in_python(*lines: str) -> str:
     """Return a launch file in Python; what it starts stands in its third line and those below."""
     body = "\n".join(f"    {line}," for line in lines)

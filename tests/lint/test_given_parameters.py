@@ -130,6 +130,17 @@ WRONG |= {
             CONFIG: _config("rate: 1.0\ncount: 1\non: yes\nframe: 12  # wrong", "front"),
         },
     ),
+    "RP303 of a node of another package": (
+        "RP303",
+        {
+            NODE: TYPES,
+            LAUNCH: launch(),
+            CONFIG: "",
+            "config/driver.yaml": _config(
+                "rate: 1.0\ncount: 1\nframe: 12  # wrong\na: 1\nb: 1\nc: 1\nd: 1"
+            ),
+        },
+    ),
     "RP302 of a file that no launch file hands on": (
         "RP302",
         {
@@ -210,6 +221,31 @@ RIGHT = {
         CONFIG: _config("max_speed: 1.0") + _config("reach: 1.0", "arm_controller"),
     },
     "a node of no package": {CONFIG: _config("reach: 1.0", "arm"), LAUNCH: launch()},
+    "bytes": {
+        NODE: python("self.declare_parameter('raw', Parameter.Type.BYTE_ARRAY)"),
+        CONFIG: _config("raw: [1, 2]"),
+    },
+    "too few parameters to know a node by": {
+        NODE: TYPES,
+        LAUNCH: launch(),
+        CONFIG: _config("rate: 1.0\ncount: 1\nframe: 12", "front"),
+    },
+    "a node of another package by a few of many parameters": {
+        NODE: TYPES,
+        LAUNCH: launch(),
+        CONFIG: "",
+        "config/driver.yaml": _config("rate: 1.0\nframe: 12\na: 1\nb: 1\nc: 1"),
+    },
+    "options that who makes the node decides": {
+        NODE: python("pass", handed=", **options").replace(
+            "__init__(self)", "__init__(self, **options)"
+        ),
+        "rover/rover/start.py": (
+            "import rclpy\nfrom rover.driver import Driver\n\n\ndef main():\n    rclpy.init()\n"
+            "    rclpy.spin(Driver(allow_undeclared_parameters=True))\n"
+        ),
+        CONFIG: _config("reverse: true"),
+    },
     "aliases": {NODE: SPEED, CONFIG: "a: &a 1\n" + _config("max_sped: *a")},
     "no YAML": {NODE: SPEED, CONFIG: "ros__parameters: [\n"},
     "a deep file": {NODE: SPEED, CONFIG: "ros__parameters: " + "[" * 90_000},
@@ -241,6 +277,19 @@ TYPED = cpp("""
 """)
 
 
+def _in_cpp(text: str, config: str) -> dict[str, str]:
+    """Return a package of one node in C++."""
+    files = package({CONFIG: _config(config)})
+    files = {name: text for name, text in files.items() if not name.endswith((".py", "setup.py"))}
+    files[LAUNCH] = launch(driver("CONFIG"))
+    files["rover/package.xml"] = files["rover/package.xml"].replace("ament_python", "ament_cmake")
+    return files | {"rover/CMakeLists.txt": CMAKE, "rover/src/driver.cpp": text}
+
+
+def test_a_node_in_cpp_that_declares_nothing_leaves_it_to_a_library(tmp_path: Path) -> None:
+    assert told(tmp_path, _in_cpp(cpp(""), "rate: 1.0\nspeed: 1.0"), *CODES) == []
+
+
 def test_values_of_nodes_in_cpp(tmp_path: Path) -> None:
     config = """
         rat: 1.0  # wrong
@@ -249,11 +298,7 @@ def test_values_of_nodes_in_cpp(tmp_path: Path) -> None:
         frames: [1, 2]  # wrong
         gain: 1  # wrong
     """
-    files = package({CONFIG: _config(config)})
-    files = {name: text for name, text in files.items() if not name.endswith((".py", "setup.py"))}
-    files[LAUNCH] = launch(driver("CONFIG"))
-    files["rover/package.xml"] = files["rover/package.xml"].replace("ament_python", "ament_cmake")
-    files |= {"rover/CMakeLists.txt": CMAKE, "rover/src/driver.cpp": TYPED}
+    files = _in_cpp(TYPED, config)
     assert told(tmp_path, files, *CODES) == marked(files)
 
 

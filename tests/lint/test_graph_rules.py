@@ -7,9 +7,9 @@ from pathlib import Path
 import pytest
 from graph_packages import (
     LISTENER,
-    PACKAGE_XML,
     SETUP,
     TALKER,
+    alone,
     code_of,
     found_in,
     in_python,
@@ -250,28 +250,16 @@ def test_names_that_may_be_used_outside_are_told_where_it_is_asked_for(
     assert found_in(tmp_path / "2", package_of(), word) == []
 
 
-def _alone(name: str, needs: str, code: str) -> dict[str, str | bytes]:
-    """Return a package of one node that no launch file starts."""
-    depend = f"<license>MIT</license><depend>{needs}</depend>"
-    xml = PACKAGE_XML.replace("demo<", f"{name}<").replace("<license>MIT</license>", depend)
-    setup = f"from setuptools import setup\nsetup(name='{name}', packages=['{name}'])\n"
-    return {
-        f"{name}/package.xml": xml,
-        f"{name}/setup.py": setup,
-        f"{name}/{name}/node.py": code,
-    }
-
-
 @pytest.mark.parametrize(("needs", "count"), [("rclpy", 0), ("talks", 1), ("shared", 1)])
 def test_types_conflict_between_packages_that_belong_together(
     tmp_path: Path, needs: str, count: int
 ) -> None:
     files = {
-        **_alone("talks", "shared", code_of(TALKER, type="Int32")),
-        **_alone("again", "rclpy", code_of(TALKER, type="Int32")),
-        **_alone("listens", "rclpy", code_of(LISTENER)),
-        **_alone("hears", needs, code_of(LISTENER)),
-        **_alone("shared", "rclpy", code_of(TALKER, topic="other")),
+        **alone("talks", "shared", code_of(TALKER, type="Int32")),
+        **alone("again", "rclpy", code_of(TALKER, type="Int32")),
+        **alone("listens", "rclpy", code_of(LISTENER)),
+        **alone("hears", needs, code_of(LISTENER)),
+        **alone("shared", "rclpy", code_of(TALKER, topic="other")),
     }
     assert len(found_in(tmp_path, files, "RG101")) == count
 
@@ -289,12 +277,12 @@ def test_types_conflict_between_packages_that_need_nothing_of_each_other(
     tmp_path: Path, name: str, type_: str, heard: str, count: int
 ) -> None:
     files = {
-        **_alone(name, "rclpy", code_of(TALKER, type=type_)),
-        **_alone("hears", "rclpy", code_of(LISTENER)),
-        **_alone("speaks", "rclpy", code_of(TALKER)),
+        **alone(name, "rclpy", code_of(TALKER, type=type_)),
+        **alone("hears", "rclpy", code_of(LISTENER)),
+        **alone("speaks", "rclpy", code_of(TALKER)),
     }
     if heard:
-        files |= _alone("counts", "rclpy", code_of(LISTENER, type=heard))
+        files |= alone("counts", "rclpy", code_of(LISTENER, type=heard))
     assert len(found_in(tmp_path, files, "RG101")) == count
 
 
@@ -304,12 +292,12 @@ def test_quality_of_service_of_nodes_that_no_launch_file_starts_together(
 ) -> None:
     """Two that both have partners may be of two robots."""
     files = {
-        **_alone("talks", "rclpy", code_of(TALKER, qos="qos_profile_sensor_data")),
-        **_alone("hears", "rclpy", code_of(LISTENER)),
-        **_alone("speaks", "rclpy", code_of(TALKER)),
+        **alone("talks", "rclpy", code_of(TALKER, qos="qos_profile_sensor_data")),
+        **alone("hears", "rclpy", code_of(LISTENER)),
+        **alone("speaks", "rclpy", code_of(TALKER)),
     }
     if more:
-        files |= _alone("shows", "rclpy", code_of(LISTENER, qos=more))
+        files |= alone("shows", "rclpy", code_of(LISTENER, qos=more))
     assert len(found_in(tmp_path, files, "RG102")) == count
 
 

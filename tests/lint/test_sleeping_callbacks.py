@@ -113,7 +113,11 @@ SLEEPING = {
         def tick(event):
             rospy.sleep(2)
 
+        def waited(msg):
+            rospy.sleep(rospy.get_param('~pause'))
+
         rospy.Subscriber('orders', String, heard)
+        rospy.Subscriber('news', String, waited)
         rospy.Timer(rospy.Duration(9), tick)
         """
     ),
