@@ -186,6 +186,7 @@ class Blocking(NamedTuple):
             thread that waits. False where several threads, or groups of callbacks, may do it.
         seconds: how long it sleeps, None where that is not known.
         created: where the call begins that hands the callback over.
+        inside: the function that makes the call, "" where that is the callback itself.
     """
 
     wait: Wait
@@ -196,6 +197,7 @@ class Blocking(NamedTuple):
     is_endless: bool = False
     seconds: float | None = None
     created: int = 0
+    inside: str = ""
 
 
 class Arity(NamedTuple):

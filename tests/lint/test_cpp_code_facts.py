@@ -226,6 +226,22 @@ def test_endpoint_that_nobody_keeps(text: str, places: list[str]) -> None:
 
 
 _ONCE = 'std_msgs::String m; m.data = "x"; pub.publish(m);'
+
+
+def _nodelet(method: str) -> str:
+    return f"""\
+#include <nodelet/nodelet.h>
+#include <ros/ros.h>
+#include <std_msgs/String.h>
+class Leak : public nodelet::Nodelet {{
+  void {method}() {{
+    ros::Publisher pub = getNodeHandle().advertise<std_msgs::String>("out", 1);
+    pub.publish(std_msgs::String());
+  }}
+}};
+"""
+
+
 _ADVERTISED = 'auto pub = nh.advertise<std_msgs::String>("out", 1);'
 
 
@@ -255,10 +271,19 @@ _ADVERTISED = 'auto pub = nh.advertise<std_msgs::String>("out", 1);'
             1,
         ),
         (ros2(setup=f"pub_ = {PUB}; std_msgs::msg::String m; pub_->publish(m);"), 1),
+        (ros2(setup=f"{PUB}->publish(std_msgs::msg::String());"), 1),
+        (ros2(setup=f"{PUB}->get_subscription_count();"), 0),
+        (ros2(callback=f"{PUB}->publish(*msg);"), 0),
+        (ros2(setup=f"while (rclcpp::ok()) {{ {PUB}->publish(std_msgs::msg::String()); }}"), 0),
+        (_nodelet("onInit"), 1),
+        (_nodelet("onReset"), 0),
     ],
 )
 def test_message_that_is_published_too_early(text: str, count: int) -> None:
     assert len(facts(text).early) == count
+
+
+EXECUTOR = "rclcpp::executors::SingleThreadedExecutor e;"
 
 
 @pytest.mark.parametrize(
@@ -267,6 +292,20 @@ def test_message_that_is_published_too_early(text: str, count: int) -> None:
         (ros2(main="auto node = std::make_shared<Talker>(); rclcpp::shutdown();"), True),
         (ros1(main=f"{SUB1} return 0;"), True),
         (ros1(main=f"{SUB1} ros::Rate r(10); while (ros::ok()) {{ r.sleep(); }}"), True),
+        (ros2(main=f"{EXECUTOR} e.add_node(std::make_shared<Talker>());"), True),
+        (ros2(main=f"{EXECUTOR} e.add_node(std::make_shared<Talker>()); e.spin();"), False),
+        (ros2(main=f"{EXECUTOR} e.add_node(std::make_shared<Talker>()); run(e);"), False),
+        (
+            ros2(
+                main="auto e = std::make_shared<rclcpp::executors::MultiThreadedExecutor>();"
+                "auto node = std::make_shared<Talker>(); e->add_node(node);"
+            ),
+            True,
+        ),
+        (ros1(main=f"{SUB1} ros::AsyncSpinner s(2); ros::Duration(9).sleep();"), True),
+        (ros1(main=f"{SUB1} ros::AsyncSpinner s(2); s.start();"), False),
+        (ros2(main="/* todo */ rclcpp::shutdown();"), False),
+        (ros2(main="").replace("Talker() :", "Talker(int) :"), False),
         (ros2(), False),
         (ros1(), False),
         (ros1(main=f"{SUB1} while (ros::ok()) {{ ros::spinOnce(); }}"), False),

@@ -94,6 +94,19 @@ CASES = {
         # rospy.spin()
         """
     ),
+    "rospy, spins in a method of that name": script(
+        """
+        class Worker:
+            def __init__(self):
+                rospy.Subscriber('orders', String, print)
+
+            def spin(self):
+                rospy.spin()
+
+        rospy.init_node('worker')
+        Worker().spin()
+        """
+    ),
     "rospy, goes on": script(
         """
         rospy.init_node('worker')

@@ -239,6 +239,12 @@ EARLY = {
     "in a method": worker(
         f"self.{PUB}\nself.announce()", f"def announce(self):\n    {SEND}  # wrong"
     ),
+    "of a method, among many words of its name": worker(
+        "self.announce()",
+        "def announce(self):\n    pub = self.create_publisher(String, 'state', 10)\n"
+        "    pub.publish(String(data='publish public publications'))  # wrong\n"
+        "    self.publisher = self.publishing = self.published = None\n",
+    ),
     "in a method that waits": worker(
         f"self.{PUB}\nself.announce()", f"def announce(self):\n    time.sleep(1)\n    {SEND}"
     ),
@@ -333,6 +339,15 @@ def test_an_endpoint_that_is_created_each_time_is_told(text: str) -> None:
 @pytest.mark.parametrize("text", EARLY.values(), ids=EARLY)
 def test_a_message_that_nobody_can_hear_is_told(text: str) -> None:
     assert told(text, "RC408") == marked(text)
+
+
+def test_what_a_callback_creates_each_time_is_told_once() -> None:
+    text = worker(
+        "self.sub = self.create_subscription(String, 'orders', self.heard, 10)",
+        f"def heard(self, msg):\n    self.{PUB}\n    {SEND}",
+    )
+    assert told(text, "RC404") == [f"self.{PUB}"]
+    assert told(text, "RC408") == []
 
 
 def test_a_word_without_end_is_passed_over_once() -> None:

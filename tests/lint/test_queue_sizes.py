@@ -16,12 +16,21 @@ def talk():
         pub = rospy.Publisher('a', String)
         pub.publish('b')
 """
+_SAID = """\
+import rospy
+from std_msgs.msg import String
+pub = rospy.Publisher('a', String, {})
+"""
 
 
 @pytest.mark.parametrize(
     ("file", "text", "found"),
     [
         ("scripts/talker.py", NO_QUEUE, [("RC407", 3)]),
+        ("scripts/talker.py", _SAID.format("queue_size=None"), [("RC407", 3)]),
+        ("scripts/talker.py", _SAID.format("None, None, False, None, None, None"), [("RC407", 3)]),
+        ("scripts/talker.py", _SAID.format("queue_size=size"), []),
+        ("scripts/talker.py", _SAID.format("queue_size=0"), []),
         ("test/talker.py", NO_QUEUE, []),
         ("scripts/test_talker.py", NO_QUEUE, []),
         ("talker.py", _LATE.format(first="pass"), [("RC407", 6)]),

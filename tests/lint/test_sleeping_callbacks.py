@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import pytest
-from python_programs import marked, script, told, worker
+from python_programs import diagnostics, marked, script, told, worker
 
 CLIENT = "self.client = self.create_client(Trigger, 'reset')\n"
 MULTI = """
@@ -107,6 +107,7 @@ SLEEPING = {
         """
         def heard(msg):
             rospy.sleep(0.1)
+            rospy.sleep(rospy.Duration(0, 9000))
             rospy.Rate(1).sleep()  # wrong
             time.sleep(2)
 
@@ -119,6 +120,19 @@ SLEEPING = {
         rospy.Subscriber('orders', String, heard)
         rospy.Subscriber('news', String, waited)
         rospy.Timer(rospy.Duration(9), tick)
+        """
+    ),
+    "rospy, a duration": script(
+        """
+        SHORT = rospy.Duration(0.1)
+
+        def heard(msg):
+            rospy.sleep(SHORT)
+            rospy.sleep(rospy.Duration(later()))
+            rospy.sleep(rospy.Duration(nsecs=9))
+            rospy.sleep(rospy.Duration(secs=0, nsecs=600000000))  # wrong
+
+        rospy.Subscriber('orders', String, heard)
         """
     ),
     "not in a callback": worker(LISTEN + "time.sleep(1)", "def on_order(self, msg):\n    pass"),
@@ -138,3 +152,18 @@ SLEEPING = {
 @pytest.mark.parametrize("text", SLEEPING.values(), ids=SLEEPING)
 def test_a_sleep_in_a_callback_is_told(text: str) -> None:
     assert told(text, "RC402") == marked(text)
+
+
+@pytest.mark.parametrize(
+    ("text", "said"),
+    [
+        (SLEEPING["time"], "`on_order` sleeps: the"),
+        (SLEEPING["in a helper"], "`stop` sleeps, which `on_order` calls: the"),
+        (
+            script("rospy.Subscriber('orders', String, lambda msg: rospy.sleep(2))"),
+            "the lambda sleeps: the",
+        ),
+    ],
+)
+def test_who_sleeps_is_named(text: str, said: str) -> None:
+    assert [each.message.partition(" n")[0] for each in diagnostics(text, "RC402")] == [said]

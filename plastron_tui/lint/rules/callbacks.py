@@ -73,11 +73,15 @@ def blocking_call_in_callback(tree: SourceTree, code: Code) -> Iterator[Diagnost
                 )
 
 
+def _named(callback: str) -> str:
+    return "the lambda" if callback == "lambda" else f"`{callback}`"
+
+
 def _blocked(fact: Blocking, is_python: bool) -> str:
-    name = fact.callback
+    name = _named(fact.callback)
     if fact.wait is Wait.SPIN and not is_python:
-        return f"`{name}` spins its own node, which another executor spins: rclcpp throws"
-    return f"`{name}` {_AWAITED[fact.wait]}, which only comes once `{name}` has returned"
+        return f"{name} spins its own node, which another executor spins: rclcpp throws"
+    return f"{name} {_AWAITED[fact.wait]}, which only comes once {name} has returned"
 
 
 def _instead(fact: Blocking, is_python: bool) -> str:
@@ -138,12 +142,13 @@ def _is_alone(unit: UnitFacts) -> bool:
 
 
 def _held_up(fact: Blocking, is_rospy: bool) -> str:
-    name = "the callback" if fact.callback == "lambda" else f"`{fact.callback}`"
+    name = _named(fact.callback)
     if fact.is_endless:
         return f"{name} waits for a rate, whose timer is only called once {name} has returned"
+    sleeps = f"`{fact.inside}` sleeps, which {name} calls" if fact.inside else f"{name} sleeps"
     if is_rospy:
-        return f"{name} sleeps: the next messages of its topic wait meanwhile"
-    return f"{name} sleeps: the node calls no other callback meanwhile"
+        return f"{sleeps}: the next messages of the topic wait meanwhile"
+    return f"{sleeps}: the node calls no other callback meanwhile"
 
 
 def _sleeps(fact: Blocking, is_rospy: bool) -> bool:
@@ -185,11 +190,11 @@ def callback_arity(tree: SourceTree, code: Code) -> Iterator[Diagnostic]:
 
 def _misfit(fact: Arity) -> str:
     if fact.is_result:
-        return f"`{fact.callback}` is called here, and what it returns cannot be called later"
+        return f"{_named(fact.callback)} is called here, and what it returns cannot be called later"
     given = counted(fact.given, "argument") if fact.given else "none"
     if fact.besides:
         given += f": the message, and `{fact.besides}` as `callback_args`"
-    return f"`{fact.callback}` {_taken(fact)}, and is called with {given}"
+    return f"{_named(fact.callback)} {_taken(fact)}, and is called with {given}"
 
 
 def _taken(fact: Arity) -> str:
@@ -248,5 +253,5 @@ def _again(fact: Repeated) -> str:
     role = fact.kind.facts.role or fact.kind.value.rstrip("s").replace("_", " ")
     article = "an" if role[0] in "aeiou" else "a"
     if fact.callback:
-        return f"`{fact.callback}` creates {article} {role} each time it is called"
+        return f"{_named(fact.callback)} creates {article} {role} each time it is called"
     return f"the loop creates {article} {role} in each turn"

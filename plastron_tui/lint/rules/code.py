@@ -92,7 +92,11 @@ _SPINNING = {
 def published_too_early(tree: SourceTree, code: Code) -> Iterator[Diagnostic]:
     """Find messages that nobody can hear."""
     for unit in tree.built:
+        again = {(each.file, each.span) for each in unit.code.repeated}
         for each in () if unit.is_test else unit.code.early:
+            if (each.file, each.created) in again:
+                # It is told that the publisher is created too often, which is why it is too late.
+                continue
             file = unit.file(each.file)
             yield Diagnostic(
                 code,

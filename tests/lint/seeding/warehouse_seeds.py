@@ -136,11 +136,11 @@ CODE = (
     seed("RC403", (LIFT, "std::bind(&LiftComponent::on_timer, this)", "std::bind(&LiftComponent::on_move, this)"), at=((LIFT, "timer_ ="),)),
     seed("RC403", (SCALE, "[this](const std_msgs::msg::String::SharedPtr msg) { mode_ = msg->data; }", '[this]() { mode_ = "idle"; }'), at=((SCALE, "[this]() { mode_"), MODE_SUB)),
     seed("RC404", (PLANNER, "    weight_ = msg->data;\n", '    weight_ = msg->data;\n    §auto pub = create_publisher<std_msgs::msg::Float64>("weight_seen", 10);\n    pub->publish(*msg);\n'), also="RC408 RC406"),
-    seed("RC404", (LIFT, "  auto status = lift_msgs", '  §status_pub_ = create_publisher<lift_msgs::msg::LiftStatus>("lift/status", 10);\n  auto status = lift_msgs'), also="RC408"),
+    seed("RC404", (LIFT, "  auto status = lift_msgs", '  §status_pub_ = create_publisher<lift_msgs::msg::LiftStatus>("lift/status", 10);\n  auto status = lift_msgs')),
     seed("RC404", (PLANNER, "    auto request = std::make_shared", '    §client_ = create_client<MoveTo>("lift/move_to");\n    auto request = std::make_shared')),
     seed("RC405", (PLANNER, "  rclcpp::spin(node);\n", ""), at=((PLANNER, "int main"), (PLANNER, "auto node ="), (PLANNER, "class Planner"))),
-    seed("RC405", (SCALE, "  executor.spin();\n", ""), at=((SCALE, "int main"), (SCALE, "auto scale ="), (SCALE, "executor.add_node"), (SCALE, "class Scale"), (SCALE, "executor;")), missed="an executor that has a node and never spins, in C++"),
-    seed("RC405", (SCALE, "  executor.spin();\n", "  while (rclcpp::ok()) {\n    rclcpp::sleep_for(1s);\n  }\n"), at=((SCALE, "int main"), (SCALE, "auto scale ="), (SCALE, "executor.add_node"), (SCALE, "class Scale"), (SCALE, "executor;"), (SCALE, "while (rclcpp")), missed="an executor that has a node and never spins, in C++"),
+    seed("RC405", (SCALE, "  executor.spin();\n", ""), at=((SCALE, "int main"), (SCALE, "auto scale ="), (SCALE, "executor.add_node"), (SCALE, "class Scale"), (SCALE, "executor;"))),
+    seed("RC405", (SCALE, "  executor.spin();\n", "  while (rclcpp::ok()) {\n    rclcpp::sleep_for(1s);\n  }\n"), at=((SCALE, "int main"), (SCALE, "auto scale ="), (SCALE, "executor.add_node"), (SCALE, "class Scale"), (SCALE, "executor;"), (SCALE, "while (rclcpp"))),
     seed("RC406", (LIFT, "  joint_sub_ = create_subscription", "  create_subscription")),
     seed("RC406", (LIFT, "  timer_ = this->create_wall_timer", "  auto timer = this->create_wall_timer")),
     seed("RC406", (PLANNER, "    status_sub_ = this->create", "    this->create")),
@@ -153,7 +153,7 @@ CODE = (
     seed("RC406", (PLANNER, "    pallet_sub_ = create_subscription<Pallet>", "    §rclcpp::Subscription<Pallet>::SharedPtr sub = create_subscription<Pallet>")),
     seed("RC406", (PLANNER, "    client_ = create_client", "    §create_service<MoveTo>(\"planner/move\", [](const MoveTo::Request::SharedPtr, MoveTo::Response::SharedPtr) {});\n    client_ = create_client")),
     seed("RC408", (SCALE, "    timer_ = create_wall", '    auto hello = create_publisher<std_msgs::msg::String>("scale/ready", 1);\n    std_msgs::msg::String text;\n    text.data = "ready";\n    §hello->publish(text);\n    timer_ = create_wall'), also="RC406"),
-    seed("RC408", (PLANNER, "    client_ = create", '    §create_publisher<std_msgs::msg::String>("planner/hello", 1)->publish(std_msgs::msg::String());\n    client_ = create'), also="RC406", missed="the publisher has no name"),
+    seed("RC408", (PLANNER, "    client_ = create", '    §create_publisher<std_msgs::msg::String>("planner/hello", 1)->publish(std_msgs::msg::String());\n    client_ = create'), also="RC406"),
 )
 
 PACKAGES = (

@@ -16,6 +16,7 @@ from plastron_tui.model.code_facts import EarlyPublish
 from plastron_tui.model.source import EndpointKind
 from plastron_tui.sources.cpp.analysis import Analysis, Site
 from plastron_tui.sources.cpp.holders import holder_of
+from plastron_tui.sources.cpp.node_sites import is_nodelet
 from plastron_tui.sources.cpp.scopes import Scope, type_text
 
 from .fields import method_of
@@ -68,6 +69,10 @@ def _is_kept(analysis: Analysis, site: Site) -> bool:
 
 def _only_message(analysis: Analysis, site: Site) -> Node | None:
     """Return the call that publishes, where it is all that is done with a publisher."""
+    named_by = site.call.node.parent
+    if named_by is not None and named_by.type == "field_expression":
+        # It has no name: `create_publisher<…>(…)->publish(…)`.
+        return named_by.parent if method_of(named_by) == "publish" else None
     holder = holder_of(analysis, site)
     if holder is None or holder.is_list or holder.kind == "parameter":
         return None
@@ -107,9 +112,8 @@ def _is_right_behind(analysis: Analysis, types: MessageTypes, site: Site, sent: 
         return False
     if block is None or block.type != "compound_statement" or sending.parent is None:
         return False
-    if sending.parent.id != block.id or sending.start_byte < created.end_byte:
-        return False
-    if _is_in_loop(block):
+    is_behind = sending.id == created.id or sending.start_byte >= created.end_byte
+    if sending.parent.id != block.id or not is_behind or _is_in_loop(block):
         return False
     between = [
         each
@@ -121,7 +125,10 @@ def _is_right_behind(analysis: Analysis, types: MessageTypes, site: Site, sent: 
 
 
 def _runs_once(analysis: Analysis, scope: Scope) -> bool:
-    """Tell whether a function is called once: `main`, a constructor, or what one of them calls."""
+    """Tell whether a function is called once: what starts a node, or what is only called there.
+
+    A node starts in `main`, in its constructor, or in `onInit` of a nodelet.
+    """
     for _ in range(_MOST_CALLERS):
         around = scope.enclosing("function", "lambda")
         function = None if around is None else around.function
@@ -129,6 +136,8 @@ def _runs_once(analysis: Analysis, scope: Scope) -> bool:
             return False
         owner = analysis.unit.class_of_function(function)
         if function.name == "main" or (owner is not None and owner.name == function.name):
+            return True
+        if function.name == "onInit" and owner is not None and is_nodelet(analysis, owner):
             return True
         calls = analysis.callers.of(function)
         if len(calls) != 1:

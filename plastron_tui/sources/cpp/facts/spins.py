@@ -9,8 +9,8 @@ from __future__ import annotations
 import re
 
 from plastron_tui.diagnostics import Span
-from plastron_tui.sources.cpp.analysis import Analysis
-from plastron_tui.sources.cpp.scopes import Function
+from plastron_tui.sources.cpp.analysis import Analysis, Site
+from plastron_tui.sources.cpp.scopes import Function, Scope
 
 from .called_back import CALLED
 from .closed import has_known_headers, is_unknown, unread_headers
@@ -22,6 +22,17 @@ _SPINNING = re.compile(
     rb"|class_loader|systemd|run_node|wait_?set",
     re.IGNORECASE,
 )
+_IDLE = re.compile(
+    rb"(?:rclcpp::)?(?:executors::)?\w+Executor\s+(\w+)\s*(?:\(\s*\)|\{\s*\})?\s*;"
+    rb"|[\w:]+\s+(\w+)\s*=\s*std::make_(?:shared|unique)\s*<\s*(?:rclcpp::)?(?:executors::)?"
+    rb"\w+Executor\s*>\s*\(\s*\)\s*;"
+    rb"|(?:ros::)?AsyncSpinner\s+(\w+)\s*[({][^(){};]*[)}]\s*;"
+)
+"""What declares an executor, or a spinner of ROS 1 that is still to be started."""
+
+_LOADING = re.compile(rb"\s*(?:\.|->)\s*(?:add_node|remove_node|stop)\b")
+"""What lets an executor, or a spinner, call nothing yet."""
+
 _CREATING = re.compile(
     rb"\bcreate_(?:subscription|wall_timer|timer|service|server)\b|\bnh\w*\.subscribe\("
 )
@@ -33,10 +44,25 @@ def idle(analysis: Analysis) -> Span | None:
     main = _starting(analysis)
     if main is None or main.file is not unit.files[0] or not _is_called(analysis):
         return None
-    if any(file.syntax.has(_SPINNING) for file in unit.all_files):
+    files = [each.syntax for each in unit.all_files]
+    if any(each.has(_SPINNING) for each in files) and _SPINNING.search(
+        _without_idle(b"
+".join(each.code for each in files))
+    ):
         return None
     is_sure = _is_alone(analysis) if analysis.ros_version == 2 else has_known_headers(analysis)
     return span_of(main.declarator) if is_sure else None
+
+
+def _without_idle(code: bytes) -> bytes:
+    """Return code without the executors that get nodes, and are never told to spin."""
+    for found in _IDLE.finditer(code):
+        name = re.escape(found[found.lastindex or 0])
+        rest = code.replace(found[0], b";")
+        rest = re.sub(rb"\b%s%s" % (name, _LOADING.pattern), b"", rest)
+        if re.search(rb"\b%s\b" % name, rest) is None:
+            code = rest
+    return code
 
 
 def _is_called(analysis: Analysis) -> bool:
@@ -46,8 +72,37 @@ def _is_called(analysis: Analysis) -> bool:
         and site.shape.on in ("node", "handle", "transport", "function")
         and "wait" not in site.call.name
         and not site.endpoint.is_guess
+        and _is_made(analysis, site)
         for site in analysis.sites
     ) or any(file.syntax.has(_CREATING) for file in analysis.unit.all_files if file.is_beside)
+
+
+def _is_made(analysis: Analysis, site: Site) -> bool:
+    """Tell whether the files name the class that creates an endpoint elsewhere than in itself.
+
+    A `main` that is still to be written makes no node that anything could spin.
+    """
+    owner = _class_of(analysis, site.call.scope)
+    if owner is None:
+        return True
+    name = re.escape(owner.name.encode())
+    named = re.compile(rb"(?<!::)(?<!~)\b%s\b(?!\s*::)|(?<!\b%s)::\s*%s\b" % (name, name, name))
+    return any(
+        file is not owner.file or not owner.start <= each.start() < owner.end
+        for file in analysis.unit.all_files
+        for each in named.finditer(file.syntax.code)
+    )
+
+
+def _class_of(analysis: Analysis, scope: Scope | None) -> Scope | None:
+    """Return the class in whose methods a part of the code is, None for none."""
+    while scope is not None and scope.kind != "class":
+        if scope.kind == "function" and scope.function is not None:
+            owner = analysis.unit.class_of_function(scope.function)
+            if owner is not None:
+                return owner
+        scope = scope.parent
+    return scope
 
 
 def _is_alone(analysis: Analysis) -> bool:

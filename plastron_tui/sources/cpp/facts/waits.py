@@ -93,6 +93,12 @@ def _is_at_the_end(call: Call, calls: tuple[Call, ...]) -> bool:
     return any(ends_after(each.node) for each in (call, *calls))
 
 
+def _inside(call: Call, callback: CalledBack) -> str:
+    """Return the function that makes a call, "" where that is the callback itself."""
+    body = call.scope.enclosing("function", "lambda")
+    return "" if body is None or body is callback.body else body.name
+
+
 def _is_repeated(node: Node) -> bool:
     """Tell whether a call is in the condition of a loop that goes on until something comes."""
     while node.parent is not None and node.type != "compound_statement":
@@ -161,6 +167,7 @@ class _Waits:
             is_endless,
             waiting.seconds,
             callback.site.call.node.start_byte,
+            _inside(call, callback),
         )
 
     def _is_in_default_group(self, site: Site) -> bool:

@@ -99,7 +99,8 @@ def _messages(analysis: Analysis, site: Site) -> list[Node]:
     variable = variable_of(target, analysis) if target is not None else None
     if variable is None or target is None:
         return []
-    if analysis.syntax.text.count(analysis.syntax.encode(variable.name)) > _MOST_MENTIONS:
+    named = re.compile(rb"\b%s\b" % re.escape(analysis.syntax.encode(variable.name)))
+    if len(named.findall(analysis.syntax.text)) > _MOST_MENTIONS:
         return []
     uses = [
         each

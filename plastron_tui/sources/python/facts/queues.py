@@ -12,7 +12,10 @@ from .unconditional import is_dead
 
 
 def without_queue(analysis: Analysis) -> Iterator[tuple[str, Span]]:
-    """Yield the file, "" for the main one, and the place of each publisher that says none."""
+    """Yield the file, "" for the main one, and the place of each publisher that says none.
+
+    It says none with `None`, too, which is what `rospy.Publisher` takes by itself.
+    """
     if analysis.library.module != "rospy":
         return
     for site in analysis.first_sites():
@@ -23,5 +26,6 @@ def without_queue(analysis: Analysis) -> Iterator[tuple[str, Span]]:
         if is_dead(site.call):
             continue
         arguments = site.arguments
-        if not arguments.is_open and arguments.get(queue_size) is None:
+        given = arguments.get(queue_size)
+        if not arguments.is_open and (given is None or given.type == "none"):
             yield site.endpoint.file, site.endpoint.span

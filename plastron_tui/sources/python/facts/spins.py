@@ -293,7 +293,9 @@ def _may_stay(analysis: Analysis, call: Node, names: tuple[str, ...]) -> bool:
     if not name:
         callee = call.child_by_field_name("function")
         return callee is None or callee.type != "attribute"
-    if any(scope.name == name for scope in analysis.scopes.all):
+    # A method of the file may be called as that of the library is.
+    is_own = not any("." in each for each in names)
+    if is_own and any(scope.name == name for scope in analysis.scopes.all):
         return False
     is_foreign = any(
         each.partition(".")[0] not in _LIBRARIES and not _is_message(each) for each in names

@@ -22,6 +22,9 @@ from .objects import Making, Objects
 from .unconditional import is_dead
 
 _SLEEPS = frozenset({"time.sleep", "rospy.sleep", "rospy.timer.sleep"})
+_DURATIONS = frozenset(
+    f"{module}.Duration" for module in ("genpy", "genpy.rostime", "rospy", "rospy.rostime")
+)
 _NAMES = frozenset(
     {"call", "done", "get_result", "send_goal", "sleep", "sleep_for", "sleep_until", "spin"}
     | {"spin_once", "spin_until_future_complete", "wait"}
@@ -204,7 +207,7 @@ class WaitingCalls:
         names = analysis.resolver.qualified(call.child_by_field_name("function"), scope)
         if _SLEEPS.intersection(names):
             given = Arguments.of(call, analysis.syntax).get(Argument(0, "secs"))
-            return Waiting(Wait.SLEEP, call, seconds=self._number(given, scope))
+            return Waiting(Wait.SLEEP, call, seconds=self._seconds(given, scope))
         made = self._objects.makings(holder, scope) if holder is not None else ()
         makers = {analysis.syntax.called_name(each.call) for each in made}
         if makers == {"create_rate"}:
@@ -220,6 +223,23 @@ class WaitingCalls:
         made = self._objects.makings(holder, scope) if holder is not None else ()
         makers = {self._analysis.syntax.called_name(each.call) for each in made}
         return Waiting(Wait.SLEEP, call) if makers and makers <= {"get_clock", "Clock"} else None
+
+    def _seconds(self, node: Node | None, scope: Scope) -> float | None:
+        """Return how long a number, or a duration of rospy, is."""
+        made = self._objects.makings(node, scope)
+        if len(made) != 1:
+            return self._number(node, scope)
+        call, at = made[0]
+        callee = call.child_by_field_name("function")
+        arguments = Arguments.of(call, self._analysis.syntax)
+        if _DURATIONS.isdisjoint(self._analysis.resolver.qualified(callee, at)):
+            return self._number(node, scope)
+        if arguments.is_open:
+            return None
+        seconds = self._number(arguments.get(Argument(0, "secs")), at)
+        nanoseconds = arguments.get(Argument(1, "nsecs"))
+        more = 0 if nanoseconds is None else self._number(nanoseconds, at)
+        return None if seconds is None or more is None else seconds + more * 1e-9
 
     def _number(self, node: Node | None, scope: Scope) -> float | None:
         folded = self._analysis.resolver.fold(node, scope)

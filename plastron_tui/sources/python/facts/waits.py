@@ -69,6 +69,7 @@ def _judged(
 ) -> Blocking | None:
     """Return what a wait does in a callback, None where it may be harmless."""
     is_endless = False
+    function = running_scope(analysis, waiting.call)
     if analysis.library.module == "rospy":
         # Each connection of a topic has a thread, which calls its callbacks one after the other.
         if waiting.wait is not Wait.SLEEP or callback.kind is not EndpointKind.SUBSCRIPTION:
@@ -90,6 +91,7 @@ def _judged(
         is_endless=is_endless,
         seconds=waiting.seconds,
         created=callback.value.start_byte,
+        inside="" if function is callback.function else function.name,
     )
 
 
