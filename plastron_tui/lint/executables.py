@@ -5,11 +5,13 @@ from __future__ import annotations
 import re
 from collections import defaultdict
 from collections.abc import Iterable
-from functools import lru_cache
+from functools import cached_property, lru_cache
+from pathlib import Path
 
 from plastron_tui.ros.launch import loaded_nodelet
 from plastron_tui.ros.launch_started import Started
 
+from .joined import joined
 from .tree import PackageFacts, SourceTree, UnitFacts
 
 
@@ -44,7 +46,12 @@ class Executables:
             for node in unit.nodes
             for endpoint in node.endpoints
         )
-        return known is not None and len(known.sources) == 1 and has_endpoints
+        if known is None or package is None or not has_endpoints:
+            return False
+        read = {package.folder / each for each in known.sources} & self._tree.by_path.keys()
+        return len(known.sources) == 1 or (
+            unit.path in self.programs and len(read) == len(known.sources)
+        )
 
     def started(self, started: Started) -> UnitFacts | None:
         """Return the files of what a launch file starts, None where that is not known."""
@@ -81,7 +88,36 @@ class Executables:
     def _made_of(self, package: PackageFacts, files: Iterable[str]) -> UnitFacts | None:
         by_path = self._tree.by_path
         paths = {package.folder / each for each in files}
-        return _only([by_path[path] for path in sorted(paths) if path in by_path])
+        units = [by_path[path] for path in sorted(paths) if path in by_path]
+        return _only(units) or joined(units)
+
+    @cached_property
+    def programs(self) -> dict[Path, UnitFacts]:
+        """The programs of several sources that are one node, by the source with their `main`."""
+        packages = self._tree.packages.values()
+        executables = ((each, one) for each in packages for one in each.executables.values())
+        found = (
+            self._made_of(package, one.sources)
+            for package, one in executables
+            if len(one.sources) > 1
+        )
+        by_path = self._tree.by_path
+        return {
+            each.path: each for each in found if each is not None and each is not by_path[each.path]
+        }
+
+    @cached_property
+    def parts(self) -> frozenset[Path]:
+        """The sources of those programs that only add to the node which another one starts."""
+        return (
+            frozenset(
+                unit.path_of(endpoint)
+                for unit in self.programs.values()
+                for node in unit.nodes
+                for endpoint in node.endpoints
+            )
+            - self.programs.keys()
+        )
 
 
 @lru_cache(maxsize=1)

@@ -147,8 +147,9 @@ def runs_of(tree: SourceTree) -> tuple[Run, ...]:
         if made_of is not None:
             unstarted[made_of.path].append(started)
     for unit in tree.built:
-        if unit.path not in paths and not unit.is_test:
-            alone[unit.package, unit.ros_version] += _by_hand(unit, unstarted[unit.path])
+        if unit.path not in paths and unit.path not in executables.parts and not unit.is_test:
+            whole = executables.programs.get(unit.path, unit)
+            alone[unit.package, unit.ros_version] += _by_hand(whole, unstarted[unit.path])
     for key, nodes in alone.items():
         found.append(Run(None, (*nodes, *launched[key].values())))
     return tuple(found)
