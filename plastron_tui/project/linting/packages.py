@@ -6,6 +6,7 @@ import os
 import stat
 from collections.abc import Iterable, Iterator
 from contextlib import suppress
+from dataclasses import replace
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -15,6 +16,7 @@ from plastron_tui.regular_files import read_regular
 from plastron_tui.sources.packages.facts import build_facts
 from plastron_tui.sources.packages.facts.texts import LARGEST
 from plastron_tui.sources.packages.files import BUILD_FILES
+from plastron_tui.sources.packages.installed import further_programs
 from plastron_tui.sources.packages.reading import PackageFiles, read_package_files
 
 _OF_XML = frozenset({codes.BROKEN_XML, codes.UNSUPPORTED_XML, codes.BROKEN_PACKAGE})
@@ -73,11 +75,13 @@ def read_package(folder: str, names: frozenset[str], programs: frozenset[str]) -
     if source is None:
         wrong = (each for each in found if each.code in _OF_XML)
         return PackageRead(None, tuple((str(each.code), *each[1:]) for each in wrong))
+    further = further_programs(source)
+    source = replace(source, executables={**further.programs, **source.executables})
     facts = PackageFacts(
         source.folder,
         source.name,
         (source.ros_version,),
         dict(source.executables),
-        build_facts(source, read, programs),
+        build_facts(source, read, programs, is_whole=further.is_whole),
     )
     return PackageRead(facts)

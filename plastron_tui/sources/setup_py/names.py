@@ -8,10 +8,12 @@ is given.
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from typing import NamedTuple
 
 from tree_sitter import Node
+
+from .branches import Way
 
 # Functions and methods that change nothing that they are given, or called on.
 _READING = frozenset(
@@ -37,6 +39,7 @@ _BINDING = {
 _UNSURE = frozenset(
     {"for_statement", "while_statement", "try_statement", "with_statement", "class_definition"}
 )
+_BRANCHES = frozenset({"if_statement", "elif_clause", "else_clause"})
 # What hands a value to places that are not followed.
 _LEAVING = frozenset({"return_statement", "yield", "lambda"})
 _CHAINS = {"subscript": "value", "attribute": "object", "call": "function"}
@@ -71,18 +74,19 @@ class _Place(NamedTuple):
     looped: tuple[str, ...] = ()
 
 
-def read_names(text: bytes, nodes: Sequence[Node], setup_calls: Sequence[Node]) -> Names:
+def read_names(text: bytes, root: Node, setup_calls: Sequence[Node], way: Way) -> Names:
     """Return the names of a file.
 
     Args:
-        text: what is in it.
-        nodes: all nodes of its tree, the root first.
+        text: the file.
+        root: the root of its tree.
         setup_calls: the calls that change nothing that they are given, as they end the file.
+        way: the branches that run, and those that do not.
     """
-    reader = _Reader(text, frozenset(each.id for each in setup_calls))
-    for node in nodes:
+    reader = _Reader(text, frozenset(each.id for each in setup_calls), way)
+    for node in descendants(root, way.left_out):
         reader.bind(node)
-    reader.follow(nodes[0])
+    reader.follow(root)
     sure = {
         name: node
         for name, node in reader.constants.items()
@@ -115,8 +119,8 @@ def _spread(changes: Mapping[str, Node], given: Mapping[str, Sequence[str]]) -> 
 
 
 class _Reader:
-    def __init__(self, text: bytes, setup_calls: frozenset[int]) -> None:
-        self._text, self._setup_calls = text, setup_calls
+    def __init__(self, text: bytes, setup_calls: frozenset[int], way: Way) -> None:
+        self._text, self._setup_calls, self._way = text, setup_calls, way
         self.bound: Counter[str] = Counter()
         self.uses: Counter[str] = Counter()
         self.constants: dict[str, Node] = {}
@@ -130,7 +134,7 @@ class _Reader:
             left, value = node.child_by_field_name("left"), node.child_by_field_name("right")
             if self._name(left) and value is not None:
                 self.bound[self._name(left)] += 1
-                if _surely_runs(node):
+                if _surely_runs(node, self._way.taken):
                     self.constants[self._name(left)] = value
             elif left is not None and left.type not in _CHAINS:
                 self.bound.update(self._names(left))
@@ -161,6 +165,8 @@ class _Reader:
         stack = [(root, _Place())]
         while stack:
             node, place = stack.pop()
+            if node.id in self._way.left_out:
+                continue
             if node.type == "identifier":
                 self._note(self._name(node), place)
             else:
@@ -250,24 +256,34 @@ def _has_only_texts(node: Node) -> bool:
     return node.type in ("list", "tuple") and all(each.type == "string" for each in items)
 
 
-def descendants(root: Node) -> Iterator[Node]:
-    """Return a node and all that is in it, in the order of the text, without recursion."""
+def descendants(root: Node, left_out: Collection[int] = ()) -> Iterator[Node]:
+    """Return a node and all that is in it, in the order of the text, without recursion.
+
+    Args:
+        root: the node.
+        left_out: the ids of nodes that are left out, with all that is in them.
+    """
     stack = [root]
     while stack:
         node = stack.pop()
-        yield node
-        stack.extend(reversed(node.children))
+        if node.id not in left_out:
+            yield node
+            stack.extend(reversed(node.children))
 
 
-def _surely_runs(node: Node) -> bool:
-    """Whether a statement runs once: not in a loop, nor in a branch but that of the main guard."""
+def _surely_runs(node: Node, taken: Mapping[int, Node]) -> bool:
+    """Whether a statement runs once: not in a loop, nor in a branch but one that is taken.
+
+    Args:
+        node: the statement.
+        taken: the branches that are taken, by the ids of their blocks; each with its statement.
+    """
     parent = node.parent
     while parent is not None:
-        if parent.type in _UNSURE or parent.type in ("else_clause", "elif_clause"):
+        if parent.id in taken:
+            parent = taken[parent.id].parent
+            continue
+        if parent.type in _UNSURE or parent.type in _BRANCHES:
             return False
-        if parent.type == "if_statement":
-            condition = parent.child_by_field_name("condition")
-            if condition is None or b"__name__" not in (condition.text or b""):
-                return False
         parent = parent.parent
     return True

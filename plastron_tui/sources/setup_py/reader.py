@@ -17,6 +17,8 @@ from .syntax import Setup, parse_setup
 from .values import Glob, Unknown, Value, evaluate, items_of
 
 CONSOLE_SCRIPTS = "console_scripts"
+_HANGING = ("entry_points", "data_files", "scripts")
+"""What is not known of a call that hangs on a condition."""
 
 
 class ConsoleScript(NamedTuple):
@@ -67,6 +69,7 @@ class SetupFile(NamedTuple):
         console_scripts: the executables that are known.
         data_files: what is installed besides.
         scripts: the files that are installed as they are.
+        script_patterns: what is installed as it is as far as it matches.
         computed: what is computed in a way that is not followed, by keyword.
     """
 
@@ -79,6 +82,11 @@ class SetupFile(NamedTuple):
     computed: tuple[tuple[str, Span], ...] = ()
     finder: Finder | None = None
     root: str | None = None
+    script_patterns: tuple[str, ...] = ()
+
+    def is_script(self, file: str) -> bool:
+        """Tell whether a file is installed as it is for sure."""
+        return file in self.scripts or any(matches(file, each) for each in self.script_patterns)
 
 
 class ReadSetup(NamedTuple):
@@ -88,10 +96,10 @@ class ReadSetup(NamedTuple):
     diagnostics: tuple[Diagnostic, ...] = ()
 
 
-def read_setup(text: bytes, path: Path) -> ReadSetup:
-    """Read a setup.py; nothing of it is run."""
+def read_setup(text: bytes, path: Path, ros_version: int = 2) -> ReadSetup:
+    """Read a setup.py as a generation of ROS would run it; nothing of it is run."""
     try:
-        return ReadSetup(describe(parse_setup(text, path)))
+        return ReadSetup(describe(parse_setup(text, path, ros_version)))
     except RefusedError as refused:
         return ReadSetup(None, (refused.diagnostic,))
 
@@ -100,8 +108,11 @@ def describe(setup: Setup) -> SetupFile:
     """Return what a parsed setup.py says."""
     name = keyword(setup, "name")
     packages = keyword(setup, "packages")
-    scripts = keyword(setup, "scripts")
+    scripts, unknown_files = _scripts(setup)
     found_packages = _texts(setup, packages)
+    if found_packages is not None:
+        # Setuptools takes the path of a folder as well.
+        found_packages = tuple(each.replace("/", ".") for each in found_packages)
     console_scripts, unknown_scripts = _console_scripts(setup)
     data_files, unknown_data = _data_files(setup)
     known = evaluate(setup, name) if name is not None else None
@@ -111,14 +122,30 @@ def describe(setup: Setup) -> SetupFile:
         found_packages,
         tuple(console_scripts),
         tuple(data_files),
-        _texts(setup, scripts) or (),
+        tuple(each for each in scripts if isinstance(each, str)),
         (
+            *((each, _span(setup.call)) for each in _HANGING if not setup.is_sure),
             *(("entry_points", each) for each in unknown_scripts),
             *(("data_files", each) for each in unknown_data),
+            *(("scripts", each) for each in unknown_files),
         ),
         read_finder(setup, packages),
         read_root(setup, keyword(setup, "package_dir")),
+        tuple(each.pattern for each in scripts if isinstance(each, Glob)),
     )
+
+
+def _scripts(setup: Setup) -> tuple[tuple[Value, ...], list[Span]]:
+    """Return the files that are installed as they are, and what is computed of them."""
+    node = keyword(setup, "scripts")
+    if node is None:
+        return (), []
+    value = evaluate(setup, node)
+    # Setuptools takes one text for a list of words, which nobody means.
+    values = value if isinstance(value, tuple) else (value,)
+    known = tuple(each for each in values if isinstance(each, str | Glob))
+    is_whole = len(known) == len(values) and setup.changed(node) is None
+    return known, [] if is_whole else [_span(node)]
 
 
 def keyword(setup: Setup, name: str) -> Node | None:

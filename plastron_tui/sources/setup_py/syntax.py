@@ -13,6 +13,7 @@ from tree_sitter import Language, Node, Parser
 from plastron_tui.diagnostics import codes
 from plastron_tui.sources.build_files import check_text, refusal
 
+from .branches import Branching, are_apart, never_runs, read_branchings, way_to
 from .names import Names, descendants, read_names
 
 _SETUP_CALLS = frozenset({"setup", "setuptools.setup", "distutils.core.setup"})
@@ -21,6 +22,7 @@ _MOST_NAMES = 20
 # What is deeper was made to keep readers busy.
 _DEEPEST = 400
 _CATKIN_CALL = "generate_distutils_setup"
+_MOST_SETUP_CALLS = 20
 
 
 @cache
@@ -39,6 +41,7 @@ class Setup:
         call: the call of `setup`, or catkin's of `generate_distutils_setup`.
         is_catkin: whether it is catkin's.
         names: what its names stand for, and where that is changed.
+        is_sure: whether the call hangs on no condition, but for the generation of ROS.
     """
 
     text: bytes
@@ -46,6 +49,7 @@ class Setup:
     call: Node
     is_catkin: bool
     names: Names
+    is_sure: bool = True
 
     def source(self, node: Node) -> str:
         """Return the text of a node."""
@@ -79,8 +83,13 @@ class Setup:
         return self.names.changes.get(self.source(node)) if node.type == "identifier" else None
 
 
-def parse_setup(text: bytes, path: Path) -> Setup:
+def parse_setup(text: bytes, path: Path, ros_version: int = 2) -> Setup:
     """Parse a setup.py.
+
+    Args:
+        text: what is in the file.
+        path: the file.
+        ros_version: the generation of ROS that it is run for.
 
     Raises:
         RefusedError: it is no text, has a syntax error, or not one call of `setup`.
@@ -94,16 +103,33 @@ def parse_setup(text: bytes, path: Path) -> Setup:
         span = (wrong.start_byte, wrong.end_byte)
         raise refusal(text, path, span, "has a syntax error", codes.BROKEN_BUILD_FILE)
     calls = list(_setup_calls(text, nodes))
-    catkin = [each for each, is_catkin in calls if is_catkin]
-    chosen = catkin or [each for each, _ in calls]
+    branchings = read_branchings(text, nodes, ros_version)
+    chosen = _chosen(calls, branchings, ros_version)
     if not chosen:
         why = "has no call of `setup` in the file that begins there"
         raise refusal(text, path, (0, 0), why, codes.BROKEN_BUILD_FILE)
     if len(chosen) > 1:
         span = (chosen[1].start_byte, chosen[1].end_byte)
         raise refusal(text, path, span, "calls `setup` a second time")
-    names = read_names(text, nodes, [each for each, _ in calls])
-    return Setup(text, path, chosen[0], bool(catkin), names)
+    way = way_to(chosen[0], branchings)
+    names = read_names(text, root, [each for each, _ in calls], way)
+    is_catkin = any(each for call, each in calls if call == chosen[0])
+    return Setup(text, path, chosen[0], is_catkin, names, way.is_sure)
+
+
+def _chosen(
+    calls: list[tuple[Node, bool]], branchings: list[Branching], ros_version: int
+) -> list[Node]:
+    """Return the calls that may say what is installed: catkin's where there is one."""
+    if len(calls) <= _MOST_SETUP_CALLS:
+        calls = [each for each in calls if not never_runs(each[0], branchings)]
+    catkin = [each for each, is_catkin in calls if is_catkin]
+    plain = [each for each, is_catkin in calls if not is_catkin]
+    if ros_version == 2 and catkin and len(calls) <= _MOST_SETUP_CALLS:
+        # The call that takes what catkin's returns is in its branch.
+        apart = [x for x in plain if all(are_apart(x, each, branchings) for each in catkin)]
+        return apart or catkin
+    return catkin or plain
 
 
 def _check_encoding(text: bytes, path: Path) -> None:

@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import ast
+import re
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
+from string import Formatter
 from typing import TypeAlias
 
 from tree_sitter import Node
@@ -12,6 +14,8 @@ from tree_sitter import Node
 from .syntax import Setup
 
 _DEEPEST = 40
+_LONGEST = 10_000
+_FIELD = re.compile(r"\w*")
 
 
 @dataclass(frozen=True, slots=True)
@@ -169,6 +173,8 @@ def _call(setup: Setup, node: Node, names: Names, depth: int) -> Value:
     if function is None or arguments is None or arguments.type != "argument_list":
         return unknown
     name = setup.source(function)
+    if function.type == "attribute" and name.endswith(".format"):
+        return _formatted(setup, function, arguments, names, depth) or unknown
     values = [evaluate(setup, each, names, depth + 1) for each in items_of(arguments)]
     texts = [each for each in values if isinstance(each, str)]
     if name in ("os.path.join", "path.join", "join") and texts and len(texts) == len(values):
@@ -180,6 +186,37 @@ def _call(setup: Setup, node: Node, names: Names, depth: int) -> Value:
     if name in ("list", "sorted", "tuple", "str") and len(values) == 1:
         return values[0]
     return unknown
+
+
+def _formatted(
+    setup: Setup, function: Node, arguments: Node, names: Names, depth: int
+) -> str | None:
+    """Return what `format` makes of a text and plain texts, None where it is not that plain."""
+    pattern = function.child_by_field_name("object")
+    text = None if pattern is None else evaluate(setup, pattern, names, depth + 1)
+    given: list[str] = []
+    named: dict[str, str] = {}
+    for each in items_of(arguments):
+        key, inner = each.child_by_field_name("name"), each.child_by_field_name("value")
+        is_named = each.type == "keyword_argument" and key is not None and inner is not None
+        value = evaluate(setup, inner if is_named and inner else each, names, depth + 1)
+        if not isinstance(value, str):
+            return None
+        if is_named and key is not None:
+            named[setup.source(key)] = value
+        else:
+            given.append(value)
+    if not isinstance(text, str):
+        return None
+    try:
+        fields = [each[1:] for each in Formatter().parse(text) if each[1] is not None]
+        if any(spec or how or not _FIELD.fullmatch(name or "") for name, spec, how in fields):
+            return None
+        longest = max(map(len, (*given, *named.values())), default=0)
+        # Formats of formats would grow without end.
+        return text.format(*given, **named) if len(fields) * longest < _LONGEST else None
+    except (IndexError, KeyError, ValueError):
+        return None
 
 
 def summands(setup: Setup, node: Node) -> Iterator[Node]:

@@ -20,7 +20,11 @@ from .uses import find_uses, header_folders, mentioned
 
 
 def build_facts(
-    source: PackageSource, read: Callable[[str], bytes | None], programs: frozenset[str]
+    source: PackageSource,
+    read: Callable[[str], bytes | None],
+    programs: frozenset[str],
+    *,
+    is_whole: bool = True,
 ) -> BuildFacts | None:
     """Return what the files of a package say of each other, None where its package.xml says none.
 
@@ -28,6 +32,7 @@ def build_facts(
         source: the package.
         read: returns what a file of it holds, None where it cannot be read.
         programs: the files that somebody may run, as their mode says.
+        is_whole: whether the executables of the package are all that Python's setup installs.
     """
     package, _ = read_package(source.texts[PACKAGE_XML], source.folder / PACKAGE_XML)
     if package is None:
@@ -43,6 +48,7 @@ def build_facts(
         setup = read_python_setup(texts)
     name = package.document.root.named("name")[0]
     is_python = source.build_type == "ament_python"
+    is_open = is_python or not is_whole
     return BuildFacts(
         build_type=source.build_type,
         name_span=name.value_span(package.document.text),
@@ -59,8 +65,8 @@ def build_facts(
         folders=frozenset(header_folders(source.names)),
         scripts=tuple(find_scripts(texts, lists, setup)),
         targets=lists.targets,
-        is_settled=setup.is_settled if is_python else lists.is_settled,
-        words=None if is_python or lists.words is None else lists.words | cmake_words(texts, lists),
+        is_settled=is_whole and (setup.is_settled if is_python else lists.is_settled),
+        words=None if is_open or lists.words is None else lists.words | cmake_words(texts, lists),
         files=texts.bases,
         components=None if lists.lists is None or lists.is_open else component_classes(lists.lists),
         placed=lists.placed,

@@ -29,6 +29,7 @@ from .texts import PackageTexts
 _FOLDER = re.compile(
     rb"^[ \t]*(install[_-]scripts|script[_-]dir)[ \t]*[=:][ \t]*(\S+)[ \t]*\r?$", re.M
 )
+_LIB = re.compile(rb"['\"]/?lib\b")
 _OPENING = frozenset({"exec", "eval", "globals", "setattr", "vars"})
 _BLOCKS = frozenset(
     {"if_statement", "try_statement", "with_statement", "for_statement", "while_statement", "block",
@@ -80,7 +81,8 @@ class PythonSetup:
 def read_python_setup(texts: PackageTexts) -> PythonSetup:
     """Return what a package's setup.py installs."""
     source = texts.source
-    setup, _ = read_setup(source.texts[SETUP_PY], source.folder / SETUP_PY)
+    text = source.texts[SETUP_PY]
+    setup, _ = read_setup(text, source.folder / SETUP_PY, source.ros_version)
     if setup is None:
         return PythonSetup()
     packages = setup.packages
@@ -104,11 +106,21 @@ def read_python_setup(texts: PackageTexts) -> PythonSetup:
             for each in entries
             if (found := reader.file(each.target.partition(":")[0].strip())) is not None
         ),
-        scripts=frozenset(setup.scripts),
+        scripts=frozenset(filter(setup.is_script, source.names)),
         data=frozenset(data),
-        is_settled=is_known and not any(name == "entry_points" for name, _ in setup.computed),
+        is_settled=is_known and not _has_more(text, setup),
         wrong=tuple(_wrong(entries, file, reader, texts)),
         script_folder=_script_folder(texts) if entries else None,
+    )
+
+
+def _has_more(text: bytes, setup: SetupFile) -> bool:
+    """Tell whether a setup.py may install programs that are not known."""
+    computed = {name for name, _ in setup.computed}
+    is_open = "data_files" in computed or not all(each.is_whole for each in setup.data_files)
+    # What is beside the code is not where nodes are looked for, unless something says so.
+    return bool(computed & {"entry_points", "scripts"}) or (
+        is_open and _LIB.search(text) is not None
     )
 
 

@@ -83,7 +83,9 @@ def _how(
         if not setup.has_module(name) and name.split("/")[0] not in SCRIPT_FOLDERS:
             return How.UNKNOWN, None
         return How.NOT, setup.place
-    return (How.UNKNOWN if lists.is_open else How.NOT), None
+    # Catkin installs the scripts of a setup.py, for the whole workspace.
+    is_open = lists.is_open or (texts.source.build_type == "catkin" and name in setup.scripts)
+    return (How.UNKNOWN if is_open else How.NOT), None
 
 
 def _imported(texts: PackageTexts) -> set[str]:
