@@ -22,6 +22,15 @@ _BRINGING: dict[str, frozenset[str]] = {
 """What packages bring that are there for nothing else: the metapackages of messages."""
 
 
+TYPES_ALONE = frozenset(
+    {"ackermann_msgs", "can_msgs", "control_msgs", "controller_manager_msgs", "geographic_msgs",
+     "gps_msgs", "map_msgs", "move_base_msgs", "moveit_msgs", "nav2_msgs",
+     "object_recognition_msgs", "pcl_msgs", "px4_msgs", "radar_msgs", "ros_gz_interfaces",
+     "rosapi_msgs", "rosbridge_msgs", "ur_dashboard_msgs", "ur_msgs", "uuid_msgs", "vision_msgs"}
+)  # fmt: skip
+"""Packages that have types and nothing else, and that the catalog does not list."""
+
+
 def is_umbrella(tree: SourceTree, package: PackageFacts) -> bool:
     """Tell whether a package of the workspace is there to bring others, and makes nothing."""
     build = package.build
@@ -41,14 +50,15 @@ def brought(tree: SourceTree, package: PackageFacts) -> Iterator[str]:
         seen.add(name)
         yield from _BRINGING.get(name, ())
         other = tree.packages.get(name)
-        if other is None or other.build is None or other.build.has_code or _has_types(tree, other):
+        if other is None or other.build is None or other.build.has_code or has_types(other):
             continue
         own = [each.name for each in other.build.dependencies if {"build", "exec"} & each.covers]
         yield from own
         waiting += own
 
 
-def _has_types(tree: SourceTree, package: PackageFacts) -> bool:
+def has_types(package: PackageFacts) -> bool:
+    """Tell whether a package has definitions of types."""
     return any(
         each.endswith((".msg", ".srv", ".action"))
         for each in (() if package.build is None else package.build.files)

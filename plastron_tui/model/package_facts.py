@@ -51,12 +51,17 @@ class Used(NamedTuple):
         package: the package, where that is said itself: in a definition of a type; "" else.
         need: `exec` for a module, `build` for a header or a definition.
         place: the first place that names it.
+        others: the first place in each further file that does.
+        is_idle: whether nothing has what is imported or included of it by its name, so that these
+            lines may be there for nothing.
     """
 
     what: str
     package: str
     need: str
     place: Place
+    others: tuple[Place, ...] = ()
+    is_idle: bool = False
 
 
 class How(Enum):
@@ -148,6 +153,14 @@ class Entry(NamedTuple):
     help: str = ""
 
 
+class ScriptFolder(NamedTuple):
+    """Why `ros2 run` finds no console script, where that is said, and how it is mended."""
+
+    message: str
+    place: Place
+    help: str
+
+
 class DefinitionMistake(NamedTuple):
     """Something that keeps types from being built.
 
@@ -201,8 +214,7 @@ class BuildFacts(NamedTuple):
         placed: the names of the files that are installed where nodes are looked for, however.
         installs_nodes: whether nodes are installed at all.
         entries: console scripts that lead nowhere.
-        script_folder: why `ros2 run` finds no console script, and where that is said; None where
-            nothing speaks against it.
+        script_folder: why `ros2 run` finds no console script, None where nothing speaks against it.
         definitions: what keeps types from being built.
     """
 
@@ -228,5 +240,5 @@ class BuildFacts(NamedTuple):
     placed: frozenset[str] = frozenset()
     installs_nodes: bool = False
     entries: tuple[Entry, ...] = ()
-    script_folder: tuple[str, Place] | None = None
+    script_folder: ScriptFolder | None = None
     definitions: tuple[DefinitionMistake, ...] = ()

@@ -254,7 +254,8 @@ _FORMAT_1 = (
 _BOTH = "<build_depend>std_srvs</build_depend><exec_depend>std_srvs</exec_depend>"
 _HELP = [
     (
-        Break("rover/src/mover.cpp", "class Mover", "#include <nav_msgs/msg/path.hpp>\nclass M"),
+        Break("rover/src/mover.cpp", "class Mover",
+              "#include <nav_msgs/msg/path.hpp>\nnav_msgs::msg::Path path;\nclass Mover"),
         "write `<depend>nav_msgs</depend>` into package.xml, and "
         "`find_package(nav_msgs REQUIRED)` into CMakeLists.txt",
     ),

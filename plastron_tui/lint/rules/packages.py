@@ -6,7 +6,14 @@ from collections.abc import Iterator
 from functools import cache
 
 from plastron_tui.diagnostics import Code, Diagnostic, Edit, Fix, Label, Severity, Span
-from plastron_tui.lint.dependencies import brought, depends_on, is_umbrella, remedy_for
+from plastron_tui.lint.dependencies import (
+    TYPES_ALONE,
+    brought,
+    depends_on,
+    has_types,
+    is_umbrella,
+    remedy_for,
+)
 from plastron_tui.lint.rule import rule
 from plastron_tui.lint.tree import PackageFacts, SourceTree
 from plastron_tui.model.package_facts import BuildFacts, Declared, Used
@@ -27,6 +34,8 @@ _FURTHER = frozenset(
     {"actionlib", "cv_bridge", "image_transport", "message_filters", "tf", "tf2_ros"}
 )
 """Packages without types of their own that code uses by their name."""
+_MOST_PLACES = 3
+"""How many further uses of a package are told, at most."""
 _ENDINGS = ("_msgs", "_srvs", "_interfaces", "_msg", "_srv", "_actions", "_action", "_messages")
 
 
@@ -34,8 +43,8 @@ def packages_of_types(tree: SourceTree, version: int) -> frozenset[str]:
     """Return the packages that have types, in a generation of ROS."""
     catalog = tree.catalogs.get(version)
     if catalog is None:
-        return frozenset()
-    return frozenset(each for kind in InterfaceKind for each in catalog.packages(kind))
+        return TYPES_ALONE
+    return TYPES_ALONE.union(*(catalog.packages(kind) for kind in InterfaceKind))
 
 
 @rule(
@@ -45,8 +54,9 @@ def packages_of_types(tree: SourceTree, version: int) -> frozenset[str]:
     severity=Severity.WARNING,
     why="It works where somebody else has installed or built that package before, and breaks on "
     "the next machine, or when the packages are built in another order. What another package "
-    "depends on does not count. Code that is not installed, tests, and what is imported in `try` "
-    "are left alone, as are most packages without types that are not of the workspace.",
+    "depends on does not count, but for the types that the client libraries themselves bring: they "
+    "are told where CMake looks for them. Code that is not installed, tests, and what is imported "
+    "in `try` are left alone, as are most packages without types that are not of the workspace.",
     bad=NODE_PACKAGE | {"demo/package.xml": package_xml("demo", exec_depend=["rclpy"])},
     good=NODE_PACKAGE,
 )
@@ -75,23 +85,44 @@ def undeclared_dependency(tree: SourceTree, code: Code) -> Iterator[Diagnostic]:
                 continue
             seen.add(name)
             own_uses = ((x, with_modules if x.need == "exec" else with_headers) for x in build.used)
-            needs = frozenset(
-                x.need for x, own in own_uses if _package_of(x, package, types, own) == name
-            )
+            uses = [x for x, own in own_uses if _package_of(x, package, types, own) == name]
+            needs = frozenset(each.need for each in uses)
             yield Diagnostic(
                 code,
                 _undeclared(name, used, declared),
                 used.place.span,
                 package.folder / used.place.file,
-                help=remedy_for(tree, package, used, name, needs),
+                help=remedy_for(tree, package, used, name, needs) + _or_out(tree, name, uses),
                 labels=(
                     Label(
                         declared[0].span if declared else build.name_span,
                         "this is all that it says" if declared else "this package.xml",
                         package.folder / "package.xml",
                     ),
+                    *_elsewhere(package, uses),
                 ),
             )
+
+
+def _or_out(tree: SourceTree, name: str, uses: list[Used]) -> str:
+    """Return what to do instead where nothing uses what is imported or included."""
+    if not all(each.is_idle for each in uses) or not _has_only_types(name, tree):
+        return ""
+    lines = sum(1 + len(each.others) for each in uses)
+    word = "import" if uses[0].need == "exec" else "include"
+    return f", or take the {word}{'s' * (lines > 1)} out: nothing uses what comes with it"
+
+
+def _elsewhere(package: PackageFacts, uses: list[Used]) -> Iterator[Label]:
+    """Yield the first use of a package in each further file, a few of them."""
+    places = [place for each in uses for place in (each.place, *each.others)]
+    first = {each.file: each for each in reversed(places)}
+    first.pop(places[0].file)
+    others = list(reversed(first.values()))
+    left = len(others) - _MOST_PLACES
+    for at, each in enumerate(others[:_MOST_PLACES], 1):
+        more = f", and in {left} more files" if left > 0 and at == _MOST_PLACES else ""
+        yield Label(each.span, f"used here too{more}", package.folder / each.file)
 
 
 def _built(tree: SourceTree) -> Iterator[tuple[PackageFacts, BuildFacts]]:
@@ -127,7 +158,8 @@ def _counts(name: str, build: BuildFacts, types: frozenset[str], tree: SourceTre
     if name in _FURTHER:
         start = name.partition("_")[0].rstrip("2")
         return not any(each.name.startswith(start) for each in build.dependencies)
-    return name in types and name not in _HANDED_ON
+    # Who has CMake look for one that is handed on means to name it.
+    return name in types and (name not in _HANDED_ON or name in build.found)
 
 
 def _is_of_another(used: Used, build: BuildFacts, tree: SourceTree) -> bool:
@@ -158,7 +190,8 @@ def _undeclared(name: str, used: Used, declared: list[Declared]) -> str:
     severity=Severity.WARNING,
     why="Whoever installs or builds the package gets the other one for nothing. It is told of "
     "packages that have types and nothing else, where no file of the package has the name: no "
-    "code, launch file, configuration or definition; what CMake hands on to others counts as used.",
+    "code, launch file, configuration or definition; what CMake hands on to others counts as used. "
+    "Of a package without code it is told where it has definitions of types.",
     bad=NODE_PACKAGE
     | {"demo/package.xml": package_xml("demo", exec_depend=["rclpy", "std_msgs", "sensor_msgs"])},
     good=NODE_PACKAGE,
@@ -168,15 +201,19 @@ def unused_dependency(tree: SourceTree, code: Code) -> Iterator[Diagnostic]:
     known = cache(lambda version: packages_of_types(tree, version))
     for package, build in _built(tree):
         # What `ament_auto_package` hands on matters to those who include a header alone.
-        if not build.has_code or ("*" in build.exported and build.has_headers):
+        has_headers = build.has_headers or has_types(package)
+        if not (build.has_code or has_types(package)) or ("*" in build.exported and has_headers):
             continue
         told: set[str] = set()
         is_empty = is_umbrella(tree, package)
+        left_out = {"doc_depend", *(() if build.has_code else ("test_depend",))}
+        used = build.mentioned | build.exported | build.linked
+        if has_types(package):
+            used |= _BROUGHT
         for each in build.dependencies:
             name = each.name
-            used = build.mentioned | build.exported | build.linked | _BROUGHT
             is_used = name in used or (is_empty and name in tree.packages)
-            if is_used or name in told or not each.is_plain or each.tag == "doc_depend":
+            if is_used or name in told or not each.is_plain or each.tag in left_out:
                 continue
             if name not in known(package.ros_versions[0]) or not _has_only_types(name, tree):
                 continue

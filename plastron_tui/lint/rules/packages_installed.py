@@ -35,9 +35,11 @@ _VARIANT = re.compile(
     "A node is in a package, and `ros2 run` does not find it.",
     severity=Severity.WARNING,
     why="`ros2 run` and launch files look for programs in `lib/PACKAGE`, where an entry point of "
-    "`setup.py`, or `install` in `CMakeLists.txt`, puts them. ROS 1 starts scripts and programs "
-    "from the workspace as well: there it is told where other nodes of the package are installed. "
-    "What another file imports, tests and examples are left alone.",
+    "`setup.py`, or `install` in `CMakeLists.txt`, puts them. `setup.cfg` names that folder for "
+    "entry points: below `[install]`, and below `[develop]` for `colcon build --symlink-install`. "
+    "ROS 1 starts scripts and programs from the workspace as well: there it is told where other "
+    "nodes of the package are installed. What another file imports, tests and examples are left "
+    "alone.",
     bad=NODE_PACKAGE | {"demo/setup.py": setup_py()},
     good=NODE_PACKAGE,
 )
@@ -49,14 +51,8 @@ def node_not_installed(tree: SourceTree, code: Code) -> Iterator[Diagnostic]:
         if build is None:
             continue
         if build.script_folder is not None:
-            message, place = build.script_folder
-            yield Diagnostic(
-                code,
-                message,
-                place.span,
-                package.folder / place.file,
-                help=f"write `install_scripts=$base/lib/{package.name}` below `[install]`",
-            )
+            message, place, help_ = build.script_folder
+            yield Diagnostic(code, message, place.span, package.folder / place.file, help=help_)
         for script in _missing(tree, package, build, started):
             yield from _script(code, package, build, script)
         for target in build.targets:

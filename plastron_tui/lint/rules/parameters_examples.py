@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from .graph_examples import SETUP_CFG
+
 _LAUNCH = """\
 <launch>
   <node pkg="rover" exec="driver" name="driver">
@@ -64,7 +66,7 @@ def given(value: str, *, block: str = "driver") -> dict[str, str]:
     return {
         "rover/package.xml": _PACKAGE,
         "rover/setup.py": _SETUP,
-        "rover/setup.cfg": "[install]\ninstall_scripts=$base/lib/rover\n",
+        "rover/setup.cfg": SETUP_CFG.replace("demo", "rover"),
         "rover/resource/rover": "",
         "rover/rover/__init__.py": "",
         "rover/rover/driver.py": node(),

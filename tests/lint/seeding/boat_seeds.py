@@ -165,7 +165,7 @@ PACKAGES = (
     seed("RK501", (TYPES_XML, "  <depend>geometry_msgs</depend>\n", ""), at=((TYPES_XML, "<name>"), (THRUST, "geometry_msgs/"), (TYPES_CMAKE, "find_package("), (TYPES_CMAKE, "generate_messages("))),
     seed("RK502", (NODES_XML, "  <depend>std_srvs</depend>\n", "  <depend>std_srvs</depend>\n  §<depend>nav_msgs</depend>\n")),
     seed("RK502", (DRIVERS_XML, "  <depend>std_srvs</depend>\n", "  <depend>std_srvs</depend>\n  §<exec_depend>visualization_msgs</exec_depend>\n")),
-    seed("RK502", (NODES_XML, "  <depend>std_srvs</depend>\n", "  <depend>std_srvs</depend>\n  §<build_depend>geographic_msgs</build_depend>\n"), missed="a package that nothing here knows to have types alone"),
+    seed("RK502", (NODES_XML, "  <depend>std_srvs</depend>\n", "  <depend>std_srvs</depend>\n  §<build_depend>geographic_msgs</build_depend>\n")),
     seed("RK503", (NODES_CMAKE, "  scripts/beacon.py\n", ""), at=((BEACON, "class Beacon"), (BEACON, "#!/usr"), (BEACON, "import rospy\n"), (BEACON, "if __name__"), (NODES_CMAKE, "catkin_install_python("))),
     seed("RK503", (DRIVERS_CMAKE, "install(TARGETS sonar thrusters ", "install(TARGETS sonar "), at=((DRIVERS_CMAKE, "add_executable(thrusters"), (THRUSTERS, "int main"), (DRIVERS_CMAKE, "install(TARGETS sonar"))),
     seed("RK504", (SURVEY, "#!/usr/bin/env python3\n", ""), (NODES_CMAKE, "catkin_install_python(PROGRAMS", "install(PROGRAMS"), at=((SURVEY, "import rospy\n"), (NODES_CMAKE, "scripts/survey.py"), (NODES_CMAKE, "install(PROGRAMS"))),

@@ -163,7 +163,7 @@ PACKAGES = (
     seed("RK501", (PLANNER, "#include <rclcpp/rclcpp.hpp>", "#include <nav_msgs/msg/path.hpp>\n#include <rclcpp/rclcpp.hpp>")),
     seed("RK502", (XML, "  <depend>std_srvs</depend>\n", "  <depend>std_srvs</depend>\n  §<depend>nav_msgs</depend>\n")),
     seed("RK502", (XML, "  <depend>std_srvs</depend>\n", "  <depend>std_srvs</depend>\n  §<build_depend>visualization_msgs</build_depend>\n")),
-    seed("RK502", (TYPES_XML, "  <depend>std_msgs</depend>\n", "  <depend>std_msgs</depend>\n  §<depend>sensor_msgs</depend>\n"), missed="a package without nodes, or one that another one brings along"),
+    seed("RK502", (TYPES_XML, "  <depend>std_msgs</depend>\n", "  <depend>std_msgs</depend>\n  §<depend>sensor_msgs</depend>\n")),
     seed("RK503", (CMAKE, "install(TARGETS planner scale ", "install(TARGETS planner "), at=((CMAKE, "add_executable(scale"), (SCALE, "int main"), (CMAKE, "install(TARGETS planner")), also="RK506"),
     seed("RK503", (CMAKE, "install(PROGRAMS scripts/pallet_logger.py DESTINATION lib/${PROJECT_NAME})\n", ""), at=((LOGGER, "class PalletLogger"), (LOGGER, "def main"), (LOGGER, "import rclpy\n"), (LOGGER, "if __name__"), (LOGGER, "#!/usr"), (CMAKE, "project(")), also="RK506"),
     seed("RK503", (CMAKE, "install(TARGETS planner scale DESTINATION lib/${PROJECT_NAME})", "install(TARGETS planner scale DESTINATION bin)"), at=((CMAKE, "add_executable(scale"), (CMAKE, "add_executable(planner"), (SCALE, "int main"), (PLANNER, "int main"), (CMAKE, "install(TARGETS planner")), also="RK506"),

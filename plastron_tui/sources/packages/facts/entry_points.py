@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+
 from collections.abc import Iterable, Iterator
 from contextlib import suppress
 from dataclasses import dataclass
@@ -11,7 +12,7 @@ from tree_sitter import Node
 
 from plastron_tui.diagnostics import Span
 from plastron_tui.diagnostics.suggest import nearest
-from plastron_tui.model.package_facts import Entry, Place
+from plastron_tui.model.package_facts import Entry, Place, ScriptFolder
 from plastron_tui.ros.name_slips import is_slip
 from plastron_tui.sources.build_files import RefusedError
 from plastron_tui.sources.packages.reading import PYPROJECT, SETUP_CFG, SETUP_PY
@@ -24,11 +25,9 @@ from plastron_tui.sources.setup_py.reader import (
 )
 from plastron_tui.sources.setup_py.syntax import python_parser
 
+from .script_folder import script_folder
 from .texts import PackageTexts
 
-_FOLDER = re.compile(
-    rb"^[ \t]*(install[_-]scripts|script[_-]dir)[ \t]*[=:][ \t]*(\S+)[ \t]*\r?$", re.M
-)
 _LIB = re.compile(rb"['\"]/?lib\b")
 _OPENING = frozenset({"exec", "eval", "globals", "setattr", "vars"})
 _BLOCKS = frozenset(
@@ -52,7 +51,7 @@ class PythonSetup:
         data: the files that are installed beside the code.
         is_settled: whether all of the console scripts are known.
         wrong: the console scripts that lead nowhere.
-        script_folder: why nobody finds the console scripts, and where that is said.
+        script_folder: why nobody finds the console scripts.
     """
 
     packages: tuple[str, ...] | None = None
@@ -64,7 +63,7 @@ class PythonSetup:
     data: frozenset[str] = frozenset()
     is_settled: bool = False
     wrong: tuple[Entry, ...] = ()
-    script_folder: tuple[str, Place] | None = None
+    script_folder: ScriptFolder | None = None
 
     @property
     def modules(self) -> frozenset[str]:
@@ -110,7 +109,7 @@ def read_python_setup(texts: PackageTexts) -> PythonSetup:
         data=frozenset(data),
         is_settled=is_known and not _has_more(text, setup),
         wrong=tuple(_wrong(entries, file, reader, texts)),
-        script_folder=_script_folder(texts) if entries else None,
+        script_folder=script_folder(texts) if entries else None,
     )
 
 
@@ -288,29 +287,6 @@ def _entry(
         span = Span(script.span.start + at, script.span.start + at + len(word))
     is_fixable = is_sure and bool(remedy) and at >= sign
     return Entry(script.name, script.target, message, Place(file, span), remedy, is_fixable)
-
-
-def _script_folder(texts: PackageTexts) -> tuple[str, Place] | None:
-    """Return why `ros2 run` finds no console script, which it looks for in `lib/PACKAGE`."""
-    name = texts.source.name
-    cfg, setup = texts.source.texts.get(SETUP_CFG, b""), texts.source.texts[SETUP_PY]
-    if b"install_scripts" in setup or b"install-scripts" in setup or b"script_dir" in setup:
-        return None
-    found = [match for match in _FOLDER.finditer(cfg) if match[1].startswith(b"install")]
-    for match in found:
-        folder = match[2].decode("utf-8", "replace").rstrip("/")
-        if "%" not in folder and folder not in (f"$base/lib/{name}", f"lib/{name}"):
-            return (
-                f"`ros2 run` looks for programs in `lib/{name}`, and they are installed to "
-                f"`{folder}`",
-                Place(SETUP_CFG, Span(*match.span(2))),
-            )
-    if not found:
-        place = texts.source.texts[SETUP_PY].find(b"console_scripts")
-        if place >= 0:
-            message = f"`ros2 run` looks for programs in `lib/{name}`, and no `setup.cfg` says that"
-            return message, Place(SETUP_PY, Span(place, place + len(b"console_scripts")))
-    return None
 
 
 def top_names(text: bytes) -> frozenset[str] | None:

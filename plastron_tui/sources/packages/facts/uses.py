@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import re
 import sys
-from collections import deque
+from collections import defaultdict, deque
 from collections.abc import Iterable, Iterator
+from typing import NamedTuple
 
 from tree_sitter import Node
 
@@ -31,6 +32,15 @@ _HEADER = re.compile(rb"^[ \t]*Header[ \t]", re.M)
 _WORD = rb"(?<![\w])(?:%b)(?![\w])"
 
 
+class _Named(NamedTuple):
+    """A place that names a module, a header or a type of another package; see `Used`."""
+
+    what: str
+    package: str
+    place: Place
+    is_idle: bool = False
+
+
 def mentioned(texts: PackageTexts, names: Iterable[str]) -> frozenset[str]:
     """Return the names that occur as words of a file, besides those that build the package."""
     wanted = {name: re.compile(_WORD % re.escape(name.encode())) for name in names}
@@ -51,7 +61,7 @@ def mentioned(texts: PackageTexts, names: Iterable[str]) -> frozenset[str]:
 def find_uses(
     texts: PackageTexts, dependencies: Iterable[Declared], lists: Lists, setup: PythonSetup
 ) -> Iterator[Used]:
-    """Yield what code needs of other packages and is not declared for that, each name once.
+    """Yield what code needs of other packages and is not declared for that, each once.
 
     Only code that is surely run or built counts: modules and scripts that are installed, sources of
     targets, headers that are handed on.
@@ -64,26 +74,46 @@ def find_uses(
                 if need in each.covers:
                     covered[need].add(each.name)
     own = {texts.source.name, *_folders(texts)}
-    seen: set[tuple[str, str]] = set()
+    modules: dict[str, list[_Named]] = defaultdict(list)
     for name in texts.python:
         if _is_run(texts, name, lists, setup):
             text = texts.get(name) or b""
             skipped = own | covered["exec"] | set(sys.stdlib_module_names)
-            for module, span in _imports(text, skipped):
-                if ("exec", module) not in seen:
-                    seen.add(("exec", module))
-                    yield Used(module, "", "exec", Place(name, span))
+            for module, span, is_idle in _imports(text, skipped):
+                modules[module].append(_Named(module, "", Place(name, span), is_idle))
+    headers: dict[str, list[_Named]] = defaultdict(list)
     for name in _built(texts, lists):
         for header, span in _includes(texts.get(name) or b"", covered["build"] | own):
-            folder = header.partition("/")[0]
-            if ("build", folder) not in seen and not _has_header(texts, header):
-                seen.add(("build", folder))
-                yield Used(header, "", "build", Place(name, span))
+            if not _has_header(texts, header):
+                folder = header.partition("/")[0]
+                headers[folder].append(_Named(header, "", Place(name, span)))
+    for folder, found in headers.items():
+        if _is_idle(texts, folder, found):
+            headers[folder] = [each._replace(is_idle=True) for each in found]
     for file, field in fields_of(texts, lists):
-        known = covered["build"] | {texts.source.name}
-        if field.package not in known and ("build", field.package) not in seen:
-            seen.add(("build", field.package))
-            yield Used(field.package, field.package, "build", Place(file, field.span))
+        if field.package not in covered["build"] | {texts.source.name}:
+            place = Place(file, field.span)
+            headers[field.package].append(_Named(field.package, field.package, place))
+    for need, names in (("exec", modules), ("build", headers)):
+        for found in names.values():
+            others = {each.place.file: each.place for each in reversed(found[1:])}
+            others.pop(found[0].place.file, None)
+            is_idle = all(each.is_idle for each in found)
+            what, package, place, _ = found[0]
+            yield Used(what, package, need, place, tuple(reversed(others.values())), is_idle)
+
+
+def _is_idle(texts: PackageTexts, folder: str, found: Iterable[_Named]) -> bool:
+    """Tell whether no code has the name of a folder of headers, but to include them."""
+    if any(each.place.file.startswith("include/") for each in found):
+        # Whoever includes that one may use them.
+        return False
+    word = folder.encode()
+    return not any(
+        word in _INCLUDE.sub(b"", text)
+        for each in texts.names
+        if each.endswith(CPP) and word in (text := texts.get(each) or b"")
+    )
 
 
 def header_folders(names: Iterable[str]) -> Iterator[str]:
@@ -133,8 +163,11 @@ def _built(texts: PackageTexts, lists: Lists) -> Iterator[str]:
             waiting += [f"{folder}/{said}".lstrip("/"), f"src/{said}"]
 
 
-def _imports(text: bytes, skipped: set[str]) -> Iterator[tuple[str, Span]]:
-    """Yield the modules that a text imports whatever happens, without those of some packages."""
+def _imports(text: bytes, skipped: set[str]) -> Iterator[tuple[str, Span, bool]]:
+    """Yield the modules that a text imports whatever happens, without those of some packages.
+
+    With each comes its place, and whether nothing else in the text has what is imported of it.
+    """
     if all(each.decode() in skipped for each in _IMPORT.findall(text)):
         return
     root = python_parser().parse(text).root_node
@@ -145,7 +178,7 @@ def _imports(text: bytes, skipped: set[str]) -> Iterator[tuple[str, Span]]:
         node = waiting.pop()
         if node.type in ("import_statement", "import_from_statement"):
             yield from (
-                (name, span)
+                (name, span, _is_unused(text, node))
                 for name, span in _modules(node)
                 if name.partition(".")[0] not in skipped
             )
@@ -153,6 +186,16 @@ def _imports(text: bytes, skipped: set[str]) -> Iterator[tuple[str, Span]]:
             waiting.extend(
                 each for each in reversed(node.named_children) if each.type not in ("string",)
             )
+
+
+def _is_unused(text: bytes, node: Node) -> bool:
+    """Tell whether nothing outside of an import has one of the names that it makes."""
+    rest = text[: node.start_byte] + text[node.end_byte :]
+    made = [
+        each.child_by_field_name("alias") or each for each in node.children_by_field_name("name")
+    ]
+    names = [(each.text or b"").partition(b".")[0] for each in made]
+    return bool(names) and not any(re.search(_WORD % re.escape(each), rest) for each in names)
 
 
 def _modules(node: Node) -> Iterator[tuple[str, Span]]:
