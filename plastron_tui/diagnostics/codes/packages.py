@@ -12,7 +12,8 @@ _FULL = f"{_ROVER}rover contains talker\n"
 
 PACKAGE_EXISTS = Code(
     "package-exists",
-    "Two packages of a program have one name: a workspace takes only one of them.",
+    "Two packages of a program, or of a workspace, have one name: a workspace takes only one of "
+    "them.",
     bad="create_package 'rover' as first\ncreate_package 'rover' as second\n",
     good="create_package 'rover' as first\ncreate_package 'rover_tools' as second\n",
 )

@@ -34,6 +34,7 @@ from .packages import read_package, runnable
 from .parameter_files import LARGEST as PARAMETERS
 from .parameter_files import blocks_of, is_parameter_file, setting_places, unstarted
 from .pool import Died, Pool
+from .same_names import by_name, same_names
 from .started_places import started_places
 from .unbuilt import read_unbuilt, unbuilt_units
 from .units import UnitAnswer, UnitRead, failure, read_unit
@@ -69,7 +70,7 @@ def read_tree(
     reading = _Reading(listing, cache)
     with still_disk(), workspace_of(reading.modules), Pool(read_unit, workers) as pool:
         units = tuple(reading.units(pool))
-    packages = {each.name: each for each in reading.packages}
+    packages = by_name(reading.packages)
     launches = tuple(reading.launches(packages))
     parameters = dict(reading.parameter_files())
     named = dict(setting_places(launches, reading.unstarted, reading.text))
@@ -92,7 +93,7 @@ def read_tree(
         started_places=places,
         is_whole=listing.is_whole and not reading.problems,
         problems=tuple((Path(path), why) for path, why in reading.problems),
-        wrong=tuple(reading.wrong),
+        wrong=(*reading.wrong, *same_names(reading.packages, listing.root)),
         files=listing.files,
         commented=commented,
     )
