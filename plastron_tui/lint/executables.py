@@ -21,12 +21,15 @@ class Executables:
     def __init__(self, tree: SourceTree) -> None:
         """Remember the files of each package by their names, and by the classes of their nodes."""
         self._tree = tree
-        self._by_file: dict[tuple[str, str], list[UnitFacts]] = defaultdict(list)
-        self._by_class: dict[tuple[str, str], list[UnitFacts]] = defaultdict(list)
+        self._by_file: dict[tuple[Path, str], list[UnitFacts]] = defaultdict(list)
+        self._by_class: dict[tuple[Path, str], list[UnitFacts]] = defaultdict(list)
         for unit in tree.built:
-            self._by_file[unit.package, unit.path.name].append(unit)
+            package = tree.package_of(unit)
+            if package is None:
+                continue
+            self._by_file[package.folder, unit.path.name].append(unit)
             for class_name in {node.class_name for node in unit.nodes if node.class_name}:
-                self._by_class[unit.package, class_name].append(unit)
+                self._by_class[package.folder, class_name].append(unit)
 
     def is_alone(self, started: Started, unit: UnitFacts) -> bool:
         """Tell whether nothing else is built into what a launch file starts than these files.
@@ -36,7 +39,7 @@ class Executables:
         """
         if unit.path.suffix == ".py":
             return True
-        package = self._tree.packages.get(unit.package)
+        package = self._tree.package_of(unit)
         executables = {} if package is None else package.executables
         known = executables.get(started.executable) or next(
             (each for each in executables.values() if each.loaded == started.executable), None
@@ -55,11 +58,12 @@ class Executables:
 
     def started(self, started: Started) -> UnitFacts | None:
         """Return the files of what a launch file starts, None where that is not known."""
-        name, package = started.executable, self._tree.packages.get(started.package)
+        name, file = started.executable, started.file
+        package = self._tree.package(started.package, file)
         nodelet = loaded_nodelet(started.package, dict(started.others).get("args", ""))
         if nodelet is not None:
             name = nodelet
-            package = self._tree.packages.get(nodelet.partition("/")[0])
+            package = self._tree.package(nodelet.partition("/")[0], file)
         return None if package is None else self.find(package, name)
 
     def find(self, package: PackageFacts, name: str) -> UnitFacts | None:
@@ -76,14 +80,14 @@ class Executables:
         if known is None:
             # `rosrun` starts any file of a package that may be executed, installed or not.
             is_found = 1 in package.ros_versions
-            return _only(self._by_file[package.name, name]) if is_found else None
+            return _only(self._by_file[package.folder, name]) if is_found else None
         return self._made_of(package, [known.file] if known.file is not None else known.sources)
 
     def _of_class(self, package: PackageFacts, name: str) -> UnitFacts | None:
         for each in package.executables.values():
             if each.loaded == name:
                 return self._made_of(package, each.sources)
-        return _only(self._by_class[package.name, re.split("::|/", name)[-1]])
+        return _only(self._by_class[package.folder, re.split("::|/", name)[-1]])
 
     def _made_of(self, package: PackageFacts, files: Iterable[str]) -> UnitFacts | None:
         by_path = self._tree.by_path

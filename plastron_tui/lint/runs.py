@@ -131,7 +131,7 @@ def runs_of(tree: SourceTree) -> tuple[Run, ...]:
     other arguments has the names that it gets there.
     """
     executables = executables_of(tree)
-    launched: dict[tuple[str, int], dict[object, RunningNode]] = defaultdict(dict)
+    launched: dict[object, dict[object, RunningNode]] = defaultdict(dict)
     paths: set[Path] = set()
     found: list[Run] = []
     for launch in tree.launches:
@@ -139,8 +139,8 @@ def runs_of(tree: SourceTree) -> tuple[Run, ...]:
         found.append(run)
         for each in run.nodes:
             paths.add(each.unit.path)
-            launched[each.unit.package, each.unit.ros_version][each.key, each.names] = each
-    alone: dict[tuple[str, int], list[RunningNode]] = defaultdict(list)
+            launched[_home(tree, each.unit)][each.key, each.names] = each
+    alone: dict[object, list[RunningNode]] = defaultdict(list)
     unstarted: dict[Path, list[Started]] = defaultdict(list)
     for started in tree.unstarted:
         made_of = executables.started(started)
@@ -149,10 +149,17 @@ def runs_of(tree: SourceTree) -> tuple[Run, ...]:
     for unit in tree.built:
         if unit.path not in paths and unit.path not in executables.parts and not unit.is_test:
             whole = executables.programs.get(unit.path, unit)
-            alone[unit.package, unit.ros_version] += _by_hand(whole, unstarted[unit.path])
+            alone[_home(tree, unit)] += _by_hand(whole, unstarted[unit.path])
     for key, nodes in alone.items():
         found.append(Run(None, (*nodes, *launched[key].values())))
     return tuple(found)
+
+
+def _home(tree: SourceTree, unit: UnitFacts) -> object:
+    """Return the package that files are in, and the generation of ROS that they are for."""
+    package = tree.package_of(unit)
+    folder = None if package is None else package.folder
+    return unit.package, folder, unit.ros_version
 
 
 def _launch_run(launch: LaunchFacts, executables: Executables) -> Run:

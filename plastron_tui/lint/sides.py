@@ -8,6 +8,7 @@ from collections.abc import Mapping
 from functools import lru_cache
 from typing import NamedTuple
 
+from .namesakes import are_apart
 from .runs import Place, User, runs_of
 from .tree import SourceTree
 
@@ -37,6 +38,27 @@ def everywhere(tree: SourceTree) -> Sides:
             strays.setdefault((user.path, user.endpoint.span), user)
     meetings = {place: list(users.values()) for place, users in found.items()}
     return Sides(meetings, tuple(strays.values()))
+
+
+@lru_cache(maxsize=1)
+def workspaces(tree: SourceTree) -> tuple[Mapping[Place, list[User]], ...]:
+    """Return who is at each name in each workspace, for packages of one name keep several apart.
+
+    What may be of several workspaces is in each of them.
+    """
+    whole = everywhere(tree).meetings
+    users = [user for users in whole.values() for user in users]
+    choices = {repr(sorted(each.items())): each for each in (tree.choices(x.path) for x in users)}
+    if len(choices) < 2:
+        return (whole,)
+    found = []
+    for choice in choices.values():
+        met = {
+            place: [user for user in users if not are_apart(choice, tree.choices(user.path))]
+            for place, users in whole.items()
+        }
+        found.append({place: users for place, users in met.items() if users})
+    return tuple(found)
 
 
 def are_parts(tree: SourceTree, one: User, other: User) -> bool:

@@ -18,6 +18,8 @@ from plastron_tui.ros.interfaces import Interface, InterfaceKind, InterfaceName
 from plastron_tui.ros.launch_started import Resolved, Started
 from plastron_tui.ros.parameter_blocks import ParameterBlock
 
+from .namesakes import Choices, are_apart, nearest
+
 
 class UnitFacts(NamedTuple):
     """What the files of a node, or of several, say; their texts are not kept.
@@ -135,6 +137,7 @@ class SourceTree:
         files: all files that are looked at, as whole paths.
         commented: those that may have comments which name rules.
         earlier: the types at the revision that they are compared with, None for none.
+        namesakes: the folders of packages whose name several have, by that name.
     """
 
     root: Path
@@ -153,6 +156,45 @@ class SourceTree:
     files: tuple[str, ...] = ()
     commented: tuple[str, ...] = ()
     earlier: Earlier | None = None
+    namesakes: Mapping[str, Mapping[Path, PackageFacts]] = field(default_factory=dict)
+
+    def package(self, name: str, file: str | Path | None) -> PackageFacts | None:
+        """Return the package that a file means by a name, None where there is none for sure."""
+        several = self.namesakes.get(name)
+        if several is None:
+            return self.packages.get(name)
+        folder = None if file is None else nearest(several, Path(file))
+        return None if folder is None else several[folder]
+
+    def package_of(self, unit: UnitFacts) -> PackageFacts | None:
+        """Return the package that the files of a node are in."""
+        return self.package(unit.package, unit.path)
+
+    def choices(self, file: Path) -> Choices:
+        """Return which package of each name that several have a file means, where it is clear."""
+        if not self.namesakes:
+            return {}
+        known = self._choices.get(file.parent)
+        if known is None:
+            found = ((name, nearest(each, file)) for name, each in self.namesakes.items())
+            known = {name: folder for name, folder in found if folder is not None}
+            self._choices[file.parent] = known
+        return known
+
+    def are_apart(self, one: Path, other: Path) -> bool:
+        """Tell whether two files are of different workspaces, and so never of one robot."""
+        return bool(self.namesakes) and are_apart(self.choices(one), self.choices(other))
+
+    @cached_property
+    def every_package(self) -> tuple[PackageFacts, ...]:
+        """The packages, each of those that share a name among them."""
+        shared = (each for several in self.namesakes.values() for each in several.values())
+        alone = (each for name, each in self.packages.items() if name not in self.namesakes)
+        return (*alone, *shared)
+
+    @cached_property
+    def _choices(self) -> dict[Path, Choices]:
+        return {}
 
     @cached_property
     def built(self) -> tuple[UnitFacts, ...]:

@@ -9,7 +9,7 @@ from pathlib import Path
 from plastron_tui.diagnostics import Code, Diagnostic, Label, Span
 from plastron_tui.lint.rule import rule
 from plastron_tui.lint.runs import Place, RunningNode, User, runs_of, span_of
-from plastron_tui.lint.sides import are_parts, everywhere, is_left_behind, is_variant
+from plastron_tui.lint.sides import are_parts, is_left_behind, is_variant, workspaces
 from plastron_tui.lint.tree import SourceTree
 from plastron_tui.lint.well_known import IS_EVERYWHERE
 from plastron_tui.model.kinds import EndpointKind
@@ -43,17 +43,17 @@ def type_conflict(tree: SourceTree, code: Code) -> Iterator[Diagnostic]:
         for place, user, other in _conflicts(tree, run.meetings(), is_run=run.launch is not None):
             told.add((user.path, user.endpoint.span))
             yield _conflict(code, place, user, other)
-    meetings = everywhere(tree).meetings
-    for place, user, other in _conflicts(tree, meetings, is_run=False):
-        if (other.path, other.endpoint.span) in told or _is_moved(user, other):
-            continue
-        if any(is_left_behind(tree, each) for each in (user, other)):
-            continue
-        far = other.endpoint.type, other.sends
-        across = [each for each in meetings[place] if (each.endpoint.type, each.sends) == far]
-        part = next((each for each in across if are_parts(tree, user, each)), None)
-        if part is not None or _is_odd(meetings[place], user, other):
-            yield _conflict(code, place, user, part or other)
+    for meetings in workspaces(tree):
+        for place, user, other in _conflicts(tree, meetings, is_run=False):
+            if (other.path, other.endpoint.span) in told or _is_moved(user, other):
+                continue
+            if any(is_left_behind(tree, each) for each in (user, other)):
+                continue
+            far = other.endpoint.type, other.sends
+            across = [each for each in meetings[place] if (each.endpoint.type, each.sends) == far]
+            part = next((each for each in across if are_parts(tree, user, each)), None)
+            if part is not None or _is_odd(meetings[place], user, other):
+                yield _conflict(code, place, user, part or other)
 
 
 def _is_odd(users: Iterable[User], user: User, other: User) -> bool:
@@ -156,7 +156,7 @@ def _are_two(
 def qos_mismatch(tree: SourceTree, code: Code) -> Iterator[Diagnostic]:
     """Find publishers and subscriptions of ROS 2 that never match."""
     runs = [(run.meetings(), True) for run in runs_of(tree)]
-    for meetings, is_run in (*runs, (everywhere(tree).meetings, False)):
+    for meetings, is_run in (*runs, *((each, False) for each in workspaces(tree))):
         for (_, version, name), users in meetings.items():
             if version == 2:
                 yield from _never_matching(code, name, users, is_run=is_run)

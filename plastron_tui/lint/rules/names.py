@@ -8,7 +8,7 @@ from collections.abc import Iterator, Mapping
 from plastron_tui.diagnostics import Code, Diagnostic, Label, Severity
 from plastron_tui.lint.rule import rule
 from plastron_tui.lint.runs import Place, User, runs_of
-from plastron_tui.lint.sides import everywhere
+from plastron_tui.lint.sides import workspaces
 from plastron_tui.lint.tree import SourceTree
 from plastron_tui.ros.interfaces import InterfaceName
 from plastron_tui.ros.name_slips import LONGEST, is_slip, shortened
@@ -32,7 +32,7 @@ _Met = Mapping[Place, list[User]]
 )
 def misspelt_name(tree: SourceTree, code: Code) -> Iterator[Diagnostic]:
     """Find names that are one slip apart."""
-    for meetings in (*(run.meetings() for run in runs_of(tree)), everywhere(tree).meetings):
+    for meetings in (*(run.meetings() for run in runs_of(tree)), *workspaces(tree)):
         for wrong, right in _slips(meetings):
             user = meetings[wrong][0]
             other = next(each for each in meetings[right] if each.sends is not user.sends)

@@ -115,7 +115,7 @@ def _told(
         if user.endpoint.kind not in kinds:
             continue
         message = f"nobody {verb} the {user.endpoint.kind.facts.named} `{one.place[2]}`"
-        other = _counterpart(one, lone, is_read)
+        other = _counterpart(one, _beside(tree, one, lone), is_read)
         if other is not None and not _may_be_renamed(tree, user.node, other.user.node):
             verb_ = other.user.endpoint.kind.facts.verb
             yield Diagnostic(
@@ -128,6 +128,13 @@ def _told(
             )
         elif is_asked and not _may_be_met(tree, user):
             yield Diagnostic(code, message, user.endpoint.span, user.path)
+
+
+def _beside(tree: SourceTree, one: _Lone, lone: list[_Lone]) -> list[_Lone]:
+    """Return the endpoints that may run together with one."""
+    if not tree.namesakes:
+        return lone
+    return [each for each in lone if not tree.are_apart(one.user.path, each.user.path)]
 
 
 def _lone(tree: SourceTree) -> list[_Lone]:

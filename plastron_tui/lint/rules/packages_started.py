@@ -103,9 +103,11 @@ class _Fault(NamedTuple):
 
 
 def _fault(tree: SourceTree, started: Started, version: int) -> _Fault | None:
-    package = tree.packages.get(started.package)
+    package = tree.package(started.package, started.file)
     name = started.executable
     if package is None:
+        if started.package in tree.packages:
+            return None
         near = [
             each.name
             for each in tree.packages.values()

@@ -231,7 +231,7 @@ def _misspelt(
     others = {each.pattern for each in blocks}
     keys = [key.name for key in block.keys if not is_of_every_node(key.name)]
     for name in sorted(names):
-        nodes = receivers.by_name.get(name, ()) if is_slip(last, name) else ()
+        nodes = receivers.named(name, file) if is_slip(last, name) else ()
         if above + name not in others and any(node.has(key) for node in nodes for key in keys):
             is_plain = block.name.text == last
             yield Diagnostic(

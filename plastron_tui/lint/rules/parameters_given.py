@@ -133,7 +133,7 @@ class Receivers:
             if unit.code.allows_undeclared
             for name in [node.class_name for node in unit.nodes] or [None]
         }
-        self._folders = {each.folder: each.name for each in tree.packages.values()}
+        self._folders = {each.folder: each.name for each in tree.every_package}
         self.all = tuple(self._receivers())
         self.of_file: dict[Path, list[Receiver]] = defaultdict(list)
         for receiver in self.all:
@@ -154,12 +154,7 @@ class Receivers:
             yield Receiver(started, tuple(map(self.declared, self._unstarted(started))))
 
     def _unstarted(self, started: Started) -> Iterator[RunningNode]:
-        package = self._tree.packages.get(started.package)
-        unit = (
-            None
-            if package is None
-            else executables_of(self._tree).find(package, started.executable)
-        )
+        unit = executables_of(self._tree).started(started)
         names = RunNames(started.namespace)
         if unit is not None:
             for node in unit.nodes:
@@ -215,16 +210,18 @@ class Receivers:
 
     def _by_hand(self, file: Path, block: ParameterBlock) -> Given:
         """Return who is meant where no launch file is known that says so: who has the name."""
-        found = self.by_name.get(block.last, [])
+        found = self.named(block.last, file)
         package = self.package_of(file)
         if not found:
-            alike = self._alike(block, package)
+            alike = self._alike(file, block, package)
             return Given(file, block, alike, is_whole=bool(alike))
         is_own = any(each.node.unit.package == package for each in found)
         is_meant = is_own or any(_is_meant(each, block) for each in found)
         return Given(file, block, tuple(found if is_meant else ()), is_whole=is_meant)
 
-    def _alike(self, block: ParameterBlock, package: str | None) -> tuple[Declared, ...]:
+    def _alike(
+        self, file: Path, block: ParameterBlock, package: str | None
+    ) -> tuple[Declared, ...]:
         """Return the one node of a package that declares what a block sets, whatever its name.
 
         It may get its name from a launch file that is not understood; more than it declares may
@@ -233,10 +230,18 @@ class Receivers:
         keys = [key.name for key in block.keys if not is_of_every_node(key.name)]
         found = [
             each._replace(is_whole=False)
-            for each in self._of_package.get(package, ())
+            for each in self._near(self._of_package.get(package, ()), file)
             if _ENOUGH <= len(keys) - 1 <= sum(name in each.uses for name in keys)
         ]
         return tuple(found) if len(found) == 1 else ()
+
+    def named(self, name: str, file: Path) -> list[Declared]:
+        """Return the nodes of a name that are in the workspace of a file."""
+        return self._near(self.by_name.get(name, ()), file)
+
+    def _near(self, nodes: Iterable[Declared], file: Path) -> list[Declared]:
+        apart = self._tree.are_apart
+        return [each for each in nodes if not apart(each.node.unit.path, file)]
 
     @cached_property
     def _of_package(self) -> Mapping[str | None, list[Declared]]:

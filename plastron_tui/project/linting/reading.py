@@ -12,6 +12,7 @@ from pathlib import Path
 from typing import TypeVar
 
 from plastron_tui.diagnostics import Diagnostic
+from plastron_tui.lint.namesakes import nearest
 from plastron_tui.lint.tree import LaunchFacts, PackageFacts, SourceTree, UnitFacts
 from plastron_tui.model.source import LARGEST_FILE
 from plastron_tui.regular_files import read_regular
@@ -71,7 +72,8 @@ def read_tree(
     with still_disk(), workspace_of(reading.modules), Pool(read_unit, workers) as pool:
         units = tuple(reading.units(pool))
     packages = by_name(reading.packages)
-    launches = tuple(reading.launches(packages))
+    namesakes = _namesakes(reading.packages)
+    launches = tuple(reading.launches(packages, namesakes))
     parameters = dict(reading.parameter_files())
     named = dict(setting_places(launches, reading.unstarted, reading.text))
     commented = tuple(commented_files(listing.files, reading.package_of, cache))
@@ -96,7 +98,18 @@ def read_tree(
         wrong=(*reading.wrong, *same_names(reading.packages, listing.root)),
         files=listing.files,
         commented=commented,
+        namesakes=namesakes,
     )
+
+
+def _namesakes(
+    packages: Iterable[PackageFacts],
+) -> dict[str, Mapping[Path, PackageFacts]]:
+    """Return the packages whose name another one has, too, by their folders."""
+    found: dict[str, dict[Path, PackageFacts]] = {}
+    for each in packages:
+        found.setdefault(each.name, {})[each.folder] = each
+    return {name: several for name, several in found.items() if len(several) > 1}
 
 
 @dataclass
@@ -231,11 +244,22 @@ class _Reading:
             self.cache.put(key, reads, packed(known[0]))
         return known[0]
 
-    def launches(self, packages: Mapping[str, PackageFacts]) -> Iterator[LaunchFacts]:
+    def launches(
+        self,
+        packages: Mapping[str, PackageFacts],
+        namesakes: Mapping[str, Mapping[Path, PackageFacts]],
+    ) -> Iterator[LaunchFacts]:
         """Yield what each launch file starts that no other one includes."""
         reads = {path: self._launch(path) for path in self.listing.files if launch_language(path)}
         included: set[str] = set()
         folders = {name: str(each.folder) for name, each in packages.items()}
+
+        def folder_of(name: str, file: str) -> str | None:
+            several = namesakes.get(name)
+            if several is None:
+                return folders.get(name)
+            found = nearest(several, Path(file))
+            return None if found is None else str(found)
 
         def opened(name: str) -> Opened:
             included.add(os.path.realpath(name))
@@ -251,7 +275,8 @@ class _Reading:
         found = []
         for path, read in reads.items():
             if read is not None and read.launch is not None:
-                scope = Scope({}, {}, os.path.dirname(path), folders.get, _content)
+                found_in = partial(folder_of, file=path)
+                scope = Scope({}, {}, os.path.dirname(path), found_in, _content)
                 resolved = resolve(read.launch, read.format.ros_version, scope, path, opened)
                 found.append(LaunchFacts(Path(path), resolved, read.format.ros_version))
                 if read.format.ros_version == 2:

@@ -1,0 +1,87 @@
+"""Packages of one name in several workspaces of a repository: the nearest one is meant."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+from graph_packages import LISTENER, PACKAGE_XML, SETUP, TALKER, code_of, found_in
+
+from plastron_tui.lint.namesakes import nearest
+
+SECOND = "'listener = demo.listener:main'"
+LAUNCH = '<launch>\n<node pkg="demo" exec="{}"/>\n</launch>\n'
+
+
+def demo(folder: str, setup: str = SETUP, **nodes: str) -> dict[str, str | bytes]:
+    """Return a package `demo` in a folder, with nodes by the names of their modules."""
+    return {
+        f"{folder}/demo/package.xml": PACKAGE_XML,
+        f"{folder}/demo/setup.py": setup,
+        f"{folder}/demo/demo/__init__.py": "",
+        **{
+            f"{folder}/demo/demo/{name}.py": f"{text}\ndef main():\n    rclpy.spin(Talker())\n"
+            for name, text in nodes.items()
+        },
+    }
+
+
+def beside(folder: str, executable: str) -> dict[str, str | bytes]:
+    """Return a package that starts a program of `demo`."""
+    return {
+        f"{folder}/bringup/package.xml": PACKAGE_XML.replace("demo", "bringup"),
+        f"{folder}/bringup/launch/up.launch.xml": LAUNCH.format(executable),
+    }
+
+
+TALKS, HEARS = code_of(TALKER), code_of(LISTENER)
+WITHOUT = SETUP.replace(f", {SECOND}", "")
+BOTH = demo("one/src", talker=TALKS, listener=HEARS) | demo("two/src", WITHOUT, talker=TALKS)
+
+STARTED = {
+    "that_its_own_has": (beside("one/src", "listener"), []),
+    "that_another_has": (beside("two/src", "listener"), [("RK506", "up.launch.xml", 2)]),
+    "of_neither_for_sure": (beside("three/src", "listener"), []),
+    "that_none_has_for_sure": (beside("three/src", "speaker"), []),
+}
+
+
+@pytest.mark.parametrize(("files", "expected"), STARTED.values(), ids=STARTED)
+def test_a_launch_file_starts_a_program(
+    tmp_path: Path, files: dict[str, str | bytes], expected: list[tuple[str, str, int]]
+) -> None:
+    assert found_in(tmp_path, BOTH | files, "RK506") == expected
+
+
+NUMBER = code_of(LISTENER, type="Int32")
+MISSPELT = code_of(LISTENER, topic="chater")
+STRICT = code_of(LISTENER, qos="QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL)")
+OTHER = {
+    "another_type": (NUMBER, "RG101"),
+    "another_quality_of_service": (STRICT, "RG102"),
+    "a_slip": (MISSPELT, "RG104"),
+}
+
+
+@pytest.mark.parametrize(("listener", "rule"), OTHER.values(), ids=OTHER)
+def test_nodes_of_two_workspaces_do_not_meet(tmp_path: Path, listener: str, rule: str) -> None:
+    one, two = demo("one/src", talker=TALKS), demo("two/src", listener=listener)
+    assert found_in(tmp_path / "apart", one | two, rule) == []
+    both = demo("one/src", talker=TALKS, listener=listener)
+    found = found_in(tmp_path / "together", both | two, rule)
+    assert [code for code, *_ in found] == [rule]
+
+
+NEAREST = {
+    "the_same_folder": (["/w/a/demo", "/w/b/demo"], "/w/a/launch/x.launch", "/w/a/demo"),
+    "the_package_itself": (["/w/a/demo", "/w/demo"], "/w/a/demo/x.py", "/w/a/demo"),
+    "as_near": (["/w/a/demo", "/w/b/demo"], "/w/c/x.launch", None),
+    "a_name_that_starts_alike": (["/w/ab/demo", "/w/b/demo"], "/w/a/x.launch", None),
+    "none": ([], "/w/a/x.launch", None),
+}
+
+
+@pytest.mark.parametrize(("folders", "file", "expected"), NEAREST.values(), ids=NEAREST)
+def test_nearest_folder(folders: list[str], file: str, expected: str | None) -> None:
+    found = nearest(map(Path, folders), Path(file))
+    assert found == (None if expected is None else Path(expected))
