@@ -16,8 +16,7 @@ Choices = Mapping[str, Path]
 
 def nearest(folders: Iterable[Path], file: Path) -> Path | None:
     """Return the folder that shares most folders with a file, None where two share as many."""
-    parts = file.parts
-    depths = [(len(os.path.commonprefix((each.parts, parts))), each) for each in folders]
+    depths = [(len(os.path.commonpath((each, file))), each) for each in folders]
     most = max((depth for depth, _ in depths), default=0)
     found = [each for depth, each in depths if depth == most]
     return found[0] if len(found) == 1 else None
