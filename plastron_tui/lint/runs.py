@@ -45,6 +45,11 @@ class RunningNode(NamedTuple):
         """Whether its namespace and all of its remaps are known."""
         return self.started is None or self.started.is_named
 
+    def names_all(self, name: str) -> bool:
+        """Tell whether all that a name is made of is known: `~/x` has that of the node in it."""
+        is_own = self.node.name is not None or (self.started is not None and self.started.name)
+        return self.is_named and (bool(is_own) or not name.startswith("~"))
+
     @property
     def full_name(self) -> str:
         """Its name with its namespace."""
@@ -113,7 +118,7 @@ class Run:
                 interface = endpoint.kind.facts.interface
                 if interface is None:
                     continue
-                if endpoint.name is None or endpoint.is_guess or not node.is_named:
+                if endpoint.name is None or endpoint.is_guess or not node.names_all(endpoint.name):
                     strays.append(User(node, endpoint))
                     continue
                 name = node.names.resolved(node.name, endpoint.name)
