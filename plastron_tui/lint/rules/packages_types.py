@@ -7,7 +7,7 @@ from functools import cache
 
 from plastron_tui.diagnostics import Code, Diagnostic, Label, Severity, write
 from plastron_tui.lint.rule import rule
-from plastron_tui.lint.tree import SourceTree
+from plastron_tui.lint.tree import PackageFacts, SourceTree
 from plastron_tui.model.package_facts import DefinitionMistake
 from plastron_tui.ros.catalog import Catalog
 from plastron_tui.ros.interfaces import InterfaceKind, InterfaceName
@@ -24,7 +24,8 @@ from .package_examples import TYPES_PACKAGE
     "`generate_messages`) names the files and the packages that they are made of, what generates "
     "them is found, and, in ROS 2, the package is a member of `rosidl_interface_packages`. Lists "
     "that are computed are not followed. A definition that no node of the workspace uses is a "
-    "warning, and is not told where a comment in the command has its name.",
+    "warning, told once for all of a package where they are many, and not where a comment in the "
+    "command has its name. Messages that the build makes of an action are left alone.",
     bad=TYPES_PACKAGE | {"demo/msg/Angle.msg": "float64 value\n"},
     good=TYPES_PACKAGE,
 )
@@ -32,28 +33,44 @@ def definition_not_built(tree: SourceTree, code: Code) -> Iterator[Diagnostic]:
     """Find what keeps types from being built."""
     used = cache(lambda: _used(tree))
     for package in tree.packages.values():
+        left: list[DefinitionMistake] = []
         for each in () if package.build is None else package.build.definitions:
             catalog = tree.catalogs.get(package.ros_versions[0])
             if each.package and (catalog is None or _comes_along(each, catalog)):
                 continue
-            is_left = bool(each.type) and InterfaceName(package.name, each.type) not in used()
-            if is_left and each.is_taken_out:
-                continue
-            other = each.other
-            yield Diagnostic(
-                code,
-                each.message,
-                each.place.span,
-                package.folder / each.place.file,
-                help=f"{each.help}, or take the file out: no node uses it"
-                if is_left
-                else each.help,
-                fix=write(each.remedy, each.place.span) if each.remedy else None,
-                labels=()
-                if other is None
-                else (Label(other.span, "the command", package.folder / other.file),),
-                severity=Severity.WARNING if is_left else None,
+            if each.type and InterfaceName(package.name, each.type) not in used():
+                left.append(each)
+            else:
+                yield _told(code, package, each)
+        left = [each for each in left if not each.is_taken_out]
+        for each in left if len(left) <= _FEW else left[:1]:
+            told = _told(code, package, each)
+            more = f", nor {len(left) - 1} more definitions" if len(left) > _FEW else ""
+            files = "the file" if not more else "the files"
+            yield told._replace(
+                message=f"{told.message}{more}",
+                help=f"{each.help}, or take {files} out: no node uses {'them' if more else 'it'}",
+                severity=Severity.WARNING,
             )
+
+
+_FEW = 3
+"""As many definitions may each have been forgotten; more of a package are left of an older one."""
+
+
+def _told(code: Code, package: PackageFacts, mistake: DefinitionMistake) -> Diagnostic:
+    other = mistake.other
+    return Diagnostic(
+        code,
+        mistake.message,
+        mistake.place.span,
+        package.folder / mistake.place.file,
+        help=mistake.help,
+        fix=write(mistake.remedy, mistake.place.span) if mistake.remedy else None,
+        labels=()
+        if other is None
+        else (Label(other.span, "the command", package.folder / other.file),),
+    )
 
 
 def _used(tree: SourceTree) -> frozenset[InterfaceName | None]:
