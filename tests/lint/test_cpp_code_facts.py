@@ -95,6 +95,34 @@ def test_call_that_waits_in_a_callback_is_found(
     assert found[0].is_endless is is_endless
 
 
+_PLUGIN = """
+#include "tools/plugin.hpp"
+#include "rclcpp/rclcpp.hpp"
+#include "std_srvs/srv/trigger.hpp"
+class Talker : public tools::Plugin {
+public:
+  Talker() : Plugin("talker") {
+    server_ = node->create_service<std_srvs::srv::Trigger>(
+      "a", std::bind(&Talker::serve, this, std::placeholders::_1, std::placeholders::_2));
+  }
+  void serve(std_srvs::srv::Trigger::Request::SharedPtr,
+             std_srvs::srv::Trigger::Response::SharedPtr)
+  {
+    auto client = HOLDER->create_client<std_srvs::srv::Trigger>("b");
+    auto future = client->async_send_request(nullptr);
+    future.get();
+  }
+  rclcpp::Service<std_srvs::srv::Trigger>::SharedPtr server_;
+};
+"""
+
+
+@pytest.mark.parametrize(("holder", "count"), [("node", 1), ("other", 0), ("other()", 0)])
+def test_one_member_of_a_base_that_is_not_read_is_one_node(holder: str, count: int) -> None:
+    found = facts(_PLUGIN.replace("HOLDER", holder)).blocking
+    assert [(each.callback, each.is_endless) for each in found] == [("serve", True)] * count
+
+
 @pytest.mark.parametrize(
     "text",
     [
@@ -121,6 +149,13 @@ def test_call_that_waits_in_a_callback_is_found(
         # Other callbacks are called meanwhile.
         ros2(callback=SLEPT + ";", main="rclcpp::executors::MultiThreadedExecutor executor;"),
         ros1(callback="while (busy) { ros::spinOnce(); sleep(1); }"),
+        ros2(
+            callback="int tries = 0; while (!box.try_set(1)) { if (tries > 9) { log(); return; } "
+            "rclcpp::sleep_for(50ms); tries++; }"
+        ),
+        ros2(
+            callback="for (int i = 0; i < 5; i++) { if (m.try_lock()) return; sleep_for(100ms); }"
+        ),
         # Another node spins.
         ros2(callback="rclcpp::spin_some(other_);"),
         ros1(callback="sleep(2);", main=f"{SUB1} ros::AsyncSpinner s(2); s.start(); ros::spin();"),

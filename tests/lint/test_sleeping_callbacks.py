@@ -24,6 +24,50 @@ SLEEPING = {
         LISTEN,
         "def on_order(self, msg):\n    for _ in range(9):\n        time.sleep(0.1)  # wrong",
     ),
+    "after a try that failed": worker(
+        LISTEN,
+        """
+        def on_order(self, msg):
+            for _ in range(5):
+                try:
+                    return self.send(msg)
+                except OSError:
+                    time.sleep(0.1)
+            while not self.box.try_set(msg):
+                self.tries += 1
+                if self.tries > 9:
+                    return
+                time.sleep(0.05)
+        """,
+    ),
+    "after tries that take long": worker(
+        LISTEN,
+        """
+        def on_order(self, msg):
+            for _ in range(5):
+                try:
+                    return self.send(msg)
+                except OSError:
+                    time.sleep(1.0)  # wrong
+        """,
+    ),
+    "after tries without an end": worker(
+        LISTEN,
+        """
+        def on_order(self, msg):
+            while not self.box.try_set(msg):
+                time.sleep(0.05)  # wrong
+        """,
+    ),
+    "between steps that no try ends": worker(
+        LISTEN,
+        """
+        def on_order(self, msg):
+            for _ in range(5):
+                self.step()
+                time.sleep(0.05)  # wrong
+        """,
+    ),
     "in a helper": worker(
         LISTEN,
         """

@@ -188,8 +188,21 @@ def is_in_default_group(site: Site) -> bool:
 
 def is_of_same_node(site: Site, other: Site) -> bool:
     """Tell whether two call sites surely create endpoints of one node object."""
+    if site.owner is None and site.node is None and other.owner is None and other.node is None:
+        held = _inherited_node(site)
+        return held is not None and held == _inherited_node(other)
     return (
         site.owner is other.owner
         and site.node is other.node
         and (site.owner is not None or site.node is not None)
     )
+
+
+def _inherited_node(site: Site) -> tuple[int, str] | None:
+    """Return which member of a class that is not read holds the node, with the class below it."""
+    call = site.call
+    owner = call.scope.enclosing("class")
+    if owner is None or not owner.bases or call.receiver is None:
+        return None
+    is_name = call.receiver.type == "identifier"
+    return (id(owner), call.scope.file.syntax.word(call.receiver)) if is_name else None

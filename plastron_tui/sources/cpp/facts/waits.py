@@ -21,6 +21,7 @@ from plastron_tui.sources.cpp.holders import holder_of
 from plastron_tui.sources.cpp.node_sites import nodelets
 from plastron_tui.sources.cpp.scopes import Scope, Variable, last_name
 from plastron_tui.sources.ending import ends_after, is_pause
+from plastron_tui.sources.retries import is_short_retry
 
 from .called_back import CallbackBodies, CalledBack, is_in_default_group, is_of_same_node
 from .places import span_of
@@ -279,4 +280,6 @@ class _Waits:
         if number is not None and call.name == "usleep":
             number /= 1e6
         length = None if number is None else float(number)
+        if is_short_retry(call.node, length):
+            return None
         return _Waiting(Wait.SLEEP, call, seconds=length)

@@ -15,6 +15,7 @@ from plastron_tui.sources.python.arguments import Arguments
 from plastron_tui.sources.python.calls import Argument
 from plastron_tui.sources.python.constants import Known
 from plastron_tui.sources.python.scopes import BindingKind, Scope
+from plastron_tui.sources.retries import is_short_retry
 
 from .called_back import function_in, running_scope
 from .callers import future_of
@@ -207,7 +208,9 @@ class WaitingCalls:
         names = analysis.resolver.qualified(call.child_by_field_name("function"), scope)
         if _SLEEPS.intersection(names):
             given = Arguments.of(call, analysis.syntax).get(Argument(0, "secs"))
-            return Waiting(Wait.SLEEP, call, seconds=self._seconds(given, scope))
+            length = self._seconds(given, scope)
+            is_retry = is_short_retry(call, length)
+            return None if is_retry else Waiting(Wait.SLEEP, call, seconds=length)
         made = self._objects.makings(holder, scope) if holder is not None else ()
         makers = {analysis.syntax.called_name(each.call) for each in made}
         if makers == {"create_rate"}:
