@@ -193,3 +193,23 @@ def test_helper_of_another_file_may_declare(tmp_path: Path, helper: str, is_told
         "more.py": "def more(node):\n    node.declare_parameter('rate', 1.0)\n",
     }
     assert told(tmp_path, files, "RP304") == (marked(files) if is_told else [])
+
+
+@pytest.mark.parametrize("allowed", ["", ", allow_undeclared_parameters=True"])
+@pytest.mark.parametrize("module", ["base", "middle"])
+def test_base_class_of_another_file_may_allow_more(
+    tmp_path: Path, module: str, allowed: str
+) -> None:
+    base = (
+        "from rclpy.node import Node\n\nclass Base(Node):\n    def __init__(self):\n"
+        "        self.rate = 1.0\n\n    def main(self, name):\n"
+        f"        super().__init__(name{allowed})\n"
+    )
+    heir = python("pass").replace("(Node)", "(Base)")
+    heir = heir.replace("from rclpy.node import Node", f"from {module} import Base")
+    heir = heir.replace("super().__init__('driver')", "Base.__init__(self)")
+    heir = heir.replace(
+        "pass", "Base.main(self, 'driver')\n        self.get_parameter('rate')  # wrong"
+    )
+    files = {"base.py": base, "middle.py": "from base import Base\n", "driver.py": heir}
+    assert told(tmp_path, files, "RP304") == ([] if allowed else marked(files))

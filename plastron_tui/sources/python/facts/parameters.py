@@ -29,6 +29,7 @@ from plastron_tui.sources.python.syntax import parts_of
 
 from .aliased_parameters import aliased_uses
 from .base_arguments import declared_type
+from .base_files import read_bases
 from .whole_parameters import wholeness
 
 _ACCESS = {
@@ -53,8 +54,14 @@ _MOST_NAMES = 200
 
 
 def allows_undeclared(analysis: Analysis) -> bool:
-    """Tell whether a file makes nodes that may have parameters which they do not declare."""
-    return _ALLOWED.search(analysis.syntax.text) is not None
+    """Tell whether a file makes nodes that may have parameters which they do not declare.
+
+    A class of another file that they derive from may say so, in whichever method makes the node.
+    """
+    if analysis.library.ros_version == 1:
+        return False
+    files = (analysis, *(each.file for each in read_bases(analysis) or ()))
+    return any(_ALLOWED.search(each.syntax.text) is not None for each in files)
 
 
 def parameter_facts(analysis: Analysis) -> Iterator[ParameterFacts]:
