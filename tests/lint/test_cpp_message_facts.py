@@ -85,6 +85,20 @@ def used(text: str) -> list[str]:
         ),
         ("auto r = std::make_shared<Fibonacci::Result>(); r->foo = 1;", ["Fibonacci foo"]),
         ("#ifdef OLD\n heard->foo = 1;\n#endif\n", []),
+        # What a block declares ends with it.
+        (
+            "{ geometry_msgs::msg::PoseArray heard; heard.poses; } heard->linear;",
+            ["PoseArray poses", "Twist linear"],
+        ),
+        (
+            "for (auto & kept_ : listed.poses) kept_.position; kept_.linear;",
+            ["PoseArray poses", "PoseArray poses.position", "Twist linear"],
+        ),
+        ("if (geometry_msgs::msg::PoseArray kept_; true) { kept_.a; }", ["PoseArray a"]),
+        (
+            "geometry_msgs::msg::PoseArray kept_; { kept_.a; } kept_.b;",
+            ["PoseArray a", "PoseArray b"],
+        ),
     ],
 )
 def test_fields_of_messages_of_ros2(body: str, fields: list[str]) -> None:

@@ -67,6 +67,17 @@ class Variable:
     declarator: Node | None = None
     is_pointer: bool = False
     is_reference: bool = False
+    _end: int | None = None
+
+    def is_visible(self, at: int) -> bool:
+        """Tell whether it can be named at an offset: one of a block ends with that."""
+        if self.start > at:
+            return False
+        if self.kind not in ("local", "loop"):
+            return True
+        if self._end is None:
+            self._end = _end_of_block(self.node, len(self.file.syntax.code))
+        return at <= self._end
 
     @property
     def is_array(self) -> bool:
@@ -103,6 +114,21 @@ class Variable:
         if node is not None and node.type in ("class_specifier", "struct_specifier"):
             node = node.child_by_field_name("name")
         return "" if node is None else type_text(self.file.syntax.word(node))
+
+
+_BLOCKS = frozenset(
+    {"catch_clause", "compound_statement", "for_range_loop", "for_statement", "if_statement",
+     "switch_statement", "while_statement"}
+)  # fmt: skip
+"""What a variable that is declared in it ends with."""
+
+
+def _end_of_block(node: Node, end: int) -> int:
+    """Return where the block around a declaration ends; the end of the text for a broken one."""
+    above = node.parent
+    while above is not None and above.type not in _BLOCKS:
+        above = None if above.type in _KINDS or above.type == "ERROR" else above.parent
+    return end if above is None or above.has_error else above.end_byte
 
 
 def body_of(definition: Node) -> Node | None:

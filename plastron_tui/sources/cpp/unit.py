@@ -197,7 +197,7 @@ class Unit:
             if found:
                 if each.kind in ("class", "file", "namespace"):
                     return found[0]
-                before = [variable for variable in found if variable.start <= at]
+                before = [variable for variable in found if variable.is_visible(at)]
                 if before:
                     return before[-1]
             owner = None
