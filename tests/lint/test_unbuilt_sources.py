@@ -5,7 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
-from linted import write_tree
+from linted import NO_QUEUE, run_over, told, write_tree
 
 from plastron_tui.lint.rules.package_examples import package_xml
 from plastron_tui.project.linting import read_tree
@@ -108,3 +108,33 @@ def test_package_in_one_that_nothing_builds_is_a_package(tmp_path: Path) -> None
 def test_firmware_of_rosserial_is_no_node(tmp_path: Path) -> None:
     files = {"a.cpp": _NODE.replace("<ros/ros.h>", "<ros.h>"), "b.cpp": _NODE}
     assert _units(tmp_path, files) == ["b.cpp"]
+
+
+_ROS1 = (
+    "#!/usr/bin/env python\n" + NO_QUEUE + "if __name__ == '__main__':\n    rospy.init_node('a')\n"
+)
+_DEPENDS = "<buildtool_depend>ament_cmake</buildtool_depend>"
+_PORTED = "cmake_minimum_required(VERSION 3.8)\nproject(demo)\nfind_package(ament_cmake REQUIRED)\n"
+
+
+@pytest.mark.parametrize(
+    ("build_type", "depends", "codes"),
+    [
+        ("ament_cmake", _DEPENDS, []),
+        ("ament_cmake", f"{_DEPENDS}<exec_depend>rospy</exec_depend>", ["RC407", "RK503"]),
+        ("catkin", "<buildtool_depend>catkin</buildtool_depend>", ["RC407"]),
+    ],
+)
+def test_script_of_ros1_in_a_package_of_ros2_is_left_of_a_port(
+    tmp_path: Path, build_type: str, depends: str, codes: list[str]
+) -> None:
+    root = write_tree(
+        tmp_path,
+        {
+            "demo/package.xml": package_xml("demo", depends, build_type=build_type),
+            "demo/CMakeLists.txt": f"{_PORTED}ament_package()\n",
+            "demo/scripts/talker.py": _ROS1,
+        },
+    )
+    (root / "demo/scripts/talker.py").chmod(0o755)
+    assert [code for code, _ in told(run_over(root, "RC407", "RK503"))] == codes

@@ -69,7 +69,7 @@ def _started(tree: SourceTree) -> frozenset[tuple[str, str]]:
 
 
 def _is_node(unit: UnitFacts | None) -> bool:
-    return unit is not None and bool(unit.nodes) and not unit.is_test
+    return unit is not None and bool(unit.nodes) and not unit.is_test and not unit.is_unbuilt
 
 
 def _is_left_alone(package: PackageFacts, file: str) -> bool:

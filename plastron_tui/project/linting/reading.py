@@ -37,7 +37,7 @@ from .parameter_files import blocks_of, is_parameter_file, setting_places, unsta
 from .pool import Died, Pool
 from .same_names import by_name, same_names
 from .started_places import started_places
-from .unbuilt import read_unbuilt, unbuilt_units
+from .unbuilt import is_ported, read_unbuilt, unbuilt_units
 from .units import UnitAnswer, UnitRead, failure, read_unit
 
 _USUAL = {1: "noetic", 2: "jazzy"}
@@ -133,6 +133,7 @@ class _Reading:
         parts = {part for each in found.values() for part in each.parts}
         found.update(self._read_units(pool, _HEADERS, parts))
         folders = {str(each.folder): each.name for each in self.packages}
+        ported = {str(each.folder) for each in self.packages if is_ported(each)}
         unbuilt = self._unbuilt(found)
         below = len(os.fspath(self.listing.root))
         for path in sorted(found):
@@ -140,10 +141,12 @@ class _Reading:
             is_test = place[-1].startswith("test_") or any(
                 part in ("test", "tests") or part.endswith("_tests") for part in place
             )
-            yield found[path].facts._replace(
-                package=folders.get(self.package_of(path), ""),
+            folder, facts = self.package_of(path), found[path].facts
+            is_left = facts.ros_version == 1 and folder in ported
+            yield facts._replace(
+                package=folders.get(folder, ""),
                 is_test=is_test,
-                is_unbuilt=path in unbuilt,
+                is_unbuilt=is_left or path in unbuilt,
             )
 
     def _read_units(

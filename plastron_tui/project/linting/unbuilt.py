@@ -8,6 +8,7 @@ from collections.abc import Callable, Collection, Mapping
 from contextlib import suppress
 from pathlib import Path
 
+from plastron_tui.lint.tree import PackageFacts
 from plastron_tui.regular_files import read_regular
 from plastron_tui.sources.build_files import LARGEST
 from plastron_tui.sources.packages.taken import SOURCES, unbuilt_sources
@@ -52,6 +53,19 @@ def unbuilt_units(
     # One that is read with another one, which is built, may be included there.
     parts = {part for path, each in found.items() if path not in left for part in each.parts}
     return frozenset(left - parts)
+
+
+_OF_ROS1 = frozenset({"catkin", "roscpp", "rospy"})
+
+
+def is_ported(package: PackageFacts) -> bool:
+    """Tell whether a package is for ROS 2 alone: what it has of ROS 1 was left when it was ported.
+
+    One that depends on a client library of ROS 1 may be built for that as well.
+    """
+    if package.build is None or 1 in package.ros_versions:
+        return False
+    return _OF_ROS1.isdisjoint(each.name for each in package.build.dependencies)
 
 
 def read_unbuilt(
