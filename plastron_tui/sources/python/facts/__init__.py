@@ -11,6 +11,7 @@ from .callback_facts import callback_facts
 from .closed import is_closed
 from .messages import message_facts
 from .parameters import allows_undeclared, parameter_facts
+from .python2 import is_python2
 from .queues import without_queue
 
 
@@ -31,7 +32,7 @@ def code_facts(source: SourceUnit) -> CodeFacts:
         parameters=tuple(parameter_facts(analysis)),
         allows_undeclared=allows_undeclared(analysis),
         fields=messages.fields,
-        values=messages.values,
+        values=() if library.ros_version == 1 and is_python2(analysis) else messages.values,
         built=messages.built,
         sent=messages.sent,
     )

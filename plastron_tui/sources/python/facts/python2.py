@@ -1,0 +1,25 @@
+"""Files that only Python 2 runs."""
+
+from __future__ import annotations
+
+import re
+
+from plastron_tui.sources.python.analysis import Analysis
+
+_GONE = re.compile(
+    rb"(?<![\w.])(?:basestring|execfile|raw_input|unichr|unicode|xrange)\s*\("
+    rb"|\.(?:has_key|iteritems|iterkeys|itervalues)\("
+)
+_MADE_UP = re.compile(rb"\b(?:basestring|raw_input|unichr|unicode|xrange)\s*=(?!=)|\bimport six\b")
+_FIRST_LINE = re.compile(rb"#!.*\bpython2(?:\.\d)?\b")
+
+
+def is_python2(analysis: Analysis) -> bool:
+    """Tell whether a file calls what Python 3 does not have, or names Python 2 in its first line.
+
+    There `struct` takes a float for an integer, as rospy packs it, with no more than a warning.
+    """
+    text = analysis.syntax.text
+    if _FIRST_LINE.match(text):
+        return True
+    return _GONE.search(text) is not None and _MADE_UP.search(text) is None
