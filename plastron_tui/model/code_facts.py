@@ -324,7 +324,7 @@ class CodeFacts(NamedTuple):
         repeated: endpoints that are created again and again.
         dropped: endpoints whose handle nobody keeps.
         early: messages that are published too early.
-        no_queue: publishers of rospy that say no `queue_size`.
+        no_queue: publishers of rospy without a `queue_size`, endpoints of rclpy without a profile.
         idle: where a program that has callbacks ends, or goes on, without ever calling them; None
             where it spins, or that is not sure.
         parameters: the parameters of each of the nodes, in their order; none where not known.

@@ -44,6 +44,41 @@ def test_publisher_that_is_made_needs_a_queue_size(
     assert told(run_over(write_tree(tmp_path, {file: text}), "RC407")) == found
 
 
+_NODE = """\
+from {module} import Node
+from std_msgs.msg import String
+class Talker(Node):
+    def __init__(self):
+        super().__init__('talker')
+        self.{call}
+    {more}
+"""
+_PUBLISHER = "create_publisher(String, 'a', queue_size=1)"
+
+
+@pytest.mark.parametrize(
+    ("call", "module", "more", "count"),
+    [
+        (_PUBLISHER, "rclpy.node", "pass", 1),
+        ("create_subscription(String, 'a', print)", "rclpy.node", "pass", 1),
+        ("create_publisher(String, 'a', qos_profile=1)", "rclpy.node", "pass", 0),
+        ("create_publisher(String, 'a', 1)", "rclpy.node", "pass", 0),
+        ("create_publisher(*NAMES)", "rclpy.node", "pass", 0),
+        ("create_publisher(String, 'a', **QOS)", "rclpy.node", "pass", 0),
+        ("create_service(String, 'a', print)", "rclpy.node", "pass", 0),
+        (_PUBLISHER, "tools.node", "pass", 0),
+        (_PUBLISHER, "rclpy.node", "def create_publisher(self, *a, **b): pass", 0),
+        (f"inner.{_PUBLISHER}", "rclpy.node", "pass", 0),
+    ],
+)
+def test_endpoint_of_rclpy_needs_a_profile(
+    tmp_path: Path, call: str, module: str, more: str, count: int
+) -> None:
+    text = _NODE.format(call=call, module=module, more=more)
+    found = told(run_over(write_tree(tmp_path, {"talker.py": text}), "RC407"))
+    assert found == [("RC407", 6)] * count
+
+
 @pytest.mark.parametrize(("topic", "count"), [("mavros/setpoint_position/local", 0), ("goal", 1)])
 def test_nobody_reads_the_header_of_a_setpoint(tmp_path: Path, topic: str, count: int) -> None:
     text = f"""\

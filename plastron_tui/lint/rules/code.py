@@ -23,23 +23,30 @@ rospy.spin()
 @rule(
     "RC407",
     "queue-size-missing",
-    "A publisher of rospy says no `queue_size`.",
+    "A publisher of rospy says no `queue_size`, or an endpoint of rclpy has no `qos_profile`.",
     severity=Severity.WARNING,
     why="rospy then sends as ROS did before Hydro: `publish` waits until each subscriber has taken "
-    "the message, and a slow one holds the node up. It says so in a warning at each start.",
+    "the message, and a slow one holds the node up. It says so in a warning at each start. In "
+    "rclpy it is an error: the call raises a TypeError. That is told of methods of `Node` itself.",
     bad={"talker.py": _TALKER.format(queue="")},
     good={"talker.py": _TALKER.format(queue=", queue_size=10")},
 )
 def queue_size_missing(tree: SourceTree, code: Code) -> Iterator[Diagnostic]:
-    """Find publishers whose messages are sent while the node waits."""
+    """Find publishers whose messages are sent while the node waits, and calls that fail."""
     for unit in tree.built:
+        is_rclpy = unit.library == "rclpy"
         for file, span in () if unit.is_test else unit.code.no_queue:
             yield Diagnostic(
                 code,
-                "the publisher has no `queue_size`: `publish` waits for every subscriber",
+                "the call has no `qos_profile`: rclpy raises a TypeError"
+                if is_rclpy
+                else "the publisher has no `queue_size`: `publish` waits for every subscriber",
                 span,
                 unit.file(file),
-                help="add `queue_size=10`",
+                help="add `qos_profile=10`, which has the place of `queue_size`"
+                if is_rclpy
+                else "add `queue_size=10`",
+                severity=Severity.ERROR if is_rclpy else None,
             )
 
 
