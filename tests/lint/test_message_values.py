@@ -99,6 +99,12 @@ WRONG = {
                 return False  # wrong
             if self.late:
                 return SetBool.Response()  # wrong
+            if self.early:
+                return  # wrong
+            if self.lost:
+                return True, 'lost'  # wrong
+            def ready():
+                return
             return response
 
         def on_clear(self, request, response):
@@ -288,3 +294,22 @@ def test_values_get_names() -> None:
     after = fixed(text, "RM204")
     assert "Twist(linear=Vector3(x=1.0, y=0.0))" in after
     assert "Header(stamp=Time(), frame_id='map')" in after
+
+
+@pytest.mark.parametrize(
+    ("first", "line", "is_told"),
+    [
+        ("", "for _ in range(3): pass", True),
+        ("", "for _ in xrange(3): pass", False),
+        ("", "for each in {}.iteritems(): pass", False),
+        ("", "xrange = range\nfor _ in xrange(3): pass", True),
+        ("#!/usr/bin/env python2\n", "pass", False),
+        ("#!/usr/bin/env python\n", "pass", True),
+    ],
+)
+def test_python2_packs_what_python3_refuses(first: str, line: str, is_told: bool) -> None:
+    text = f"{first}import rospy\nfrom std_msgs.msg import Int32\nrospy.init_node('a')\n{line}\n"
+    text += (
+        "pub = rospy.Publisher('a', Int32, queue_size=1)\npub.publish(Int32(data=4.5))  # wrong\n"
+    )
+    assert told(text, "RM202") == (marked(text) if is_told else [])

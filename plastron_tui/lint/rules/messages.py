@@ -158,6 +158,7 @@ def wrong_value_kind(tree: SourceTree, code: Code) -> Iterator[Diagnostic]:
 def _refusal(messages: Messages, place: FieldType | MessageType, value: FieldValue) -> str:
     given = _elements_words(messages, value)
     if not value.path and value.type.part is Part.RESPONSE:
+        given = "a list or a tuple" if value.kind is ValueKind.LIST else given
         return f"the service answers with {given}, and not with {described(value.type)}"
     return f"{_field_words(messages, value)} is {_type_words(messages, place)}, and gets {given}"
 

@@ -44,6 +44,11 @@ def gives_nothing(function: Scope) -> bool:
 
 def returned_values(function: Scope) -> list[Node]:
     """Return the expressions of the `return` statements of a function; none for a generator."""
+    return [each for statement in return_statements(function) for each in parts_of(statement)]
+
+
+def return_statements(function: Scope) -> list[Node]:
+    """Return the `return` statements of a function; none for a generator."""
     found: list[Node] = []
     pending = [function.node.child_by_field_name("body")]
     while pending:
@@ -53,6 +58,6 @@ def returned_values(function: Scope) -> list[Node]:
         if node.type == "yield":
             return []
         if node.type == "return_statement":
-            found += parts_of(node)
+            found.append(node)
         pending += node.named_children
     return found

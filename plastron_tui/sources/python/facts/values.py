@@ -22,7 +22,7 @@ from plastron_tui.sources.python.functions import callback_scope
 from plastron_tui.sources.python.syntax import parts_of
 
 from .message_values import Helds, MessageValues, field_of
-from .returns import gives_nothing, is_decorated, returned_values
+from .returns import gives_nothing, is_decorated, return_statements
 from .value_kinds import Known, ValueKinds
 
 _CONVERTED = frozenset({ValueKind.INT, ValueKind.BOOL, ValueKind.FLOAT})
@@ -57,10 +57,14 @@ def answered_values(messages: MessageValues, kinds: ValueKinds) -> Iterator[Fiel
         if function is None or not is_service or not held or is_decorated(function):
             continue
         fields = (MessageField(held[0].type),)
-        for value in returned_values(function):
-            known = kinds.of(value)
-            if known is not None:
-                yield _value(fields, known, value)
+        for statement in return_statements(function):
+            for value in parts_of(statement):
+                is_tuple = value.type == "expression_list"
+                known = Known(ValueKind.LIST) if is_tuple else kinds.of(value)
+                if known is not None:
+                    yield _value(fields, known, value)
+            if not parts_of(statement):
+                yield _value(fields, Known(ValueKind.NONE), statement)
         name = function.node.child_by_field_name("name")
         if name is not None and gives_nothing(function):
             yield _value(fields, Known(ValueKind.NONE), name)
