@@ -8,6 +8,7 @@ import pytest
 from graph_packages import LISTENER, PACKAGE_XML, SETUP, TALKER, code_of, found_in
 
 from plastron_tui.lint.namesakes import nearest
+from plastron_tui.lint.rules.one_sided_examples import PUBLISHED
 
 SECOND = "'listener = demo.listener:main'"
 LAUNCH = '<launch>\n<node pkg="demo" exec="{}"/>\n</launch>\n'
@@ -85,3 +86,44 @@ NEAREST = {
 def test_nearest_folder(folders: list[str], file: str, expected: str | None) -> None:
     found = nearest(map(Path, folders), Path(file))
     assert found == (None if expected is None else Path(expected))
+
+
+def test_launch_file_starts_the_nodes_of_its_own_workspace(tmp_path: Path) -> None:
+    files = demo("one/src", talker=TALKS, listener=code_of(LISTENER, topic="news", type="Int32"))
+    files |= demo("two/src", talker=TALKS, listener=HEARS)
+    files["one/src/demo/launch/up.launch.xml"] = (
+        '<launch>\n<node pkg="demo" exec="talker"><remap from="chatter" to="news"/></node>\n'
+        '<node pkg="demo" exec="listener"/>\n</launch>\n'
+    )
+    found = found_in(tmp_path, files, "RG101")
+    assert [name for _, name, _ in found] == ["listener.py"]
+
+
+def test_launch_file_includes_one_of_its_own_workspace(tmp_path: Path) -> None:
+    node = '<launch>\n<node pkg="other" exec="x" name="{}"/>\n{}</launch>\n'
+    include = '<include file="$(find-pkg-share demo)/launch/in.launch.xml"/>\n'
+    files = demo("one/src") | demo("two/src") | beside("one/src", "x")
+    files["one/src/demo/launch/in.launch.xml"] = node.format("a", "")
+    files["two/src/demo/launch/in.launch.xml"] = node.format("b", "")
+    files["one/src/bringup/launch/up.launch.xml"] = node.format("a", include)
+    found = found_in(tmp_path, files, "RG103")
+    assert [name for _, name, _ in found] == ["in.launch.xml"]
+
+
+def test_parameter_file_is_for_the_nodes_of_its_own_workspace(tmp_path: Path) -> None:
+    one, two = (
+        code_of(TALKER, before=f"self.declare_parameter('{name}', 1.0)")
+        for name in ("rate", "speed")
+    )
+    files = demo("one/src", talker=one) | demo("two/src", talker=two)
+    values = "talker:\n  ros__parameters:\n    speed: 1.0\n    rate: 2.0\n"
+    files["two/src/demo/config/talker.yaml"] = values
+    assert found_in(tmp_path, files, "RP301") == [("RP301", "talker.yaml", 4)]
+
+
+def test_name_of_another_workspace_is_not_meant(tmp_path: Path) -> None:
+    files = dict(PUBLISHED["bad"]) | demo("one/src") | demo("two/src")
+    assert [code for code, *_ in found_in(tmp_path / "together", files, "RG")] == ["RG107"]
+    moved = {f"one/src/{name}": files.pop(name) for name in ("tank.py",)}
+    moved |= {f"two/src/{name}": files.pop(name) for name in ("display.py",)}
+    assert found_in(tmp_path / "apart", files | moved, "RG") == []
