@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from functools import cache
 
-from plastron_tui.diagnostics import Code, Diagnostic, Label, Severity, write
+from plastron_tui.diagnostics import Code, Diagnostic, Label, Severity, listed, write
 from plastron_tui.lint.rule import rule
 from plastron_tui.lint.tree import PackageFacts, SourceTree
 from plastron_tui.model.package_facts import DefinitionMistake
@@ -43,19 +43,28 @@ def definition_not_built(tree: SourceTree, code: Code) -> Iterator[Diagnostic]:
             else:
                 yield _told(code, package, each)
         left = [each for each in left if not each.is_taken_out]
-        for each in left if len(left) <= _FEW else left[:1]:
+        for each in left if len(left) <= _FEW else ():
             told = _told(code, package, each)
-            more = f", nor {len(left) - 1} more definitions" if len(left) > _FEW else ""
-            files = "the file" if not more else "the files"
-            yield told._replace(
-                message=f"{told.message}{more}",
-                help=f"{each.help}, or take {files} out: no node uses {'them' if more else 'it'}",
-                severity=Severity.WARNING,
-            )
+            remedy = f"{each.help}, or take the file out: no node uses it"
+            yield told._replace(help=remedy, severity=Severity.WARNING)
+        if len(left) > _FEW:
+            yield _told_at_once(code, package, left)
 
 
 _FEW = 3
 """As many definitions may each have been forgotten; more of a package are left of an older one."""
+
+
+def _told_at_once(
+    code: Code, package: PackageFacts, left: Sequence[DefinitionMistake]
+) -> Diagnostic:
+    first, *others = left
+    told = _told(code, package, first)
+    return told._replace(
+        message=f"{first.message}, nor {len(others)} more: {listed(each.type for each in others)}",
+        help="name them in the commands that build types, or take the files out: no node uses them",
+        severity=Severity.WARNING,
+    )
 
 
 def _told(code: Code, package: PackageFacts, mistake: DefinitionMistake) -> Diagnostic:
