@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from plastron_tui.model.package_facts import BuildFacts, Used
+from plastron_tui.model.package_facts import BuildFacts, Declared, Used
 
 from .tree import PackageFacts, SourceTree
 
@@ -99,20 +99,52 @@ def remedy_for(
     is_known = name in tree.packages or catalog is None or catalog.has_package(name)
     if used.package and not is_known:
         return f"no package is called `{name}`: the folder of its definitions has no package.xml"
-    tags = " and ".join(f"`<{tag}>{name}</{tag}>`" for tag in _tags(needs, build))
-    remedy = f"write {tags} into package.xml"
+    remedy = _declaring(name, needs, build, version)
     if "build" not in needs or build.build_type == "ament_python" or name in build.found:
         return remedy
     finding = f"find_package(catkin REQUIRED COMPONENTS … {name})"
     if build.build_type != "catkin":
         finding = f"find_package({name} REQUIRED)"
-    return f"{remedy}, and `{finding}` into CMakeLists.txt"
+    return f"{remedy}, and write `{finding}` into CMakeLists.txt"
 
 
-def _tags(needs: frozenset[str], build: BuildFacts) -> tuple[str, ...]:
-    tags = {each.tag for each in build.dependencies}
-    if "run_depend" in tags:
-        # What is built is linked with it, or made of its types, and needs it when it runs.
-        return ("build_depend", "run_depend") if "build" in needs else ("run_depend",)
+def misnamed(build: BuildFacts, name: str) -> list[Declared]:
+    """Return the dependencies that are meant for a package, and are not called like it.
+
+    One tag has the names of several, or a name has hyphens, which no package of ROS has.
+    """
+    return [
+        each
+        for each in build.dependencies
+        if each.name != name and (name in each.name.split() or each.name.replace("-", "_") == name)
+    ]
+
+
+def _declaring(name: str, needs: frozenset[str], build: BuildFacts, version: int) -> str:
+    """Return what to write into package.xml, such that it still is valid (REP 127, 140, 149)."""
+    declared = [each for each in build.dependencies if each.name == name]
+    others = misnamed(build, name)
+    if not declared and others:
+        if " " in others[0].name:
+            return f"write a tag for each name of `{others[0].name}`"
+        return f"write `{name}` in place of `{others[0].name}`"
+    if declared and not any(version in each.versions for each in declared):
+        return f"let the condition of `<{declared[0].tag}>` hold for ROS {version}, too"
+    tags = " and ".join(f"`<{tag}>{name}</{tag}>`" for tag in _tags(declared, needs, build))
+    remedy = f"write {tags} into package.xml"
+    if build.format == 1 and any(each.tag == "test_depend" for each in declared):
+        return f"{remedy} in place of the `<test_depend>`"
+    return remedy
+
+
+def _tags(declared: list[Declared], needs: frozenset[str], build: BuildFacts) -> tuple[str, ...]:
+    """Return the tags that are missing; what one tag says, no other one may say again."""
+    covered = frozenset[str]().union(*(each.covers for each in declared))
+    # What is built is linked with it, or made of its types, and needs it when it runs.
+    missing = [each for each in ("build", "exec") if each in {*needs, "exec"} - covered]
+    if build.format == 1:
+        return tuple("run_depend" if each == "exec" else f"{each}_depend" for each in missing)
+    if covered & {"build", "build_export", "exec"}:
+        return tuple(f"{each}_depend" for each in missing)
     is_python = "build" not in needs and build.build_type == "ament_python"
     return ("exec_depend",) if is_python else ("depend",)

@@ -193,6 +193,7 @@ class BuildFacts(NamedTuple):
     Attributes:
         build_type: `catkin`, `ament_python` or `ament_cmake`.
         name_span: the name in package.xml.
+        format: that of package.xml: 1, 2 or 3.
         dependencies: what package.xml declares.
         has_groups: whether it depends on a group of packages as well.
         used: what its code needs of other packages and is not declared for that.
@@ -220,6 +221,7 @@ class BuildFacts(NamedTuple):
 
     build_type: str
     name_span: Span
+    format: int = 3
     dependencies: tuple[Declared, ...] = ()
     has_groups: bool = False
     used: tuple[Used, ...] = ()

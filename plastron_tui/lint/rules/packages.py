@@ -12,6 +12,7 @@ from plastron_tui.lint.dependencies import (
     depends_on,
     has_types,
     is_umbrella,
+    misnamed,
     remedy_for,
 )
 from plastron_tui.lint.rule import rule
@@ -83,13 +84,14 @@ def undeclared_dependency(tree: SourceTree, code: Code) -> Iterator[Diagnostic]:
             version = package.ros_versions[0]
             if any(used.need in each.covers and version in each.versions for each in declared):
                 continue
+            declared = declared or misnamed(build, name)
             seen.add(name)
             own_uses = ((x, with_modules if x.need == "exec" else with_headers) for x in build.used)
             uses = [x for x, own in own_uses if _package_of(x, package, types, own) == name]
             needs = frozenset(each.need for each in uses)
             yield Diagnostic(
                 code,
-                _undeclared(name, used, declared),
+                _undeclared(name, used, declared, version),
                 used.place.span,
                 package.folder / used.place.file,
                 help=remedy_for(tree, package, used, name, needs) + _or_out(tree, name, uses),
@@ -176,11 +178,17 @@ def _is_of_another(used: Used, build: BuildFacts, tree: SourceTree) -> bool:
     )
 
 
-def _undeclared(name: str, used: Used, declared: list[Declared]) -> str:
+def _undeclared(name: str, used: Used, declared: list[Declared], version: int) -> str:
     if not declared:
         return f"`{name}` is used here, and package.xml does not depend on it"
+    first = declared[0]
+    if first.name != name:
+        how = "names it in a tag of several" if " " in first.name else f"says `{first.name}`"
+        return f"`{name}` is used here, and package.xml {how}"
+    if not any(version in each.versions for each in declared):
+        return f"`{name}` is used here, and package.xml has it for ROS {first.versions[0]} alone"
     when = "when it runs" if used.need == "exec" else "to be built"
-    return f"`{name}` is used here {when}, and package.xml has it as `<{declared[0].tag}>` alone"
+    return f"`{name}` is used here {when}, and package.xml has it as `<{first.tag}>` alone"
 
 
 @rule(

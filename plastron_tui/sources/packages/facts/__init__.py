@@ -52,6 +52,7 @@ def build_facts(
     return BuildFacts(
         build_type=source.build_type,
         name_span=name.value_span(package.document.text),
+        format=package.format,
         dependencies=dependencies,
         has_groups=any(each.tag == "group_depend" for each in package.groups),
         used=tuple(find_uses(texts, dependencies, lists, setup)),
