@@ -70,6 +70,7 @@ class FieldUse(NamedTuple):
         spans: where the names stand, those of the last ones where a variable has the rest.
         file: the name of the file in its set, "" for the main file.
         others: what the field may be as well, where a variable has one or another message.
+        is_set: whether it is only given a value.
     """
 
     type: MessageType
@@ -77,6 +78,7 @@ class FieldUse(NamedTuple):
     spans: tuple[Span, ...]
     file: str = ""
     others: tuple[MessageField, ...] = ()
+    is_set: bool = False
 
 
 class ValueKind(Enum):

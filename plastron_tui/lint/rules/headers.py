@@ -57,18 +57,19 @@ _Place = tuple[UnitFacts, Sent]
     severity=Severity.WARNING,
     why="Filters that bring messages of several topics together, and transforms, go by the stamp: "
     "a message of the year 1970 is dropped, mostly without a word. Types for which 0 has a "
-    "meaning, and messages that may get their stamp where nobody sees it, are not told.",
+    "meaning, those of one's own whose stamp nothing in the workspace reads, and messages that may "
+    "get their stamp where nobody sees it, are not told.",
     bad={"scanner.py": scanner(has_stamp=False)},
     good={"scanner.py": scanner()},
 )
 def missing_stamp(tree: SourceTree, code: Code) -> Iterator[Diagnostic]:
     """Find messages that are sent without a stamp."""
-    stamped = _stamped(tree)
+    read = _read_stamps(tree)
 
     def is_told(sent: Sent) -> bool:
         name = sent.type.name
-        # There are types of people's own whose header nobody uses.
-        is_used = name.package in _STAMPED or name in stamped or _touches_header(sent)
+        # There are types of people's own whose header nobody reads.
+        is_used = name.package in _STAMPED or name in read or _touches_header(sent)
         return is_used and name not in _NO_STAMP
 
     found = (each for each in _without(tree, "stamp") if is_told(each[1]))
@@ -98,13 +99,13 @@ def _has_frame(sent: Sent) -> bool:
     return sent.type.name.package in _FRAMED and sent.type.name not in _NO_FRAME
 
 
-def _stamped(tree: SourceTree) -> set[InterfaceName]:
-    """Return the messages whose stamp is written or read anywhere in the workspace."""
+def _read_stamps(tree: SourceTree) -> set[InterfaceName]:
+    """Return the messages whose stamp is read anywhere in the workspace, or handed on."""
     return {
         use.type.name
         for unit in tree.units
         for use in unit.code.fields
-        if use.path[:2] == ("header", "stamp")
+        if use.path[:2] in (("header",), ("header", "stamp")) and not use.is_set
     }
 
 

@@ -27,7 +27,8 @@ def field_uses(analysis: Analysis, types: MessageTypes) -> Iterator[FieldUse]:
                 continue
             # `msg.pose` of `msg.pose.position` says nothing more.
             seen.update(_inner(node))
-            yield FieldUse(reach.type, reach.names, reach.spans, file.name)
+            is_set = _is_set(node)
+            yield FieldUse(reach.type, reach.names, reach.spans, file.name, is_set=is_set)
 
 
 def method_of(node: Node) -> str | None:
@@ -38,6 +39,16 @@ def method_of(node: Node) -> str | None:
         return None
     name = node.child_by_field_name("field")
     return "" if name is None or name.text is None else name.text.decode("utf-8", "replace")
+
+
+def _is_set(node: Node) -> bool:
+    """Tell whether a statement does nothing with a field but give it a value."""
+    parent = node.parent
+    if parent is None or parent.type != "assignment_expression":
+        return False
+    left, operator = (parent.child_by_field_name(each) for each in ("left", "operator"))
+    is_plain = operator is not None and operator.type == "="
+    return left is not None and left.id == node.id and is_plain
 
 
 def _inner(node: Node) -> Iterator[int]:

@@ -52,7 +52,7 @@ def field_uses(
         if asked.intersection(found[0].path) or (is_ready and _is_expected(node)):
             continue
         first, *others = (field_of(each) for each in found)
-        yield FieldUse(first.type, first.path, spans, others=tuple(others))
+        yield FieldUse(first.type, first.path, spans, others=tuple(others), is_set=_is_set(node))
 
 
 def _is_given(messages: MessageValues, node: Node, misfits: Container[Span]) -> bool:
@@ -65,6 +65,16 @@ def _is_given(messages: MessageValues, node: Node, misfits: Container[Span]) -> 
         return False
     parameters = found[0].node.child_by_field_name("parameters")
     return parameters is not None and _span(parameters) in misfits
+
+
+def _is_set(node: Node) -> bool:
+    """Whether a statement does nothing with a field but give it a value."""
+    parent = node.parent
+    while parent is not None and parent.type in ("pattern_list", "tuple_pattern"):
+        node, parent = parent, parent.parent
+    left = None if parent is None else parent.child_by_field_name("left")
+    is_assigned = parent is not None and parent.type == "assignment"
+    return is_assigned and left is not None and left.id == node.id
 
 
 def _is_looked_into(node: Node) -> bool:
