@@ -46,8 +46,7 @@ def idle(analysis: Analysis) -> Span | None:
         return None
     files = [each.syntax for each in unit.all_files]
     if any(each.has(_SPINNING) for each in files) and _SPINNING.search(
-        _without_idle(b"
-".join(each.code for each in files))
+        _without_idle(b"\n".join(each.code for each in files))
     ):
         return None
     is_sure = _is_alone(analysis) if analysis.ros_version == 2 else has_known_headers(analysis)
