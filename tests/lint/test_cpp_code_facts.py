@@ -84,6 +84,18 @@ _GET = ros2(callback="ask();", ask="future.get();")
         (ros1(callback="ros::Rate(10).sleep();"), Wait.SLEEP, "ros::Rate(10).sleep()", False),
         (ros1(callback="ros::Duration(1).sleep();"), Wait.SLEEP, "ros::Duration(1).sleep()", False),
         (ros1(callback="sleep(2);"), Wait.SLEEP, "sleep(2)", False),
+        (
+            ros2(callback="if (busy) return; goto end; end: sleep(2);"),
+            Wait.SLEEP,
+            "sleep(2)",
+            False,
+        ),
+        (
+            ros2(callback="switch (n) { case 1: return; case 2: sleep(2); }"),
+            Wait.SLEEP,
+            "sleep(2)",
+            False,
+        ),
     ],
 )
 def test_call_that_waits_in_a_callback_is_found(
@@ -133,6 +145,14 @@ def test_one_member_of_a_base_that_is_not_read_is_one_node(holder: str, count: i
             callback=f"{SLEPT};",
             setup=f"{SETUP} group_ = create_callback_group(rclcpp::CallbackGroupType::Reentrant);",
         ),
+        # It never runs.
+        ros2(callback="return; sleep(2);"),
+        ros2(callback="if (msg) { return; } else { throw 1; } sleep(2);"),
+        ros2(callback="if (false) { sleep(2); }"),
+        ros2(callback="return; help();").replace(
+            "  void ask()", "  void help() { sleep(2); }\n  void ask()"
+        ),
+        ros1(callback="while (true) { break; sleep(2); }"),
         # What is called so is the file's own.
         ros2(callback="sleep(2);").replace("class Talker", "void sleep(int) {}\nclass Talker"),
         # Another class has a method of the name, and this one inherits its own.

@@ -29,6 +29,20 @@ HEADERS = {
             self.scans.publish(other)  # wrong
         """),
     ),
+    "a stamp that a function of the file only looks at": (
+        "RM205",
+        node("""
+            def tick(self):
+                msg = LaserScan()
+                msg.header.frame_id = 'laser'
+                self.age(msg.header.stamp)
+                self.scans.publish(msg)  # wrong
+
+            def age(self, stamp):
+                seconds = float(stamp.sec)
+                return 1.0 - seconds
+        """),
+    ),
     "one message that is sent at two places": (
         "RM205",
         tick("""
@@ -78,7 +92,7 @@ HEADERS = {
             while rclpy.ok():
                 msg = LaserScan()
                 msg.header.frame_id = 'laser'
-                self.tell(msg.header.stamp)
+                self.get_logger().info(msg.header.stamp)
                 self.scans.publish(msg)  # wrong
                 msg.header.stamp = Time()
                 self.last = msg
@@ -167,6 +181,28 @@ TOUCHED = {
         header.frame_id, header.stamp = 'a', Time()
         self.scans.publish(msg)
     """,
+    "by a function that gets the stamp": """
+        msg = LaserScan()
+        msg.header.frame_id = 'laser'
+        copy_stamp(self.last.header.stamp, msg.header.stamp)
+        self.scans.publish(msg)
+    """,
+    "by a method that gets the stamp": """
+        msg = LaserScan()
+        msg.header.frame_id = 'laser'
+        self.fill(msg.header.stamp)
+        self.scans.publish(msg)
+    """,
+    "by a function that gets the header": """
+        msg = LaserScan()
+        fill(msg.header)
+        self.scans.publish(msg)
+    """,
+    "where nothing runs": """
+        if self.is_off:
+            return
+            self.scans.publish(LaserScan(ranges=[1.0]))
+    """,
     "by a function that gets the message": """
         msg = LaserScan()
         self.stamp(msg)
@@ -218,7 +254,15 @@ TOUCHED = {
 }
 
 
+FILLING = """
+
+def copy_stamp(source, destination):
+    destination.sec = source.sec
+    destination.nanosec = source.nanosec
+"""
+
+
 @pytest.mark.parametrize("lines", TOUCHED.values(), ids=TOUCHED)
 def test_nothing_is_told_of_a_header_that_may_be_filled(lines: str) -> None:
-    text = tick(lines)
+    text = tick(lines) + FILLING
     assert told(text, "RM205") == told(text, "RM206") == []

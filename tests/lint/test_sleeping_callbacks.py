@@ -111,6 +111,28 @@ SLEEPING = {
             time.sleep(0.2)
         """,
     ),
+    "where nothing runs": worker(
+        LISTEN,
+        """
+        def on_order(self, msg):
+            if msg.data:
+                return
+                time.sleep(1)
+            if False:
+                time.sleep(1)
+            if msg.data == 'a':
+                raise ValueError
+            elif msg.data == 'b':
+                time.sleep(2)  # wrong
+                return
+            else:
+                return
+            self.stop()
+
+        def stop(self):
+            time.sleep(2)
+        """,
+    ),
     "before a word of the end, or what may be it": worker(
         LISTEN,
         """

@@ -18,6 +18,7 @@ from plastron_tui.sources.cpp.analysis import Analysis, Site
 from plastron_tui.sources.cpp.arguments import Call, call_of
 from plastron_tui.sources.cpp.callbacks import callback_of
 from plastron_tui.sources.cpp.scopes import Function, Scope
+from plastron_tui.sources.unreachable import is_unreachable
 
 CALLED = frozenset(
     {
@@ -143,9 +144,10 @@ class CallbackBodies:
             each = pending.pop()
             for call in self.calls_in.get(id(each), ()):
                 inner = self.called(call)
-                if inner is not None and id(inner) not in found:
-                    found[id(inner)] = inner, (*found[id(each)][1], call)
-                    pending.append(inner)
+                if inner is None or id(inner) in found or is_unreachable(call.node):
+                    continue
+                found[id(inner)] = inner, (*found[id(each)][1], call)
+                pending.append(inner)
         return found
 
     def called(self, call: Call) -> Scope | None:

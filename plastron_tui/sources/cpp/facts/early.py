@@ -18,6 +18,7 @@ from plastron_tui.sources.cpp.analysis import Analysis, Site
 from plastron_tui.sources.cpp.holders import holder_of
 from plastron_tui.sources.cpp.node_sites import is_nodelet
 from plastron_tui.sources.cpp.scopes import Scope, type_text
+from plastron_tui.sources.unreachable import is_unreachable
 
 from .fields import method_of
 from .mentions import mentions
@@ -114,6 +115,8 @@ def _is_right_behind(analysis: Analysis, types: MessageTypes, site: Site, sent: 
         return False
     is_behind = sending.id == created.id or sending.start_byte >= created.end_byte
     if sending.parent.id != block.id or not is_behind or _is_in_loop(block):
+        return False
+    if is_unreachable(sent):
         return False
     between = [
         each

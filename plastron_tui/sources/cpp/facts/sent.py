@@ -12,6 +12,7 @@ from plastron_tui.sources.cpp.analysis import Analysis
 from plastron_tui.sources.cpp.arguments import Call, arguments_of, call_of
 from plastron_tui.sources.cpp.scopes import CppFile, Scope, Variable
 from plastron_tui.sources.cpp.type_texts import without_pointer
+from plastron_tui.sources.unreachable import is_unreachable
 
 from .fields import method_of
 from .mentions import mentions
@@ -31,7 +32,7 @@ def sent_messages(analysis: Analysis, types: MessageTypes) -> Iterator[Sent]:
         if not is_one or file.is_beside or conditionals[id(file)].has(call.node.start_byte):
             continue
         found = _published(analysis, types, call)
-        if found is not None:
+        if found is not None and not is_unreachable(call.node):
             type_, paths, made = found
             yield Sent(type_, paths, span_of(call.node), file.name, made)
 

@@ -22,6 +22,7 @@ from plastron_tui.sources.cpp.node_sites import nodelets
 from plastron_tui.sources.cpp.scopes import Scope, Variable, last_name
 from plastron_tui.sources.ending import ends_after, is_pause
 from plastron_tui.sources.retries import is_short_retry
+from plastron_tui.sources.unreachable import is_unreachable
 
 from .called_back import CallbackBodies, CalledBack, is_in_default_group, is_of_same_node
 from .places import span_of
@@ -130,7 +131,8 @@ class _Waits:
         """Return the calls that a function makes itself."""
         if id(body) not in self._found:
             calls = self._bodies.calls_in.get(id(body), ())
-            found = (self._waiting(call) for call in calls if call.name in _NAMES)
+            waiting = (call for call in calls if call.name in _NAMES)
+            found = (self._waiting(c) for c in waiting if not is_unreachable(c.node))
             self._found[id(body)] = [each for each in found if each is not None]
         return self._found[id(body)]
 

@@ -9,6 +9,7 @@ from tree_sitter import Node
 from plastron_tui.sources.python.analysis import Analysis
 from plastron_tui.sources.python.callers import called_function
 from plastron_tui.sources.python.scopes import BindingKind, Scope
+from plastron_tui.sources.unreachable import is_unreachable
 
 from .called_back import running_scope
 
@@ -47,7 +48,9 @@ class CallGraph:
         if function not in self._called:
             found = ((call, self.callee(call)) for call in self._calls.get(function, ()))
             self._called[function] = tuple(
-                (call, callee) for call, callee in found if callee is not None
+                (call, callee)
+                for call, callee in found
+                if callee is not None and not is_unreachable(call)
             )
         return self._called[function]
 

@@ -21,10 +21,10 @@ from plastron_tui.sources.python.functions import function_uses
 from plastron_tui.sources.python.references import Use, references, statement_of, variable_of
 from plastron_tui.sources.python.scopes import Scope
 from plastron_tui.sources.python.syntax import FUNCTIONS, is_in_loop, parts_of
+from plastron_tui.sources.unreachable import is_unreachable
 
 from .call_graph import CallGraph
 from .called_back import is_certain, running_scope
-from .unconditional import is_dead
 
 _QUICK = frozenset(
     {
@@ -122,7 +122,7 @@ class _Time:
 
     def is_right_behind(self, created: Node, sent: Node) -> bool:
         """Tell whether a message is sent at once after its publisher is created, and only then."""
-        if is_in_loop(created) or is_in_loop(sent) or is_dead(sent):
+        if is_in_loop(created) or is_in_loop(sent) or is_unreachable(sent):
             return False
         made, sending = (running_scope(self._analysis, each) for each in (created, sent))
         if made is sending:

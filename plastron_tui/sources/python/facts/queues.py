@@ -11,8 +11,7 @@ from plastron_tui.diagnostics import Span
 from plastron_tui.model.kinds import EndpointKind
 from plastron_tui.sources.python.analysis import Analysis, Site
 from plastron_tui.sources.python.calls import Argument
-
-from .unconditional import is_dead
+from plastron_tui.sources.unreachable import is_unreachable
 
 
 def without_queue(analysis: Analysis) -> Iterator[tuple[str, Span]]:
@@ -22,7 +21,7 @@ def without_queue(analysis: Analysis) -> Iterator[tuple[str, Span]]:
     """
     for site in analysis.first_sites():
         wanted = _wanted(analysis, site)
-        if wanted is None or is_dead(site.call):
+        if wanted is None or is_unreachable(site.call):
             continue
         arguments = site.arguments
         given = arguments.get(wanted)

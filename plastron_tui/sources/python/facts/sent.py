@@ -19,6 +19,7 @@ from plastron_tui.sources.python.references import (
 )
 from plastron_tui.sources.python.scopes import Binding, BindingKind, Scope
 from plastron_tui.sources.python.syntax import FUNCTIONS, REPEATING, parts_of
+from plastron_tui.sources.unreachable import is_unreachable
 
 from .message_values import MessageValues
 from .returns import is_special, returned_values
@@ -33,7 +34,13 @@ _SEEN = frozenset(
     {"interpolation", "comparison_operator", "not_operator", "if_statement", "while_statement"}
 )
 
-_LOOKING = frozenset({"argument_list", "binary_operator", "comparison_operator", "interpolation"})
+_LOOKING = frozenset({"binary_operator", "comparison_operator", "interpolation"})
+_ASKING = (
+    _READING
+    | _LOGGING
+    | {"float", "from_msg", "get_logger", "int", "isinstance", "Duration", "Time"}
+)
+"""What leaves its arguments as they are."""
 
 Paths = frozenset[tuple[str, ...]]
 
@@ -59,7 +66,7 @@ def sent_messages(messages: MessageValues) -> Iterator[Sent]:
         if len(arguments.positional) != 1 or arguments.keywords or arguments.is_open:
             continue
         making = _making(messages, call, arguments.positional[0])
-        if making is not None:
+        if making is not None and not is_unreachable(call):
             span = Span(call.start_byte, call.end_byte)
             yield Sent(making.type, making.paths, span, made=making.place)
 
@@ -173,7 +180,7 @@ def _used(
             continue
         path, whole = _path(messages, use)
         if path:
-            if len(path) < 2 or not _is_read(whole):
+            if len(path) < 2 or not _is_read(messages, whole):
                 inner = _given_to(messages, sending, whole) if len(path) == 1 else None
                 # A header that is made there, and whose making is known, is more than touched.
                 paths |= {(*path, *each) for each in inner.paths} if inner is not None else {path}
@@ -259,9 +266,32 @@ def _owner(messages: MessageValues, node: Node, name: str) -> Scope | None:
     return found[0] if found is not None else None
 
 
-def _is_read(node: Node) -> bool:
+def _is_read(messages: MessageValues, node: Node) -> bool:
     """Whether a field of a field is only looked at: `tell(msg.header.stamp)`."""
-    return node.parent is not None and node.parent.type in _LOOKING
+    parent = node.parent
+    call = parent.parent if parent is not None and parent.type == "argument_list" else None
+    if parent is None or call is None:
+        return parent is not None and parent.type in _LOOKING
+    callee = call.child_by_field_name("function")
+    function = function_of(callee, messages.analysis) if callee is not None else None
+    if function is None:
+        return messages.analysis.syntax.called_name(call) in _ASKING
+    return not is_special(function) and _only_looks(messages, function)
+
+
+def _only_looks(messages: MessageValues, function: Scope) -> bool:
+    """Whether a function surely changes nothing of what it gets."""
+    pending = [function.node]
+    while pending:
+        node = pending.pop()
+        if node.type == "call" and messages.analysis.syntax.called_name(node) not in _ASKING:
+            return False
+        if node.type in ("assignment", "augmented_assignment"):
+            target = node.child_by_field_name("left")
+            if target is None or target.type != "identifier":
+                return False
+        pending += node.named_children
+    return True
 
 
 def _path(messages: MessageValues, use: Node) -> tuple[tuple[str, ...], Node]:

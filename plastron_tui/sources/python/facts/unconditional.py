@@ -36,19 +36,6 @@ def runs_each_time(node: Node, region: Node, known: frozenset[bytes] = frozenset
     return found is not None and all(asks_only_for(each, known) for each in found)
 
 
-def is_dead(node: Node) -> bool:
-    """Tell whether a part of a function stands behind what leaves its block in any case."""
-    current = node
-    while current.parent is not None and current.type not in FUNCTIONS:
-        before = current.prev_named_sibling
-        while current.parent.type in ("block", "module") and before is not None:
-            if before.type in _EXITS:
-                return True
-            before = before.prev_named_sibling
-        current = current.parent
-    return False
-
-
 def _conditions(node: Node, region: Node) -> list[Node] | None:
     """Return what decides whether a part of a region runs; None where that is not known."""
     found: list[Node] = []

@@ -16,11 +16,11 @@ from plastron_tui.sources.python.calls import Argument
 from plastron_tui.sources.python.constants import Known
 from plastron_tui.sources.python.scopes import BindingKind, Scope
 from plastron_tui.sources.retries import is_short_retry
+from plastron_tui.sources.unreachable import is_unreachable
 
 from .called_back import function_in, running_scope
 from .callers import future_of
 from .objects import Making, Objects
-from .unconditional import is_dead
 
 _SLEEPS = frozenset({"time.sleep", "rospy.sleep", "rospy.timer.sleep"})
 _DURATIONS = frozenset(
@@ -85,7 +85,7 @@ class WaitingCalls:
         syntax = self._analysis.syntax
         for call in self._analysis.captures.get("call", []):
             name = syntax.called_name(call)
-            if name in _NAMES and not is_dead(call):
+            if name in _NAMES and not is_unreachable(call):
                 found = self._waiting(call, name, running_scope(self._analysis, call))
                 if found is not None:
                     yield found
