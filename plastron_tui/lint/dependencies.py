@@ -100,7 +100,8 @@ def remedy_for(
     if used.package and not is_known:
         return f"no package is called `{name}`: the folder of its definitions has no package.xml"
     remedy = _declaring(name, needs, build, version)
-    if "build" not in needs or build.build_type == "ament_python" or name in build.found:
+    is_found = name in build.found or build.finds_declared
+    if "build" not in needs or build.build_type == "ament_python" or is_found:
         return remedy
     finding = f"find_package(catkin REQUIRED COMPONENTS … {name})"
     if build.build_type != "catkin":
@@ -146,5 +147,8 @@ def _tags(declared: list[Declared], needs: frozenset[str], build: BuildFacts) ->
         return tuple("run_depend" if each == "exec" else f"{each}_depend" for each in missing)
     if covered & {"build", "build_export", "exec"}:
         return tuple(f"{each}_depend" for each in missing)
-    is_python = "build" not in needs and build.build_type == "ament_python"
-    return ("exec_depend",) if is_python else ("depend",)
+    tags = {each.tag for each in build.dependencies}
+    is_run = "build" not in needs and (
+        build.build_type == "ament_python" or tags.isdisjoint({"depend", "build_depend"})
+    )
+    return ("exec_depend",) if is_run else ("depend",)

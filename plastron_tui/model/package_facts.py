@@ -199,6 +199,7 @@ class BuildFacts(NamedTuple):
         used: what its code needs of other packages and is not declared for that.
         mentioned: the dependencies that a file names besides those that build the package.
         found: the packages that CMake looks for, and where it is told to.
+        finds_declared: whether CMake looks for whatever package.xml declares.
         linked: the dependencies that other commands of CMake name.
         exported: those that CMake hands on to whoever uses the package, `*` for all.
         has_code: whether the package has code at all.
@@ -227,6 +228,7 @@ class BuildFacts(NamedTuple):
     used: tuple[Used, ...] = ()
     mentioned: frozenset[str] = frozenset()
     found: Mapping[str, Place] = MappingProxyType({})
+    finds_declared: bool = False
     linked: frozenset[str] = frozenset()
     exported: frozenset[str] = frozenset()
     has_code: bool = False

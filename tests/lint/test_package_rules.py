@@ -37,7 +37,25 @@ def main():
     rclpy.spin(node)
 """
 
+_BY_PATH = {
+    "rover/launch/rover.launch.xml": '<launch>\n  <node pkg="rover" exec="mover"/>\n</launch>\n',
+    "rover/launch/other.launch.py": "cmd = ['python3', str(share / 'scripts' / 'mover.py')]\n",
+    "rover/scripts/other.py": PYTHON["wheels/wheels/mover.py"].replace("'mover'", "'other'"),
+}
+_HEADER = {"rover/include/rover/path.hpp": "#include <nav_msgs/msg/path.hpp>\n"}
+_INSTALLING = {
+    "rover/CMakeLists.txt": CMAKE["rover/CMakeLists.txt"].replace(
+        "ament_package()", "install(DIRECTORY include/ DESTINATION include)\nament_package()"
+    )
+}
+
 _CASES = [
+    # A header is used if something that is built includes it, or if others may.
+    Break("rover/README.md", "", "", more=_HEADER),
+    Break("rover/README.md", "", "", "RK501 rover/include/rover/path.hpp:1",
+          more=_HEADER | _INSTALLING),
+    Break("rover/src/mover.cpp", "class Mover", '#include <rover/path.hpp>\nclass Mover',
+          "RK501 rover/include/rover/path.hpp:1", more=_HEADER),
     # A dependency that is used: not there, there for something else, or for another ROS.
     Break("wheels/package.xml", _EXEC, "", "RK501 wheels/wheels/mover.py:4"),
     Break("wheels/package.xml", "<exec_depend>geometry_msgs</exec_depend>",
@@ -68,7 +86,7 @@ _CASES = [
           "RK501 rover/src/mover.cpp:4"),
     Break("rover/include/rover/mover.hpp", "",
           "#ifndef A\n#define A\n#include <nav_msgs/msg/path.hpp>\n#endif\n",
-          "RK501 rover/include/rover/mover.hpp:3"),
+          "RK501 rover/include/rover/mover.hpp:3", more=_INSTALLING),
     Break("old/package.xml", _DEPEND, "  <build_depend>geometry_msgs</build_depend>\n",
           "RK501 old/scripts/mover.py:3"),
     # A header of one's own, in a folder that another package is called by.
@@ -135,6 +153,10 @@ _CASES = [
     Break("rover/CMakeLists.txt", "scripts/mover.py\n  DESTINATION lib/${PROJECT_NAME}",
           "scripts/mover.py\n  DESTINATION share/${PROJECT_NAME}",
           "RK503 rover/CMakeLists.txt:18, RK506 rover/launch/rover.launch.xml:3"),
+    # What is started by its path, and what lies beside it.
+    Break("rover/CMakeLists.txt", "scripts/mover.py\n  DESTINATION lib/${PROJECT_NAME}",
+          "scripts/mover.py\n  scripts/other.py\n  DESTINATION share/${PROJECT_NAME}/scripts",
+          more=_BY_PATH),
     Break("rover/CMakeLists.txt", "ament_package()", "my_own_command(mover.py)\nament_package()"),
     Break("rover/test/start.launch.py", "", "path = 'scripts/mover.py'\n"),
     Break("rover/scripts/other_old.py", "", "import rclpy\nrclpy.create_node('a')\n"
@@ -271,6 +293,21 @@ _HELP = [
               "#include <nav_msgs/msg/path.hpp>\nnav_msgs::msg::Path path;\nclass Mover"),
         "write `<depend>nav_msgs</depend>` into package.xml, and "
         "`find_package(nav_msgs REQUIRED)` into CMakeLists.txt",
+    ),
+    (
+        Break("rover/src/mover.cpp", "class Mover",
+              "#include <nav_msgs/msg/path.hpp>\nnav_msgs::msg::Path path;\nclass Mover",
+              more={"rover/CMakeLists.txt": CMAKE["rover/CMakeLists.txt"].replace(
+                  "find_package(rclcpp REQUIRED)", "ament_auto_find_build_dependencies()")}),
+        "write `<depend>nav_msgs</depend>` into package.xml",
+    ),
+    (
+        Break("old/scripts/mover.py", "import rospy\n",
+              "import rospy\nfrom nav_msgs.msg import Path\nPath()\n",
+              more={"old/package.xml": CATKIN["old/package.xml"]
+                    .replace("build_depend>", "exec_depend>").replace("<depend>", "<exec_depend>")
+                    .replace("</depend>", "</exec_depend>")}),
+        "write `<exec_depend>nav_msgs</exec_depend>` into package.xml",
     ),
     (
         Break("old/msg/Speed.msg", "Twist", "Pose", more={"old/package.xml": _FORMAT_1}),

@@ -106,8 +106,16 @@ def _missing(
     installed = [each for each in nodes if each.how in (How.PROGRAM, How.PYTHON)]
     # ROS 1 starts what lies in the workspace: one that was left out is one among many.
     is_one_left = len(left) == 1 and len(installed) > 1
+    # What is started by its path may be in any folder, and so may what lies beside it.
+    by_path = {
+        each.file.rpartition("/")[0]
+        for each in nodes
+        if each.how is How.ELSEWHERE and each.is_mentioned
+    }
     for each in nodes:
-        if each.how is How.ELSEWHERE:
+        is_by_path = each.file.rpartition("/")[0] in by_path
+        is_started = (package.name, each.file.rpartition("/")[2]) in started
+        if each.how is How.ELSEWHERE and (is_started or not is_by_path):
             yield each
         if each.how is not How.NOT or not (each.is_program or is_python):
             continue

@@ -9,7 +9,14 @@ from plastron_tui.model.package_source import PackageSource
 from plastron_tui.sources.packages.reading import CMAKE_LISTS, PACKAGE_XML, SETUP_PY
 from plastron_tui.sources.xml.package_xml import read_package
 
-from .cmake_lists import Lists, cmake_words, found_packages, linked_packages, read_lists
+from .cmake_lists import (
+    Lists,
+    cmake_words,
+    finds_declared,
+    found_packages,
+    linked_packages,
+    read_lists,
+)
 from .components import component_classes
 from .declared import declared
 from .definitions import definition_mistakes
@@ -58,6 +65,7 @@ def build_facts(
         used=tuple(find_uses(texts, dependencies, lists, setup)),
         mentioned=mentioned(texts, names),
         found=found_packages(lists),
+        finds_declared=finds_declared(lists),
         linked=linked_packages(lists, names),
         exported=lists.exported,
         has_code=texts.has_code,

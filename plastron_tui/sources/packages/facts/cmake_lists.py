@@ -46,6 +46,7 @@ _PROGRAMS = ("PROGRAMS", INSTALL_WORDS)
 _FOLDERS = ("CATKIN_", "CMAKE_INSTALL_")
 _NO_SCRIPTS = ("CODE", "SCRIPT")
 _WORD = re.compile(rb"[A-Za-z_][\w.-]*")
+_HEADERS = (".h", ".hh", ".hpp", ".hxx")
 _TESTING = ("BUILD_TESTING", "CATKIN_ENABLE_TESTING")
 _FINDING = ("ament_auto_find_build_dependencies", "catkin_simple", "find_package")
 _EXPORTS = ("ament_export_dependencies", "ament_export_targets")
@@ -80,6 +81,7 @@ class Lists:
         words: what is given to commands that are not known; None where names are computed.
         python_folders: the folders that are installed as Python packages.
         installs_nodes: whether something is installed where nodes are looked for.
+        hands_headers_on: whether others may include its headers, as far as it is known.
     """
 
     lists: CMakeLists | None = None
@@ -92,6 +94,7 @@ class Lists:
     words: frozenset[str] | None = None
     python_folders: tuple[str, ...] = ()
     installs_nodes: bool = False
+    hands_headers_on: bool = True
 
     @property
     def programs(self) -> frozenset[str]:
@@ -135,6 +138,27 @@ def read_lists(source: PackageSource) -> Lists:
         python_folders=tuple(_python_folders(lists)),
         installs_nodes=any(each.is_installed for each in programs)
         or any(each.where == where for each in installs.values()),
+        hands_headers_on=is_open or any(map(_hands_headers_on, lists.calls)),
+    )
+
+
+def finds_declared(lists: Lists) -> bool:
+    """Tell whether CMake looks for whatever package.xml declares, without naming it."""
+    return lists.lists is not None and any(
+        call.command.name == "ament_auto_find_build_dependencies" and not call.items
+        for call in lists.lists.calls
+    )
+
+
+def _hands_headers_on(call: Call) -> bool:
+    """Tell whether a command installs headers, or says to others where they are."""
+    if call.command.name == "ament_auto_package":
+        return True
+    is_one = call.command.name.startswith(("ament_export_", "catkin_package", "install"))
+    return is_one and any(
+        each.value != "INCLUDE_DIRS"
+        and ("include" in each.value.lower() or each.value.endswith(_HEADERS))
+        for each in call.items
     )
 
 

@@ -48,7 +48,10 @@ def find_scripts(texts: PackageTexts, lists: Lists, setup: PythonSetup) -> Itera
             is_executable=name in texts.programs,
             is_mentioned=base.removesuffix(".py") in imported
             or base in named
-            or (how is How.NOT and (_is_in_another(texts, name) or _is_by_hand(name, text))),
+            or (
+                how in (How.NOT, How.ELSEWHERE)
+                and (_is_in_another(texts, name) or _is_by_hand(name, text))
+            ),
             has_main=main is not None,
         )
 

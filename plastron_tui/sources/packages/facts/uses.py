@@ -148,7 +148,7 @@ def _is_run(texts: PackageTexts, name: str, lists: Lists, setup: PythonSetup) ->
 def _built(texts: PackageTexts, lists: Lists) -> Iterator[str]:
     """Yield the files of C++ that are surely built, or handed on, with the headers beside them."""
     names = texts.source.names
-    handed_on = (each for each in texts.names if each.startswith("include/"))
+    handed_on = (x for x in texts.names if x.startswith("include/") and lists.hands_headers_on)
     waiting = deque(each for each in (*lists.built, *handed_on) if each.endswith(CPP))
     seen: set[str] = set()
     while waiting:
@@ -161,6 +161,9 @@ def _built(texts: PackageTexts, lists: Lists) -> Iterator[str]:
         for match in _QUOTED.finditer(texts.get(name) or b""):
             said = match[1].decode("utf-8", "replace")
             waiting += [f"{folder}/{said}".lstrip("/"), f"src/{said}"]
+        if not lists.hands_headers_on:
+            included = _INCLUDE.finditer(texts.get(name) or b"")
+            waiting += ["include/" + x[1].decode("utf-8", "replace") for x in included]
 
 
 def _imports(text: bytes, skipped: set[str]) -> Iterator[tuple[str, Span, bool]]:
