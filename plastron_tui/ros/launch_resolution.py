@@ -41,6 +41,7 @@ from .launch_started import (
     Site,
     Started,
     Unresolved,
+    setting_spans,
 )
 from .launch_text import Scope, Text
 from .launch_values import typed, typed_as
@@ -205,6 +206,9 @@ class _Resolution:
             state.included,
             (state.file, item.place) if item.namespace is not None else state.pushed,
             state.is_named and len(remaps) == len(state.remaps) + len(item.remaps),
+            item.package.span,
+            item.executable.span,
+            tuple(setting_spans(item, state.scope)),
         )
         self.started.append(found)
         return found
@@ -255,8 +259,7 @@ class _Resolution:
             else:
                 unknown = each.value if isinstance(each.value, Text) else each.name
                 self._tell(state, item, f"the parameter `{each.name}`", unknown, is_value=True)
-                told = self.unresolved.pop()
-                self.unresolved.append(told._replace(parameter=name or ""))
+                self.unresolved[-1] = self.unresolved[-1]._replace(parameter=name or "")
 
     def _setting(self, parameter: ParameterValue, state: _State) -> Setting | None:
         if not isinstance(parameter.value, Text):

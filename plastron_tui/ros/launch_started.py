@@ -2,9 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from typing import NamedTuple
 
-from .launch import LaunchFile, Place
+from plastron_tui.diagnostics import Span
+
+from .launch import LaunchFile, ParameterValue, Place, StartedNode
+from .launch_text import Scope
 from .parameters import Setting
 
 SHOWN = frozenset(("output", "emulate_tty", "exec_name", "respawn_delay", "sigterm_timeout",
@@ -48,6 +52,9 @@ class Started(NamedTuple):
         included: the includes that lead to the file, the outermost first: each a file and a place.
         pushed: what says the last part of its namespace, None where nothing does.
         is_named: whether its namespace and all of its remaps are known.
+        package_span: where its file says the package.
+        executable_span: where its file says the executable.
+        setting_spans: where its file names the parameters that it sets of this node alone.
     """
 
     package: str
@@ -64,6 +71,9 @@ class Started(NamedTuple):
     included: tuple[Site, ...] = ()
     pushed: Site | None = None
     is_named: bool = True
+    package_span: Span | None = None
+    executable_span: Span | None = None
+    setting_spans: tuple[tuple[str, Span], ...] = ()
 
     @property
     def full_name(self) -> str | None:
@@ -115,3 +125,12 @@ class Opened(NamedTuple):
     ros_version: int
     folder: str
     reason: str = ""
+
+
+def setting_spans(node: StartedNode, scope: Scope) -> Iterator[tuple[str, Span]]:
+    """Yield the parameters that a launch file sets of a node, each with where it is named."""
+    for each in node.parameters:
+        if isinstance(each, ParameterValue) and each.name.span is not None:
+            name = scope.value(each.name)
+            if name is not None:
+                yield name, each.name.span

@@ -13,6 +13,8 @@ from dataclasses import dataclass, field
 from enum import Enum
 from typing import NamedTuple
 
+from plastron_tui.diagnostics import Span
+
 
 class Kind(Enum):
     """What a substitution asks for; its value is what ROS 2 calls it in XML."""
@@ -43,9 +45,16 @@ class Substitution(NamedTuple):
 
 @dataclass(frozen=True, slots=True)
 class Text:
-    """A text of a launch file; no two literals stand next to each other in it."""
+    """A text of a launch file; no two literals stand next to each other in it.
+
+    Attributes:
+        parts: its literals and substitutions.
+        span: where it stands as it is; None where it is written otherwise, or put together. It
+            tells no two apart.
+    """
 
     parts: tuple[str | Substitution, ...] = ()
+    span: Span | None = field(default=None, compare=False, repr=False)
 
     @property
     def literal(self) -> str | None:

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import replace
+from itertools import chain
 
 from plastron_tui.diagnostics import Span
 from plastron_tui.lint.tree import LaunchFacts, SettingPlace
-from plastron_tui.ros.launch import Container, Group, Item, LaunchFile, Place
+from plastron_tui.ros.launch import Container, Group, Item, LaunchFile
 from plastron_tui.ros.launch_resolution import resolve
 from plastron_tui.ros.launch_started import Opened, Resolved, Started
 from plastron_tui.ros.launch_text import Scope
@@ -16,8 +16,6 @@ from plastron_tui.ros.parameter_blocks import ParameterBlock, read_blocks
 
 LARGEST = 256 * 1024
 """In bytes; a parameter file has some kilobytes."""
-
-_FOR_ALL = re.compile(rb"SetParameter|set_parameter")
 
 
 def is_parameter_file(path: str) -> bool:
@@ -31,55 +29,19 @@ def blocks_of(text: bytes | None) -> tuple[ParameterBlock, ...] | None:
 
 
 def setting_places(
-    launches: Iterable[LaunchFacts],
-    others: Iterable[Started],
-    text_of: Callable[[str], bytes | None],
+    launches: Iterable[LaunchFacts], others: Iterable[Started]
 ) -> Iterator[tuple[SettingPlace, Span]]:
     """Yield where launch files name the parameters that they set of nodes.
-
-    A name that is found nowhere, or in several places of which each may be meant, has none.
 
     Args:
         launches: the launch files.
         others: the nodes that they start only where they are given other arguments.
-        text_of: returns what a launch file holds.
     """
-    for file, place, name in dict.fromkeys(_set(launches, others)):
-        text = text_of(file)
-        span = None if text is None else _named(text, place, name)
-        if span is not None:
-            yield SettingPlace(file, place.start, name), span
-
-
-def _set(
-    launches: Iterable[LaunchFacts], others: Iterable[Started]
-) -> Iterator[tuple[str, Place, str]]:
-    """Yield the names of parameters, each with the file that sets it and the node's place there."""
-    started = [*others]
-    for launch in launches:
-        started += launch.resolved.started
-        for each in launch.resolved.unresolved:
-            if each.file is not None and each.place is not None and each.parameter:
-                yield each.file, each.place, each.parameter
-    for node in started:
+    resolved = (node for launch in launches for node in launch.resolved.started)
+    for node in chain(others, resolved):
         if node.file is not None and node.place is not None:
-            for name, _ in node.parameters:
-                yield node.file, node.place, name
-
-
-def _named(text: bytes, place: Place, name: str) -> Span | None:
-    """Return the place of a name that a node of a launch file sets."""
-    last = re.escape(name.rpartition(".")[2].encode())
-    word = re.compile(
-        rb"""(?P<quote>["'])(?:[\w.]+\.)?%s(?P=quote)(?!\w)|\bname:\s*%s\s*$""" % (last, last), re.M
-    )
-    within = list(word.finditer(text, place.start, place.end))
-    # `{'rate': 10}` names a parameter, `LaunchConfiguration('rate')` does not.
-    keys = [each for each in within if text[each.end() : each.end() + 2].lstrip().startswith(b":")]
-    found = keys or within
-    if not found and not _FOR_ALL.search(text):
-        found = list(word.finditer(text))
-    return Span(*found[0].span()) if len(found) == 1 else None
+            for name, span in node.setting_spans:
+                yield SettingPlace(node.file, node.place.start, name), span
 
 
 def unstarted(

@@ -75,9 +75,9 @@ def read_tree(
     namesakes = _namesakes(reading.packages)
     launches = tuple(reading.launches(packages, namesakes))
     parameters = dict(reading.parameter_files())
-    named = dict(setting_places(launches, reading.unstarted, reading.text))
+    named = dict(setting_places(launches, reading.unstarted))
     commented = tuple(commented_files(listing.files, reading.package_of, cache))
-    places = dict(started_places(launches, packages, reading.text))
+    places = dict(started_places(launches, packages))
     cache.save()
     catalogs = {
         version: Catalog(distribution, type_folders=(listing.root,))
@@ -292,10 +292,6 @@ class _Reading:
             blocks = self._once("parameters", path, partial(_read_blocks, path))
             if blocks:
                 yield Path(path), blocks
-
-    def text(self, path: str) -> bytes | None:
-        """Return what a launch file holds."""
-        return _text(path, LARGEST)
 
     def _launch(self, path: str) -> LaunchRead | None:
         return self._once("launch", path, partial(_read_launch, path))

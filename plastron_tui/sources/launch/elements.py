@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import replace
 
 from plastron_tui.ros.launch import Condition, ParameterValue, Place, Remapping
 from plastron_tui.ros.launch_text import Text
@@ -23,8 +24,13 @@ class Words:
 
     def get(self, name: str) -> Text | None:
         """Return the text of an attribute, None where it is not there."""
-        found = self.element.get(name)
-        return None if found is None else parse_text(found, self._version)
+        found = self.element.attribute(name)
+        if found is None:
+            return None
+        parsed, span = parse_text(found.value, self._version), found.value_span
+        # What has references is written otherwise.
+        is_plain = parsed.literal is not None and span.end - span.start == len(found.value.encode())
+        return replace(parsed, span=span) if is_plain else parsed
 
     @property
     def condition(self) -> Condition | None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable
+from dataclasses import replace
 from typing import Any, NamedTuple
 
 from tree_sitter import Node
@@ -218,7 +219,7 @@ def _parameters(found: Any) -> Iterable[Parameter]:
 
 def _values(found: dict[Any, Any], before: Text) -> Iterable[ParameterValue]:
     for key, value in found.items():
-        name = text(before, "." if before.parts else "", key)
+        name = replace(text(before, "." if before.parts else "", key), span=key.span)
         if isinstance(value, dict):
             yield from _values(value, name)
         elif isinstance(value, _TypedText):

@@ -8,6 +8,7 @@ from typing import Any
 
 from tree_sitter import Node
 
+from plastron_tui.diagnostics import Span
 from plastron_tui.ros.launch import Group
 from plastron_tui.ros.launch_text import Text, text
 
@@ -91,7 +92,8 @@ class Values:
             key, value = pair.child_by_field_name("key"), pair.child_by_field_name("value")
             if pair.type != "pair" or key is None or value is None:
                 return Computed(short(node))
-            name = as_text(self.value(key))
+            word = self.value(key)
+            name = _written(key, word) or as_text(word)
             if name is None:
                 return Computed(short(node))
             found[name] = self.value(value)
@@ -136,7 +138,10 @@ class Values:
         for argument in arguments_of(node):
             if argument.type == "keyword_argument":
                 value = argument.child_by_field_name("value")
-                named[field(argument, "name")] = value and self.value(value)
+                word = field(argument, "name")
+                found = value and self.value(value)
+                placed_text = _written(value, found) if word in _PLACED else None
+                named[word] = found if placed_text is None else placed_text
             elif argument.type in ("list_splat", "dictionary_splat"):
                 return Computed(name)
             else:
@@ -176,6 +181,17 @@ _VALUES: dict[str, Callable[[Values, Node], Any]] = {
     "call": Values._call,
     "attribute": lambda reader, node: Computed(short(node)),
 }
+
+
+_PLACED = frozenset(("package", "executable", "plugin", "node_executable", "node_plugin"))
+"""The arguments of which it is told where they stand."""
+
+
+def _written(node: Node | None, value: Any) -> Text | None:
+    """Return a literal as a text that has its place, None for what is written otherwise."""
+    if node is None or node.type != "string" or source_of(node)[1:-1] != value:
+        return None
+    return Text(text(value).parts, Span(node.start_byte + 1, node.end_byte - 1))
 
 
 def weight_of(value: Any) -> int:

@@ -6,6 +6,7 @@ Sources: `launch_xml`; what `parse` takes in the actions of `launch` and `launch
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import replace
 
 from plastron_tui.ros.launch import (
     Argument,
@@ -112,7 +113,7 @@ def _parameters(element: Element, before: Text) -> Iterator[Parameter]:
     if file is not None:
         yield ParameterFile(file)
     elif name is not None:
-        whole = text(before, "." if before.parts else "", name)
+        whole = replace(text(before, "." if before.parts else "", name), span=name.span)
         if value is not None:
             yield value_of(whole, value, element.get("type"), 2)
         for child in element.named("param"):

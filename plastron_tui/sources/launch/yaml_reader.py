@@ -170,7 +170,10 @@ class _Reader:
         else:
             text = str(value.value)
         span = Span(self._byte(name.start_mark.index), self._byte(value.end_mark.index))
-        return Attribute(str(name.value), text, span, self._span(value))
+        start, end = self._span(value)
+        is_quoted = isinstance(value, yaml.ScalarNode) and value.style in ("'", '"')
+        inner = Span(start + is_quoted, end - is_quoted)
+        return Attribute(str(name.value), text, span, inner)
 
     def _source(self, node: yaml.Node) -> str:
         return self._text[node.start_mark.index : node.end_mark.index]
