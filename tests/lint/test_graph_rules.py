@@ -16,6 +16,7 @@ from graph_packages import (
     node_of,
     package_of,
 )
+from linted import run_over
 
 from plastron_tui.lint.rules.one_sided_examples import PUBLISHED
 
@@ -174,12 +175,21 @@ def test_two_nodes_of_one_name(tmp_path: Path, launches: dict[str, str], line: i
     assert [at for _, _, at in found] == ([line] if line else [])
 
 
+def _message(folder: Path) -> str:
+    (found,) = run_over(folder / "src", "RG103").told
+    return found.diagnostic.message
+
+
 def test_a_file_that_is_included_twice(tmp_path: Path) -> None:
     source = "PythonLaunchDescriptionSource([ThisLaunchFileDir(), '/one.launch.py'])"
     include = f"IncludeLaunchDescription({source})"
     apart = f"GroupAction([PushRosNamespace('r'), {include}])"
     files = package_of(one_py=ONE, x_py=in_python(include, include))
     assert found_in(tmp_path, files, "RG103") == [("RG103", "x.launch.py", 4)]
+    assert _message(tmp_path) == "the file starts another node that is called `/a`, too"
+    files = package_of(one_py=ONE, x_py=in_python(include, node_of("listener", "name='a'")))
+    assert found_in(tmp_path / "3", files, "RG103") == [("RG103", "x.launch.py", 4)]
+    assert _message(tmp_path / "3") == "`x.launch.py` starts another node that is called `/a`, too"
     files = package_of(one_py=ONE, x_py=in_python(include, apart))
     assert found_in(tmp_path / "2", files, "RG103") == []
 

@@ -241,7 +241,7 @@ def duplicate_node_name(tree: SourceTree, code: Code) -> Iterator[Diagnostic]:
             places = None if other is started else _places(other, started)
             if places is None:
                 continue
-            yield from _named_twice(code, name, *places)
+            yield from _named_twice(code, name, run.launch.path, *places)
 
 
 def _name_of(started: Started, node: RunningNode | None) -> str | None:
@@ -264,12 +264,15 @@ def _places(first: Started, second: Started) -> tuple[Site, Site] | None:
     return next(((a, b) for a, b in pairs if a != b), None)
 
 
-def _named_twice(code: Code, name: str, first: Site, second: Site) -> Iterator[Diagnostic]:
+def _named_twice(
+    code: Code, name: str, launch: Path, first: Site, second: Site
+) -> Iterator[Diagnostic]:
     (file, place), (other_file, other_place) = second, first
     if file is None or place is None:
         return
     labels: tuple[Label, ...] = ()
     if other_file is not None and other_place is not None:
         labels = (Label(span_of(other_place), "the other one", Path(other_file)),)
-    message = f"another node is called `{name}`, too"
+    starter = "the file" if Path(file) == launch == Path(other_file or file) else f"`{launch.name}`"
+    message = f"{starter} starts another node that is called `{name}`, too"
     yield Diagnostic(code, message, span_of(place), Path(file), labels=labels)
