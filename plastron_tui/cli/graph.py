@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from dataclasses import replace
 from pathlib import Path
 
@@ -29,11 +29,13 @@ from .common import (
     open_sessions,
     print_text,
     read_input,
+    shown_path,
     target_option,
 )
 from .file_words import files_and_arguments, robot_arguments, words_argument
 from .run_options import namespace_option, refuse, remap_option, unknown_nodes
 
+_MOST_NAMES = 12
 _DRAWN = ("svg",)
 """The formats that show how large things are."""
 
@@ -43,12 +45,18 @@ _DRAWN = ("svg",)
 @remap_option
 @namespace_option
 @target_option
+@click.option(
+    "--launch",
+    metavar="FILE",
+    help="Of a folder, the nodes of one launch file alone, such as bringup.launch.py.",
+)
 @format_option(*FORMATS)
 def command(
     words: tuple[str, ...],
     remaps: tuple[Remap, ...],
     namespace: str | None,
     target: str | None,
+    launch: str | None,
     format_: str,
 ) -> None:
     """Show the nodes of programs, what joins them, and robots.
@@ -70,9 +78,10 @@ def command(
     if folders:
         others = [each for each in files if each not in folders]
         refuse(_wrong_with_folders(others, remaps, namespace))
-        _show_folders(folders, format_, report)
+        _show_folders(folders, launch, format_, report)
         finish(report)
         return
+    refuse(None if launch is None else "--launch is for folders; a launch file is shown by itself")
     launches = [each for each in files if launch_language(each.name)]
     if launches:
         programs = tuple(each for each in files if each not in launches)
@@ -111,15 +120,30 @@ def _wrong_with_folders(
     return _names_without_programs(remaps, namespace, "a workspace has its launch files")
 
 
-def _show_folders(folders: tuple[Path, ...], format_: str, report: Report) -> None:
+def _show_folders(
+    folders: tuple[Path, ...], launch: str | None, format_: str, report: Report
+) -> None:
     from plastron_tui.project.linting.drawing import drawn
     from plastron_tui.project.linting.run import LintOptions, LintRun
 
     from .lint_programs import read_program
 
     run = LintRun(LintOptions(folders, read_program=read_program))
-    print_text(render(graph_of(drawn(run.tree)), format_))
+    launches = [each.path for each in run.tree.launches]
+    named = [each for each in launches if launch and f"/{each}".endswith(f"/{launch}")]
+    refuse(None if launch is None else _wrong_launch(launch, named or launches, len(named)))
+    print_text(render(graph_of(drawn(run.tree, *named)), format_))
     report.add(run.diagnostics, run.lines)
+
+
+def _wrong_launch(name: str, files: Sequence[Path], count: int) -> str | None:
+    """Return why a name is not that of one launch file."""
+    if count == 1:
+        return None
+    shown = ", ".join(f"`{shown_path(each)}`" for each in files[:_MOST_NAMES])
+    more = ", …" if len(files) > _MOST_NAMES else ""
+    said = f"`{name}` may be several launch files" if count else f"no launch file is `{name}`"
+    return f"{said}; there are {shown}{more}" if files else f"{said}, nor any other"
 
 
 def _is_folder(file: Path) -> bool:

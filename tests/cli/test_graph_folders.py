@@ -55,6 +55,34 @@ def test_the_nodes_have_the_names_that_launch_files_give(workspace: Path, run: R
     assert sorted(topic["name"] for topic in graph["topics"]) == ["/a/chatter", "/b", "/chatter"]
 
 
+OTHER = '<launch><node pkg="p" type="talker.py" name="three"/></launch>'
+PICKED = {
+    "by_name": ("a.launch", ["/a/one", "two"]),
+    "by_path": ("p/launch/b.launch", ["three"]),
+    "by_a_part_of_a_name": (".launch", None),
+    "of_nobody": ("c.launch", None),
+    "of_two": ("d.launch", None),
+}
+
+
+@pytest.mark.parametrize(("name", "nodes"), PICKED.values(), ids=PICKED)
+def test_nodes_of_one_launch_file_are_shown_alone(
+    workspace: Path, run: Run, name: str, nodes: list[str] | None
+) -> None:
+    for other in ("launch/b.launch", "launch/d.launch", "more/d.launch"):
+        file = workspace / "src" / "p" / other
+        file.parent.mkdir(exist_ok=True)
+        file.write_text(OTHER)
+    result = run("graph", "--format", "json", "--launch", name, "src")
+    assert (result.returncode == 2) is (nodes is None)
+    if nodes is None:
+        assert name.encode() in result.stderr
+        assert b"d.launch" in result.stderr
+    else:
+        shown = json.loads(result.stdout)
+        assert sorted(node["name"] for node in shown["nodes"]) == nodes
+
+
 def test_programs_of_the_workspace_are_there(workspace: Path, run: Run) -> None:
     program = "create_node 'n' as n using rospy\nsubscribe n to 'x' of message_type String\n"
     write(workspace / "src", program)
@@ -62,7 +90,13 @@ def test_programs_of_the_workspace_are_there(workspace: Path, run: Run) -> None:
 
 
 @pytest.mark.parametrize(
-    "arguments", [("src", "a.plastron"), ("src", "--remap", "a:=b"), ("src", "--namespace", "/a")]
+    "arguments",
+    [
+        ("src", "a.plastron"),
+        ("src", "--remap", "a:=b"),
+        ("src", "--namespace", "/a"),
+        ("a.plastron", "--launch", "a.launch"),
+    ],
 )
 def test_a_folder_is_shown_alone(workspace: Path, run: Run, arguments: tuple[str, ...]) -> None:
     write(workspace, "create_node 'n' as n\n")

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 from plastron_tui.diagnostics import Span
 from plastron_tui.lint.runs import RunningNode, runs_of
 from plastron_tui.lint.tree import SourceTree
@@ -10,15 +12,22 @@ from plastron_tui.model.source import FileSet, SourceUnit
 from plastron_tui.model.workspace import Node, Workspace
 
 
-def drawn(tree: SourceTree) -> Workspace:
+def drawn(tree: SourceTree, launch: Path | None = None) -> Workspace:
     """Return the nodes of a workspace, with the names that its launch files give them.
 
     What several launch files start under one name is there once, as is what none starts. Tests
     are no part of the robot.
+
+    Args:
+        tree: the workspace.
+        launch: the launch file whose nodes are meant alone, None for those of all and the others.
     """
     whole = Workspace()
     seen: set[tuple[object, ...]] = set()
-    for run in runs_of(tree):
+    runs = runs_of(tree)
+    if launch is not None:
+        runs = tuple(run for run in runs if run.launch is not None and run.launch.path == launch)
+    for run in runs:
         for running in run.nodes:
             key = (running.unit.path, running.node.span, running.full_name, running.names)
             if key not in seen and not running.unit.is_test:
