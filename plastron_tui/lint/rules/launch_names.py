@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from collections import defaultdict
 from collections.abc import Iterator
-from difflib import get_close_matches
 from pathlib import Path
 
 from plastron_tui.diagnostics import Code, Diagnostic, Label, Severity
+from plastron_tui.diagnostics.suggest import nearest
 from plastron_tui.lint.rule import rule
 from plastron_tui.lint.runs import Place, Run, RunningNode, User, runs_of, span_of
 from plastron_tui.lint.tree import SourceTree
@@ -51,16 +51,16 @@ def remap_meets_nothing(tree: SourceTree, code: Code) -> Iterator[Diagnostic]:
             continue
         node = users[0][1][0]
         near, span, path = "the node", node.node.span, node.unit.path
-        close = get_close_matches(old, _names(node), 1, 0.75)
+        close = nearest(old, _names(node))
         if meant is not None:
-            node, close = meant.node, [meant.endpoint.name or ""]
+            node, close = meant.node, meant.endpoint.name
             near, span, path = "the name that is near", meant.endpoint.span, meant.path
         yield Diagnostic(
             code,
             f"`{node.shown}` has no name `{old}` that could be remapped",
             span_of(place),
             Path(file),
-            help=f"did you mean `{close[0]}`?" if close else None,
+            help=f"did you mean `{close}`?" if close else None,
             labels=() if span is None else (Label(span, near, path),),
         )
 
