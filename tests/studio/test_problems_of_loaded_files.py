@@ -33,7 +33,9 @@ async def test_a_problem_of_a_loaded_file_is_shown_until_it_is_mended(loaded: Pa
     async with studio(loaded) as driver:
         await driver.show("problems")
         assert driver.shown("problems") == ROWS
+        driver.main.look_at_disk()
         loaded.with_name("talker.py").write_text(TALKER.format(", queue_size=10"))
+        driver.main.look_at_disk()
         await driver.until(lambda: driver.shown("problems") == [])
 
 
@@ -49,4 +51,5 @@ async def test_a_program_that_loads_it_no_more_has_no_problem_of_it(loaded: Path
         await driver.show("problems")
         assert driver.shown("problems") == ROWS
         loaded.write_text("create_node 'arm' as arm\n")
+        driver.main.look_at_disk()
         await driver.until(lambda: driver.shown("problems") == [])

@@ -160,6 +160,8 @@ def _refusal(messages: Messages, place: FieldType | MessageType, value: FieldVal
     if not value.path and value.type.part is Part.RESPONSE:
         given = "a list or a tuple" if value.kind is ValueKind.LIST else given
         return f"the service answers with {given}, and not with {described(value.type)}"
+    if not value.path:
+        return f"what is sent here is {given}, and has to be {_type_words(messages, place)}"
     return f"{_field_words(messages, value)} is {_type_words(messages, place)}, and gets {given}"
 
 
@@ -178,8 +180,6 @@ def _places(value: FieldValue) -> tuple[MessageField, ...]:
 
 def _field_words(messages: Messages, value: FieldValue) -> str:
     """Return which field gets a value, in words."""
-    if not value.path:
-        return "what is sent here"
     names = [each for each in value.path if each != ITEM]
     last = value.path[-1]
     if last.startswith("#"):
