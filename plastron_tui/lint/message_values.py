@@ -175,7 +175,20 @@ def _is_list_refused(
         return _is_list_other(given, place, messages)
     if element.message is not None:
         return any(each is not ValueKind.MESSAGE for each in elements)
+    if element_out_of_range(messages, place, value) is not None:
+        return True
     return any(each not in _taken(element, messages) for each in elements)
+
+
+def element_out_of_range(messages: Messages, place: Place, value: FieldValue) -> int | None:
+    """Return a number of a list that is too great for an element of a field, or too small."""
+    if not isinstance(place, FieldType) or not place.is_array:
+        return None
+    primitive = PRIMITIVES[messages.version].get(place.element.name)
+    if primitive is None or primitive.low is None or primitive.high is None:
+        return None
+    low, high = primitive.low, primitive.high
+    return next((each for each in value.extremes if not low <= each <= high), None)
 
 
 def _is_list_other(given: FieldType, place: FieldType, messages: Messages) -> bool:

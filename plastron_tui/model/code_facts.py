@@ -112,6 +112,7 @@ class FieldValue(NamedTuple):
         source: the message, or the field of one, that the value is.
         items: where an element of a list is a plain decimal literal, in the order of the list.
         others: the fields that may be meant as well, where a variable has one or another message.
+        extremes: the least and the greatest of those literals, none where there is none.
     """
 
     type: MessageType
@@ -125,6 +126,7 @@ class FieldValue(NamedTuple):
     source: MessageField | None = None
     items: tuple[Span, ...] = ()
     others: tuple[MessageField, ...] = ()
+    extremes: tuple[int, ...] = ()
 
 
 class Built(NamedTuple):

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import pytest
-from message_programs import fixed, marked, node, script, tick, told
+from message_programs import diagnostics, fixed, marked, node, script, tick, told
 
 WRONG = {
     "in rclpy": tick("""
@@ -88,6 +88,10 @@ WRONG = {
         std_msgs.msg.UInt32(data=-1)  # wrong
         Header(stamp=Time(sec=2147483648))  # wrong
         Float32(data=1e30)
+        std_msgs.msg.UInt8MultiArray(data=[0, 255])
+        std_msgs.msg.UInt8MultiArray(data=[256, 0])  # wrong
+        std_msgs.msg.UInt8MultiArray(data=[1] + [-1])  # wrong
+        std_msgs.msg.UInt8MultiArray(data=[300] * 2)  # wrong
     """),
     "answers of services": node("""
         def on_set(self, request, response):  # wrong
@@ -313,3 +317,20 @@ def test_python2_packs_what_python3_refuses(first: str, line: str, is_told: bool
         "pub = rospy.Publisher('a', Int32, queue_size=1)\npub.publish(Int32(data=4.5))  # wrong\n"
     )
     assert told(text, "RM202") == (marked(text) if is_told else [])
+
+
+SAID = {
+    "self.texts.publish('a')": "what is sent here is a str, and has to be `std_msgs/String`",
+    "std_msgs.msg.UInt8MultiArray(data=[1, 300])": (
+        "field `data` of `std_msgs/UInt8MultiArray` is `uint8[]` (0 to 255), and gets a list with "
+        "`300`"
+    ),
+    "std_msgs.msg.UInt8(data=300)": (
+        "field `data` of `std_msgs/UInt8` is `uint8` (0 to 255), and gets `300`"
+    ),
+}
+
+
+@pytest.mark.parametrize(("line", "message"), SAID.items(), ids=SAID)
+def test_what_is_said_of_a_value(line: str, message: str) -> None:
+    assert [each.message for each in diagnostics(tick(line), "RM202")] == [message]

@@ -6,7 +6,13 @@ from collections.abc import Iterator, Sequence
 
 from plastron_tui.diagnostics import Code, Diagnostic, Edit, Fix, Severity, Span, guess, listed
 from plastron_tui.lint.message_fields import PYTHON, Messages, Missing, described, units_of
-from plastron_tui.lint.message_values import family_of, is_refused, kind_of, words
+from plastron_tui.lint.message_values import (
+    element_out_of_range,
+    family_of,
+    is_refused,
+    kind_of,
+    words,
+)
 from plastron_tui.lint.rule import rule
 from plastron_tui.lint.tree import SourceTree, UnitFacts
 from plastron_tui.model.code_facts import (
@@ -157,6 +163,9 @@ def wrong_value_kind(tree: SourceTree, code: Code) -> Iterator[Diagnostic]:
 
 def _refusal(messages: Messages, place: FieldType | MessageType, value: FieldValue) -> str:
     given = _elements_words(messages, value)
+    wrong = element_out_of_range(messages, place, value)
+    if wrong is not None:
+        given = f"a list with `{wrong}`"
     if not value.path and value.type.part is Part.RESPONSE:
         given = "a list or a tuple" if value.kind is ValueKind.LIST else given
         return f"the service answers with {given}, and not with {described(value.type)}"
@@ -169,7 +178,8 @@ def _type_words(messages: Messages, place: FieldType | MessageType) -> str:
     """Return what a field is, with its limits where it has some."""
     if not isinstance(place, FieldType):
         return described(place)
-    primitive = None if place.is_array else PRIMITIVES[messages.version].get(place.name)
+    name = place.element.name if place.is_array else place.name
+    primitive = PRIMITIVES[messages.version].get(name)
     limits = primitive.range_text if primitive is not None else ""
     return f"`{place}` ({limits})" if limits else f"`{place}`"
 

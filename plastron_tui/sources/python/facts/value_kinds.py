@@ -36,6 +36,9 @@ _LITERALS = {
 }
 _BYTES = re.compile(r"[rR]?[bB]")
 _DECIMAL = re.compile(rb"-?[0-9]+")
+_LONGEST_NUMBER = 40
+"""The most digits of a literal that are looked at; no type holds half of them."""
+
 _TIME = MessageField(MessageType(InterfaceName("builtin_interfaces", "Time")))
 _DURATION = MessageField(MessageType(InterfaceName("builtin_interfaces", "Duration")))
 
@@ -49,6 +52,7 @@ class Known(NamedTuple):
         elements: what the elements of a list are, as far as each is known.
         items: where an element is a plain decimal literal.
         sources: the messages, or fields of messages, that it is, one or another.
+        extremes: the least and the greatest of the plain decimal literals among its elements.
     """
 
     kind: ValueKind
@@ -56,6 +60,7 @@ class Known(NamedTuple):
     elements: tuple[ValueKind, ...] = ()
     items: tuple[Span, ...] = ()
     sources: tuple[MessageField, ...] = ()
+    extremes: tuple[int, ...] = ()
 
 
 class ValueKinds:
@@ -121,12 +126,11 @@ class ValueKinds:
             return Known(ValueKind.LIST)
         values = [(each, self.of(each, depth)) for each in parts]
         kinds = tuple(value.kind for _, value in values if value is not None and _is_plain(value))
-        places = tuple(
-            Span(each.start_byte, each.end_byte)
-            for each, _ in values
-            if _DECIMAL.fullmatch(each.text or b"")
-        )
-        return Known(ValueKind.LIST, elements=kinds, items=places)
+        literals = [each for each in parts if _DECIMAL.fullmatch(each.text or b"")]
+        places = tuple(Span(each.start_byte, each.end_byte) for each in literals)
+        numbers = [int((each.text or b"")[:_LONGEST_NUMBER]) for each in literals]
+        ends = _extremes(numbers)
+        return Known(ValueKind.LIST, elements=kinds, items=places, extremes=ends)
 
     def _unary(self, node: Node, depth: int) -> Known | None:
         operand = self.of(node.child_by_field_name("argument"), depth)
@@ -157,7 +161,8 @@ class ValueKinds:
             return None
         if sign == "+" and len(kinds) == 1 and left.kind in (ValueKind.TEXT, ValueKind.LIST):
             elements, items = left.elements + right.elements, left.items + right.items
-            return Known(left.kind, elements=elements, items=items)
+            ends = _extremes((*left.extremes, *right.extremes))
+            return Known(left.kind, elements=elements, items=items, extremes=ends)
         if sign == "*" and ValueKind.INT in kinds:
             other = left if right.kind is ValueKind.INT else right
             if other.kind in (ValueKind.LIST, ValueKind.TEXT):
@@ -320,3 +325,8 @@ def _given_elsewhere(messages: MessageValues) -> frozenset[str]:
             if not messages.held(holder):
                 found.add(messages.analysis.syntax.slice(name))
     return frozenset(found)
+
+
+def _extremes(numbers: Sequence[int]) -> tuple[int, ...]:
+    """Return the least and the greatest of numbers."""
+    return (min(numbers), max(numbers)) if numbers else ()

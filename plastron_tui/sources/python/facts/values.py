@@ -265,4 +265,5 @@ def _value(fields: Iterable[MessageField], known: Known, value: Node) -> FieldVa
         source=source,
         items=known.items,
         others=tuple(others),
+        extremes=known.extremes,
     )
