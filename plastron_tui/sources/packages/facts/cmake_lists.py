@@ -192,7 +192,9 @@ def _installs_more(call: Call) -> bool:
         return "SCRIPTS_DESTINATION" in values
     if call.command.name not in ("install", "catkin_install_python"):
         return False
-    return (not call.is_whole and not call.items) or values[:1] in ([each] for each in _NO_SCRIPTS)
+    if not values:
+        return not call.is_whole
+    return values[0] in _NO_SCRIPTS or values[0].startswith("${")
 
 
 def _has_open_programs(lists: CMakeLists) -> bool:

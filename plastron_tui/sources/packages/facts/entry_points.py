@@ -19,10 +19,12 @@ from plastron_tui.sources.setup_py.configuration import check_project, read_scri
 from plastron_tui.sources.setup_py.reader import (
     ConsoleScript,
     SetupFile,
+    computed_arguments,
     has_entry_points,
+    keyword,
     read_setup,
 )
-from plastron_tui.sources.setup_py.syntax import python_parser
+from plastron_tui.sources.setup_py.syntax import parse_setup, python_parser
 
 from .script_folder import script_folder
 from .texts import PackageTexts
@@ -32,7 +34,7 @@ _OPENING = frozenset({"exec", "eval", "globals", "setattr", "vars"})
 _BLOCKS = frozenset(
     {"if_statement", "try_statement", "with_statement", "for_statement", "while_statement", "block",
      "else_clause", "elif_clause", "except_clause", "finally_clause", "decorated_definition",
-     "expression_statement", "match_statement", "case_clause"}
+     "expression_statement", "match_statement", "case_clause", "parenthesized_expression"}
 )  # fmt: skip
 
 
@@ -126,6 +128,9 @@ def _entries(texts: PackageTexts, setup: SetupFile) -> tuple[tuple[ConsoleScript
     """Return the console scripts, the file that has them, and whether that is all."""
     source = texts.source
     with suppress(RefusedError):
+        called = parse_setup(source.texts[SETUP_PY], source.folder / SETUP_PY)
+        if keyword(called, "entry_points") is None and computed_arguments(called) is not None:
+            return (), SETUP_PY, False
         if PYPROJECT in source.texts:
             check_project(source.texts[PYPROJECT], source.folder / PYPROJECT)
         path = source.folder / SETUP_PY
@@ -303,9 +308,9 @@ def top_names(text: bytes) -> frozenset[str] | None:
             if _text(name) == "__getattr__":
                 return None
         elif node.type in ("assignment", "augmented_assignment", "named_expression"):
-            left = node.child_by_field_name("left")
+            left = node.child_by_field_name("left") or node.child_by_field_name("name")
             found |= {_text(each) for each in _identifiers(left)}
-            right = node.child_by_field_name("right")
+            right = node.child_by_field_name("right") or node.child_by_field_name("value")
             if right is not None:
                 waiting.append(right)
         elif node.type in ("import_statement", "import_from_statement"):
