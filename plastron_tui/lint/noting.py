@@ -44,7 +44,7 @@ def with_comments(file: Path, text: bytes, asked: Sequence[tuple[Span, str]]) ->
     count = 0
     waiting = sorted(dict.fromkeys(asked), key=lambda each: (each[0].start, each[1]))
     for at, (span, code) in enumerate(waiting):
-        if any(_is_noted(each, code) for each in _comments_about(style, file, text, span)):
+        if any(_is_noted(each, code) for each in _comments_about(file, text, span)):
             count += 1
             continue
         for splice in _places(style, file, text, span, code):
@@ -68,7 +68,7 @@ def _places(
     style: CommentStyle, file: Path, text: bytes, span: Span, code: str
 ) -> Iterator[Splice]:
     """Yield what may be inserted for a place, the best first."""
-    for comment in _comments_about(style, file, text, span):
+    for comment in _comments_about(file, text, span):
         # A comment that begins lines has another one that ends them, with the same codes.
         is_pair = style is CommentStyle.CPP and comment.first != comment.last
         if comment.codes is not None and not is_pair:
@@ -85,16 +85,10 @@ def _places(
         yield from _above_tag(text, span, code)
 
 
-def _comments_about(style: CommentStyle, file: Path, text: bytes, span: Span) -> list[Comment]:
-    """Return the comments about rules that are about a place, and stand in no string."""
+def _comments_about(file: Path, text: bytes, span: Span) -> list[Comment]:
+    """Return the comments about rules that are about a place."""
     lines = LineIndex(text)
-    real = list(comment_spans(style, text))
-    return [
-        each
-        for each in comments_of(file, text, lines)
-        if each.covers(lines, span)
-        and any(x.start <= each.span.start and each.span.end <= x.end for x in real)
-    ]
+    return [each for each in comments_of(file, text, lines) if each.covers(lines, span)]
 
 
 def _is_noted(comment: Comment, code: str) -> bool:

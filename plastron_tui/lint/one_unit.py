@@ -14,9 +14,9 @@ from plastron_tui.model.source import SourceUnit, place_of
 from plastron_tui.ros.catalog import Catalog
 
 from .engine import lint
-from .rule import Group, Rule
+from .rule import Group
 from .selection import Selection
-from .suppression import comments_of
+from .suppression import FileComments
 from .tree import SourceTree, UnitFacts
 
 _GROUPS = (Group.MESSAGES, Group.PARAMETERS, Group.CODE)
@@ -54,21 +54,12 @@ def lint_unit(
     chosen = Selection() if selection is None else selection
     rules = [each for each in chosen.rules() if each.group in _GROUPS]
     tree = SourceTree(source.path.parent, units=(facts,), catalogs=catalogs)
-    texts = {place_of(source.path, name): text for name, text in source.files.texts}
+    paths = ((place_of(source.path, name), text) for name, text in source.files.texts)
+    comments = {path: FileComments(path, text, LineIndex(text)) for path, text in paths}
     return tuple(
         each.diagnostic
         for each in lint(tree, rules)
         if (file := each.diagnostic.file) is not None
         and not chosen.is_ignored(each.rule, file, root or tree.root)
-        and not _is_meant(each.diagnostic, file, texts, each.rule)
+        and not (file in comments and comments[file].mean(each.rule, each.diagnostic.span))
     )
-
-
-def _is_meant(found: Diagnostic, file: Path, texts: Mapping[Path, bytes], rule: Rule) -> bool:
-    """Tell whether a comment in a file says that what breaks a rule is meant."""
-    text, span = texts.get(file), found.span
-    if text is None or span is None:
-        return False
-    lines = LineIndex(text)
-    comments = comments_of(file, text, lines)
-    return any(each.covers(lines, span) and each.is_about(rule) for each in comments)

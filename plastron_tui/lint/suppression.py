@@ -9,13 +9,15 @@ rules, those of other linters too.
 from __future__ import annotations
 
 import re
+from bisect import bisect_right
+from collections import defaultdict
 from collections.abc import Iterable, Iterator
 from pathlib import Path
 from typing import NamedTuple
 
 from plastron_tui.diagnostics import LineIndex, Span
 
-from .comment_syntax import CommentStyle, style_of
+from .comment_syntax import CommentStyle, comment_spans, style_of
 from .rule import Rule
 
 _WORD_TEXT = rb"(?:[A-Za-z]\w*(?:-\w+)*|\*)"
@@ -27,7 +29,8 @@ _NOLINT = re.compile(
     rb"\bNOLINT(?P<kind>NEXTLINE|BEGIN|END)?(?![\w-])(?P<colon>\((?P<codes>[^)\r\n]*)\))?"
 )
 _WORD = re.compile(_WORD_TEXT)
-_NAMED = re.compile(rb"(?:noqa|NOLINT)[^\n]*?(?:\bR[A-Z][0-9]{3}|[a-z]-[a-z])", re.I)
+_SIGN = re.compile(rb"noqa|NOLINT", re.I)
+_NAME = re.compile(rb"\bR[A-Z][0-9]{3}|[a-z]-[a-z]", re.I)
 _CODE = re.compile(r"[A-Z]+[0-9]+")
 
 
@@ -39,12 +42,14 @@ class Comment(NamedTuple):
         first: the first line that it is about.
         last: the last one.
         codes: what it names, each with its place; None where it is about all rules.
+        around: the whole comment, of which it may be a part.
     """
 
     span: Span
     first: int
     last: int
     codes: tuple[tuple[str, Span], ...] | None
+    around: Span = Span(0, 0)
 
     def is_about(self, rule: Rule) -> bool:
         """Tell whether it names a rule, or all of them."""
@@ -52,8 +57,12 @@ class Comment(NamedTuple):
 
     def covers(self, lines: LineIndex, span: Span) -> bool:
         """Tell whether a place begins or ends in a line that it is about."""
-        ends = {lines.line_at(span.start), lines.line_at(max(span.start, span.end - 1))}
-        return any(self.first <= each <= self.last for each in ends)
+        return any(self.first <= each <= self.last for each in ends_of(lines, span))
+
+
+def ends_of(lines: LineIndex, span: Span) -> tuple[int, int]:
+    """Return the lines in which a place begins and ends."""
+    return lines.line_at(span.start), lines.line_at(max(span.start, span.end - 1))
 
 
 def may_have_comments(text: bytes) -> bool:
@@ -63,17 +72,68 @@ def may_have_comments(text: bytes) -> bool:
 
 def may_name_rules(text: bytes) -> bool:
     """Tell whether a comment of a text may name a rule, by its code or its name."""
-    return may_have_comments(text) and _NAMED.search(text) is not None
+    return may_have_comments(text) and any(
+        _NAME.search(line, sign.end()) is not None
+        for line in text.split(b"\n")
+        if (sign := _SIGN.search(line)) is not None
+    )
 
 
 def comments_of(file: Path, text: bytes, lines: LineIndex) -> tuple[Comment, ...]:
-    """Return the comments of a file about rules; what stands in a string looks like one, too."""
+    """Return the comments of a file about rules, in the order in which they begin or end lines."""
     style = style_of(file)
     if style is None or not may_have_comments(text):
         return ()
     if style is CommentStyle.CPP:
-        return tuple(_nolints(text, lines))
-    return tuple(_noqa(each, style, text, lines) for each in _NOQA.finditer(text))
+        found = _nolints(text, lines)
+    else:
+        found = (_noqa(each, style, text, lines) for each in _NOQA.finditer(text))
+    return tuple(_outside_of_strings(found, tuple(comment_spans(style, text))))
+
+
+def _outside_of_strings(found: Iterable[Comment], real: tuple[Span, ...]) -> Iterator[Comment]:
+    starts = [each.start for each in real]
+    for each in found:
+        at = bisect_right(starts, each.span.start) - 1
+        if at >= 0 and each.span.end <= real[at].end:
+            yield each._replace(around=real[at])
+
+
+class FileComments:
+    """The comments of a file about rules, and which of them something was found for.
+
+    Attributes:
+        all: the comments.
+        used: those that said of what breaks a rule that it is meant.
+    """
+
+    def __init__(self, file: Path, text: bytes, lines: LineIndex) -> None:
+        """Find them in a text."""
+        self._lines = lines
+        self.all = comments_of(file, text, lines)
+        self.used: set[tuple[Comment, Rule]] = set()
+        self._in_line: dict[int, list[Comment]] = defaultdict(list)
+        for each in self.all:
+            if each.first == each.last:
+                self._in_line[each.first].append(each)
+        self._wide = [each for each in self.all if each.first != each.last]
+        self._known: dict[tuple[int, Rule], bool] = {}
+
+    def mean(self, rule: Rule, span: Span | None) -> bool:
+        """Tell whether they say that what breaks a rule at a place is meant."""
+        if span is None or not self.all:
+            return False
+        # The comments of both lines are used.
+        return bool(sum(self._mean(rule, line) for line in ends_of(self._lines, span)))
+
+    def _mean(self, rule: Rule, line: int) -> bool:
+        key = line, rule
+        if key not in self._known:
+            here = [each for each in self._wide if each.first <= line <= each.last]
+            about = [each for each in (*self._in_line[line], *here) if each.is_about(rule)]
+            self.used.update((each, rule) for each in about)
+            self._known[key] = bool(about)
+        return self._known[key]
 
 
 def _nolints(text: bytes, lines: LineIndex) -> Iterator[Comment]:

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+import re
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
 from typing import ClassVar
 
-from tree_sitter import Language, Node, Query, QueryCursor, Tree
+from tree_sitter import Language, Node, Parser, Query, QueryCursor, Tree
 
 AS_LETTERS = bytes(byte if byte < 0x80 else ord("x") for byte in range(256))
 """A byte that is not UTF-8 ends a string or a comment for tree-sitter. In a file of another
@@ -16,6 +17,16 @@ encoding every such byte is parsed as a letter, so that no offset moves."""
 
 # A node within more others was made to break readers: a query takes the square of the depth.
 _DEEPEST = 1_000
+
+_WIDEST_ERROR = 2_000
+_CONTINUED = re.compile(rb"(?:\\\r?\n[ \t]*){1000}")
+_PREFIXES = re.compile(rb"(?:[-+~!*&][ \t]*){1000,}")
+
+# The parser asks about every hundred steps. Code that people write takes 15 times for 1000 bytes at
+# most; where nothing is a sentence, steps can grow by the cube of the length.
+_FEWEST_STEPS = 2_000
+_STEPS_PER_BYTE = 0.1
+_PIECE = 65_536
 
 
 class Grammar:
@@ -36,6 +47,64 @@ class Grammar:
         for nodes in found.values():
             nodes.sort(key=lambda node: (node.start_byte, -node.end_byte))
         return found
+
+
+class BoundedParser:
+    """A parser that gives up a text which takes more than any that people write.
+
+    Attributes:
+        steps: how often it was asked whether to go on, for the last text.
+    """
+
+    def __init__(self, language: Language) -> None:
+        self._parser = Parser(language)
+        self.steps = 0
+
+    def parse(self, text: bytes) -> Tree:
+        """Return the tree of a text; where it is given up, that of a text that does not parse."""
+        self.steps = 0
+        if _CONTINUED.search(text) is not None:
+            # A scanner looks past all of these at each of them.
+            return self.given_up()
+        most = _FEWEST_STEPS + len(text) * _STEPS_PER_BYTE
+
+        def is_too_much(*_: object) -> bool:
+            self.steps += 1
+            return self.steps > most
+
+        def piece(start: int, _: object) -> bytes:
+            return text[start : start + _PIECE]
+
+        try:
+            return self._parser.parse(piece, progress_callback=is_too_much)
+        except ValueError:
+            self._parser.reset()
+            return self.given_up()
+
+    def given_up(self) -> Tree:
+        """Return the tree of a text that does not parse."""
+        return self._parser.parse(b"(")
+
+
+def wide_errors(root: Node) -> Iterator[tuple[int, int]]:
+    """Yield where what does not parse is so long that a query would take the square of it."""
+    stack = [root] if root.has_error else []
+    while stack:
+        node = stack.pop()
+        if node.is_error and node.child_count > _WIDEST_ERROR:
+            yield node.start_byte, node.end_byte
+        else:
+            stack.extend(child for child in node.children if child.has_error)
+
+
+def is_too_deep(source: bytes, root: Node) -> bool:
+    """Tell whether signs before a value are so many that a query would take the square of them."""
+    return any(
+        "unary" in kind or "pointer" in kind
+        for found in _PREFIXES.finditer(source)
+        if (node := root.descendant_for_byte_range(found.start(), found.start())) is not None
+        for kind in (node.type, "" if node.parent is None else node.parent.type)
+    )
 
 
 @dataclass(frozen=True, slots=True)

@@ -8,9 +8,9 @@ import pytest
 from linted import NO_QUEUE, run_over, told, write_tree
 
 from plastron_tui.diagnostics import LineIndex, Span
-from plastron_tui.lint.rule import RULES
+from plastron_tui.lint.rule import RULES, Rule
 from plastron_tui.lint.rules import RULES as DECLARED
-from plastron_tui.lint.suppression import comments_of
+from plastron_tui.lint.suppression import Comment, FileComments, comments_of, may_name_rules
 
 assert DECLARED is RULES
 RULE = RULES["RC407"]
@@ -45,6 +45,8 @@ def _is_meant(name: str, text: str, at: str = "@") -> bool:
         ("a.py", "@  # noqa: RC408\n", False),
         ("a.py", "@  # noqa-this\n", False),
         ("a.py", "@\nx  # noqa\n", False),
+        ("a.py", "@ '# noqa'\n", False),
+        ("a.cpp", '@ "// NOLINT"\n', False),
         ("a.py", "@(\n  1)@  # noqa\n", True),
         ("a.cpp", "@ // NOLINT\n", True),
         ("a.cpp", "@ // NOLINT(RC407)\n", True),
@@ -92,3 +94,26 @@ def test_comment_in_a_workspace(tmp_path: Path, ending: str, found: list[object]
     assert told(run_over(root, "RC407", "unused-noqa")) == found
     (root / "b.py").write_text("x = 1  # noqa: queue-size-missing\n")
     assert told(run_over(root, "RC407", "unused-noqa")) == [*found, ("unused-noqa", 1)]
+
+
+def test_many_comments_are_judged_once_each(monkeypatch: pytest.MonkeyPatch) -> None:
+    asked = 0
+    judge = Comment.is_about
+
+    def counted(self: Comment, rule: Rule) -> bool:
+        nonlocal asked
+        asked += 1
+        return judge(self, rule)
+
+    monkeypatch.setattr(Comment, "is_about", counted)
+    many = 1_000
+    for line_end in (b"", b"\n"):
+        asked, text = 0, (b"# noqa: RC408 " + line_end) * many
+        comments = FileComments(Path("a.py"), text, LineIndex(text))
+        assert not any(comments.mean(RULE, Span(at, at + 1)) for at in range(0, len(text), 7))
+        assert asked == many
+
+
+def test_comment_whose_codes_are_far_from_its_sign() -> None:
+    assert may_name_rules(b"# noqa" * 20_000 + b": RC407\n")
+    assert not may_name_rules(b"# noqa " * 20_000 + b"\nRC407\n")

@@ -6,9 +6,11 @@ first file is parsed.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cache
+from itertools import count
 from pathlib import Path
 from typing import TypeAlias
 
@@ -30,6 +32,8 @@ _BLOCKS = {
 _PARTS = frozenset(
     {"else", "elseif"} | {word for name in _BLOCKS.values() for word in (name, f"end{name}")}
 )
+_BLANKS = re.compile(rb"[\r\n][ \t\r\n]{200,}|[ \t][ \t]{200,}")
+"""Blanks that no line comment ends in but at the first one; `\\r` ends one for the grammar, too."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -161,15 +165,38 @@ def parse_cmake(text: bytes, path: Path) -> Listing:
         raise RefusedError(
             Diagnostic(codes.MISSING_EXTRA, message, file=path, help=remedy)
         ) from None
-    root = parser.parse(text).root_node
+    root = parser.parse(_with_short_blanks(text)).root_node
     if root.has_error:
         raise _broken(text, path, _first_wrong(root))
     comments = tuple(
-        (each.start_byte, each.end_byte) for each in _all(root) if each.type.endswith("_comment")
+        (each.start_byte, each.end_byte)
+        for each in _all(root)
+        if each.type.endswith("_comment") and text.startswith(b"#", each.start_byte)
     )
     listing = Listing(text, path, _Builder(text, path).statements(root, 0), comments)
     _check_lines(listing)
     return listing
+
+
+def _with_short_blanks(text: bytes) -> bytes:
+    """Return a text of the same length with a comment for blanks that are too many.
+
+    At each blank the grammar looks past all those that follow, which takes the square of them.
+    """
+    if _BLANKS.search(text) is None:
+        return text
+    width = next(width for width in count() if b"]%b]" % (b"=" * width) not in text)
+    opening, closing = (each % (b"=" * width) for each in (b"#[%b[", b"]%b]"))
+
+    def commented(found: re.Match[bytes]) -> bytes:
+        blanks = found[0]
+        room = len(blanks) - len(opening) - len(closing) - 1
+        if room < 0:
+            return blanks
+        middle = blanks[1 + len(opening) :][:room]
+        return blanks[:1] + opening + middle + closing
+
+    return _BLANKS.sub(commented, text)
 
 
 def _first_wrong(root: Node) -> tuple[int, int]:

@@ -3,21 +3,26 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import ClassVar, NamedTuple
 
 import tree_sitter_cpp
-from tree_sitter import Node, Parser
+from tree_sitter import Node
 
-from plastron_tui.sources.grammars import AS_LETTERS, Grammar, ParsedFile, count_errors
+from plastron_tui.sources.grammars import (
+    AS_LETTERS,
+    BoundedParser,
+    Grammar,
+    ParsedFile,
+    count_errors,
+    is_too_deep,
+    wide_errors,
+)
 from plastron_tui.sources.text_memo import remembered
 
 from .macros import join_macros, mask_macros
 from .preprocessing import Define, Include, blank, preprocess
-
-_WIDEST_ERROR = 2_000
 
 
 class Sought(NamedTuple):
@@ -91,11 +96,13 @@ def parse(text: bytes) -> Syntax:
         text.decode()
     except UnicodeDecodeError:
         encoding = "latin-1"
-    parser = Parser(Syntax.grammar.language())
+    parser = BoundedParser(Syntax.grammar.language())
     for _ in range(3):
         source = bytes(code)
         tree = parser.parse(source if encoding == "utf-8" else source.translate(AS_LETTERS))
-        wide = list(_wide_errors(tree.root_node))
+        if is_too_deep(source, tree.root_node):
+            tree = parser.given_up()
+        wide = list(wide_errors(tree.root_node))
         if not wide:
             break
         for start, end in wide:
@@ -107,14 +114,3 @@ def parse(text: bytes) -> Syntax:
     includes, defines = prepared.includes, prepared.defines
     found = (includes, defines, prepared.conditionals, overrides)
     return Syntax(text, encoding, tree, errors, source, *found)
-
-
-def _wide_errors(root: Node) -> Iterator[tuple[int, int]]:
-    """Yield where what does not parse is so long that a query would take the square of it."""
-    stack = [root] if root.has_error else []
-    while stack:
-        node = stack.pop()
-        if node.is_error and node.child_count > _WIDEST_ERROR:
-            yield node.start_byte, node.end_byte
-        else:
-            stack.extend(child for child in node.children if child.has_error)

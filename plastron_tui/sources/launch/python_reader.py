@@ -7,11 +7,12 @@ from pathlib import Path
 from typing import Any
 
 import tree_sitter_python
-from tree_sitter import Language, Node, Parser
+from tree_sitter import Language, Node
 
 from plastron_tui.diagnostics import Diagnostic, Span, codes
 from plastron_tui.ros.launch import Format, Item, LaunchFile, Unread
 from plastron_tui.ros.launch_text import text
+from plastron_tui.sources.grammars import BoundedParser
 
 from .python_actions import SEQUENCES, Computed, placed
 from .python_values import (
@@ -30,7 +31,7 @@ from .xml_reader import LaunchRead
 
 def read_launch_python(source: bytes, file: Path | None = None) -> LaunchRead:
     """Read a launch file in Python; what is computed is an `Unread` item."""
-    root = Parser(_language()).parse(source).root_node
+    root = BoundedParser(_language()).parse(source).root_node
     if root.has_error:
         found = Diagnostic(codes.BROKEN_LAUNCH, "this is no Python that can be read", file=file)
         return LaunchRead(None, Format.PYTHON, None, (found,))

@@ -10,9 +10,17 @@ from pathlib import Path
 from typing import ClassVar
 
 import tree_sitter_python
-from tree_sitter import Node, Parser
+from tree_sitter import Node
 
-from plastron_tui.sources.grammars import AS_LETTERS, Grammar, ParsedFile, count_errors
+from plastron_tui.sources.grammars import (
+    AS_LETTERS,
+    BoundedParser,
+    Grammar,
+    ParsedFile,
+    count_errors,
+    is_too_deep,
+    wide_errors,
+)
 from plastron_tui.sources.text_memo import remembered
 
 from .error_recovery import bound_indents, mask_errors, straighten
@@ -70,7 +78,7 @@ def parse(text: bytes) -> Syntax:
     encoding = _encoding(text)
     source = text if encoding == "utf-8" else text.translate(AS_LETTERS)
     source = bound_indents(_OLD_LINE_END.sub(b"\n", source))
-    parser = Parser(Syntax.grammar.language())
+    parser = BoundedParser(Syntax.grammar.language())
     tree = parser.parse(source)
     errors = count_errors(tree.root_node)
     if errors and (straight := straighten(source)) != source:
@@ -81,6 +89,9 @@ def parse(text: bytes) -> Syntax:
         masked = parser.parse(mask_errors(source))
         if count_errors(masked.root_node) < errors:
             tree = masked
+    if next(wide_errors(tree.root_node), None) or is_too_deep(source, tree.root_node):
+        tree = parser.given_up()
+        errors = max(errors, 1)
     return Syntax(text, encoding, tree, errors)
 
 

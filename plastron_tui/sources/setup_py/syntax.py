@@ -8,10 +8,11 @@ from functools import cache
 from pathlib import Path
 
 import tree_sitter_python
-from tree_sitter import Language, Node, Parser
+from tree_sitter import Language, Node
 
 from plastron_tui.diagnostics import codes
 from plastron_tui.sources.build_files import check_text, refusal
+from plastron_tui.sources.grammars import BoundedParser
 
 from .branches import Branching, are_apart, never_runs, read_branchings, way_to
 from .names import Names, descendants, read_names
@@ -26,9 +27,9 @@ _MOST_SETUP_CALLS = 20
 
 
 @cache
-def python_parser() -> Parser:
+def python_parser() -> BoundedParser:
     """Return a parser of Python."""
-    return Parser(Language(tree_sitter_python.language()))
+    return BoundedParser(Language(tree_sitter_python.language()))
 
 
 @dataclass(frozen=True, slots=True)
