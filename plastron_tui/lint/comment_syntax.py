@@ -20,6 +20,7 @@ class CommentStyle(Enum):
     YAML = "yaml"
     CMAKE = "cmake"
     XML = "xml"
+    DEFINITION = "definition"
     PROGRAM = "plastron"
 
     def comment(self, codes: str) -> str:
@@ -44,9 +45,12 @@ _PARTS = {
     rb"<\?.*?(?:\?>|\Z)|<(?:[^\"'<>]|\"[^\"]*(?:\"|\Z)|'[^']*(?:'|\Z))*>?",
     # Quotes of a plain scalar are letters: whether a sign is in a string shows in what is read.
     CommentStyle.YAML: rb"(?<![^ \t\n])(?P<comment>#[^\n]*)",
+    # All of a line is the value of a constant that is a string, signs of comments included.
+    CommentStyle.DEFINITION: rb"^[ \t]*w?string[ \t]+\w+[ \t]*=[^\n]*|" + _STRINGS
+    + rb"|(?P<comment>#[^\n]*)",
     CommentStyle.PROGRAM: _STRINGS + rb"|(?P<comment>//[^\n]*)",
 }  # fmt: skip
-_LEXERS = {style: re.compile(parts, re.S) for style, parts in _PARTS.items()}
+_LEXERS = {style: re.compile(parts, re.S | re.M) for style, parts in _PARTS.items()}
 
 _STYLES = {
     ".py": CommentStyle.PYTHON,
@@ -57,6 +61,10 @@ _STYLES = {
     ".launch": CommentStyle.XML,
     ".xacro": CommentStyle.XML,
     ".urdf": CommentStyle.XML,
+    ".test": CommentStyle.XML,
+    ".msg": CommentStyle.DEFINITION,
+    ".srv": CommentStyle.DEFINITION,
+    ".action": CommentStyle.DEFINITION,
     ".plastron": CommentStyle.PROGRAM,
 } | dict.fromkeys((".cpp", ".cc", ".cxx", ".hpp", ".hxx", ".hh", ".h"), CommentStyle.CPP)
 

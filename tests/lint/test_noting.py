@@ -82,7 +82,14 @@ def _noted(name: str, text: str, *marks: str) -> str | None:
         ("a.xml", "<a>\n<!-- «b»\n -->\n</a>\n", None),
         ("a.xml", "<a>\n<![CDATA[\n«b»\n]]></a>\n", None),
         ("a.plastron", "load «a»\n", "load a  // noqa: RC407\n"),
-        ("a.msg", "«int32 a»\n", None),
+        ("a.msg", "«int32 a»\n", "int32 a  # noqa: RC407\n"),
+        ("a.msg", "«int32 a»  # why\n", "int32 a  # why  # noqa: RC407\n"),
+        ("a.msg", "«string a 'b # c'»\n", "string a 'b # c'  # noqa: RC407\n"),
+        ("a.msg", "«string A=b»\n", None),
+        ("a.msg", "«wstring A = 'b' # c»\n", None),
+        ("a.srv", "«string a»\n---\n", "string a  # noqa: RC407\n---\n"),
+        ("a.action", "---\n«int32 A=1»\n---\n", "---\nint32 A=1  # noqa: RC407\n---\n"),
+        ("a.test", "<a>\n  <b «c=''»/>\n</a>\n", "<a>\n  <b c=''/>  <!-- noqa: RC407 -->\n</a>\n"),
         ("a.txt", "«a»\n", None),
     ],
 )
@@ -121,4 +128,4 @@ def test_any_text_has_comments_that_do_not_overlap(style: CommentStyle, text: st
 def test_which_files_have_comments() -> None:
     assert style_of(Path("a/CMakeLists.txt")) is CommentStyle.CMAKE
     assert style_of(Path("a/notes.txt")) is None
-    assert style_of(Path("a/b.msg")) is None
+    assert style_of(Path("a/b.msg")) is CommentStyle.DEFINITION

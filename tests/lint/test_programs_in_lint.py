@@ -10,6 +10,7 @@ from linted import told, write_tree
 from plastron_tui.cli.lint_programs import read_program
 from plastron_tui.lint.selection import Selection
 from plastron_tui.project.linting.cache import FactCache
+from plastron_tui.project.linting.rewriting import note_all
 from plastron_tui.project.linting.run import LintOptions, LintRun
 
 PROGRAM = """\
@@ -76,3 +77,13 @@ def test_mistakes_of_programs_are_chosen_as_rules_are(tmp_path: Path) -> None:
     assert codes(Selection(("RG",))) == []
     assert codes(Selection((), ("unknown-node",))) == []
     assert codes(Selection((), (), {"*.plastron": ("unknown-node",)})) == []
+
+
+@pytest.mark.parametrize("line", ["nonsense it is\n", "create_node 'talker as talker\n"])
+def test_nobody_means_what_is_no_sentence(tmp_path: Path, line: str) -> None:
+    root = write_tree(tmp_path, {"a.plastron": PROGRAM + line})
+    cache = FactCache(root, tmp_path / "cache")
+    run = LintRun(LintOptions((root,), workers=1, cache=cache, read_program=read_program))
+    assert run.told
+    assert note_all(run).done == 0
+    assert (root / "a.plastron").read_text() == PROGRAM + line

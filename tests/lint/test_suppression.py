@@ -67,6 +67,12 @@ def _is_meant(name: str, text: str, at: str = "@") -> bool:
         ("a.xml", "<!-- noqa: RC407 -->\n<a\n  @\n  b=''/>\n", True),
         ("a.xml", "<!-- noqa: RC407 -->\n<a/>\n<b @/>\n", False),
         ("a.plastron", "@ // noqa: RC407\n", True),
+        ("a.msg", "@ # noqa: RC407\n", True),
+        ("a.msg", "string A=@b # noqa: RC407\n", False),
+        ("a.srv", "@ # noqa: RC407\n", True),
+        ("a.action", "@ # noqa: RC407\n", True),
+        ("a.launch", "<a @/> <!-- noqa: RC407 -->\n", True),
+        ("package.xml", "<a @/> <!-- noqa: RC407 -->\n", True),
     ],
 )  # fmt: skip
 def test_which_lines_a_comment_is_about(name: str, text: str, meant: bool) -> None:

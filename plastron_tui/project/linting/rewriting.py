@@ -22,6 +22,11 @@ from .run import LintRun
 MOST_ROUNDS = 20
 """How often fixes that touch others get their turn."""
 
+_NEVER_MEANT = {
+    codes.UNUSED_NOQA, codes.BROKEN_XML, codes.UNSUPPORTED_XML, codes.BROKEN_PACKAGE,
+    *codes.GROUPS["sentences"],
+}  # fmt: skip
+
 
 class Rewrite(NamedTuple):
     """A file, what it holds and what it shall hold.
@@ -148,10 +153,11 @@ def _breaks_more(path: Path, before: LintRun, after: LintRun) -> bool:
 def note_all(run: LintRun) -> Changes:
     """Write a comment for each thing that is found: it is meant.
 
-    That a comment is about nothing is not noted: it is to be taken away.
+    That a comment is about nothing is not noted: it is to be taken away. Nor is it meant that a
+    file breaks the rules of its language.
     """
     rewrites, count = [], 0
-    told = [each for each in run.told if each.diagnostic.code != codes.UNUSED_NOQA]
+    told = [each for each in run.told if each.diagnostic.code not in _NEVER_MEANT]
     for path in dict.fromkeys(each.diagnostic.file for each in told):
         before = None if path is None else run.text(path)
         if path is None or before is None:
