@@ -61,9 +61,9 @@ def command(files: tuple[Path, ...], target: str | None, format_: str) -> None:
         else:
             report.add(diagnostics, session.lines, session.path)
     if format_ == "json":
-        import json
+        from plastron_tui.diagnostics.json_text import json_text
 
-        click.echo(json.dumps(found, indent=2))
+        click.echo(json_text(found))
     elif report.is_empty and sys.stdout.isatty():
         click.echo("no problems")
     finish(report)

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-import json
 from pathlib import Path
 
 import click
 
 from plastron_tui.diagnostics import Diagnostic, LineIndex, codes
+from plastron_tui.diagnostics.json_text import json_text
 from plastron_tui.model.inspection import inspect_json, inspect_text
 from plastron_tui.model.program_text import program_of
 from plastron_tui.model.source import SourceUnit
@@ -45,7 +45,7 @@ def command(words: tuple[str, ...], format_: str) -> None:
         if source is None:
             continue
         if format_ == "json":
-            click.echo(json.dumps(inspect_json(source), indent=2 if len(files) == 1 else None))
+            click.echo(json_text(inspect_json(source), indent=2 if len(files) == 1 else None))
         elif format_ == "plastron":
             print_text(program_of(source, ros_version(source.library)))
         else:

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-import json
 from pathlib import Path
 
 import click
 
 from plastron_tui.diagnostics import Span
+from plastron_tui.diagnostics.json_text import json_text
 from plastron_tui.ros.robots.macros import Arguments
 
 from .common import Report, print_text
@@ -50,7 +50,7 @@ def show_robot(
 
         faults = as_json(found, read.lines, file)
         told = robot_json(robot, file, source.macros) | {"faults": faults}
-        click.echo(json.dumps(told, indent=2 if is_one else None))
+        click.echo(json_text(told, indent=2 if is_one else None))
     elif format_ == "plastron":
         program = program_of_robot(robot, read.robot.variable, lambda x: Session(x).diagnostics)
         print_text(program)

@@ -16,6 +16,7 @@ if TYPE_CHECKING:
     from click.shell_completion import CompletionItem
 
     from plastron_tui.diagnostics import Diagnostic, LineIndex
+    from plastron_tui.lint.selection import Selection
     from plastron_tui.project.linting.rewriting import Changes
     from plastron_tui.project.linting.run import LintRun
 
@@ -60,6 +61,9 @@ _CODES = _Codes()
 def _rules_option(name: str, text: str) -> Callable[[Callable[..., Any]], Callable[..., Any]]:
     return click.option(name, multiple=True, metavar="CODES", type=_CODES, help=text)
 
+
+_COMPARING = frozenset({"RK508"})
+"""The rules that look at nothing without `--against`."""
 
 _FILE = click.Path(dir_okay=False, path_type=Path)
 
@@ -128,6 +132,7 @@ def command(
     from .lint_programs import read_program
 
     selection = Selection(sum(select, ()), sum(ignore, ()))
+    _refuse_without_revision(selection, against)
     options = LintOptions(
         paths or (Path(),),
         selection,
@@ -161,7 +166,9 @@ def command(
         fixes = sum(each.diagnostic.fix is not None for each in run.told)
         if fixes and format_ == "text":
             click.echo(f"--fix mends {fixes} of {len(run.told)}", err=True)
-    if report.is_empty and sys.stdout.isatty() and format_ == "text":
+    if report.is_empty and format_ == "text" and not watch and run.has_nothing:
+        click.echo("there is no package, node, launch file or program", err=True)
+    elif report.is_empty and sys.stdout.isatty() and format_ == "text":
         click.echo("no problems")
     finish(report)
 
@@ -170,6 +177,16 @@ def _refuse_together(chosen: dict[str, bool]) -> None:
     names = [name for name, is_chosen in chosen.items() if is_chosen]
     if len(names) > 1:
         raise click.UsageError(f"{names[0]} and {names[1]} are not for one run.")
+
+
+def _refuse_without_revision(selection: Selection, against: str | None) -> None:
+    """Refuse to ask for a rule that has nothing to compare with: it would find nothing."""
+    from plastron_tui.lint.rules import RULES
+
+    for code in sorted(selection.asked() & _COMPARING):
+        if not against:
+            name = RULES[code].name
+            raise click.UsageError(f"{code} ({name}) compares with a revision: give --against.")
 
 
 def _explain(words: tuple[str, ...]) -> None:
@@ -270,15 +287,15 @@ def _write(counted: Any, run: LintRun, format_: str) -> None:
         for each in counted:
             click.echo(as_annotation(each, run.lines, Path.cwd()))
         return
-    import json
+    from plastron_tui.diagnostics.json_text import json_text
 
     if format_ == "json":
         from plastron_tui.diagnostics.render import as_json
 
-        click.echo(json.dumps(as_json(counted, run.lines), indent=2))
+        click.echo(json_text(as_json(counted, run.lines)))
         return
     from plastron_tui import __version__
     from plastron_tui.diagnostics.sarif import RuleText, as_sarif
 
     rules = {rule.code: RuleText(rule.name, rule.why) for rule in run.rules}
-    click.echo(json.dumps(as_sarif(counted, run.lines, run.root, __version__, rules), indent=2))
+    click.echo(json_text(as_sarif(counted, run.lines, run.root, __version__, rules)))

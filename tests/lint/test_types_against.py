@@ -125,3 +125,53 @@ def test_revision_is_read_and_nothing_of_the_repository_is_run(tmp_path: Path) -
     assert not (tmp_path / "was-run").exists()
     for revision in ("nothing", "--help", "HEAD:inner", ""):
         assert isinstance(read_earlier(tree, revision), Diagnostic)
+
+
+@pytest.mark.parametrize(
+    ("revision", "why"),
+    [
+        ("HEAD", ""),
+        (":/with", ""),
+        ("v1", ""),
+        ("HEAD^{tree}", "it is no commit"),
+        ("HEAD:README", "it is no commit"),
+        (":/no such text", "there is none"),
+        ("HEAD..HEAD", "there is none"),
+        ("HEAD\nHEAD", "it is no name of a revision"),
+    ],
+)
+def test_words_for_a_revision_and_its_submodule(tmp_path: Path, revision: str, why: str) -> None:
+    inner = write_tree(tmp_path / "inner", _BEFORE)
+    root = write_tree(tmp_path, {"README": ""})
+    for each in (inner, root):
+        _git(each, "init", "-q")
+    _git(inner, "add", "-A")
+    _git(inner, "commit", "-q", "-m", "before")
+    _git(root, "-c", "protocol.file.allow=always", "submodule", "add", "-q", str(inner), "mine")
+    _git(root, "commit", "-q", "-m", "with a submodule")
+    _git(root, "tag", "-a", "-m", "one", "v1")
+    tree = read_tree([root], FactCache(root, tmp_path / "cache"), workers=1)
+    earlier = read_earlier(tree, revision)
+    if isinstance(earlier, Diagnostic):
+        assert why
+        assert earlier.message.endswith(f"cannot be read: {why}")
+    else:
+        assert not why
+        assert {str(name) for _, name in earlier.interfaces} == {"rover/Speed", "rover/Reset"}
+        assert root / "mine/user.py" in earlier.unchanged
+
+
+def test_submodule_that_lacks_what_it_was(tmp_path: Path) -> None:
+    inner = write_tree(tmp_path / "inner", _BEFORE)
+    root = write_tree(tmp_path, {"README": ""})
+    for each in (inner, root):
+        _git(each, "init", "-q")
+    _git(inner, "add", "-A")
+    _git(inner, "commit", "-q", "-m", "before")
+    _git(root, "-c", "protocol.file.allow=always", "submodule", "add", "-q", str(inner), "mine")
+    _git(root, "commit", "-q", "-m", "with a submodule")
+    (root / ".git/modules/mine/HEAD").unlink()
+    tree = read_tree([root], FactCache(root, tmp_path / "cache"), workers=1)
+    found = read_earlier(tree, "HEAD")
+    assert isinstance(found, Diagnostic)
+    assert "the submodule `mine` has not what it was then" in found.message

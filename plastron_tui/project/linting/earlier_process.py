@@ -17,6 +17,8 @@ _WANTED = re.compile(
 _CODE = (".py", ".cpp", ".cc", ".cxx", ".hpp", ".h")
 _MOST_FILES = 20_000
 _LARGEST = 1_000_000
+_MOST_MODULES = 100
+_DEEPEST = 5
 _SETTINGS = (
     "core.hooksPath=/dev/null", "core.fsmonitor=false", "core.pager=cat", "protocol.allow=never",
 )  # fmt: skip
@@ -80,16 +82,19 @@ def _git(folder: str, *words: str, given: bytes = b"") -> bytes:
     return done.stdout
 
 
-def _answer(folder: str, revision: str) -> Answer:
-    """Return what git knows of what is below a folder at a revision."""
+def _answer(folder: str, revision: str, depth: int = 0) -> Answer:
+    """Return what git knows of what is below a folder at a revision, in submodules too."""
     commit = _commit(folder, revision)
     prefix = _git(folder, "rev-parse", "--show-prefix").rstrip(b"\n")
     listed = _git(folder, "ls-tree", "-r", "-z", "-l", "--full-tree", commit)
     wanted: list[tuple[bytes, str]] = []
     code: dict[str, str] = {}
+    modules: list[tuple[str, str]] = []
     for row in listed.split(b"\0"):
         about, _, path = row.partition(b"\t")
         parts = about.split()
+        if parts[1:2] == [b"commit"] and path.startswith(prefix) and depth < _DEEPEST:
+            modules.append((os.fsdecode(path[len(prefix) :]), parts[2].decode()))
         is_file = len(parts) == 4 and parts[1] == b"blob" and parts[3].isdigit()
         if not is_file or not path.startswith(prefix) or parts[0] == b"120000":
             continue
@@ -101,18 +106,37 @@ def _answer(folder: str, revision: str) -> Answer:
     wanted = wanted[:_MOST_FILES]
     asked = b"".join(each + b"\n" for each, _ in wanted)
     objects = _git(folder, "cat-file", "--batch", given=asked)
-    return Answer(dict(_cut(objects, [name for _, name in wanted])), code)
+    files = dict(_cut(objects, [name for _, name in wanted]))
+    for name, earlier in modules[:_MOST_MODULES]:
+        # One that is not fetched has no files now, either.
+        if os.path.exists(os.path.join(folder, name, ".git")):
+            inner = _of_module(os.path.join(folder, name), name, earlier, depth)
+            files |= {f"{name}/{each}": text for each, text in inner.files.items()}
+            code |= {f"{name}/{each}": known for each, known in inner.code.items()}
+    return Answer(files, code)
+
+
+def _of_module(folder: str, name: str, revision: str, depth: int) -> Answer:
+    try:
+        return _answer(folder, revision, depth + 1)
+    except _GitError as error:
+        raise _GitError(f"the submodule `{name}` has not what it was then ({error})") from None
 
 
 def _commit(folder: str, revision: str) -> str:
     if not revision or revision.startswith("-") or not revision.isprintable():
         raise _GitError("it is no name of a revision")
-    words = ("rev-parse", "--verify", "--quiet", f"{revision}^{{commit}}")
+    # In two steps: of what is searched for, `:/text`, the rest would be a part.
     try:
-        return _git(folder, *words).decode().strip()
+        found = _git(folder, "rev-parse", "--verify", "--quiet", revision).decode().strip()
     except _GitError as error:
         said = str(error)
         raise _GitError("there is none" if said == "git gives no reason" else said) from None
+    try:
+        words = ("rev-parse", "--verify", "--quiet", f"{found}^{{commit}}")
+        return _git(folder, *words).decode().strip()
+    except _GitError:
+        raise _GitError("it is no commit") from None
 
 
 def _cut(objects: bytes, names: list[str]) -> list[tuple[str, str]]:

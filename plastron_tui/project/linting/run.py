@@ -175,6 +175,13 @@ class LintRun:
 
         return list_files(self.paths, is_excluded)
 
+    @property
+    def has_nothing(self) -> bool:
+        """Whether there is nothing that a rule looks at."""
+        if self._listing.packages or any(x.endswith(".plastron") for x in self._listing.files):
+            return False
+        return not (self.tree.units or self.tree.launches or self.tree.problems)
+
     @cached_property
     def rules(self) -> tuple[Rule, ...]:
         """The rules that are followed."""
