@@ -70,6 +70,7 @@ def _read(body: str) -> list[str]:
 
 
 A, B = "Node(package='p', executable='a')", "Node(package='p', executable='b')"
+C = "Node(package='p', executable=f'{x}_1')"
 RETURN = "return LaunchDescription(nodes)"
 INCLUDE = (
     "return LaunchDescription([IncludeLaunchDescription('x', launch_arguments=given.items())])"
@@ -101,6 +102,24 @@ INCLUDE = (
          ["a", "? what an `if` adds"]),
         (f"nodes = [{A}]\nfor x in 'ab':\n    nodes += [{B}]\n{RETURN}",
          ["a", "? what a `for` adds"]),
+        (f"nodes = [{A} for _ in range(2)]\n{RETURN}", ["a", "a"]),
+        (f"nodes = [{A} for x in os]\n{RETURN}",
+         ["? `[Node(package='p', executable='a') for x…`"]),
+        (f"nodes = [{A} for x in ('a', 'b') if x]\n{RETURN}",
+         ["? `[Node(package='p', executable='a') for x…`"]),
+        (f"names = ['l', 'r']\nnodes = [{C} for n, x in zip(names, names)]\n{RETURN}",
+         ["? `[Node(package='p', executable=f'{x}_1') …`"]),
+        (f"names = ['l', 'r']\nnodes = [{C} for x in names]\n{RETURN}", ["l_1", "r_1"]),
+        (f"nodes = [{C} for n, x in [(1, 'l'), (2, 'r')]]\n{RETURN}", ["l_1", "r_1"]),
+        (f"names = ['l', 'r']\nnodes = []\nfor x in names:\n    nodes.append({C})\n{RETURN}",
+         ["l_1", "r_1"]),
+        (f"nodes = []\nfor x in ['l', 'r']:\n    y = x\n    if y:\n        break\n"
+         f"    nodes += [{C}]\n{RETURN}", ["? what a `for` adds"]),
+        (f"nodes = []\nfor x in ():\n    nodes += [{C}]\n{RETURN}", []),
+        (f"x = 'l'\nnodes = [{C}]\n{RETURN}", ["l_1"]),
+        (f"x = os.name\nnodes = [{C}]\n{RETURN}", ["$(f'{x}_1')"]),
+        (f"nodes = []\nfor x in range(2000):\n    nodes.append({A})\n{RETURN}",
+         ["? what a `for` adds"]),
         (f"nodes = [{A}]\nif nodes.count(1):\n    print(1)\n{RETURN}", ["a"]),
         (f"ld = LaunchDescription()\nld.add_action({A})\nld.add_action(action={B})\nreturn ld",
          ["a", "b"]),

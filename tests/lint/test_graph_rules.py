@@ -139,6 +139,14 @@ TWICE = {
         },
         5,
     ),
+    "in_a_comprehension": (
+        {"x_py": in_python("*[" + node_of("talker", "name='a'") + " for _ in range(3)]")},
+        3,
+    ),
+    "in_a_comprehension_with_names": (
+        {"x_py": in_python("*[" + node_of("talker", "name=f'a{n}'") + " for n in range(3)]")},
+        0,
+    ),
     "in_other_namespaces": (
         {"x_py": in_python(node_of("talker", "namespace='r'"), node_of("talker", "namespace='s'"))},
         0,

@@ -232,6 +232,7 @@ def duplicate_node_name(tree: SourceTree, code: Code) -> Iterator[Diagnostic]:
         own = {id(node.started): node for node in run.nodes}
         counts = Counter(id(node.started) for node in run.nodes)
         first: dict[str, Started] = {}
+        looped: set[str] = set()
         for started in run.launch.resolved.started:
             node = own.get(id(started)) if counts[id(started)] == 1 else None
             name = _name_of(started, node)
@@ -239,8 +240,10 @@ def duplicate_node_name(tree: SourceTree, code: Code) -> Iterator[Diagnostic]:
                 continue
             other = first.setdefault(name, started)
             places = None if other is started else _places(other, started)
-            if places is None:
+            if places is None or name in looped:
                 continue
+            if places[0] == places[1]:
+                looped.add(name)
             yield from _named_twice(code, name, run.launch.path, *places)
 
 
@@ -256,12 +259,15 @@ def _name_of(started: Started, node: RunningNode | None) -> str | None:
 
 
 def _places(first: Started, second: Started) -> tuple[Site, Site] | None:
-    """Return what makes two nodes of two: where each is started, or its file is included."""
+    """Return what makes two nodes of two: where each is started, or its file is included.
+
+    It is one place twice where a loop starts both.
+    """
     one, other = (first.file, first.place), (second.file, second.place)
     if one != other:
         return one, other
     pairs = zip(first.included, second.included, strict=False)
-    return next(((a, b) for a, b in pairs if a != b), None)
+    return next(((a, b) for a, b in pairs if a != b), (one, other))
 
 
 def _named_twice(
@@ -271,6 +277,10 @@ def _named_twice(
     if file is None or place is None:
         return
     labels: tuple[Label, ...] = ()
+    if first == second:
+        message = f"a loop starts more than one node called `{name}`"
+        yield Diagnostic(code, message, span_of(place), Path(file))
+        return
     if other_file is not None and other_place is not None:
         labels = (Label(span_of(other_place), "the other one", Path(other_file)),)
     starter = "the file" if Path(file) == launch == Path(other_file or file) else f"`{launch.name}`"

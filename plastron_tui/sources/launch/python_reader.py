@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from functools import cache
 from pathlib import Path
 from typing import Any
@@ -58,6 +59,7 @@ _MOST_WORK = 1_000_000
 """How many values are copied at most where lists are changed again and again."""
 
 _BRANCHES = frozenset(("if_statement", "for_statement", "while_statement", "match_statement"))
+_LEAVING = re.compile(rb"\b(?:break|continue|return|await|yield)\b")
 _ADDING = frozenset(("append", "extend", "insert"))
 _READING = frozenset(("get", "items", "keys", "values", "copy", "index", "count"))
 _HARMLESS = frozenset(("print", "pprint", "len"))
@@ -102,6 +104,8 @@ class _Reader:
             return self.block(node.child_by_field_name("body"))
         elif node.type == "try_statement":
             return self._try(node)
+        elif node.type == "for_statement" and self._loop(node):
+            return False
         elif node.type in _BRANCHES:
             word = node.type.removesuffix("_statement")
             self._branch(node, f"{'an' if word == 'if' else 'a'} `{word}`")
@@ -109,6 +113,20 @@ class _Reader:
             for name in _names_in(node):
                 self._forget(name)
         return False
+
+    def _loop(self, node: Node) -> bool:
+        """Follow a `for` turn by turn, and tell whether that can be done."""
+        left, body = node.child_by_field_name("left"), node.child_by_field_name("body")
+        if body is None or _LEAVING.search(body.text or b""):
+            return False
+        if node.child_by_field_name("alternative") is not None:
+            return False
+        turns = self._values.turns(left, node.child_by_field_name("right"))
+        for turn in turns or ():
+            self._names.update(turn)
+            self._descriptions.difference_update(turn)
+            self.block(body)
+        return turns is not None
 
     def _try(self, node: Node) -> bool:
         """Read a `try` as if nothing in it is raised; what else it may do is told."""

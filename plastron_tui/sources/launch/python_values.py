@@ -15,6 +15,9 @@ from plastron_tui.ros.launch_text import Text, text
 from .python_actions import ACTIONS, SEQUENCES, Computed, Written, as_text, placed
 
 _DEEPEST = 60
+_MOST_TURNS = 1000
+"""How many turns all loops and comprehensions of a file have that are followed."""
+
 _LONGEST_LITERAL = 20_000
 HEAVIEST = 50_000
 """How many values and characters a value has at most: one that is doubled again and again is none
@@ -31,6 +34,40 @@ class Values:
     def __init__(self) -> None:
         self.names: dict[str, Any] = {}
         self._depth = 0
+        self._turns = 0
+
+    def turns(self, left: Node | None, right: Node | None) -> list[dict[str, Any]] | None:
+        """Return the names of each turn of a `for`, None where they are not known.
+
+        Args:
+            left: what stands for an element: a name, or some.
+            right: what it goes over.
+        """
+        if left is None or right is None:
+            return None
+        parts = [left] if left.type == "identifier" else left.named_children
+        elements = self._elements(right)
+        self._turns += 0 if elements is None else len(elements)
+        if elements is None or any(each.type != "identifier" for each in parts):
+            return None
+        found = []
+        for element in elements if self._turns <= _MOST_TURNS else ():
+            values = [element] if left.type == "identifier" else element
+            if type(values) not in SEQUENCES or len(values) != len(parts):
+                return None
+            found.append(dict(zip(map(source_of, parts), values, strict=True)))
+        return found if self._turns <= _MOST_TURNS else None
+
+    def _elements(self, node: Node) -> list[Any] | None:
+        """Return what a loop goes over, None where that is not known."""
+        if node.type == "call" and callee(node) == "range" and "range" not in self.names:
+            bounds = [self.value(each) for each in arguments_of(node)]
+            if all(type(each) is int for each in bounds) and 0 < len(bounds) < 3:
+                numbers = range(*bounds)
+                return list(numbers) if len(numbers) <= _MOST_TURNS else None
+            return None
+        found = self.value(node)
+        return list(found) if type(found) in SEQUENCES else None
 
     def value(self, node: Node) -> Any:
         """Return what an expression comes to, `Computed` where that is not known."""
@@ -55,10 +92,50 @@ class Values:
 
     def _string(self, node: Node) -> Any:
         if any(child.type == "interpolation" for child in node.named_children):
-            return Computed(short(node))
+            return self._formatted(node)
         if source_of(node)[:1] in "fF":
             return Computed(short(node))
         return self._literal(node)
+
+    def _formatted(self, node: Node) -> Any:
+        """Return what an f-string of plain texts and whole numbers comes to."""
+        source = source_of(node)
+        if not source.lower().startswith("f") or any(each in source for each in ("\\", "{{", "}}")):
+            return Computed(short(node))
+        parts: list[str | Text] = []
+        for child in node.named_children:
+            if child.type == "string_content":
+                parts.append(source_of(child))
+            elif child.type == "interpolation":
+                inner = child.named_children
+                value = self.value(inner[0]) if len(inner) == 1 else None
+                if type(value) is int:
+                    parts.append(str(value))
+                elif isinstance(value, str):
+                    parts.append(value)
+                else:
+                    return Computed(short(node))
+        return text(*parts)
+
+    def _comprehension(self, node: Node) -> Any:
+        """Return the list of a comprehension that goes over one sequence, and leaves nothing out."""
+        body, *clauses = (each for each in node.named_children if each.type != "comment")
+        if len(clauses) != 1 or clauses[0].type != "for_in_clause":
+            return Computed(short(node))
+        over = clauses[0]
+        left, right = over.child_by_field_name("left"), over.child_by_field_name("right")
+        turns = self.turns(left, right)
+        if turns is None:
+            return Computed(short(node))
+        names = self.names
+        try:
+            found = []
+            for turn in turns:
+                self.names = {**names, **turn}
+                found.append(self.value(body))
+            return found
+        finally:
+            self.names = names
 
     def _concatenated(self, node: Node) -> Any:
         parts = [self.value(child) for child in node.named_children if child.type == "string"]
@@ -174,6 +251,7 @@ _VALUES: dict[str, Callable[[Values, Node], Any]] = {
     "none": lambda reader, node: None,
     "identifier": Values._identifier,
     "list": Values._list,
+    "list_comprehension": Values._comprehension,
     "tuple": Values._tuple,
     "dictionary": Values._dictionary,
     "binary_operator": Values._binary,
