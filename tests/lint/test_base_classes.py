@@ -219,3 +219,50 @@ def test_a_node_of_another_file_that_nothing_spins_is_told(
     files["demo/demo/run.py"] = run
     wrong = [("run.py", each) for each in lines if each.endswith("# wrong")]
     assert _told(write_tree(tmp_path, files), "RC405") == wrong
+
+
+_STAMP, _FRAME = "header.stamp = self.get_clock().now().to_msg()", "header.frame_id = 'map'"
+_MAKING = """
+    def header(self):
+        header = Header()
+        {stamp}
+        {frame}
+        return header
+"""
+_SENDING = """
+def poll(self):
+    msg = PointStamped(header={header})
+    self.create_publisher(PointStamped, 'at', 10).publish(msg)
+"""
+
+
+@pytest.mark.parametrize(
+    ("stamp", "frame", "header", "more", "codes"),
+    [
+        (_STAMP, _FRAME, "self.header()", "", []),
+        ("pass", _FRAME, "self.header()", "", ["RM205"]),
+        (_STAMP, "pass", "self.header()", "", ["RM206"]),
+        ("pass", "pass", "self.header()", "", ["RM205", "RM206"]),
+        ("stamp(header)", "pass", "self.header()", "", []),
+        # What is called is another one, or may be.
+        ("pass", "pass", "self.header()", "def header(self):\n    return make()", []),
+        ("pass", "pass", "self.header()", "def set(self, make):\n    self.header = make", []),
+        # The node may fill what its base keeps.
+        ("self.kept = header", "pass", "self.header()", "", []),
+        ("pass", "pass", "make_header()", "", ["RM205", "RM206"]),
+        ("pass", "header = make()", "make_header()", "", []),
+    ],
+)
+def test_a_header_that_another_file_makes(
+    stamp: str, frame: str, header: str, more: str, codes: list[str], tmp_path: Path
+) -> None:
+    made = _MAKING.format(stamp=stamp, frame=frame)
+    files = _files(f"{_SENDING.format(header=header)}\n{more}")
+    function = dedent(made).replace("header(self)", "make_header(self=None)")
+    files["demo/demo/base.py"] += f"{made}\n{function}"
+    imports = "from geometry_msgs.msg import PointStamped\nfrom std_msgs.msg import Header\n"
+    files["demo/demo/base.py"] = imports + files["demo/demo/base.py"]
+    talker = imports + files["demo/demo/talker.py"]
+    files["demo/demo/talker.py"] = talker.replace("import Base", "import Base, make_header")
+    root = write_tree(tmp_path, files)
+    assert [code for code in ("RM205", "RM206") if _told(root, code)] == codes

@@ -99,6 +99,13 @@ def used(text: str) -> list[str]:
             "geometry_msgs::msg::PoseArray kept_; { kept_.a; } kept_.b;",
             ["PoseArray a", "PoseArray b"],
         ),
+        ("int a = Twist::STOPPED;", ["Twist STOPPED"]),
+        ("if (a == geometry_msgs::msg::Twist::STOPPED_1) {}", ["Twist STOPPED_1"]),
+        ("switch (a) { case Twist::STOPPED: break; }", ["Twist STOPPED"]),
+        ("auto a = std_srvs::srv::SetBool::Request::ON;", ["SetBool ON"]),
+        # Types, functions and what is of no message.
+        ("Twist::SharedPtr a; Twist::MAKE(); Other::STOPPED; rclcpp::Time::MAX;", []),
+        ("#ifdef OLD\n int a = Twist::STOPPED;\n#endif\n", []),
     ],
 )
 def test_fields_of_messages_of_ros2(body: str, fields: list[str]) -> None:
@@ -170,12 +177,21 @@ def test_values_of_fields(body: str, values: list[str]) -> None:
         ("pub_->publish(Twist());", set()),
         ("Twist m; kept_ = m; v = m.linear; if (m.angular.x > 1) pub_->publish(m);", set()),
         ("auto m = std::make_shared<Twist>(); other = m; pub_->publish(*m);", None),
+        # What comes behind is too late, unless it is for the next time.
+        ("Twist m; pub_->publish(m); m.linear.x = 1; fill(m);", set()),
+        ("Twist m; if (a) { pub_->publish(m); return; } m.linear.x = 1;", set()),
+        ("while (a) { Twist m; pub_->publish(m); m.linear.x = 1; }", set()),
+        ("Twist m; while (a) { pub_->publish(m); m.linear.x = 1; }", {("linear", "x")}),
+        ("static Twist m; pub_->publish(m); m.linear.x = 1;", {("linear", "x")}),
+        ("pub_->publish(kept_); kept_.linear.x = 1;", {("linear", "x")}),
+        ("Twist m; auto run = [&]() { pub_->publish(m); }; m.linear.x = 1; run();",
+         {("linear", "x")}),
         ("Twist m; fill(m); pub_->publish(m);", None),
         ("Twist m; m = *heard; pub_->publish(m);", None),
         ("Twist m(*heard); pub_->publish(m);", None),
         ("pub_->publish(*heard);", None),
     ],
-)
+)  # fmt: skip
 def test_messages_whose_making_is_known(body: str, paths: set[tuple[str, ...]] | None) -> None:
     found = facts(ROS2.replace("BODY", body).replace("SERVED", "")).sent
     assert [set(each.paths) for each in found] == ([] if paths is None else [paths])

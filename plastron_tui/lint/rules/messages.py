@@ -76,7 +76,7 @@ def _told(
     if found.field:
         message = f"`{found.field}` is {found.owner}, which has no `{name}`"
     else:
-        message = f"{found.owner} has no field `{name}`"
+        message = f"{found.owner} has no {_word(name)} `{name}`"
     remedy, fix = guess(name, found.names, span)
     if not any(_is_meant(name, each) for each in found.names):
         # What is near may be another thing.
@@ -99,6 +99,10 @@ def _told(
     elif remedy is None and found.owner.startswith("a list"):
         remedy = f"take an element of it: `{found.field}[0]`"
     return Diagnostic(code, message, span, unit.file(file), remedy, fix)
+
+
+def _word(name: str) -> str:
+    return "constant" if name.isupper() and len(name) > 1 else "field"
 
 
 def _part(found: Missing) -> str:

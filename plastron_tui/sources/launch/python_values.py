@@ -118,7 +118,7 @@ class Values:
         return text(*parts)
 
     def _comprehension(self, node: Node) -> Any:
-        """Return the list of a comprehension that goes over one sequence, and leaves nothing out."""
+        """Return the list of a comprehension over one sequence that leaves nothing out."""
         body, *clauses = (each for each in node.named_children if each.type != "comment")
         if len(clauses) != 1 or clauses[0].type != "for_in_clause":
             return Computed(short(node))

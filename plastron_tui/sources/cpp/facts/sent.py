@@ -20,6 +20,7 @@ from .message_types import MessageTypes
 from .places import Conditionals, span_of
 
 _LAST = re.compile(r"\w+\Z")
+_LOOPS = frozenset({"do_statement", "for_range_loop", "for_statement", "while_statement"})
 _MAKERS = frozenset({"make_shared", "make_unique"})
 
 
@@ -59,12 +60,38 @@ def _published(
     is_shared = variable.is_pointer or _is_pointer(variable)
     paths: set[tuple[str, ...]] = set()
     for file, node in named:
+        if _is_behind(node, call, variable):
+            continue
         path = _path(file, node, is_shared=is_shared)
         if path is None:
             return None
         if path:
             paths.add(path)
     return reach.type, frozenset(paths), (variable.declarator or variable.node).start_byte
+
+
+def _is_behind(node: Node, call: Call, variable: Variable) -> bool:
+    """Tell whether a variable of a function is only named once it has been sent.
+
+    In a loop it has to be made anew in each turn.
+    """
+    kinds = ("function", "lambda")
+    scopes = call.scope.enclosing(*kinds), variable.scope.enclosing(*kinds)
+    if variable.kind != "local" or scopes[0] is None or scopes[0] is not scopes[1]:
+        return False
+    if node.start_byte < call.node.end_byte or _is_kept(variable):
+        return False
+    around = call.node.parent
+    while around is not None and around.start_byte > variable.node.start_byte:
+        if around.type in _LOOPS:
+            return False
+        around = around.parent
+    return True
+
+
+def _is_kept(variable: Variable) -> bool:
+    code = variable.file.syntax.code
+    return b"static" in code[variable.node.start_byte : variable.start]
 
 
 def _bare(node: Node | None, scope: Scope) -> Node | None:

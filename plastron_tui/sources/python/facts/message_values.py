@@ -54,6 +54,7 @@ class MessageValues:
         analysis: the file.
         sites: its call sites, by the calls.
         makers: what is just looked at for how it makes a message: functions, and names.
+        is_elsewhere: whether another file calls functions of this one, which may change more.
     """
 
     def __init__(self, analysis: Analysis) -> None:
@@ -66,6 +67,17 @@ class MessageValues:
         self._known: dict[int, Helds] = {}
         self._classes: dict[int, MessageType | None] = {}
         self._returned: dict[int, Helds] = {}
+        self.is_elsewhere = False
+        self._of_files: dict[int, MessageValues] = {id(analysis): self}
+
+    def of_file(self, file: Analysis) -> MessageValues:
+        """Return the messages of another file that this one calls functions of."""
+        if id(file) not in self._of_files:
+            other = MessageValues(file)
+            other._of_files = self._of_files
+            other.is_elsewhere = True
+            self._of_files[id(file)] = other
+        return self._of_files[id(file)]
 
     def scope(self, node: Node) -> Scope:
         """Return the scope that a node is in."""

@@ -22,6 +22,7 @@ from plastron_tui.sources.python.syntax import FUNCTIONS, REPEATING, parts_of
 from plastron_tui.sources.unreachable import is_unreachable
 
 from .message_values import MessageValues
+from .other_files import function_elsewhere
 from .returns import is_special, returned_values
 
 _SENDING = frozenset({"publish", "sendTransform"})
@@ -88,6 +89,9 @@ def _making(messages: MessageValues, sending: Node, node: Node, taken: int = 0) 
     if node.type == "call":
         return _made_by(messages, node)
     bindings = messages.bindings(node)[1] if node.type in ("identifier", "attribute") else []
+    if messages.is_elsewhere and any(each.scope.kind != "function" for each in bindings):
+        # Whoever calls the function may get at what it keeps.
+        return None
     made = []
     for binding in bindings:
         value = binding.value
@@ -132,9 +136,14 @@ def _made_by(messages: MessageValues, call: Node) -> Making | None:
 
 
 def _by_function(messages: MessageValues, call: Node) -> Making | None:
-    """Return how a function of the file makes the message that it gives."""
+    """Return how a function makes the message that it gives, one of the file or of another."""
     callee = call.child_by_field_name("function")
-    function = function_of(callee, messages.analysis) if callee is not None else None
+    if callee is None or (messages.is_elsewhere and callee.type == "attribute"):
+        # The class that derives from its class may have another method of the name.
+        return None
+    function = function_of(callee, messages.analysis)
+    if function is None and (elsewhere := function_elsewhere(messages, callee)) is not None:
+        messages, function = messages.of_file(elsewhere[0]), elsewhere[1]
     if function is None or is_special(function) or function.node.id in messages.makers:
         return None
     messages.makers.add(function.node.id)
