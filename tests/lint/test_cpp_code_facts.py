@@ -419,6 +419,10 @@ _BOUND = "std::bind(&Talker::heard, this, _1)"
     [
         (ros2(setup=SETUP.replace(_BOUND, "std::bind(&Talker::heard, this)")), [("heard", 0, 1)]),
         (ros2(setup=SETUP.replace("_1)", "_1, _2)")), [("heard", 2, 1)]),
+        # g++ splices these lines, whatever blanks are behind the backslash.
+        (ros2(setup=SETUP.replace("_1)", "\\ \n_1)")), []),
+        (ros2(setup=SETUP.replace("_1)", "\\\t\r\n_1)")), []),
+        (ros2(setup=SETUP.replace("_1)", "\\\n_1)")), []),
         (ros2(setup=SETUP.replace(_BOUND, "[]() {}")), [("lambda", 1, 0)]),
         (ros2(setup="timer_ = create_wall_timer(1s, [](int a, int b) {});"), [("lambda", 0, 2)]),
         (

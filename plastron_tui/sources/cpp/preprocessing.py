@@ -32,6 +32,8 @@ _INCLUDE = re.compile(rb"""[ \t]*(?:<([^<>\n]+)>|"([^"\n]+)")""")
 _DEFINE = re.compile(rb"[ \t]+(\w+)(\()?[ \t]*((?:[^\n\\]|\\.)*)", re.DOTALL)
 _NEVER = re.compile(rb"[ \t]*(?:0|false)[ \t]*\Z")
 _END_OF_LINE = re.compile(rb"\r(?!\n)")
+# What g++ takes for the splice of two lines: blanks behind the backslash do not count.
+_SPLICE = re.compile(rb"\\([ \t\r\f\v]+)\n")
 _SLASH = ord("/")
 # Deeper conditionals were made to break readers: each is counted in those around it.
 _DEEPEST = 32
@@ -112,7 +114,7 @@ def written_code(text: bytes) -> bytes:
 
 def _without_comments(text: bytes) -> tuple[bytearray, bytearray]:
     """Return a text with blanks for comments, and one with blanks for strings as well."""
-    code = bytearray(_END_OF_LINE.sub(b"\n", text))
+    code = bytearray(_SPLICE.sub(rb"\1\\\n", _END_OF_LINE.sub(b"\n", text)))
     bare = bytearray(code)
     tokens = _TOKEN if _RARE.search(code) is None else _RARE_TOKEN
     for token in tokens.finditer(bytes(code)):

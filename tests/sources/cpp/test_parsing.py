@@ -35,6 +35,16 @@ PIECES = (
 )
 
 
+@pytest.mark.parametrize("splice", ["\\\n", "\\ \n", "\\\t \r\n"])
+def test_spliced_line_goes_on_as_it_does_for_gpp(splice: str) -> None:
+    text = f"// a comment {splice} that goes on\n#define MOST 1 {splice} + 2\nint most = {splice} MOST;"
+    prepared = preprocess(text.encode())
+    assert prepared.code.split() == [b"int", b"most", b"=", b"\\", b"MOST;"]
+    start, end = prepared.defines[0][1:]
+    assert text[start:end] == f"1 {splice} + 2"
+    assert parse(text.encode()).errors == 0
+
+
 @given(st.lists(st.sampled_from(PIECES)).map("".join))
 def test_no_offset_moves(text: str) -> None:
     data = text.encode()
