@@ -164,6 +164,39 @@ CASES = {
             Arm()
         """
     ),
+    "rospy, a method that spins": script(
+        """
+        class Arm(object):
+            def __init__(self):
+                rospy.Subscriber('orders', String, self.heard)
+
+            def heard(self, msg):
+                pass
+
+            def spin(self):
+                rospy.spin()
+
+        rospy.init_node('arm')
+        Arm().spin()
+        """
+    ),
+    "rospy, a method that only says so": script(
+        """
+        class Runner(object):
+            def __init__(self):
+                rospy.Subscriber('orders', String, self.heard)
+
+            def heard(self, msg):
+                pass
+
+            def spin(self):
+                print('spinning')
+
+        rospy.init_node('arm')  # wrong
+        runner = Runner()
+        runner.spin()
+        """
+    ),
     "rospy, another loop": script(
         """
         rospy.init_node('worker')

@@ -246,7 +246,7 @@ def _ended(analysis: Analysis, graph: CallGraph) -> Span | None:
             names = analysis.resolver.qualified(call.child_by_field_name("function"), scope)
             if "rospy.init_node" in names:
                 made = call if made is None and scope in surely else made
-            elif _may_stay(analysis, call, names):
+            elif graph.callee(call) is None and _may_stay(analysis, call, names):
                 return None
     if made is None or any(_in_scopes(analysis, loop, reached) for loop in _loops(analysis)):
         return None
