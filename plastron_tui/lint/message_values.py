@@ -113,6 +113,11 @@ def is_refused(messages: Messages, place: Place, value: FieldValue) -> bool:
         return False
     if isinstance(place, MessageType) or (place.message is not None and not place.is_array):
         wanted = place if isinstance(place, MessageType) else MessageType(_message(place))
+        fields = messages.fields(wanted)
+        is_bare = kind is not ValueKind.MESSAGE and not value.path
+        if is_bare and messages.version == 1 and len(fields) == 1:
+            # rospy makes a message of it: what is sent is the value of its only field.
+            return is_refused(messages, fields[0].type, value)
         return kind is not ValueKind.MESSAGE or _is_other(messages, wanted, given, value)
     if place.is_array:
         return _is_list_refused(messages, place, kind, given, value)
@@ -151,8 +156,12 @@ def _is_other(
         return given != wanted
     fields = messages.fields(wanted)
     if not value.path:
-        # rospy makes a message of its only field.
-        return not (len(fields) == 1 and fields[0].type.message == given.name)
+        # rospy makes a message of its only field, and goes by the sum of a definition, not its name.
+        return not (
+            (len(fields) == 1 and fields[0].type.message == given.name)
+            or [(each.type, each.name) for each in fields]
+            == [(each.type, each.name) for each in messages.fields(given)]
+        )
     # rospy packs whatever has fields of these names: a point for a vector.
     names = {each.name for each in messages.fields(given)}
     return not names.issuperset(each.name for each in fields)

@@ -142,6 +142,24 @@ WRONG = {
         msg.linear.x = rospy.Time.now()  # wrong
         msg.linear = Point(1, 2, 3)
     """),
+    "in rospy, the value of the only field": script("""
+        def on_set(request):
+            texts.publish(request.data)  # wrong
+            truths.publish(request.data)
+            speeds.publish(Twist().linear.x)
+            points.publish(Twist().linear.x)  # wrong
+            points.publish(Point())
+            points.publish(Vector3())
+            proxy = rospy.ServiceProxy('other', SetBool)
+            proxy(request.data)
+            return SetBoolResponse(True, '')
+
+        truths = rospy.Publisher('truth', Bool, queue_size=1)
+        texts = rospy.Publisher('text', String, queue_size=1)
+        speeds = rospy.Publisher('speed', Float64, queue_size=1)
+        points = rospy.Publisher('point', Point, queue_size=1)
+        rospy.Service('set', SetBool, on_set)
+    """),
 }
 
 
