@@ -156,7 +156,8 @@ def _is_other(
         return given != wanted
     fields = messages.fields(wanted)
     if not value.path:
-        # rospy makes a message of its only field, and goes by the sum of a definition, not its name.
+        # rospy makes a message of its only field, and goes by the sum of a definition, not its
+        # name.
         return not (
             (len(fields) == 1 and fields[0].type.message == given.name)
             or [(each.type, each.name) for each in fields]

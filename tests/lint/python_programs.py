@@ -49,9 +49,8 @@ def worker(made: str, methods: str, main: str = SPIN) -> str:
 
 def script(text: str) -> str:
     """Return a node of ROS 1."""
-    imports = (
-        "import actionlib\nimport rospy\nimport time\nfrom std_msgs.msg import Int32, String\n"
-    )
+    imports = "import actionlib\nimport rospy\nimport time\n"
+    imports += "from std_msgs.msg import Empty, Int32, String\n"
     imports += "from std_srvs.srv import SetBool, Trigger\n"
     return f"{imports}from actionlib_tutorials.msg import FibonacciAction\n\n{dedent(text)}"
 

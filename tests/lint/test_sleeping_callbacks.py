@@ -201,6 +201,39 @@ SLEEPING = {
         rospy.Subscriber('orders', String, heard)
         """
     ),
+    "rospy, what is meant": script(
+        """
+        def heard(msg):
+            if msg.data:
+                rospy.sleep(2)
+
+        def paced(msg):
+            print(msg)
+            rospy.sleep(2)
+
+        def piled(msg):
+            print(msg)
+            rospy.sleep(2)  # wrong
+
+        def stale(msg):
+            rospy.sleep(2)  # wrong
+            print(msg)
+
+        def signal(msg):
+            rospy.sleep(2)
+
+        def once(msg):
+            sub.unregister()
+            rospy.sleep(2)
+
+        rospy.Subscriber('heard', String, heard)
+        rospy.Subscriber('paced', String, paced, None, 1)
+        rospy.Subscriber('piled', String, piled, queue_size=10)
+        rospy.Subscriber('stale', String, stale, queue_size=1)
+        rospy.Subscriber('signal', Empty, signal)
+        sub = rospy.Subscriber('once', String, once)
+        """
+    ),
     "not in a callback": worker(LISTEN + "time.sleep(1)", "def on_order(self, msg):\n    pass"),
     "in a thread": worker(
         LISTEN,
@@ -233,3 +266,9 @@ def test_a_sleep_in_a_callback_is_told(text: str) -> None:
 )
 def test_who_sleeps_is_named(text: str, said: str) -> None:
     assert [each.message.partition(" n")[0] for each in diagnostics(text, "RC402")] == [said]
+
+
+def test_remedy_for_a_goal_is_no_timer() -> None:
+    (found,) = diagnostics(SLEEPING["in a goal"], "RC402")
+    assert found.help is not None
+    assert "`MultiThreadedExecutor`" in found.help

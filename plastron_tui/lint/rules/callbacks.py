@@ -104,7 +104,9 @@ def _instead(fact: Blocking, is_python: bool) -> str:
     "would have to call, and so it never returns. Not told of a sleep of under 0.05 s, or before "
     "the program ends, of a node that has this one callback alone, nor where the file makes an "
     "executor of several threads. rospy has a thread for each connection: there it is told of "
-    "half a second and more in the callback of a topic, whose next messages wait.",
+    "half a second and more in the callback of a topic, at each message, for the next ones wait. "
+    "A sleep at the end with a queue of one message, a sleep on a condition, and one at a signal "
+    "(`Empty`) or before the topic is left are meant there.",
     bad=SLEEPING["bad"],
     good=SLEEPING["good"],
 )
@@ -127,9 +129,18 @@ def sleep_in_callback(tree: SourceTree, code: Code) -> Iterator[Diagnostic]:
                 _held_up(each, is_rospy),
                 each.span,
                 unit.file(each.file),
-                help="let a timer do what comes later",
+                help=_apart(each, unit),
                 severity=Severity.ERROR if each.is_endless else None,
             )
+
+
+def _apart(fact: Blocking, unit: UnitFacts) -> str:
+    """Return how others do not wait: a goal's result is due when its callback returns."""
+    if fact.kind is EndpointKind.ACTION_SERVER and unit.ros_version == 2:
+        executor = "MultiThreadedExecutor"
+        where = executor if unit.library in PYTHON else f"rclcpp::executors::{executor}"
+        return f"spin the node in a `{where}`, with a reentrant callback group for the action"
+    return "let a timer do what comes later"
 
 
 def _is_alone(unit: UnitFacts) -> bool:

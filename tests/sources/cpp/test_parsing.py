@@ -37,7 +37,7 @@ PIECES = (
 
 @pytest.mark.parametrize("splice", ["\\\n", "\\ \n", "\\\t \r\n"])
 def test_spliced_line_goes_on_as_it_does_for_gpp(splice: str) -> None:
-    text = f"// a comment {splice} that goes on\n#define MOST 1 {splice} + 2\nint most = {splice} MOST;"
+    text = f"// one {splice} that goes on\n#define MOST 1 {splice} + 2\nint most = {splice} MOST;"
     prepared = preprocess(text.encode())
     assert prepared.code.split() == [b"int", b"most", b"=", b"\\", b"MOST;"]
     start, end = prepared.defines[0][1:]

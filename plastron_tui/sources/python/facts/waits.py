@@ -4,18 +4,25 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
+from tree_sitter import Node
+
 from plastron_tui.diagnostics import Span
 from plastron_tui.model.code_facts import Blocking, Wait
 from plastron_tui.model.kinds import EndpointKind
+from plastron_tui.ros.interfaces import InterfaceName
 from plastron_tui.sources.ending import ends_after, is_end, is_pause
 from plastron_tui.sources.python.analysis import Analysis, Site
+from plastron_tui.sources.python.references import statement_of
 from plastron_tui.sources.python.scopes import Scope
 
 from .call_graph import CallGraph
 from .called_back import CalledBack, named, running_scope
 from .executors import Execution
 from .objects import Objects
+from .unconditional import runs_each_time
 from .waiting_calls import Waiting, WaitingCalls, may_wait
+
+_SIGNAL = InterfaceName("std_msgs", "Empty")
 
 
 def blocking(
@@ -46,6 +53,8 @@ def blocking(
                 way = (waiting.call, *calls)
                 if waiting.wait is Wait.SLEEP and any(ends_after(each, ending) for each in way):
                     # It lets the last messages leave: nothing is called any more.
+                    continue
+                if analysis.library.module == "rospy" and not _piles_up(callback, way, analysis):
                     continue
                 fact = _judged(waiting, callback, execution, analysis)
                 before = found.get(waiting.call.id)
@@ -93,6 +102,35 @@ def _judged(
         created=callback.value.start_byte,
         inside="" if function is callback.function else function.name,
     )
+
+
+def _piles_up(callback: CalledBack, way: Sequence[Node], analysis: Analysis) -> bool:
+    """Tell whether the messages of a topic surely wait for a call in its callback of rospy.
+
+    Only this topic waits. One whose callback ends with a sleep, and has a queue of one message, has
+    a pace that is meant, and a signal without content does not grow old.
+    """
+    site, function = callback.site, callback.function
+    if callback.kind is not EndpointKind.SUBSCRIPTION or function is None:
+        return False
+    if site is not None and site.endpoint.type == _SIGNAL:
+        return False
+    if b".unregister(" in (function.node.text or b""):
+        return False
+    if not all(runs_each_time(each, running_scope(analysis, each).node) for each in way):
+        return False
+    said = None if site is None else site.shape.qos
+    queue = None if said is None or said.queue_size is None else said.queue_size
+    given = None if site is None or queue is None else site.arguments.get(queue)
+    is_short = given is not None and given.text == b"1"
+    return not (is_short and all(map(_is_last, way)))
+
+
+def _is_last(call: Node) -> bool:
+    """Tell whether nothing comes behind the statement of a call, but for the way out."""
+    statement = statement_of(call)
+    behind = statement.next_named_sibling
+    return behind is None or behind.type == "return_statement"
 
 
 def _never_comes(waiting: Waiting, callback: CalledBack, site: Site, execution: Execution) -> bool:
