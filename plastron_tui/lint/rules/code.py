@@ -26,8 +26,9 @@ rospy.spin()
     "A publisher of rospy says no `queue_size`, or an endpoint of rclpy has no `qos_profile`.",
     severity=Severity.WARNING,
     why="rospy then sends as ROS did before Hydro: `publish` waits until each subscriber has taken "
-    "the message, and a slow one holds the node up. It says so in a warning at each start. In "
-    "rclpy it is an error: the call raises a TypeError. That is told of methods of `Node` itself.",
+    "the message, and a slow one holds the node up. It says so in a warning at each start; "
+    "`queue_size=None` is what it takes by itself. In rclpy it is an error: the call raises a "
+    "TypeError. That is told of methods of `Node` itself.",
     bad={"talker.py": _TALKER.format(queue="")},
     good={"talker.py": _TALKER.format(queue=", queue_size=10")},
 )
@@ -56,8 +57,9 @@ def queue_size_missing(tree: SourceTree, code: Code) -> Iterator[Diagnostic]:
     "A program has callbacks, and never lets them be called.",
     why="rclpy and rclcpp call a callback only while something spins the node: `rclpy.spin(node)`, "
     "or an executor. rospy calls them by itself, until the main thread ends, which `rospy.spin()` "
-    "keeps. Not told where the node is handed to code that was not read, or where anything of the "
-    "program may keep it going.",
+    "keeps. An executor that gets the node calls nothing before it is told to spin. Not told where "
+    "the node is handed to code that was not read, where no node is made, or where anything of "
+    "the program may keep it going.",
     bad=IDLE["bad"],
     good=IDLE["good"],
 )
@@ -92,7 +94,7 @@ _SPINNING = {
     why="Subscribers find a publisher some time after it is there, and hear nothing of what was "
     "sent before, unless the publisher keeps its last message for them: `latch=True` in rospy, the "
     "durability `transient_local` on both sides in ROS 2. Not told where anything in between may "
-    "take time, or where the publisher sends anything else.",
+    "take time, where the publisher sends anything else, or where `endpoint-made-again` tells why.",
     bad=EARLY["bad"],
     good=EARLY["good"],
 )

@@ -7,6 +7,7 @@ Jazzy. Neither library calls anything by itself.
 from __future__ import annotations
 
 import re
+from collections.abc import Sequence
 
 from plastron_tui.diagnostics import Span
 from plastron_tui.sources.cpp.analysis import Analysis, Site
@@ -22,6 +23,7 @@ _SPINNING = re.compile(
     rb"|class_loader|systemd|run_node|wait_?set",
     re.IGNORECASE,
 )
+_SPUN = re.compile(rb"\bspin(?:_\w+|Once)?\s*\(")
 _IDLE = re.compile(
     rb"(?:rclcpp::)?(?:executors::)?\w+Executor\s+(\w+)\s*(?:\(\s*\)|\{\s*\})?\s*;"
     rb"|[\w:]+\s+(\w+)\s*=\s*std::make_(?:shared|unique)\s*<\s*(?:rclcpp::)?(?:executors::)?"
@@ -45,12 +47,19 @@ def idle(analysis: Analysis) -> Span | None:
     if main is None or main.file is not unit.files[0] or not _is_called(analysis):
         return None
     files = [each.syntax for each in unit.all_files]
-    if any(each.has(_SPINNING) for each in files) and _SPINNING.search(
-        _without_idle(b"\n".join(each.code for each in files))
-    ):
+    if any(each.has(_SPINNING) for each in files) and _may_spin([each.code for each in files]):
         return None
     is_sure = _is_alone(analysis) if analysis.ros_version == 2 else has_known_headers(analysis)
     return span_of(main.declarator) if is_sure else None
+
+
+def _may_spin(codes: Sequence[bytes]) -> bool:
+    """Tell whether any code may let callbacks be called."""
+    if not any(_SPINNING.search(code) for code in codes):
+        return False
+    if any(_SPUN.search(code) for code in codes):
+        return True
+    return _SPINNING.search(_without_idle(b"\n".join(codes))) is not None
 
 
 def _without_idle(code: bytes) -> bytes:
