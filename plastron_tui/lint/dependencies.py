@@ -96,7 +96,8 @@ def remedy_for(
     build, version = package.build, package.ros_versions[0]
     assert build is not None
     catalog = tree.catalogs.get(version)
-    is_known = name in tree.packages or catalog is None or catalog.has_package(name)
+    is_known = name in TYPES_ALONE or name in tree.packages
+    is_known = is_known or catalog is None or catalog.has_package(name)
     if used.package and not is_known:
         return f"no package is called `{name}`: the folder of its definitions has no package.xml"
     remedy = _declaring(name, needs, build, version)

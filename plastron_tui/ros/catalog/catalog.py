@@ -229,12 +229,19 @@ class Catalog:
                     return self._read_file(key, file)
                 finally:
                     self._open.pop()
-        if not is_own:
+        package = data.definitions(self.distribution, name.package) if is_own else self._more(name)
+        text = package.get(kind.value, {}).get(name.name)
+        if text is None:
             return None
-        text = data.definitions(self.distribution, name.package)[kind.value][name.name]
         definition = parse_definition(text, name, kind, self.ros_version)
         assert definition.interface is not None, f"{name}: {definition.diagnostics}"
         return definition.interface
+
+    def _more(self, name: InterfaceName) -> data.Definitions:
+        """Return the definitions of a package whose types no bare name means."""
+        if name.package not in data.FURTHER:
+            return {}
+        return data.further(self.distribution).get(name.package, {})
 
     def _read_file(self, key: _Key, file: Path) -> Interface | None:
         kind, name = key

@@ -55,6 +55,18 @@ def definitions(distribution: str, package: str) -> Definitions:
     return data
 
 
+FURTHER = frozenset({"control_msgs", "example_interfaces", "nav2_msgs", "vision_msgs"})
+"""Packages of ROS 2 that have types which only their full names mean."""
+
+
+@cache
+def further(distribution: str) -> Mapping[str, Definitions]:
+    """Return the definitions that the index does not list, by package."""
+    file = _DATA / "further" / f"{distribution}.yaml"
+    data: Mapping[str, Definitions] = load(file) if file.is_file() else {}
+    return data
+
+
 @cache
 def purposes() -> Mapping[str, Mapping[str, str]]:
     """Return what types are for, by kind (`msg`, …) and full name: a line, ` | `, and words.
