@@ -65,6 +65,8 @@ def _rules_option(name: str, text: str) -> Callable[[Callable[..., Any]], Callab
 _COMPARING = frozenset({"RK508"})
 """The rules that look at nothing without `--against`."""
 
+_NOTHING = "there is no package, node, launch file or program"
+
 _FILE = click.Path(dir_okay=False, path_type=Path)
 
 
@@ -167,7 +169,7 @@ def command(
         if fixes and format_ == "text":
             click.echo(f"--fix mends {fixes} of {len(run.told)}", err=True)
     if report.is_empty and format_ == "text" and not watch and run.has_nothing:
-        click.echo("there is no package, node, launch file or program", err=True)
+        click.echo(_NOTHING, err=True)
     elif report.is_empty and sys.stdout.isatty() and format_ == "text":
         click.echo("no problems")
     finish(report)
@@ -228,7 +230,7 @@ def _say(changes: Changes, what: str, report: Report) -> None:
     from plastron_tui.diagnostics import codes, counted
 
     left = sum(each.diagnostic.code != codes.UNUSED_NOQA for each in changes.run.told)
-    if what == "noted" and left:
+    if what == "noted" and left and not changes.diagnostics:
         click.echo(
             f"{counted(left, 'problem')} can have no comment: see `per_file_ignores`", err=True
         )
@@ -243,7 +245,9 @@ def _tell_again(run: LintRun, format_: str) -> None:
     report = Report()
     _tell(run, format_, report)
     report.finish()
-    said = "no problems; " if report.is_empty else ""
+    said = ""
+    if report.is_empty:
+        said = f"{_NOTHING}; " if run.has_nothing else "no problems; "
     click.echo(f"{said}watching, Ctrl-C ends", err=True)
 
 
@@ -259,10 +263,10 @@ def _tell(run: LintRun, format_: str, report: Report) -> None:
 
 def _tell_problems(run: LintRun, report: Report) -> None:
     """Tell what is wrong with what the linter was given: settings, a baseline."""
-    from plastron_tui.diagnostics import codes
+    from plastron_tui.diagnostics import has_errors
 
     report.add(run.diagnostics, run.lines)
-    if any(each.code == codes.UNREADABLE_FILE for each in run.diagnostics):
+    if has_errors(run.diagnostics):
         report.status = 2
 
 

@@ -57,7 +57,7 @@ class Selection(NamedTuple):
 
     def is_ignored(self, rule: Rule, file: Path, root: Path) -> bool:
         """Tell whether a rule is not followed in a file."""
-        path = file.relative_to(root).as_posix() if file.is_relative_to(root) else str(file)
+        path = path_from(root, file)
         return any(
             matches(path, pattern) and any(map(rule.is_meant, words))
             for pattern, words in self.per_file.items()
@@ -80,6 +80,11 @@ def _strength(rule: Rule, words: Iterable[str]) -> int:
         ),
         default=-1,
     )
+
+
+def path_from(root: Path, file: Path) -> str:
+    """Return a path as patterns of paths are compared with it, whatever they are for."""
+    return file.relative_to(root).as_posix() if file.is_relative_to(root) else str(file)
 
 
 def matches(path: str, pattern: str) -> bool:

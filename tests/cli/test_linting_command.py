@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import os
 import signal
 import subprocess
 from pathlib import Path
@@ -54,6 +55,33 @@ def test_exit_statuses(workspace: Path, run: Run) -> None:
     assert run("lint", "--fix", "--watch").returncode == 2
     # As a variable of a CI that is not set.
     assert run("lint", "--against", "").returncode == 2
+    # A rule that compares with a revision would find nothing.
+    assert run("lint", "--select", "RK508").returncode == 2
+
+
+@pytest.mark.parametrize(
+    "setting",
+    ["select: RC999", "ignore: RC999", "selct: RC407", "per_file_ignores: 1", "select: {"],
+)
+@pytest.mark.parametrize(
+    "words", [(), ("--diff",), ("--fix",), ("--format", "json"), ("--write-baseline", "b.json")]
+)
+def test_mistake_in_the_settings(
+    workspace: Path, run: Run, setting: str, words: tuple[str, ...]
+) -> None:
+    (workspace / "plastron.yaml").write_text(f"lint: {{{setting}}}\n")
+    result = run("lint", *words)
+    assert result.returncode == 2
+    assert b"plastron.yaml" in result.stderr
+
+
+def test_folder_without_anything_to_look_at(workspace: Path, run: Run) -> None:
+    (workspace / "empty").mkdir()
+    (workspace / "empty" / "a.py").write_text("x = 1\n")
+    result = run("lint", "empty")
+    assert result.returncode == 0
+    assert result.stderr == b"there is no package, node, launch file or program\n"
+    assert run("lint", "empty", "--format", "json").stderr == b""
 
 
 @pytest.mark.parametrize("format_", ["json", "sarif", "github"])
@@ -70,6 +98,13 @@ def test_results_go_to_standard_output(workspace: Path, run: Run, format_: str) 
         ]
     else:
         assert [each["ruleId"] for each in found["runs"][0]["results"]] == ["RC407"]
+
+
+@pytest.mark.parametrize("format_", ["json", "sarif", "github"])
+def test_file_name_that_is_no_text(workspace: Path, run: Run, format_: str) -> None:
+    (workspace / "src" / "a.py").rename(workspace / "src" / os.fsdecode(b"\xff.py"))
+    said = run("lint", "--format", format_).stdout.decode()
+    assert r"\udcff" not in said if format_ != "github" else "a.py" not in said
 
 
 def test_comments_baseline_and_fixes(workspace: Path, run: Run) -> None:

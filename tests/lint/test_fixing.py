@@ -6,13 +6,14 @@ from collections.abc import Callable, Iterator
 from pathlib import Path
 
 import pytest
-from linted import run_over, told, write_tree
+from linted import NO_QUEUE, run_over, told, write_tree
 
 from plastron_tui.diagnostics import Code, Diagnostic, Edit, Fix, Severity, Span
 from plastron_tui.lint.fixing import with_fixes
 from plastron_tui.lint.rule import RULES, rule
 from plastron_tui.lint.tree import SourceTree
-from plastron_tui.project.linting.rewriting import fixed, mend
+from plastron_tui.project.linting.rewriting import Changes, fixed, mend, note_all
+from plastron_tui.project.linting.run import LintRun
 
 
 def _fix(*edits: tuple[int, int, str]) -> Fix:
@@ -119,3 +120,17 @@ def test_a_file_that_cannot_be_written_is_told(tmp_path: Path, replacing: Replac
     assert (root / "b.py").read_text() == "two = 1\n"
     assert (changes.done, changes.files) == (1, 1)
     assert [str(each.code) for each in changes.diagnostics] == ["cannot-write"]
+
+
+@pytest.mark.parametrize("change", [mend, note_all])
+def test_file_that_cannot_be_written_counts_for_nothing(
+    tmp_path: Path, change: Callable[[LintRun], Changes]
+) -> None:
+    root = write_tree(tmp_path, {"a.py": NO_QUEUE, "b.py": NO_QUEUE + "x = 1  # noqa: RC407\n"})
+    for name in ("a.py", "b.py"):
+        (root / name).chmod(0o444)
+    changes = change(run_over(root, "RC407", "unused-noqa"))
+    assert (changes.done, changes.files) == (0, 0)
+    assert changes.diagnostics
+    # What is generated can go elsewhere, a file of a workspace cannot.
+    assert not any(each.help for each in changes.diagnostics)

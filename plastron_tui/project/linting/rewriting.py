@@ -156,7 +156,7 @@ def note_all(run: LintRun) -> Changes:
     That a comment is about nothing is not noted: it is to be taken away. Nor is it meant that a
     file breaks the rules of its language.
     """
-    rewrites, count = [], 0
+    rewrites, counts = [], dict[Path, int]()
     told = [each for each in run.told if each.diagnostic.code not in _NEVER_MEANT]
     for path in dict.fromkeys(each.diagnostic.file for each in told):
         before = None if path is None else run.text(path)
@@ -170,9 +170,12 @@ def note_all(run: LintRun) -> Changes:
         noted = with_comments(path, before, here)
         if noted.done and not _is_worse(path, before, noted.text):
             rewrites.append(Rewrite(path, before, noted.text))
-            count += noted.done
+            counts[path] = noted.done
     problems = write_all(rewrites)
-    return Changes(run.again() if rewrites else run, count, len(rewrites), problems)
+    for path in _unwritten(problems):
+        counts.pop(path, None)
+    now = run.again() if rewrites else run
+    return Changes(now, sum(counts.values()), len(counts), problems)
 
 
 def write_all(rewrites: Iterable[Rewrite]) -> tuple[Diagnostic, ...]:
@@ -184,7 +187,11 @@ def write_all(rewrites: Iterable[Rewrite]) -> tuple[Diagnostic, ...]:
         problems += refusal
         if not has_errors(refusal):
             problems += write(plan).diagnostics
-    return tuple(problems)
+    # What else could be done is said to those who generate a file.
+    return tuple(
+        each if each.code == codes.CHANGED_ON_DISK else each._replace(help=None)
+        for each in problems
+    )
 
 
 def write_file(path: Path, text: bytes) -> tuple[Diagnostic, ...]:

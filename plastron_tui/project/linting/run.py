@@ -17,7 +17,7 @@ from plastron_tui.lint.baseline import LARGEST, baseline_text, only_new, read_ba
 from plastron_tui.lint.engine import in_order
 from plastron_tui.lint.programs import ProgramFacts, ReadProgram, unwritten
 from plastron_tui.lint.rule import RULES, rule_of
-from plastron_tui.lint.selection import Selection, matches, unknown_words
+from plastron_tui.lint.selection import Selection, matches, path_from, unknown_words
 from plastron_tui.lint.tree import SourceTree
 from plastron_tui.project.settings import TRUST_CODES, Project, find_project
 from plastron_tui.regular_files import read_named, reason
@@ -170,7 +170,7 @@ class LintRun:
         root = self.root
 
         def is_excluded(path: str) -> bool:
-            name = os.path.relpath(path, root)
+            name = path_from(root, Path(path))
             return any(matches(name, pattern) for pattern in patterns)
 
         return list_files(self.paths, is_excluded)
