@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import sys
+import time
 from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
@@ -66,6 +67,9 @@ _COMPARING = frozenset({"RK508"})
 """The rules that look at nothing without `--against`."""
 
 _NOTHING = "there is no package, node, launch file or program"
+
+_OFTEN = 0.5
+"""Seconds between two looks at how far reading is: what takes no longer shows nothing."""
 
 _FILE = click.Path(dir_okay=False, path_type=Path)
 
@@ -143,6 +147,7 @@ def command(
         jobs,
         read_program=read_program,
         against=against or "",
+        progress=_shown_progress() if sys.stderr.isatty() else None,
     )
     run = LintRun(options)
     report = Report(is_strict=strict)
@@ -179,6 +184,22 @@ def _refuse_together(chosen: dict[str, bool]) -> None:
     names = [name for name, is_chosen in chosen.items() if is_chosen]
     if len(names) > 1:
         raise click.UsageError(f"{names[0]} and {names[1]} are not for one run.")
+
+
+def _shown_progress() -> Callable[[int, int], None]:
+    """Return what shows how far reading is, in a line of the terminal that goes again."""
+    shown = time.monotonic()
+
+    def show(done: int, total: int) -> None:
+        nonlocal shown
+        now = time.monotonic()
+        if done == total:
+            click.echo("\r\x1b[K", nl=False, err=True)
+        elif now - shown > _OFTEN:
+            shown = now
+            click.echo(f"\rreading: {done} of {total} files\x1b[K", nl=False, err=True)
+
+    return show
 
 
 def _refuse_without_revision(selection: Selection, against: str | None) -> None:

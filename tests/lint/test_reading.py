@@ -121,3 +121,14 @@ def test_test_is_told_by_where_it_is_below_the_workspace(
     (folder / "src").mkdir(parents=True)
     (unit,) = _read(folder, {place: "import rclpy\nrclpy.create_node('a')\n"}).units
     assert unit.is_test == is_test
+
+
+@pytest.mark.parametrize("workers", [1, 2])
+def test_how_far_reading_is_told(tmp_path: Path, workers: int) -> None:
+    root = write_tree(tmp_path, {f"{at}.py": "import rospy\n" for at in range(30)})
+    told: list[tuple[int, int]] = []
+    cache = FactCache(root, tmp_path / "cache")
+    for _ in range(2):
+        read_tree([root], cache, workers, progress=lambda *each: told.append(each))
+    # The second time nothing has to be read.
+    assert told == [(done, 30) for done in range(1, 31)]

@@ -45,6 +45,9 @@ _USUAL = {1: "noetic", 2: "jazzy"}
 
 T = TypeVar("T")
 
+Progress = Callable[[int, int], None]
+"""Is told how much of how much is done."""
+
 _HEADERS = (".hpp", ".h")
 _SOURCES = (".py", ".cpp", ".cc", ".cxx")
 _FEWEST_AT_ONCE = 8
@@ -55,6 +58,7 @@ def read_tree(
     cache: FactCache | None = None,
     workers: int | None = None,
     listing: Listing | None = None,
+    progress: Progress | None = None,
 ) -> SourceTree:
     """Read the packages, nodes and launch files below folders; nothing of them is run.
 
@@ -63,12 +67,13 @@ def read_tree(
         cache: what was read before, by default that of the user; it is left as of this run.
         workers: how many processes read at the same time, by default one a core.
         listing: the files below the folders, where somebody has listed them.
+        progress: is told how many files of nodes are read, and of how many.
     """
     whole = [Path(os.path.realpath(each)) for each in paths]
     listing = list_files(whole) if listing is None else listing
     cache = FactCache(listing.root, None, whole) if cache is None else cache
     cache.begin()
-    reading = _Reading(listing, cache)
+    reading = _Reading(listing, cache, progress)
     with still_disk(), workspace_of(reading.modules), Pool(read_unit, workers) as pool:
         units = tuple(reading.units(pool))
     packages = by_name(reading.packages)
@@ -118,6 +123,7 @@ class _Reading:
 
     listing: Listing
     cache: FactCache
+    progress: Progress | None = None
     problems: list[tuple[str, str]] = field(default_factory=list)
     unstarted: list[Started] = field(default_factory=list)
     wrong: list[Diagnostic] = field(default_factory=list)
@@ -162,7 +168,10 @@ class _Reading:
                 missed.setdefault(self.package_of(path), []).append(path)
             elif known[0] is not None:
                 yield path, known[0]
-        for answer in pool.map(_groups(missed.values(), pool.count)):
+        total = sum(map(len, missed.values()))
+        for done, answer in enumerate(pool.map(_groups(missed.values(), pool.count)), 1):
+            if self.progress is not None:
+                self.progress(done, total)
             if isinstance(answer, Died):
                 self.problems.append((answer.value, "the process that reads it is ended"))
             elif answer.problem:

@@ -28,7 +28,7 @@ from .comments import FileTexts
 from .fingerprints import Reads, noted
 from .found_before import FoundBefore
 from .listing import Listing, common_folder, list_files
-from .reading import read_tree
+from .reading import Progress, read_tree
 
 
 class LintOptions(NamedTuple):
@@ -43,6 +43,7 @@ class LintOptions(NamedTuple):
         cache: what was read before, None for the user's.
         read_program: reads a program, None to leave programs out.
         against: the revision of git that types are compared with, "" for none.
+        progress: is told how many files of nodes are read, and of how many.
     """
 
     paths: tuple[Path, ...]
@@ -53,6 +54,7 @@ class LintOptions(NamedTuple):
     cache: FactCache | None = None
     read_program: ReadProgram | None = None
     against: str = ""
+    progress: Progress | None = None
 
 
 class LintRun:
@@ -155,7 +157,8 @@ class LintRun:
 
     @cached_property
     def _files_read(self) -> SourceTree:
-        return read_tree(self.paths, self._cache, self.options.workers, self._listing)
+        options = self.options
+        return read_tree(self.paths, self._cache, options.workers, self._listing, options.progress)
 
     @cached_property
     def _cache(self) -> FactCache:
