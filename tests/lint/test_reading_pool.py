@@ -42,6 +42,11 @@ def dies_once(value):
         os._exit(1)
     return value.upper()
 
+def endless(value):
+    while value == "c3":
+        pass
+    return value.upper()
+
 def slow(value):
     if not value.endswith("0"):
         time.sleep(600)
@@ -119,3 +124,14 @@ def test_processes_end_with_the_one_that_started_them(what: str, way: int) -> No
         # They hold its standard error as long as they live: this comes back when they have ended.
         said = parent.stderr.read().decode()
     assert said.count("Traceback") == (way == signal.SIGINT)
+
+
+def test_file_that_takes_for_ever_is_left_out() -> None:
+    body = """
+from plastron_tui.project.linting import pool as module
+module._LONGEST = 0.3
+with Pool(endless, 2) as pool:
+    print(json.dumps(sorted_out(pool.map(GROUPS))))
+"""
+    rest = sorted(each.upper() for each in _ALL if each != "c3")
+    assert _asked(body) == [rest, ["c3"]]

@@ -32,6 +32,9 @@ _MOST_TRIES = 2
 _MOST_DEAD = 32
 """When so many have died, something else ends them than files: no more are started."""
 
+_LONGEST = 30.0
+"""Seconds of a processor that a file may take; the system ends a process that takes more."""
+
 _CONTEXT = multiprocessing.get_context("fork")
 
 
@@ -166,6 +169,7 @@ def _serve(
 ) -> None:
     """Return what a function returns for what is asked, until nobody asks any more."""
     spare()
+    signal.signal(signal.SIGPROF, signal.SIG_DFL)
     # The one that is asked of ends the others; an interrupt from the keyboard goes to all.
     signal.signal(signal.SIGINT, signal.SIG_IGN)
     # They would keep the pipes open when the first process is gone.
@@ -174,7 +178,9 @@ def _serve(
     with suppress(EOFError, OSError):
         while True:
             for value in connection.recv():
+                signal.setitimer(signal.ITIMER_PROF, _LONGEST)
                 connection.send(function(value))
+            signal.setitimer(signal.ITIMER_PROF, 0)
             # What is known of a group's texts refers to itself, and is of no use to the next one.
             MEMO.clear()
             collect()
