@@ -107,7 +107,7 @@ def remedy_for(
     finding = f"find_package(catkin REQUIRED COMPONENTS … {name})"
     if build.build_type != "catkin":
         finding = f"find_package({name} REQUIRED)"
-    return f"{remedy}, and write `{finding}` into CMakeLists.txt"
+    return f"{remedy}, and `{finding}` into CMakeLists.txt"
 
 
 def misnamed(build: BuildFacts, name: str) -> list[Declared]:
@@ -131,7 +131,7 @@ def _declaring(name: str, needs: frozenset[str], build: BuildFacts, version: int
             return f"write a tag for each name of `{others[0].name}`"
         return f"write `{name}` in place of `{others[0].name}`"
     if declared and not any(version in each.versions for each in declared):
-        return f"let the condition of `<{declared[0].tag}>` hold for ROS {version}, too"
+        return f"write a condition of `<{declared[0].tag}>` that holds for ROS {version}, too"
     tags = " and ".join(f"`<{tag}>{name}</{tag}>`" for tag in _tags(declared, needs, build))
     remedy = f"write {tags} into package.xml"
     if build.format == 1 and any(each.tag == "test_depend" for each in declared):

@@ -39,7 +39,7 @@ _CASES = [
      f"{_BOTH.format('run_depend')} in place of the `<test_depend>`", "`<test_depend>` alone"),
     # It is there for the other generation, by another name, or among others.
     ("wheels", 3, _tag("exec_depend", condition="$ROS_VERSION == 1"),
-     "let the condition of `<exec_depend>` hold for ROS 2, too", "has it for ROS 1 alone"),
+     "write a condition of `<exec_depend>` that holds for ROS 2, too", "has it for ROS 1 alone"),
     ("wheels", 3, _tag("exec_depend", "geometry-msgs"),
      "write `geometry_msgs` in place of `geometry-msgs`", "says `geometry-msgs`"),
     ("old", 2, _tag("build_depend", "rospy geometry_msgs"),
@@ -66,7 +66,7 @@ def test_remedy_mends_a_valid_package(
     text = _package(name, format_, f"  {lines}\n")
     files = {**_FILES[name], f"{name}/package.xml": text}
     found = [x.diagnostic for x in found_in(tmp_path / "a", files) if x.rule.code == "RK501"]
-    assert [each.help and each.help.partition(", and write")[0] for each in found] == [remedy]
+    assert [each.help and each.help.partition(", and `find")[0] for each in found] == [remedy]
     assert message in found[0].message
     if not (tags := _TAG.findall(remedy)):
         return
