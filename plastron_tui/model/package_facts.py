@@ -213,6 +213,7 @@ class BuildFacts(NamedTuple):
             None where any name may be.
         files: the names of the package's files, without their folders.
         components: the classes that a container finds in it, None where that is not known.
+        registered_again: the classes that are registered once more, each with its place.
         placed: the names of the files that are installed where nodes are looked for, however.
         installs_nodes: whether nodes are installed at all.
         entries: console scripts that lead nowhere.
@@ -241,6 +242,7 @@ class BuildFacts(NamedTuple):
     words: frozenset[str] | None = frozenset()
     files: frozenset[str] = frozenset()
     components: frozenset[str] | None = None
+    registered_again: tuple[tuple[str, Place], ...] = ()
     placed: frozenset[str] = frozenset()
     installs_nodes: bool = False
     entries: tuple[Entry, ...] = ()

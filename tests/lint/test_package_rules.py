@@ -153,6 +153,13 @@ _CASES = [
     Break("rover/CMakeLists.txt", "scripts/mover.py\n  DESTINATION lib/${PROJECT_NAME}",
           "scripts/mover.py\n  DESTINATION share/${PROJECT_NAME}",
           "RK503 rover/CMakeLists.txt:18, RK506 rover/launch/rover.launch.xml:3"),
+    # One program that several files start is told once.
+    Break("rover/launch/rover.launch.xml", '"mover"', '"motor"',
+          "RK506 rover/launch/more.launch.xml:2",
+          more={"rover/launch/more.launch.xml": '<launch>\n  <node pkg="rover" exec="motor"/>\n'
+                '</launch>\n'}),
+    # On another computer there may be another workspace.
+    Break("old/launch/old.launch", 'type="mover.py"', 'machine="arm" type="motor.py"'),
     # What is started by its path, and what lies beside it.
     Break("rover/CMakeLists.txt", "scripts/mover.py\n  DESTINATION lib/${PROJECT_NAME}",
           "scripts/mover.py\n  scripts/other.py\n  DESTINATION share/${PROJECT_NAME}/scripts",
@@ -360,3 +367,34 @@ def test_help_says_what_mends_it(tmp_path: Path, case: Break, help_: str | None)
     own = {"wheels": PYTHON, "rover": CMAKE, "old": CATKIN}[case.file.partition("/")[0]]
     found = [each.diagnostic.help for each in found_in(tmp_path, case.files(own))]
     assert help_ in found
+
+
+_CONTAINER = """\
+<launch>
+  <node_container pkg="rclcpp_components" exec="component_container" name="all" namespace="">
+    <composable_node pkg="rover" plugin="rover::Brake" name="brake"/>
+  </node_container>
+</launch>
+"""
+
+
+def test_component_that_is_registered_twice_explains_the_missing_one(tmp_path: Path) -> None:
+    again = 'rclcpp_components_register_node(part PLUGIN "rover::Mover" EXECUTABLE brake)\n'
+    lists = CMAKE["rover/CMakeLists.txt"].replace("ament_package()", again + "ament_package()")
+    files = CMAKE | {"rover/CMakeLists.txt": lists, "rover/launch/brake.launch.xml": _CONTAINER}
+    (found,) = found_in(tmp_path, files)
+    (label,) = found.diagnostic.labels
+    assert found.diagnostic.message == "`rover` registers no component `rover::Brake`"
+    assert lists[label.span.start : label.span.end] == '"rover::Mover"'
+    assert label.span.start > lists.index("rclcpp_components_register_node(")
+
+
+def test_places_that_start_what_is_not_there_are_shown(tmp_path: Path) -> None:
+    text = '<launch>\n  <node pkg="rover" exec="motor"/>\n</launch>\n'
+    files = CMAKE | {f"rover/launch/{at}.launch.xml": text for at in range(6)}
+    (found,) = found_in(tmp_path, files)
+    assert [each.message for each in found.diagnostic.labels] == [
+        "it is started here too",
+        "it is started here too",
+        "it is started here too, and in 2 more files",
+    ]

@@ -15,6 +15,7 @@ from plastron_tui.lint.dependencies import (
     misnamed,
     remedy_for,
 )
+from plastron_tui.lint.further_places import first_labels
 from plastron_tui.lint.rule import rule
 from plastron_tui.lint.tree import PackageFacts, SourceTree
 from plastron_tui.model.package_facts import BuildFacts, Declared, Used
@@ -35,8 +36,6 @@ _FURTHER = frozenset(
     {"actionlib", "cv_bridge", "image_transport", "message_filters", "tf", "tf2_ros"}
 )
 """Packages without types of their own that code uses by their name."""
-_MOST_PLACES = 3
-"""How many further uses of a package are told, at most."""
 _ENDINGS = ("_msgs", "_srvs", "_interfaces", "_msg", "_srv", "_actions", "_action", "_messages")
 
 
@@ -116,15 +115,12 @@ def _or_out(tree: SourceTree, name: str, uses: list[Used]) -> str:
 
 
 def _elsewhere(package: PackageFacts, uses: list[Used]) -> Iterator[Label]:
-    """Yield the first use of a package in each further file, a few of them."""
+    """Return the first use of a package in each further file, a few of them."""
     places = [place for each in uses for place in (each.place, *each.others)]
     first = {each.file: each for each in reversed(places)}
     first.pop(places[0].file)
-    others = list(reversed(first.values()))
-    left = len(others) - _MOST_PLACES
-    for at, each in enumerate(others[:_MOST_PLACES], 1):
-        more = f", and in {left} more files" if left > 0 and at == _MOST_PLACES else ""
-        yield Label(each.span, f"used here too{more}", package.folder / each.file)
+    others = [(package.folder / each.file, each.span) for each in reversed(first.values())]
+    return first_labels(others, "used here too")
 
 
 def _built(tree: SourceTree) -> Iterator[tuple[PackageFacts, BuildFacts]]:

@@ -6,8 +6,9 @@ from collections.abc import Iterable, Iterator
 from pathlib import Path
 from typing import NamedTuple
 
-from plastron_tui.diagnostics import Code, Diagnostic, write
+from plastron_tui.diagnostics import Code, Diagnostic, Label, Span, write
 from plastron_tui.diagnostics.suggest import nearest
+from plastron_tui.lint.further_places import first_labels
 from plastron_tui.lint.rule import rule
 from plastron_tui.lint.runs import span_of
 from plastron_tui.lint.tree import PackageFacts, SourceTree, StartedPlace
@@ -57,26 +58,36 @@ def entry_point_to_nothing(tree: SourceTree, code: Code) -> Iterator[Diagnostic]
 )
 def launch_of_nothing(tree: SourceTree, code: Code) -> Iterator[Diagnostic]:
     """Find nodes of launch files that no package has."""
-    told: set[tuple[str, str, str]] = set()
+    found: dict[tuple[str, _Fault], dict[str, tuple[Span, Span | None]]] = {}
     for launch in tree.launches:
         for started in launch.resolved.started:
             place = started.place
             if place is None or started.file is None or _is_test(tree, started.file):
                 continue
             fault = _fault(tree, started, launch.ros_version)
-            if fault is None or (started.file, started.package, started.executable) in told:
+            if fault is None:
                 continue
-            told.add((started.file, started.package, started.executable))
+            # A name that was mistyped is mended in each file, a program that is not made once.
+            places = found.setdefault((started.file if fault.near else "", fault), {})
             known = tree.started_places.get(StartedPlace(started.file, place.start, fault.word))
-            is_sure = known is not None and is_slip(fault.word, fault.near)
-            yield Diagnostic(
-                code,
-                fault.message,
-                span_of(place) if known is None else known,
-                Path(started.file),
-                help=f"did you mean `{fault.near}`?" if fault.near else fault.help or None,
-                fix=write(fault.near, known) if known is not None and is_sure else None,
-            )
+            places.setdefault(started.file, (known or span_of(place), known))
+    for (_, fault), places in found.items():
+        (file, (span, known)), *others = places.items()
+        is_sure = known is not None and is_slip(fault.word, fault.near)
+        yield Diagnostic(
+            code,
+            fault.message,
+            span,
+            Path(file),
+            help=f"did you mean `{fault.near}`?" if fault.near else fault.help or None,
+            labels=(
+                *fault.labels,
+                *first_labels(
+                    [(Path(each), at) for each, (at, _) in others], "it is started here too"
+                ),
+            ),
+            fix=write(fault.near, known) if known is not None and is_sure else None,
+        )
 
 
 def _is_test(tree: SourceTree, file: str) -> bool:
@@ -94,17 +105,22 @@ class _Fault(NamedTuple):
         word: the name that nothing has.
         near: the name that may be meant, "" for none.
         help: what to do about it, where no other name is meant.
+        labels: what explains it.
     """
 
     message: str
     word: str
     near: str
     help: str = ""
+    labels: tuple[Label, ...] = ()
 
 
 def _fault(tree: SourceTree, started: Started, version: int) -> _Fault | None:
     package = tree.package(started.package, started.file)
     name = started.executable
+    if "machine" in dict(started.others):
+        # Another computer looks for it in a workspace of its own.
+        return None
     if package is None:
         if started.package in tree.packages:
             return None
@@ -121,7 +137,7 @@ def _fault(tree: SourceTree, started: Started, version: int) -> _Fault | None:
         return _Fault(message, started.package, near[0])
     build = package.build
     if started.container is not None:
-        return None if build is None else _component_fault(build, package.name, name)
+        return None if build is None else _component_fault(build, package, name)
     # A launch file of ROS 1 beside a package of ROS 2 was left there when it was ported.
     if version not in package.ros_versions or build is None or _may_have(package, build, name):
         return None
@@ -148,12 +164,17 @@ def _left(build: BuildFacts, name: str) -> str:
     return f"`{found}` is there, and {file} makes no program of it"
 
 
-def _component_fault(build: BuildFacts, package: str, name: str) -> _Fault | None:
+def _component_fault(build: BuildFacts, package: PackageFacts, name: str) -> _Fault | None:
     """Return what is wrong with a component: no class of the package is registered as that."""
     if not build.components or name in build.components or "::" not in name:
         return None
-    message = f"`{package}` registers no component `{name}`"
-    return _Fault(message, name, _slip(name, build.components))
+    message = f"`{package.name}` registers no component `{name}`"
+    labels = tuple(
+        Label(each.span, f"`{twice}` is registered again here", package.folder / each.file)
+        for twice, each in build.registered_again
+    )
+    help_ = f"register it in CMakeLists.txt{', in place of what is there twice' if labels else ''}"
+    return _Fault(message, name, _slip(name, build.components), help_, labels)
 
 
 def _may_have(package: PackageFacts, build: BuildFacts, name: str) -> bool:

@@ -17,7 +17,7 @@ from .cmake_lists import (
     linked_packages,
     read_lists,
 )
-from .components import component_classes
+from .components import component_classes, registered_again
 from .declared import declared
 from .definitions import definition_mistakes
 from .entry_points import PythonSetup, read_python_setup
@@ -78,6 +78,7 @@ def build_facts(
         words=None if is_open or lists.words is None else lists.words | cmake_words(texts, lists),
         files=texts.bases,
         components=None if lists.lists is None or lists.is_open else component_classes(lists.lists),
+        registered_again=() if lists.lists is None else tuple(registered_again(lists.lists)),
         placed=lists.placed,
         installs_nodes=bool(lists.installs_nodes or setup.scripts),
         entries=setup.wrong if is_python else (),
