@@ -16,7 +16,7 @@ from graph_packages import (
     node_of,
     package_of,
 )
-from linted import run_over
+from linted import run_over, write_tree
 
 from plastron_tui.lint.rules.one_sided_examples import PUBLISHED
 
@@ -44,6 +44,19 @@ def test_types_conflict(
     launches = {"some_py": in_python(*map(node_of, launched))} if launched else {}
     found = found_in(tmp_path, package_of(talker, listener, **launches), "RG101")
     assert [code for code, _, _ in found] == ["RG101"] * count
+
+
+def test_types_that_conflict_by_a_remap_show_it(tmp_path: Path) -> None:
+    talker = code_of(TALKER, type="Int32", topic="words")
+    launch = (
+        "<launch>\n<node pkg='demo' exec='listener'/>\n<node pkg='demo' exec='talker'>\n"
+        "<remap from='noise' to='x'/>\n<remap from='words' to='/chatter'/>\n</node>\n</launch>\n"
+    )
+    files = package_of(talker, some_xml=launch)
+    (found,) = run_over(write_tree(tmp_path, files), "RG101").told
+    (label,) = [x for x in found.diagnostic.labels if x.file and x.file.name == "some.launch.xml"]
+    assert label.message == "this makes `/chatter` of `words`"
+    assert launch.encode()[: label.span.start].count(b"\n") == 4
 
 
 def test_two_drivers_of_which_one_is_started_do_not_conflict(tmp_path: Path) -> None:

@@ -16,6 +16,7 @@ from plastron_tui.model.kinds import EndpointKind
 from plastron_tui.ros.interfaces import InterfaceKind, InterfaceName
 from plastron_tui.ros.launch_started import Site, Started
 from plastron_tui.ros.qos import mismatches, value_text
+from plastron_tui.ros.run_names import RunNames
 
 from .graph_examples import LISTENER, NAMED_TWICE, TALKER, listener, talker
 
@@ -98,8 +99,26 @@ def _conflict(code: Code, place: Place, user: User, other: User) -> Diagnostic:
         f"`{far}` in `{other.node.shown}`",
         user.endpoint.span,
         user.path,
-        labels=(Label(other.endpoint.span, f"`{far}` here", other.path),),
+        labels=(
+            Label(other.endpoint.span, f"`{far}` here", other.path),
+            *_joined(place[2], user, other),
+        ),
     )
+
+
+def _joined(name: str, *users: User) -> Iterator[Label]:
+    """Yield the remaps of launch files that give endpoints their name."""
+    for user in users:
+        started, own = user.node.started, user.endpoint.name
+        if started is None or own is None:
+            continue
+        names = RunNames(started.namespace)
+        before = names.resolved(user.node.name, own)
+        for (old, _), (file, place) in zip(started.remaps, started.remap_places, strict=False):
+            is_it = before != name and names.resolved(user.node.name, old) == before
+            if is_it and file is not None and place is not None:
+                yield Label(span_of(place), f"this makes `{name}` of `{own}`", Path(file))
+                break
 
 
 def _settled(users: Iterable[User]) -> list[_Typed]:
