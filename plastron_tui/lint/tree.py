@@ -131,7 +131,8 @@ class SourceTree:
         started_places: where launch files name what the workspace lacks, as far as known.
         is_whole: whether nothing was left out, for being too much or for a problem.
         problems: the files that could not be read, and why.
-        wrong: what is wrong with each package.xml that the build tools refuse.
+        wrong: what is wrong with each package.xml that the build tools refuse, and with each
+            launch file that is no XML.
         asked: the rules that were asked for by their own codes or names: some then tell of what
             may have its other side beyond the workspace.
         files: all files that are looked at, as whole paths.

@@ -1,4 +1,4 @@
-"""A package.xml that the build tools refuse is told of: nothing of its package is looked at."""
+"""A package.xml that the build tools refuse, or a launch file that is no XML, is told of."""
 
 from __future__ import annotations
 
@@ -10,6 +10,30 @@ from linted import run_over, told, write_tree
 from plastron_tui.lint.rules.package_examples import NODE_PACKAGE
 
 XML = NODE_PACKAGE["demo/package.xml"]
+
+
+_LAUNCH = '<launch>\n  <node pkg="demo" exec="talker" name="{}/>\n</launch>\n'
+
+
+@pytest.mark.parametrize(
+    ("name", "text", "expected"),
+    [
+        ("a.launch.xml", _LAUNCH.format("a"), [("broken-xml", 3)]),
+        ("a.launch.xml", _LAUNCH.format('a"'), []),
+        ("a.launch", "<launch>\n", [("broken-xml", 1)]),
+        # It is XML, and not for roslaunch.
+        ("a.launch", '<!DOCTYPE a [<!ENTITY b "c">]>\n<a>&b;</a>\n', []),
+    ],
+)
+def test_launch_file_that_is_no_xml_is_told(
+    tmp_path: Path, name: str, text: str, expected: list[tuple[str, int]]
+) -> None:
+    including = '<launch>\n  <include file="$(dirname)/{}"/>\n</launch>\n'
+    files = {f"demo/launch/{name}": text, "demo/launch/b.launch.xml": including.format(name)}
+    root = write_tree(tmp_path, NODE_PACKAGE | files)
+    for _ in ("read", "as it was read before"):
+        found = told(run_over(root))
+        assert [each for each in found if each[0] == "broken-xml"] == expected
 
 
 @pytest.mark.parametrize(

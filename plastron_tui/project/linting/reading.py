@@ -22,7 +22,7 @@ from plastron_tui.ros.launch_resolution import resolve
 from plastron_tui.ros.launch_started import Opened, Started
 from plastron_tui.ros.launch_text import Scope
 from plastron_tui.ros.parameter_blocks import ParameterBlock
-from plastron_tui.sources.launch.reader import LARGEST, read_launch
+from plastron_tui.sources.launch.reader import LARGEST
 from plastron_tui.sources.launch.xml_reader import LaunchRead
 from plastron_tui.sources.still_disk import still_disk
 from plastron_tui.sources.workspace_modules import Modules, modules_in, workspace_of
@@ -30,6 +30,7 @@ from plastron_tui.sources.workspace_modules import Modules, modules_in, workspac
 from .cache import FactCache, packed, unpacked
 from .commented import commented_files
 from .fingerprints import Digest, Reads, digest_of_names, noted
+from .launch_files import LaunchFileRead, read_launch_file
 from .listing import Listing, files_around, list_files, mark_of
 from .packages import read_package, runnable
 from .parameter_files import LARGEST as PARAMETERS
@@ -303,7 +304,11 @@ class _Reading:
                 yield Path(path), blocks
 
     def _launch(self, path: str) -> LaunchRead | None:
-        return self._once("launch", path, partial(_read_launch, path))
+        found = self._once("launch", path, partial(_read_launch, path))
+        if found is None:
+            return None
+        self.wrong += found.diagnostics()
+        return found.read
 
     def package_of(self, path: str) -> str:
         """Return the folder of the package that a file is in, "" for none."""
@@ -378,9 +383,6 @@ def _read_blocks(path: str) -> tuple[ParameterBlock, ...] | None:
     return blocks_of(_text(path, PARAMETERS))
 
 
-def _read_launch(path: str) -> LaunchRead | None:
+def _read_launch(path: str) -> LaunchFileRead | None:
     text = _text(path, LARGEST)
-    if text is None:
-        return None
-    # The tree of the text, and what is wrong in it, is for those who look at one file.
-    return read_launch(text, Path(path))._replace(document=None, diagnostics=())
+    return None if text is None else read_launch_file(text, Path(path))
