@@ -164,6 +164,8 @@ _CASES = [
     Break("rover/CMakeLists.txt", "scripts/mover.py\n  DESTINATION lib/${PROJECT_NAME}",
           "scripts/mover.py\n  scripts/other.py\n  DESTINATION share/${PROJECT_NAME}/scripts",
           more=_BY_PATH),
+    Break("rover/CMakeLists.txt", "scripts/mover.py\n  DESTINATION lib/${PROJECT_NAME}",
+          "scripts/mover.py\n  DESTINATION share/${PROJECT_NAME}/scripts", more=_BY_PATH),
     Break("rover/CMakeLists.txt", "ament_package()", "my_own_command(mover.py)\nament_package()"),
     Break("rover/test/start.launch.py", "", "path = 'scripts/mover.py'\n"),
     Break("rover/scripts/other_old.py", "", "import rclpy\nrclpy.create_node('a')\n"

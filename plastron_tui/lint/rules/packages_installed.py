@@ -38,8 +38,8 @@ _VARIANT = re.compile(
     "`setup.py`, or `install` in `CMakeLists.txt`, puts them. `setup.cfg` names that folder for "
     "entry points: below `[install]`, and below `[develop]` for `colcon build --symlink-install`. "
     "ROS 1 starts scripts and programs from the workspace as well: there it is told where other "
-    "nodes of the package are installed. What another file imports, tests and examples are left "
-    "alone.",
+    "nodes of the package are installed. What another file imports or starts by its path, tests "
+    "and examples are left alone.",
     bad=NODE_PACKAGE | {"demo/setup.py": setup_py()},
     good=NODE_PACKAGE,
 )
@@ -113,14 +113,14 @@ def _missing(
         if each.how is How.ELSEWHERE and each.is_mentioned
     }
     for each in nodes:
-        is_by_path = each.file.rpartition("/")[0] in by_path
-        is_started = (package.name, each.file.rpartition("/")[2]) in started
-        if each.how is How.ELSEWHERE and (is_started or not is_by_path):
+        folder, _, name = each.file.rpartition("/")
+        is_started = (package.name, name) in started
+        if folder in by_path and not is_started:
+            continue
+        if each.how is How.ELSEWHERE:
             yield each
         if each.how is not How.NOT or not (each.is_program or is_python):
             continue
-        name = each.file.rpartition("/")[2]
-        is_started = (package.name, name) in started
         if each.is_mentioned and not is_started:
             continue
         if 1 in package.ros_versions and not (is_started and installed) and not is_one_left:

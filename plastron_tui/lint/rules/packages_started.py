@@ -51,8 +51,8 @@ def entry_point_to_nothing(tree: SourceTree, code: Code) -> Iterator[Diagnostic]
     "A launch file starts a program that its package does not have.",
     why="The launch ends with an error, or goes on without that node. It is told of packages of "
     "the workspace whose programs are all known, and of components in a container; what "
-    "`CMakeLists.txt` makes in a way that is not followed, and packages that are not in the "
-    "workspace, may have any program.",
+    "`CMakeLists.txt` makes in a way that is not followed, packages that are not in the workspace, "
+    "and the workspace of another `machine`, may have any program.",
     bad=NODE_PACKAGE | {"demo/launch/demo.launch.xml": _LAUNCH.format("taker")},
     good=NODE_PACKAGE | {"demo/launch/demo.launch.xml": _LAUNCH.format("talker")},
 )
