@@ -215,6 +215,11 @@ _CASES = [
           "RK506 rover/launch/rover.launch.xml:2"),
     Break("rover/launch/rover.launch.xml", 'exec="mover"', 'exec="move"',
           "RK506 rover/launch/rover.launch.xml:2"),
+    Break("rover/launch/rover.launch.xml", "<launch>\n",
+          '<launch>\n  <arg name="a" default="false"/>\n'
+          '  <node pkg="rover" exec="moved" if="$(var a)"/>\n'
+          '  <node pkg="far" exec="b" if="$(var a)"/>\n',
+          "RK506 rover/launch/rover.launch.xml:3"),
     Break("old/launch/old.launch", "mover.py", "move.py", "RK506 old/launch/old.launch:2"),
     Break("wheels/launch/wheels.launch.py", "Node(package='wheels', executable='mover')",
           "Node(\n            package='wheels',\n            executable='moverr')",

@@ -59,18 +59,17 @@ def entry_point_to_nothing(tree: SourceTree, code: Code) -> Iterator[Diagnostic]
 def launch_of_nothing(tree: SourceTree, code: Code) -> Iterator[Diagnostic]:
     """Find nodes of launch files that no package has."""
     found: dict[tuple[str, _Fault], dict[str, tuple[Span, Span | None]]] = {}
-    for launch in tree.launches:
-        for started in launch.resolved.started:
-            place = started.place
-            if place is None or started.file is None or _is_test(tree, started.file):
-                continue
-            fault = _fault(tree, started, launch.ros_version)
-            if fault is None:
-                continue
-            # A name that was mistyped is mended in each file, a program that is not made once.
-            places = found.setdefault((started.file if fault.near else "", fault), {})
-            known = tree.started_places.get(StartedPlace(started.file, place.start, fault.word))
-            places.setdefault(started.file, (known or span_of(place), known))
+    for started, version in _starts(tree):
+        place = started.place
+        if place is None or started.file is None or _is_test(tree, started.file):
+            continue
+        fault = _fault(tree, started, version)
+        if fault is None:
+            continue
+        # A name that was mistyped is mended in each file, a program that is not made once.
+        places = found.setdefault((started.file if fault.near else "", fault), {})
+        known = tree.started_places.get(StartedPlace(started.file, place.start, fault.word))
+        places.setdefault(started.file, (known or span_of(place), known))
     for (_, fault), places in found.items():
         (file, (span, known)), *others = places.items()
         is_sure = known is not None and is_slip(fault.word, fault.near)
@@ -88,6 +87,13 @@ def launch_of_nothing(tree: SourceTree, code: Code) -> Iterator[Diagnostic]:
             ),
             fix=write(fault.near, known) if known is not None and is_sure else None,
         )
+
+
+def _starts(tree: SourceTree) -> Iterator[tuple[Started, int]]:
+    """Yield what launch files start, also where their arguments are others, for which ROS."""
+    for launch in tree.launches:
+        yield from ((each, launch.ros_version) for each in launch.resolved.started)
+    yield from ((each, 2) for each in tree.unstarted)
 
 
 def _is_test(tree: SourceTree, file: str) -> bool:
