@@ -130,6 +130,13 @@ WRONG |= {
             CONFIG: _config("rate: 1.0\ncount: 1\non: yes\nframe: 12  # wrong", "front"),
         },
     ),
+    "RP301 of a node whose options nobody uses": (
+        "RP301",
+        {
+            NODE: python("pass", handed=", **options").replace("(self)", "(self, **options)"),
+            CONFIG: _config("reverse: true  # wrong"),
+        },
+    ),
     "RP303 of a node of another package": (
         "RP303",
         {
