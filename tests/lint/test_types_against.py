@@ -134,7 +134,7 @@ def test_revision_is_read_and_nothing_of_the_repository_is_run(tmp_path: Path) -
         (":/with", ""),
         ("v1", ""),
         ("HEAD^{tree}", "it is no commit"),
-        ("HEAD:README", "it is no commit"),
+        ("HEAD:.gitmodules", "it is no commit"),
         (":/no such text", "there is none"),
         ("HEAD..HEAD", "there is none"),
         ("HEAD\nHEAD", "it is no name of a revision"),
