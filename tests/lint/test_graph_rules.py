@@ -247,6 +247,12 @@ def test_a_misspelt_name_beside_others_that_are_right(tmp_path: Path) -> None:
     assert found_in(tmp_path / "2", package_of() | other, "RG104") == []
 
 
+def test_a_publisher_beside_one_that_is_heard(tmp_path: Path) -> None:
+    other = code_of(TALKER, topic="chatte").replace("talker", "other")
+    files = package_of() | {"demo/demo/other.py": other}
+    assert found_in(tmp_path, files, "RG104") == []
+
+
 UNKNOWN = {
     "a_remap": (node_of("listener", "remappings=[('chater', LaunchConfiguration('to'))]"),),
     "a_remap_of_a_group": ("SetRemap('chater', LaunchConfiguration('to'))", node_of("listener")),

@@ -10,6 +10,7 @@ from plastron_tui.lint.rule import rule
 from plastron_tui.lint.runs import Place, User, runs_of
 from plastron_tui.lint.sides import workspaces
 from plastron_tui.lint.tree import SourceTree
+from plastron_tui.model.kinds import EndpointKind
 from plastron_tui.ros.interfaces import InterfaceName
 from plastron_tui.ros.name_slips import LONGEST, is_slip, shortened
 
@@ -25,8 +26,8 @@ _Met = Mapping[Place, list[User]]
     severity=Severity.WARNING,
     why="The two were to meet, and neither says that nobody is there. Names that differ by a "
     "digit, or by letters that tell things of a kind apart (`x`, `y`, `z`), are not told, nor are "
-    "those of different types, nor those of a node that hears by the one what it sends by the "
-    "other.",
+    "those of different types, those of a node that hears by the one what it sends by the other, "
+    "nor a publisher beside a topic that has one.",
     bad={"talker.py": TALKER, "listener.py": listener(topic="chater")},
     good={"talker.py": TALKER, "listener.py": LISTENER},
 )
@@ -77,7 +78,9 @@ def _slips(meetings: _Met) -> Iterator[tuple[Place, Place]]:
 def _is_meant(wrong: list[User], right: list[User]) -> bool:
     """Tell whether users of a name may have been to use another one."""
     sides = {user.sends for user in right}
-    if wrong[0].sends is True and sides == {False}:
+    is_topic = wrong[0].endpoint.kind is EndpointKind.PUBLISHER
+    if wrong[0].sends is True and (sides == {False} or is_topic):
+        # Who hears a topic that has a publisher of its own waits for no other one.
         return False
     # A node that hears by one name and sends by the other may pass on what it hears.
     across = {user.node.key for user in right if user.sends is not wrong[0].sends}
