@@ -156,8 +156,7 @@ def _is_other(
         return given != wanted
     fields = messages.fields(wanted)
     if not value.path:
-        # rospy makes a message of its only field, and goes by the sum of a definition, not its
-        # name.
+        # rospy makes a message of its only field, and goes by the definition, not by its name.
         return not (
             (len(fields) == 1 and fields[0].type.message == given.name)
             or [(each.type, each.name) for each in fields]

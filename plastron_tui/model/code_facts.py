@@ -7,6 +7,7 @@ is not among it.
 
 from __future__ import annotations
 
+import re
 from enum import Enum
 from typing import NamedTuple
 
@@ -149,13 +150,23 @@ class Built(NamedTuple):
     places: tuple[int, ...] = ()
 
 
+REMOVING = ("action", "DELETE")
+"""The path of an action that may take away what was shown, of a marker."""
+
+
+def adds(value: bytes) -> bool:
+    """Tell whether an expression is what the action of a marker is that shows something."""
+    return re.search(rb"(?:^|\W)(?:ADD|MODIFY)$|^0$", value) is not None
+
+
 class Sent(NamedTuple):
     """A message that is published, whose making is known as a whole.
 
     Attributes:
         type: its type.
         paths: the paths of all fields that get a value, or may: what is handed to a function that
-            is not known may get any, and is then no `Sent`.
+            is not known may get any, and is then no `Sent`. `REMOVING` is among them where the
+            field `action` may get another value than `ADD` or `MODIFY`.
         span: the call that publishes it.
         file: the name of the file in its set, "" for the main file.
         made: where the variable that holds it is made, in bytes; -1 where it has none.

@@ -138,6 +138,23 @@ HEADERS = {
             self.images.publish(image)  # wrong
         """),
     ),
+    "a marker": (
+        "RM206",
+        tick("""
+            gone = Marker(id=3, action=Marker.DELETE)
+            self.markers.publish(gone)
+            gone = Marker()
+            gone.action = Marker.DELETEALL
+            self.markers.publish(gone)
+            gone = Marker()
+            gone.action = 2
+            self.markers.publish(gone)
+            shown = Marker()
+            shown.action = Marker.ADD
+            self.markers.publish(shown)  # wrong
+            self.markers.publish(Marker(action=0))  # wrong
+        """),
+    ),
     "a transform": (
         "RM205",
         tick("""
@@ -266,3 +283,22 @@ def copy_stamp(source, destination):
 def test_nothing_is_told_of_a_header_that_may_be_filled(lines: str) -> None:
     text = tick(lines) + FILLING
     assert told(text, "RM205") == told(text, "RM206") == []
+
+
+@pytest.mark.parametrize(("action", "count"), [("ADD", 1), ("DELETE", 0), ("DELETEALL", 0)])
+def test_marker_that_is_taken_away_in_cpp_stands_in_no_frame(action: str, count: int) -> None:
+    text = f"""\
+#include "rclcpp/rclcpp.hpp"
+#include "visualization_msgs/msg/marker.hpp"
+class N : public rclcpp::Node {{
+public:
+  N() : Node("n") {{
+    pub_ = create_publisher<visualization_msgs::msg::Marker>("a", 1);
+    visualization_msgs::msg::Marker marker;
+    marker.action = visualization_msgs::msg::Marker::{action};
+    pub_->publish(marker);
+  }}
+  rclcpp::Publisher<visualization_msgs::msg::Marker>::SharedPtr pub_;
+}};
+"""
+    assert len(told(text, "RM206", ".cpp")) == count

@@ -11,7 +11,7 @@ from plastron_tui.diagnostics import Code, Diagnostic, Label, Severity, Span
 from plastron_tui.lint.message_fields import Messages, described, units_of
 from plastron_tui.lint.rule import rule
 from plastron_tui.lint.tree import SourceTree, UnitFacts
-from plastron_tui.model.code_facts import MessageType, Sent
+from plastron_tui.model.code_facts import REMOVING, MessageType, Sent
 from plastron_tui.model.kinds import EndpointKind
 from plastron_tui.ros.interfaces import InterfaceName
 
@@ -96,7 +96,10 @@ def missing_frame_id(tree: SourceTree, code: Code) -> Iterator[Diagnostic]:
 
 def _has_frame(sent: Sent) -> bool:
     """Tell whether a message stands in a frame."""
-    return sent.type.name.package in _FRAMED and sent.type.name not in _NO_FRAME
+    name = sent.type.name
+    # What takes a marker away goes by its number.
+    is_removed = name.package == "visualization_msgs" and REMOVING in sent.paths
+    return name.package in _FRAMED and name not in _NO_FRAME and not is_removed
 
 
 def _read_stamps(tree: SourceTree) -> set[InterfaceName]:

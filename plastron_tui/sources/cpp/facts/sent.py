@@ -7,7 +7,7 @@ from collections.abc import Iterator
 
 from tree_sitter import Node
 
-from plastron_tui.model.code_facts import MessageType, Part, Sent
+from plastron_tui.model.code_facts import REMOVING, MessageType, Part, Sent, adds
 from plastron_tui.sources.cpp.analysis import Analysis
 from plastron_tui.sources.cpp.arguments import Call, arguments_of, call_of
 from plastron_tui.sources.cpp.scopes import CppFile, Scope, Variable
@@ -67,6 +67,8 @@ def _published(
             return None
         if path:
             paths.add(path)
+        if path == REMOVING[:1] and not _is_added(file, node):
+            paths.add(REMOVING)
     return reach.type, frozenset(paths), (variable.declarator or variable.node).start_byte
 
 
@@ -92,6 +94,15 @@ def _is_behind(node: Node, call: Call, variable: Variable) -> bool:
 def _is_kept(variable: Variable) -> bool:
     code = variable.file.syntax.code
     return b"static" in code[variable.node.start_byte : variable.start]
+
+
+def _is_added(file: CppFile, node: Node) -> bool:
+    """Tell whether an action gets a value with which a marker stays, or is shown."""
+    current: Node | None = node
+    while current is not None and current.type != "assignment_expression":
+        current = None if current.type.endswith("statement") else current.parent
+    value = current.child_by_field_name("right") if current is not None else None
+    return value is not None and adds(file.syntax.word(value).encode())
 
 
 def _bare(node: Node | None, scope: Scope) -> Node | None:

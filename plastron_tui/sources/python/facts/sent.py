@@ -8,7 +8,7 @@ from typing import NamedTuple
 from tree_sitter import Node
 
 from plastron_tui.diagnostics import Span
-from plastron_tui.model.code_facts import MessageType, Sent
+from plastron_tui.model.code_facts import REMOVING, MessageType, Sent, adds
 from plastron_tui.sources.grammars import is_inside
 from plastron_tui.sources.python.arguments import Arguments
 from plastron_tui.sources.python.references import (
@@ -130,6 +130,8 @@ def _made_by(messages: MessageValues, call: Node) -> Making | None:
         inner = _header(_made_by(messages, value)) if value.type == "call" else None
         if inner is None:
             paths.add((name,))
+            if (name,) == REMOVING[:1] and not adds(value.text or b""):
+                paths.add(REMOVING)
         else:
             paths |= {(name, *path) for path in inner.paths}
     return Making(type_, frozenset(paths))
@@ -193,9 +195,18 @@ def _used(
                 inner = _given_to(messages, sending, whole) if len(path) == 1 else None
                 # A header that is made there, and whose making is known, is more than touched.
                 paths |= {(*path, *each) for each in inner.paths} if inner is not None else {path}
+                if path == REMOVING[:1] and not _is_added(whole):
+                    paths.add(REMOVING)
         elif use.id != taken and not _is_harmless(messages, sending, use):
             return None
     return frozenset(paths)
+
+
+def _is_added(action: Node) -> bool:
+    """Tell whether an action gets a value with which a marker stays, or is shown."""
+    parent = action.parent
+    value = parent.child_by_field_name("right") if parent is not None else None
+    return value is not None and adds(value.text or b"")
 
 
 def _given_to(messages: MessageValues, sending: Node, field: Node) -> Making | None:
