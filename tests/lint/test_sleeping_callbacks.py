@@ -207,6 +207,10 @@ SLEEPING = {
             if msg.data:
                 rospy.sleep(2)
 
+        def again(msg):
+            if msg.data:
+                rospy.sleep(2)  # wrong
+
         def paced(msg):
             print(msg)
             rospy.sleep(2)
@@ -226,7 +230,8 @@ SLEEPING = {
             sub.unregister()
             rospy.sleep(2)
 
-        rospy.Subscriber('heard', String, heard)
+        rospy.Subscriber('heard', String, heard, queue_size=1)
+        rospy.Subscriber('again', String, again)
         rospy.Subscriber('paced', String, paced, None, 1)
         rospy.Subscriber('piled', String, piled, queue_size=10)
         rospy.Subscriber('stale', String, stale, queue_size=1)

@@ -105,8 +105,8 @@ def _instead(fact: Blocking, is_python: bool) -> str:
     "the program ends, of a node that has this one callback alone, nor where the file makes an "
     "executor of several threads. rospy has a thread for each connection: there it is told of "
     "half a second and more in the callback of a topic, at each message, for the next ones wait. "
-    "A sleep at the end with a queue of one message, a sleep on a condition, and one at a signal "
-    "(`Empty`) or before the topic is left are meant there.",
+    "With a queue of one message a sleep at the end, or on a condition, is meant there, and so is "
+    "one at a signal (`Empty`), or where the callback unregisters its subscriber.",
     bad=SLEEPING["bad"],
     good=SLEEPING["good"],
 )

@@ -107,8 +107,8 @@ def _judged(
 def _piles_up(callback: CalledBack, way: Sequence[Node], analysis: Analysis) -> bool:
     """Tell whether the messages of a topic surely wait for a call in its callback of rospy.
 
-    Only this topic waits. One whose callback ends with a sleep, and has a queue of one message, has
-    a pace that is meant, and a signal without content does not grow old.
+    Only this topic waits. One with a queue of one message, whose callback ends with a sleep or has
+    it on a condition, has a pace that is meant, and a signal without content does not grow old.
     """
     site, function = callback.site, callback.function
     if callback.kind is not EndpointKind.SUBSCRIPTION or function is None:
@@ -117,13 +117,14 @@ def _piles_up(callback: CalledBack, way: Sequence[Node], analysis: Analysis) -> 
         return False
     if b".unregister(" in (function.node.text or b""):
         return False
-    if not all(runs_each_time(each, running_scope(analysis, each).node) for each in way):
-        return False
     said = None if site is None else site.shape.qos
     queue = None if said is None or said.queue_size is None else said.queue_size
     given = None if site is None or queue is None else site.arguments.get(queue)
     is_short = given is not None and given.text == b"1"
-    return not (is_short and all(map(_is_last, way)))
+    if not is_short:
+        return True
+    each_time = all(runs_each_time(each, running_scope(analysis, each).node) for each in way)
+    return each_time and not all(map(_is_last, way))
 
 
 def _is_last(call: Node) -> bool:
