@@ -54,6 +54,8 @@ _LEXERS = {style: re.compile(parts, re.S | re.M) for style, parts in _PARTS.item
 
 _STYLES = {
     ".py": CommentStyle.PYTHON,
+    # A script without a suffix.
+    "": CommentStyle.PYTHON,
     ".yaml": CommentStyle.YAML,
     ".yml": CommentStyle.YAML,
     ".cmake": CommentStyle.CMAKE,

@@ -37,7 +37,7 @@ class Executables:
         What a program of C++ is linked with may create endpoints of its nodes as well, which is
         likely where its own source has none.
         """
-        if unit.path.suffix == ".py":
+        if unit.is_python:
             return True
         package = self._tree.package_of(unit)
         executables = {} if package is None else package.executables

@@ -44,6 +44,11 @@ class UnitFacts(NamedTuple):
     is_test: bool = False
     is_unbuilt: bool = False
 
+    @property
+    def is_python(self) -> bool:
+        """Whether the main file is in Python: a script may have no suffix."""
+        return self.path.suffix in ("", ".py")
+
     def path_of(self, endpoint: SourceEndpoint) -> Path:
         """Return the file that has a call site."""
         return self.file(endpoint.file)

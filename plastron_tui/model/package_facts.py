@@ -211,7 +211,7 @@ class BuildFacts(NamedTuple):
         is_settled: whether the executables are known to be all.
         words: where they are not, the words that may be the name of another one, or a part of it;
             None where any name may be.
-        files: the names of the package's files, without their folders.
+        files: the names of the package's files, and of links to programs, without their folders.
         components: the classes that a container finds in it, None where that is not known.
         registered_again: the classes that are registered once more, each with its place.
         placed: the names of the files that are installed where nodes are looked for, however.

@@ -7,6 +7,7 @@ own, since listing entry points is slow.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Iterator
 from importlib import import_module
 from pathlib import Path
@@ -45,6 +46,8 @@ class _Own(NamedTuple):
 _SCRIPT = "a script: quick to write and to change, and started without a build"
 _PROGRAM = "a program that is built: for images, point clouds, fast loops"
 _SHARED = "several in one process pass large messages without a copy"
+
+_INTERPRETER = re.compile(rb"#![^\r\n]*\bpython")
 
 _CPP = "plastron_tui.targets.cpp"
 
@@ -183,8 +186,13 @@ def languages() -> Iterator[Language]:
             yield target.language
 
 
-def language_of(path: Path) -> Language | None:
-    """Return the language of a file, which its suffix tells; None for no language of a node."""
+def language_of(path: Path, text: bytes = b"") -> Language | None:
+    """Return the language of a file, None for no language of a node.
+
+    Its suffix tells it, or, of a file without one, its first line, where the text is given.
+    """
+    if not path.suffix and _INTERPRETER.match(text):
+        return _script()
     return next((each for each in languages() if path.suffix in each.suffixes), None)
 
 
@@ -206,4 +214,8 @@ def files_of(path: Path, text: bytes, read: Callable[[Path], bytes | None]) -> F
 
 def _reading(path: Path) -> Language:
     """Return what reads a file; one whose suffix tells nothing counts as a script."""
-    return language_of(path) or next(each for each in own_languages() if each.is_script)
+    return language_of(path) or _script()
+
+
+def _script() -> Language:
+    return next(each for each in own_languages() if each.is_script)

@@ -58,7 +58,7 @@ def _tells_all(node: Declared) -> bool:
 
     C++ that declares none at all most likely leaves that to a library.
     """
-    return node.is_whole and (bool(node.uses) or node.node.unit.path.suffix == ".py")
+    return node.is_whole and (bool(node.uses) or node.node.unit.is_python)
 
 
 _UNUSED = re.compile(r"(?:\A|_)(?:do_not|dont|example|unused|deprecated|disabled)(?:_|\Z)")

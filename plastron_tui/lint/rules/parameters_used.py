@@ -43,7 +43,7 @@ def undeclared_parameter(tree: SourceTree, code: Code) -> Iterator[Diagnostic]:
         for unit in tree.units
         for facts in unit.code.parameters
         for use in facts.uses
-        if use.file and unit.path.suffix == ".py"
+        if use.file and unit.is_python
     }
     for unit in tree.built:
         if unit.is_test or unit.path in bases:

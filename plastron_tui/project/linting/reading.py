@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Container, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, field
 from functools import cached_property, partial
@@ -136,9 +136,11 @@ class _Reading:
         A header is read with the sources that include it, and by itself only where none does that
         makes a node.
         """
-        found = dict(self._read_units(pool, _SOURCES))
+        sources = (each for each in self.listing.files if each.endswith(_SOURCES))
+        found = dict(self._read_units(pool, chain(sources, self._programs())))
         parts = {part for each in found.values() for part in each.parts}
-        found.update(self._read_units(pool, _HEADERS, parts))
+        headers = (each for each in self.listing.files if each.endswith(_HEADERS))
+        found.update(self._read_units(pool, (each for each in headers if each not in parts)))
         folders = {str(each.folder): each.name for each in self.packages}
         ported = {str(each.folder) for each in self.packages if is_ported(each)}
         unbuilt = self._unbuilt(found)
@@ -157,12 +159,12 @@ class _Reading:
             )
 
     def _read_units(
-        self, pool: Pool[UnitAnswer], suffixes: tuple[str, ...], but: Container[str] = ()
+        self, pool: Pool[UnitAnswer], paths: Iterable[str]
     ) -> Iterator[tuple[str, UnitRead]]:
-        """Yield the files of some suffixes that have nodes, from the cache or from the disk."""
+        """Yield those of some files that have nodes, from the cache or from the disk."""
         missed: dict[str, list[str]] = {}
-        for path in self.listing.files:
-            if not path.endswith(suffixes) or path in but or launch_language(path):
+        for path in paths:
+            if launch_language(path):
                 continue
             known = self.cache.get(self._unit_key(path))
             if known is None:
@@ -183,6 +185,15 @@ class _Reading:
                 if read is not None:
                     yield answer.path, read
 
+    def _programs(self) -> Iterator[str]:
+        """Yield the files of packages without a suffix that may be run: scripts may be among them.
+
+        Their first line tells, see `language_of`.
+        """
+        for folder, names in self._files.items():
+            bare = (each for each in names if "." not in each.rpartition("/")[2])
+            yield from (f"{folder}/{each}" for each in sorted(runnable(folder, bare)))
+
     def _unbuilt(self, found: Mapping[str, UnitRead]) -> frozenset[str]:
         """Return the files of nodes that no build takes, so that nobody runs what they say."""
 
@@ -199,7 +210,7 @@ class _Reading:
         )
 
     def _unit_key(self, path: str) -> str:
-        modules = self._names_of_modules if path.endswith(".py") else b""
+        modules = self._names_of_modules if not path.endswith((*_HEADERS, *_SOURCES[1:])) else b""
         return _key("unit", path, self._names[self.package_of(path)] + modules)
 
     @cached_property
@@ -221,7 +232,9 @@ class _Reading:
     def _read_packages(self) -> Iterator[PackageFacts]:
         for folder in self.listing.packages:
             names = self._files[folder]
-            programs = runnable(folder, names)
+            # A link to a program is one as well, where nodes are started from the workspace.
+            links = (each[len(folder) + 1 :] for each in self._left_out.get(folder, ()))
+            programs = runnable(folder, chain(names, links))
             read = partial(read_package, folder, names, programs)
             marks = digest_of_names(iter(programs))
             found = self._once("package", folder, read, self._names[folder] + marks)
@@ -341,15 +354,21 @@ class _Reading:
 
         What is in no package may look for files anywhere, and in a package around all folders.
         """
-        left_out: dict[str, list[str]] = {}
-        for path in self.listing.left_out:
-            left_out.setdefault(self.package_of(path), []).append(mark_of(path))
+        marks = {folder: map(mark_of, paths) for folder, paths in self._left_out.items()}
         found = {
-            folder: digest_of_names(chain(names, left_out.get(folder, ())))
+            folder: digest_of_names(chain(names, marks.get(folder, ())))
             for folder, names in self._files.items()
         }
-        everywhere = chain(*left_out.values(), files_around(self.listing.root))
+        everywhere = chain(map(mark_of, self.listing.left_out), files_around(self.listing.root))
         found[""] = digest_of_names(chain(self.listing.files, everywhere))
+        return found
+
+    @cached_property
+    def _left_out(self) -> dict[str, list[str]]:
+        """Return the links and files of each package that do not count."""
+        found: dict[str, list[str]] = {}
+        for path in self.listing.left_out:
+            found.setdefault(self.package_of(path), []).append(path)
         return found
 
 

@@ -47,7 +47,7 @@ def unbuilt_units(
             sources[package].add(path[len(package) + 1 :] if package else path)
     sources.pop("", None)
     if has_packages:
-        left |= {path for path in found if not path.endswith(".py") and not package_of(path)}
+        left |= {path for path in found if not is_script(path) and not package_of(path)}
     for package, names in sources.items():
         left.update(f"{package}{os.sep}{each}" for each in read(package, frozenset(names)))
     # One that is read with another one, which is built, may be included there.
@@ -66,6 +66,11 @@ def is_ported(package: PackageFacts) -> bool:
     if package.build is None or 1 in package.ros_versions:
         return False
     return _OF_ROS1.isdisjoint(each.name for each in package.build.dependencies)
+
+
+def is_script(path: str) -> bool:
+    """Tell whether a file of a node is one that no compiler takes: it may have no suffix."""
+    return path.endswith(".py") or "." not in os.path.basename(path)
 
 
 def read_unbuilt(

@@ -74,7 +74,7 @@ def _read(path: Path, reads: Reads) -> UnitRead | None:
         text = read_regular(os.fspath(path), LARGEST_FILE)
     except (OSError, ValueError):
         return None
-    language = language_of(path)
+    language = language_of(path, text)
     if language is None or language.mentioned_library(text) is None:
         return None
     files = with_others(path, text)

@@ -76,7 +76,7 @@ def build_facts(
         targets=lists.targets,
         is_settled=is_whole and (setup.is_settled if is_python else lists.is_settled),
         words=None if is_open or lists.words is None else lists.words | cmake_words(texts, lists),
-        files=texts.bases,
+        files=texts.bases | {each.rpartition("/")[2] for each in programs},
         components=None if lists.lists is None or lists.is_open else component_classes(lists.lists),
         registered_again=() if lists.lists is None else tuple(registered_again(lists.lists)),
         placed=lists.placed,
