@@ -87,8 +87,22 @@ def _conflicts(
         usual = types.most_common(1)[0][0]
         for type_, user in settled:
             other = _conflicting(usual, (type_, user), settled, is_run=is_run)
-            if other is not None and _are_two(tree, place[:2], type_, other[0]):
+            if other is None or (not is_run and _may_be_met(tree, place, user)):
+                continue
+            if _are_two(tree, place[:2], type_, other[0]):
                 yield place, user, other[1]
+
+
+def _may_be_met(tree: SourceTree, place: Place, user: User) -> bool:
+    """Tell whether somebody at the other side of a name may have an endpoint's type: a guess."""
+    return any(
+        each.sends is not user.sends
+        and each.endpoint.type in (None, user.endpoint.type)
+        and each.endpoint.name is not None
+        and each.endpoint.kind.facts.interface is place[0]
+        and each.node.names.resolved(each.node.name, each.endpoint.name) == place[2]
+        for each in everywhere(tree).strays
+    )
 
 
 def _conflict(code: Code, place: Place, user: User, other: User) -> Diagnostic:
