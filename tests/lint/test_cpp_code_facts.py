@@ -345,6 +345,8 @@ EXECUTOR = "rclcpp::executors::SingleThreadedExecutor e;"
     ("text", "is_idle"),
     [
         (ros2(main="auto node = std::make_shared<Talker>(); rclcpp::shutdown();"), True),
+        (ros2(main="Talker node;"), True),
+        (ros2(main="// todo"), False),
         (ros1(main=f"{SUB1} return 0;"), True),
         (ros1(main=f"{SUB1} ros::Rate r(10); while (ros::ok()) {{ r.sleep(); }}"), True),
         (ros2(main=f"{EXECUTOR} e.add_node(std::make_shared<Talker>());"), True),

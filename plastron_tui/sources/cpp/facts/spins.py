@@ -120,6 +120,9 @@ def _is_alone(analysis: Analysis) -> bool:
         # What is started may be of a class that is not read.
         return False
     owners = [node.owner for node in analysis.nodes if node.owner is not None]
+    if len(owners) == len(analysis.nodes) and not any(map(analysis.callers.makers, owners)):
+        # A program that makes no node is not finished, and has none to spin.
+        return False
     for owner in owners:
         if not (is_defined(analysis, owner, called=True) and knows_bases(analysis, owner)):
             return False
