@@ -285,6 +285,40 @@ def test_nothing_is_told_of_a_header_that_may_be_filled(lines: str) -> None:
     assert told(text, "RM205") == told(text, "RM206") == []
 
 
+@pytest.mark.parametrize(
+    ("body", "end", "count"),
+    [
+        ("send();", "void send() {", 1),
+        ("", "void send() {", 0),
+        ("// send();", "void send() {", 0),
+        ("", "void send() override {", 1),
+    ],
+)
+def test_nothing_is_told_of_a_function_that_nobody_calls(body: str, end: str, count: int) -> None:
+    text = f"""\
+#include "rclcpp/rclcpp.hpp"
+#include "sensor_msgs/msg/laser_scan.hpp"
+class N : public rclcpp::Node {{
+public:
+  N() : Node("n") {{
+    pub_ = create_publisher<sensor_msgs::msg::LaserScan>("a", 1);
+    {body}
+  }}
+  {end}
+    sensor_msgs::msg::LaserScan scan;
+    scan.header.frame_id = "laser";
+    pub_->publish(scan);
+  }}
+  rclcpp::Publisher<sensor_msgs::msg::LaserScan>::SharedPtr pub_;
+}};
+int main(int argc, char ** argv) {{
+  rclcpp::init(argc, argv);
+  rclcpp::spin(std::make_shared<N>());
+}}
+"""
+    assert len(told(text, "RM205", ".cpp")) == count
+
+
 @pytest.mark.parametrize(("action", "count"), [("ADD", 1), ("DELETE", 0), ("DELETEALL", 0)])
 def test_marker_that_is_taken_away_in_cpp_stands_in_no_frame(action: str, count: int) -> None:
     text = f"""\

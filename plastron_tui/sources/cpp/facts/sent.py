@@ -10,7 +10,7 @@ from tree_sitter import Node
 from plastron_tui.model.code_facts import REMOVING, MessageType, Part, Sent, adds
 from plastron_tui.sources.cpp.analysis import Analysis
 from plastron_tui.sources.cpp.arguments import Call, arguments_of, call_of
-from plastron_tui.sources.cpp.scopes import CppFile, Scope, Variable
+from plastron_tui.sources.cpp.scopes import CppFile, Function, Scope, Variable
 from plastron_tui.sources.cpp.type_texts import without_pointer
 from plastron_tui.sources.unreachable import is_unreachable
 
@@ -32,10 +32,34 @@ def sent_messages(analysis: Analysis, types: MessageTypes) -> Iterator[Sent]:
         is_one = call.receiver is not None and len(call.arguments) == 1
         if not is_one or file.is_beside or conditionals[id(file)].has(call.node.start_byte):
             continue
+        if _is_dead(analysis, call.scope):
+            continue
         found = _published(analysis, types, call)
         if found is not None and not is_unreachable(call.node):
             type_, paths, made = found
             yield Sent(type_, paths, span_of(call.node), file.name, made)
+
+
+def _is_dead(analysis: Analysis, scope: Scope) -> bool:
+    """Tell whether nothing of a whole program names the function that a scope is in."""
+    unit, function = analysis.unit, scope.around
+    if function is None or not function.name.isidentifier() or "main" not in unit.functions:
+        return False
+    owner = unit.class_of_function(function)
+    if function.name == "main" or (owner is not None and owner.name == function.name):
+        return False
+    known = unit.functions.get(function.name, ())
+    if any(b"override" in each.file.syntax.code[slice(*_head(each))] for each in known):
+        return False
+    word = re.compile(rb"\b" + function.name.encode() + rb"\b")
+    mentions = sum(len(word.findall(file.syntax.code)) for file in unit.all_files)
+    return mentions <= len(known)
+
+
+def _head(function: Function) -> tuple[int, int]:
+    """Return where a function's declarator is, and what is behind it."""
+    end = function.declarator.end_byte
+    return function.declarator.start_byte, end + len(" const override")
 
 
 def _published(
