@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+import shlex
 from collections.abc import Iterator
 from functools import cache
 
@@ -169,6 +170,9 @@ def _remedy(build: BuildFacts, script: Script) -> str:
     file = script.file
     if build.build_type == "ament_python":
         stem = file.rpartition("/")[2].removesuffix(".py")
+        folder = file.partition("/")[0]
+        if folder not in build.modules and "/" in file:
+            return "move it into the Python package, and add it to `console_scripts`"
         module = file.removesuffix(".py").replace("/", ".")
         entry = f"add `{stem} = {module}:main` to `console_scripts`"
         return entry if script.has_main else f"start it in a function `main`, and {entry}"
@@ -279,7 +283,7 @@ def _not_run(
         help_ = "install it with `install(PROGRAMS …)`"
         return f"`{name}` is installed as a file that nobody may run", script.installed, help_
     has_mode = script.is_executable or not has_modes
-    how = f"run `chmod +x {script.file}`"
+    how = f"run `chmod +x {shlex.quote(script.file)}`"
     if script.how is How.KEPT and not has_mode and (script.is_program or is_started):
         return f"`{name}` is not executable, and so nothing starts it", None, how
     if is_first and not has_mode and script.how in (How.NOT, How.PLAIN, How.PROGRAM):

@@ -65,6 +65,9 @@ _UNUSED = re.compile(r"(?:\A|_)(?:do_not|dont|example|unused|deprecated|disabled
 """What is in the names of keys that are there for people to read, and that no node declares."""
 
 
+_UNMEANT = "declare it in the node, or take it out here"
+
+
 def _undeclared_keys(code: Code, given: Given) -> Iterator[Diagnostic]:
     names = [name for node in given.nodes for name in node.uses]
     taken = {key.name for key in given.block.keys}
@@ -89,7 +92,7 @@ def _undeclared_keys(code: Code, given: Given) -> Iterator[Diagnostic]:
             f"no parameter `{name}` is declared in {_named(given)}",
             part.span,
             given.file,
-            help=None if meant is None else f"did you mean `{meant}`?",
+            help=_UNMEANT if meant is None else f"did you mean `{meant}`?",
             fix=_renamed(name, part, meant),
             labels=given.nodes[0].label(meant or ""),
         )
@@ -105,6 +108,7 @@ def _none_declared(code: Code, given: Given) -> Iterator[Diagnostic]:
             f"{count} is declared in {_named(given)}, which declares nothing",
             keys[0].parts[0].span,
             given.file,
+            help=_UNMEANT,
             labels=given.nodes[0].label(""),
         )
 
@@ -158,7 +162,7 @@ def _undeclared_settings(
                 f"no parameter `{name}` is declared in {_nodes(receiver.nodes)}",
                 span,
                 Path(place.file),
-                help=None if meant is None else f"did you mean `{meant}`?",
+                help=_UNMEANT if meant is None else f"did you mean `{meant}`?",
                 labels=receiver.nodes[0].label(meant or ""),
             )
 
