@@ -303,15 +303,15 @@ def test_types_conflict_between_packages_that_belong_together(
 
 def test_a_type_that_may_be_meant_on_the_other_side_is_no_conflict(tmp_path: Path) -> None:
     files = {
-        **_alone("talks", "rclpy", code_of(TALKER, type="Int32")),
-        **_alone("takes", "talks", code_of(LISTENER, type="Int32")),
-        **_alone("hears", "talks", code_of(LISTENER)),
+        **alone("talks", "rclpy", code_of(TALKER, type="Int32")),
+        **alone("takes", "talks", code_of(LISTENER, type="Int32")),
+        **alone("hears", "talks", code_of(LISTENER)),
     }
     assert len(found_in(tmp_path, files, "RG101")) == 1
     stars = code_of(TALKER).replace("std_msgs.msg import Int32, String", "shapes.msg import *")
-    files |= _alone("guessed", "rclpy", stars)
+    files |= alone("guessed", "rclpy", stars)
     assert found_in(tmp_path / "2", files, "RG101") == [("RG101", "node.py", 10)]
-    files |= _alone("guessed", "rclpy", stars.replace("shapes", "std_msgs"))
+    files |= alone("guessed", "rclpy", stars.replace("shapes", "std_msgs"))
     assert found_in(tmp_path / "3", files, "RG101") == []
 
 

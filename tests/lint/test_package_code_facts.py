@@ -68,7 +68,9 @@ _USED = [
     ("rover", _cpp('#include "test/part.hpp"') | {"src/test/part.hpp": _NAV}, ""),
     ("rover", {"src/other.cpp": _NAV, "src/part.hpp": _NAV}, ""),
     ("rover", {"src/part.cpp": _NAV}, _NAV_USED),
-    ("rover", {"include/rover/part.hpp": _NAV}, _NAV_USED),
+    ("rover", {"include/rover/part.hpp": _NAV}, ""),
+    ("rover", {"include/rover/part.hpp": _NAV, "CMakeLists.txt":
+               "install(DIRECTORY launch -> install(DIRECTORY include launch"}, _NAV_USED),
     ("rover", {"include/rover/part.txt": _NAV}, ""),
     ("rover", _cpp(_NAV) | {"third/nav_msgs/msg/path.hpp": ""}, ""),
     ("rover", {"src/extra.cpp": _NAV, "CMakeLists.txt":

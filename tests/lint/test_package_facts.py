@@ -226,7 +226,8 @@ _FACTS = [
     ("rover", {"CMakeLists.txt": f"{_TARGETS} -> "}, _nodes, True),
     ("rover", {"CMakeLists.txt": "DESTINATION lib -> DESTINATION share"}, _nodes, False),
     ("wheels", {}, _nodes, False),
-    ("wheels", {"setup.py": "    entry_points -> scripts=['scripts/a'],\n    entry_points"}, _nodes, True),
+    ("wheels", {"scripts/a": "", "setup.py":
+                "    entry_points -> scripts=['scripts/a'],\n    entry_points"}, _nodes, True),
     # Whether all programs are known, and which words may be one.
     ("rover", {}, _settled, True),
     ("rover", _last("acme(a b)"), _settled, False),

@@ -215,7 +215,7 @@ def test_nothing_is_read_twice(root: Path, monkeypatch: pytest.MonkeyPatch) -> N
     cold = read_tree([root], FactCache(root, kept), workers=1)
     assert {each.path.name for each in cold.units} >= {"eye.py", "arm.cpp", "made.cpp", "node.py"}
     before = _left(kept).stat()
-    for name in ("read_unit", "read_package", "read_launch"):
+    for name in ("read_unit", "read_package", "read_launch_file"):
         monkeypatch.setattr(reading, name, lambda *given: _fail(str(given[0])))
     assert _shown(read_tree([root], FactCache(root, kept), workers=1)) == _shown(cold)
     # Nor is anything written: another run may be reading it.

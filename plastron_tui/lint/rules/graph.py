@@ -9,7 +9,7 @@ from pathlib import Path
 from plastron_tui.diagnostics import Code, Diagnostic, Label, Span
 from plastron_tui.lint.rule import rule
 from plastron_tui.lint.runs import Place, RunningNode, User, runs_of, span_of
-from plastron_tui.lint.sides import are_parts, is_left_behind, is_variant, workspaces
+from plastron_tui.lint.sides import are_parts, everywhere, is_left_behind, is_variant, workspaces
 from plastron_tui.lint.tree import SourceTree
 from plastron_tui.lint.well_known import IS_EVERYWHERE
 from plastron_tui.model.kinds import EndpointKind
