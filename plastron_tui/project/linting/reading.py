@@ -36,7 +36,7 @@ from .packages import read_package, runnable
 from .parameter_files import LARGEST as PARAMETERS
 from .parameter_files import blocks_of, is_parameter_file, setting_places, unstarted
 from .pool import Died, Pool
-from .same_names import by_name, same_names
+from .same_names import by_name, namesakes_of, same_names
 from .started_places import started_places
 from .unbuilt import is_ported, read_unbuilt, unbuilt_units
 from .units import UnitAnswer, UnitRead, failure, read_unit
@@ -78,7 +78,7 @@ def read_tree(
     with still_disk(), workspace_of(reading.modules), Pool(read_unit, workers) as pool:
         units = tuple(reading.units(pool))
     packages = by_name(reading.packages)
-    namesakes = _namesakes(reading.packages)
+    namesakes = namesakes_of(reading.packages)
     launches = tuple(reading.launches(packages, namesakes))
     parameters = dict(reading.parameter_files())
     named = dict(setting_places(launches, reading.unstarted))
@@ -106,16 +106,6 @@ def read_tree(
         commented=commented,
         namesakes=namesakes,
     )
-
-
-def _namesakes(
-    packages: Iterable[PackageFacts],
-) -> dict[str, Mapping[Path, PackageFacts]]:
-    """Return the packages whose name another one has, too, by their folders."""
-    found: dict[str, dict[Path, PackageFacts]] = {}
-    for each in packages:
-        found.setdefault(each.name, {})[each.folder] = each
-    return {name: several for name, several in found.items() if len(several) > 1}
 
 
 @dataclass

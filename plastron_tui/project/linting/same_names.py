@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping
 from pathlib import Path
 
 from plastron_tui.diagnostics import Diagnostic, Label, codes
@@ -15,6 +15,16 @@ _IGNORING = {1: "CATKIN_IGNORE", 2: "COLCON_IGNORE"}
 def by_name(packages: Iterable[PackageFacts]) -> dict[str, PackageFacts]:
     """Return packages by their names: of several one that is built, and of these the last."""
     return {each.name: each for each in sorted(packages, key=lambda each: each.build is not None)}
+
+
+def namesakes_of(
+    packages: Iterable[PackageFacts],
+) -> dict[str, Mapping[Path, PackageFacts]]:
+    """Return the packages whose name another one has, too, by their folders."""
+    found: dict[str, dict[Path, PackageFacts]] = {}
+    for each in packages:
+        found.setdefault(each.name, {})[each.folder] = each
+    return {name: several for name, several in found.items() if len(several) > 1}
 
 
 def same_names(packages: Iterable[PackageFacts], root: Path) -> Iterator[Diagnostic]:
