@@ -213,3 +213,22 @@ def test_base_class_of_another_file_may_allow_more(
     )
     files = {"base.py": base, "middle.py": "from base import Base\n", "driver.py": heir}
     assert told(tmp_path, files, "RP304") == ([] if allowed else marked(files))
+
+
+@pytest.mark.parametrize(("holder", "is_told"), [("_own", True), ("_given", False)])
+def test_node_that_an_object_was_given_is_another(
+    tmp_path: Path, holder: str, is_told: bool
+) -> None:
+    text = f"""\
+import rclpy
+
+class Backend:
+    def __init__(self, node):
+        self._given = node
+        self._own = rclpy.create_node('backend')
+        self._own.declare_parameter('rate', 1.0)
+        self._own.get_parameter('rate')
+        self.{holder}.get_parameter('speed')  # wrong
+"""
+    found = told(tmp_path, _files(text), "RP304")
+    assert found == (marked({"": text}) if is_told else [])

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
@@ -10,9 +11,16 @@ from tree_sitter import Language
 from plastron_tui.sources.cmake.syntax import _with_short_blanks, parse_cmake
 from plastron_tui.sources.cpp.syntax import Syntax as CppSyntax
 from plastron_tui.sources.cpp.syntax import parse as parse_cpp
-from plastron_tui.sources.grammars import BoundedParser
+from plastron_tui.sources.grammars import BoundedParser, bounding
 from plastron_tui.sources.python.syntax import Syntax as PythonSyntax
 from plastron_tui.sources.python.syntax import parse as parse_python
+
+
+@pytest.fixture(autouse=True)
+def bound() -> Iterator[None]:
+    with bounding():
+        yield
+
 
 _LANGUAGES = {"python": PythonSyntax.grammar.language, "cpp": CppSyntax.grammar.language}
 

@@ -22,6 +22,7 @@ from plastron_tui.ros.launch_resolution import resolve
 from plastron_tui.ros.launch_started import Opened, Started
 from plastron_tui.ros.launch_text import Scope
 from plastron_tui.ros.parameter_blocks import ParameterBlock
+from plastron_tui.sources.grammars import bounding
 from plastron_tui.sources.launch.reader import LARGEST
 from plastron_tui.sources.launch.xml_reader import LaunchRead
 from plastron_tui.sources.still_disk import still_disk
@@ -54,6 +55,7 @@ _SOURCES = (".py", ".cpp", ".cc", ".cxx")
 _FEWEST_AT_ONCE = 8
 
 
+@bounding()
 def read_tree(
     paths: Sequence[Path],
     cache: FactCache | None = None,

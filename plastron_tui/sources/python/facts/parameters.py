@@ -72,7 +72,8 @@ def parameter_facts(analysis: Analysis) -> Iterator[ParameterFacts]:
     makers = makers_of(analysis)
     owned = owned_sites(makers, replace(analysis, sites=parameters))
     for maker, sites in zip(makers, owned, strict=True):
-        uses = list(_uses(analysis, sites, ""))
+        own = [each for each in sites if not _is_of_another(analysis, maker, each)]
+        uses = list(_uses(analysis, own, ""))
         uses += _listed(analysis, maker)
         uses += aliased_uses(analysis, maker.owner) if maker.owner else ()
         for module, site in inherited_sites(analysis, maker.owner) if maker.owner else ():
@@ -82,6 +83,23 @@ def parameter_facts(analysis: Analysis) -> Iterator[ParameterFacts]:
         is_known = all(u.name is not None for u in uses if u.access is ParameterAccess.DECLARE)
         is_whole, is_own = wholeness(analysis, maker) if is_known else (False, False)
         yield ParameterFacts(tuple(uses), is_whole, is_own, _takes_options(maker, analysis))
+
+
+def _is_of_another(analysis: Analysis, maker: NodeSite, site: Site) -> bool:
+    """Tell whether what is used may be a parameter of a node that an object was given.
+
+    What declares may be meant for either, by another name.
+    """
+    if maker.owner is not None or maker.call is None or maker.call.parent is None:
+        return False
+    if any(_ACCESS.get(each) is ParameterAccess.DECLARE for each in site.shape.callees):
+        return False
+    made = maker.call.parent.child_by_field_name("left")
+    callee = site.call.child_by_field_name("function")
+    holder = None if callee is None else callee.child_by_field_name("object")
+    if made is None or holder is None or {made.type, holder.type} != {"attribute"}:
+        return False
+    return analysis.syntax.slice(made) != analysis.syntax.slice(holder)
 
 
 def _inherited(
