@@ -222,12 +222,18 @@ def test_node_that_an_object_was_given_is_another(
     text = f"""\
 import rclpy
 
+from rclpy.node import Node
+
+class Driver(Node):
+    def __init__(self):
+        super().__init__('driver')
+        self.declare_parameter('speed', 1.0)
+        self.backend = Backend(node=self)
+
 class Backend:
-    def __init__(self, node):
+    def __init__(self, node: Node):
         self._given = node
         self._own = rclpy.create_node('backend')
-        self._own.declare_parameter('rate', 1.0)
-        self._own.get_parameter('rate')
         self.{holder}.get_parameter('speed')  # wrong
 """
     found = told(tmp_path, _files(text), "RP304")
