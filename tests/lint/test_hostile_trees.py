@@ -10,12 +10,12 @@ from contextlib import suppress
 from pathlib import Path
 
 import pytest
+from machine import mostly_long
 
 from plastron_tui.lint import Found
 from plastron_tui.project.linting.cache import FactCache
 from plastron_tui.project.linting.listing import list_files
 from plastron_tui.project.linting.run import LintOptions, LintRun
-from tests.machine import examples
 
 _DEEP = 3_000
 _PACKAGE = """\
@@ -158,7 +158,7 @@ def _make_tree(folder: Path, rng: random.Random, left: int) -> None:
             rng.choice(_MAKERS)(path, rng)
 
 
-@pytest.mark.parametrize("seed", range(examples(60)))
+@pytest.mark.parametrize("seed", mostly_long(range(60), range(8)))
 def test_random_tree_is_read_as_far_as_it_can_be(seed: int, root: Path) -> None:
     rng = random.Random(seed)
     _make_tree(root, rng, 4)

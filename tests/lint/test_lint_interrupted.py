@@ -11,8 +11,7 @@ from contextlib import contextmanager, suppress
 from pathlib import Path
 
 import pytest
-
-from tests.machine import wait_until
+from machine import wait_until
 
 _NODE = "import rclpy\nnode = rclpy.create_node('a')\n" + "x = 1\n" * 20_000
 

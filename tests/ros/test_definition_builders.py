@@ -6,11 +6,11 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
+from machine import skip_or_fail
 
 from plastron_tui.ros.definition import parse_definition
 from plastron_tui.ros.definition_edits import replace_member
 from plastron_tui.ros.interfaces import InterfaceKind, InterfaceName
-from tests.machine import skip_or_fail
 
 NAME = InterfaceName("own", "A")
 

@@ -13,6 +13,7 @@ from typing import Any
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from machine import examples, skip_or_fail
 
 from plastron_tui.model.type_members import changed_by_builders
 from plastron_tui.ros.definition import parse_definition
@@ -28,7 +29,6 @@ from plastron_tui.ros.interfaces import (
     Section,
 )
 from plastron_tui.ros.primitives import PRIMITIVES
-from tests.machine import examples, skip_or_fail
 
 NAME = InterfaceName("own", "Thing")
 Member = Field | Constant
