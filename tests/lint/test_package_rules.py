@@ -29,6 +29,7 @@ _STD_SRVS = {
     )
 }
 
+_IS_MAIN = "if __name__ == '__main__':\n    main()\n"
 _OTHER = """\
 import rclpy
 def main():
@@ -170,6 +171,9 @@ _CASES = [
     Break("rover/test/start.launch.py", "", "path = 'scripts/mover.py'\n"),
     Break("rover/scripts/other_old.py", "", "import rclpy\nrclpy.create_node('a')\n"
           "if __name__ == '__main__':\n    pass\n"),
+    Break("rover/scripts/other.py", "", _OTHER + _IS_MAIN),
+    Break("rover/scripts/other.py", "", "#!/usr/bin/env python3\n" + _OTHER + _IS_MAIN,
+          "RK503 rover/scripts/other.py:7"),
     Break("wheels/wheels/other.py", "", _OTHER, "RK503 wheels/wheels/other.py:2"),
     Break("wheels/wheels/other.py", "", "# Run: python3 other.py --slow\n" + _OTHER),
     Break("wheels/wheels/other.py", "", _OTHER,

@@ -39,8 +39,8 @@ _VARIANT = re.compile(
     "`setup.py`, or `install` in `CMakeLists.txt`, puts them. `setup.cfg` names that folder for "
     "entry points: below `[install]`, and below `[develop]` for `colcon build --symlink-install`. "
     "ROS 1 starts scripts and programs from the workspace as well: there it is told where other "
-    "nodes of the package are installed. What another file imports or starts by its path, tests "
-    "and examples are left alone.",
+    "nodes of the package are installed. What another file imports or starts by its path, a "
+    "script that only `python3 PATH` can run, tests and examples are left alone.",
     bad=NODE_PACKAGE | {"demo/setup.py": setup_py()},
     good=NODE_PACKAGE,
 )
@@ -122,12 +122,17 @@ def _missing(
             yield each
         if each.how is not How.NOT or not (each.is_program or is_python):
             continue
-        if each.is_mentioned and not is_started:
+        if not is_started and (each.is_mentioned or (not is_python and _is_for_python(each))):
             continue
         if 1 in package.ros_versions and not (is_started and installed) and not is_one_left:
             continue
         if is_started or not _VARIANT.search(name.removesuffix(".py").lower()):
             yield each
+
+
+def _is_for_python(script: Script) -> bool:
+    """Tell whether a script is run as `python3 PATH` alone: neither mode nor first line help."""
+    return script.shebang is Shebang.MISSING and not script.is_executable
 
 
 def _script(
