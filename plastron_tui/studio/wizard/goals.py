@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from enum import Enum
+from functools import cache
 from typing import NamedTuple
 
 from plastron_tui.language import DECLARATIONS, Declaration, SlotKind
@@ -114,14 +115,15 @@ def told(declaration: Declaration) -> str:
     return declaration.about.partition(". ")[0].removesuffix(".") + "."
 
 
-def declarations_of(aim: Aim) -> list[Declaration]:
+@cache
+def declarations_of(aim: Aim) -> tuple[Declaration, ...]:
     """Return the statements of an aim.
 
     What makes sense where there is nothing else yet, to send a message, comes first; what takes
     something back comes last.
     """
     found = [each for each in DECLARATIONS.values() if aim_of(each) is aim]
-    return sorted(found, key=_rank)
+    return tuple(sorted(found, key=_rank))
 
 
 def _rank(declaration: Declaration) -> tuple[bool, bool]:
