@@ -127,6 +127,27 @@ def test_revision_is_read_and_nothing_of_the_repository_is_run(tmp_path: Path) -
         assert isinstance(read_earlier(tree, revision), Diagnostic)
 
 
+def _write_submodule(folder: Path) -> Path:
+    """Write a repository that has another one as its submodule, and return its folder."""
+    inner = write_tree(folder / "inner", _BEFORE)
+    root = write_tree(folder, {"README": ""})
+    for each in (inner, root):
+        _git(each, "init", "-q")
+    _git(inner, "add", "-A")
+    _git(inner, "commit", "-q", "-m", "before")
+    _git(root, "-c", "protocol.file.allow=always", "submodule", "add", "-q", str(inner), "mine")
+    _git(root, "commit", "-q", "-m", "with a submodule")
+    _git(root, "tag", "-a", "-m", "one", "v1")
+    return root
+
+
+@pytest.fixture(scope="module")
+def with_submodule(tmp_path_factory: pytest.TempPathFactory) -> SourceTree:
+    folder = tmp_path_factory.mktemp("submodule")
+    root = _write_submodule(folder)
+    return read_tree([root], FactCache(root, folder / "cache"), workers=1)
+
+
 @pytest.mark.parametrize(
     ("revision", "why"),
     [
@@ -140,17 +161,10 @@ def test_revision_is_read_and_nothing_of_the_repository_is_run(tmp_path: Path) -
         ("HEAD\nHEAD", "it is no name of a revision"),
     ],
 )
-def test_words_for_a_revision_and_its_submodule(tmp_path: Path, revision: str, why: str) -> None:
-    inner = write_tree(tmp_path / "inner", _BEFORE)
-    root = write_tree(tmp_path, {"README": ""})
-    for each in (inner, root):
-        _git(each, "init", "-q")
-    _git(inner, "add", "-A")
-    _git(inner, "commit", "-q", "-m", "before")
-    _git(root, "-c", "protocol.file.allow=always", "submodule", "add", "-q", str(inner), "mine")
-    _git(root, "commit", "-q", "-m", "with a submodule")
-    _git(root, "tag", "-a", "-m", "one", "v1")
-    tree = read_tree([root], FactCache(root, tmp_path / "cache"), workers=1)
+def test_words_for_a_revision_and_its_submodule(
+    with_submodule: SourceTree, revision: str, why: str
+) -> None:
+    tree = with_submodule
     earlier = read_earlier(tree, revision)
     if isinstance(earlier, Diagnostic):
         assert why
@@ -158,18 +172,11 @@ def test_words_for_a_revision_and_its_submodule(tmp_path: Path, revision: str, w
     else:
         assert not why
         assert {str(name) for _, name in earlier.interfaces} == {"rover/Speed", "rover/Reset"}
-        assert root / "mine/user.py" in earlier.unchanged
+        assert tree.root / "mine/user.py" in earlier.unchanged
 
 
 def test_submodule_that_lacks_what_it_was(tmp_path: Path) -> None:
-    inner = write_tree(tmp_path / "inner", _BEFORE)
-    root = write_tree(tmp_path, {"README": ""})
-    for each in (inner, root):
-        _git(each, "init", "-q")
-    _git(inner, "add", "-A")
-    _git(inner, "commit", "-q", "-m", "before")
-    _git(root, "-c", "protocol.file.allow=always", "submodule", "add", "-q", str(inner), "mine")
-    _git(root, "commit", "-q", "-m", "with a submodule")
+    root = _write_submodule(tmp_path)
     (root / ".git/modules/mine/HEAD").unlink()
     tree = read_tree([root], FactCache(root, tmp_path / "cache"), workers=1)
     found = read_earlier(tree, "HEAD")
