@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from enum import Enum
-from functools import cache
+from functools import lru_cache
 from typing import NamedTuple
 
-from plastron_tui.language import DECLARATIONS, Declaration, SlotKind
+from plastron_tui.language import DECLARATIONS, Declaration, SlotKind, Statement
 from plastron_tui.language import statements as st
 
 
@@ -115,14 +115,19 @@ def told(declaration: Declaration) -> str:
     return declaration.about.partition(". ")[0].removesuffix(".") + "."
 
 
-@cache
 def declarations_of(aim: Aim) -> tuple[Declaration, ...]:
     """Return the statements of an aim.
 
     What makes sense where there is nothing else yet, to send a message, comes first; what takes
     something back comes last.
     """
-    found = [each for each in DECLARATIONS.values() if aim_of(each) is aim]
+    return _sorted(aim, tuple(DECLARATIONS))
+
+
+# It is asked for each candidate of each slot.
+@lru_cache(maxsize=len(Aim))
+def _sorted(aim: Aim, types: tuple[type[Statement], ...]) -> tuple[Declaration, ...]:
+    found = [declaration for each in types if aim_of(declaration := DECLARATIONS[each]) is aim]
     return tuple(sorted(found, key=_rank))
 
 

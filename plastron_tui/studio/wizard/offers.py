@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 
 from plastron_tui.language import Declaration, SlotKind
+from plastron_tui.session import Session
 
 from .context import Scene
 from .filling import Filled, Filler
@@ -111,7 +112,7 @@ class Offering:
 
     def _drive(self, scene: Scene, filled: list[Filled]) -> Offer:
         """Return the entry that brings the laser along by which a robot is driven."""
-        closed = self._closed(answering(), scene, filled, drives=True)
+        closed, _ = self._tried(answering(), scene, filled, drives=True)
         return Offer(answering(), *DRIVE, closed, drives=True)
 
     def _offer(
@@ -119,46 +120,45 @@ class Offering:
     ) -> Offer:
         title, term, about = declaration.purpose, declaration.ros_term, told(declaration)
         if scene is None:
-            closed = self._closed(declaration, self.scene, [])
+            closed, _ = self._tried(declaration, self.scene, [])
             # A file's path can be written where none was found.
             if not declaration.writes_file:
                 closed = ""
             return Offer(declaration, title, term, about, closed)
-        closed = self._closed(declaration, scene, filled or [])
-        advised = not closed and self._completes(declaration, scene, filled or [])
+        closed, after = self._tried(declaration, scene, filled or [])
+        advised = not closed and after is not None and _completes(declaration, scene, after)
         return Offer(declaration, title, term, about, closed, advised)
 
-    def _filled_anew(
+    def _tried(
         self, declaration: Declaration, scene: Scene, filled: list[Filled], *, drives: bool = False
-    ) -> Filled:
+    ) -> tuple[str, Session | None]:
+        """Try a statement with what is suggested for it.
+
+        Returns:
+            Why it cannot be had, whatever is entered, as far as that is known; and the program with
+            it, None where that is not known before a user has said something.
+        """
         form = Form(declaration, drives=drives)
         give(form, filled)
-        return self.filler.fill(form, scene)
-
-    def _closed(
-        self, declaration: Declaration, scene: Scene, filled: list[Filled], *, drives: bool = False
-    ) -> str:
-        """Tell why a statement cannot be had, whatever is entered, as far as that is known."""
-        anew = self._filled_anew(declaration, scene, filled, drives=drives)
+        anew = self.filler.fill(form, scene)
         if anew.all_problems:
             first = anew.all_problems[0]
-            return "" if _is_for_user(first, declaration) else first.message
+            return "" if _is_for_user(first, declaration) else first.message, None
         if anew.goes_on_with:
-            return ""
-        findings = check(scene.session, anew.written).findings
+            return "", None
+        outcome = check(scene.session, anew.written)
+        findings = outcome.findings
         if findings:
             # What follows it may be what it lacks.
             findings = check(scene.session, followed(anew)).findings
-        return findings[0].words if findings else ""
+        return findings[0].words if findings else "", outcome.session
 
-    def _completes(self, declaration: Declaration, scene: Scene, filled: list[Filled]) -> bool:
-        """Tell whether a topic or service that lacks a side would have both."""
-        if declaration.undoes is not None:
-            # It may take away the side that there is: whether that is wanted, nobody knows.
-            return False
-        anew = self._filled_anew(declaration, scene, filled)
-        after = Scene(check(scene.session, anew.written).session)
-        return after.lonely < scene.lonely
+
+def _completes(declaration: Declaration, scene: Scene, after: Session) -> bool:
+    """Tell whether a topic or service that lacks a side has both after a statement."""
+    # One that takes something away may take the side that there is: whether that is wanted, nobody
+    # knows.
+    return declaration.undoes is None and Scene(after).lonely < scene.lonely
 
 
 _FOR_USERS = frozenset(
