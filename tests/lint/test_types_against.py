@@ -98,6 +98,39 @@ def test_change_is_told_of_who_breaks(
     assert _told(tree, earlier) == told
 
 
+_READER = """\
+#include <rclcpp/rclcpp.hpp>
+#include <rover/msg/speed.hpp>
+class Reader : public rclcpp::Node {
+public:
+  Reader() : Node("reader") {
+    sub_ = create_subscription<rover::msg::Speed>("speed", 1, [](const rover::msg::Speed &msg) {
+      use(msg.value);
+    });
+  }
+  rclcpp::Subscription<rover::msg::Speed>::SharedPtr sub_;
+};
+"""
+
+
+@pytest.mark.parametrize(
+    ("lists", "told"),
+    [
+        ("add_executable(reader src/reader.cpp)\n", ["reader.cpp:7 "]),
+        ("# add_executable(reader src/reader.cpp)\n", ["Speed.msg:1 "]),
+    ],
+)
+def test_source_that_no_build_takes_does_not_break(
+    tmp_path: Path, lists: str, told: list[str]
+) -> None:
+    before = {**CMAKE, "rover/msg/Speed.msg": _SPEED, "rover/src/reader.cpp": _READER}
+    before["rover/CMakeLists.txt"] += lists
+    tree = _tree(tmp_path, {**before, "rover/msg/Speed.msg": _SPEED.replace("value", "speed")})
+    earlier = Earlier("main", interfaces_of(before, tree.packages), frozenset())
+    found = _told(tree, earlier)
+    assert [each.partition("`")[0] for each in found] == told
+
+
 def _git(folder: Path, *words: str) -> None:
     command = ["git", "-c", "user.name=Ada", "-c", "user.email=ada@example.com", *words]
     subprocess.run(command, cwd=folder, check=True, capture_output=True)

@@ -96,6 +96,53 @@ def test_node_that_no_build_takes_is_no_part_of_the_workspace(tmp_path: Path) ->
     assert _units(tmp_path / "alone", alone) == ["off/scripts/a.py", "off/src/a.cpp"]
 
 
+_CLASS = """\
+#include <ros/ros.h>
+struct A {{
+  A();
+  ros::NodeHandle nh;
+}};
+{}"""
+
+
+@pytest.mark.parametrize(
+    ("header", "text", "cmake", "found"),
+    [
+        ("draft/a.h", _CLASS.format(""), "", []),
+        ("include/a.h", _CLASS.format(""), "", []),
+        ("include/arm/b/a.hpp", _CLASS.format(""), "", []),
+        # Who includes it has all of it.
+        ("draft/a.h", _CLASS.format('#include "a.cpp"\n'), "", ["draft/a.h"]),
+        ("draft/a.h", _CLASS.format(""), "add_library(a draft/a.cpp)", ["draft/a.h"]),
+        ("draft/other.h", _CLASS.format("A::A() {}\n"), "", ["draft/other.h"]),
+    ],
+)
+def test_header_of_sources_that_no_build_takes_is_none_either(
+    tmp_path: Path, header: str, text: str, cmake: str, found: list[str]
+) -> None:
+    source = "draft/a.cpp" if header.startswith("draft") else "src/a.cpp"
+    files = {
+        "arm/package.xml": package_xml("arm", build_type="catkin"),
+        "arm/CMakeLists.txt": f"project(arm)\n{cmake}\n",
+        f"arm/{header}": text,
+        f"arm/{source}": 'A::A() { nh.advertise<std_msgs::String>("a", 1); }\n',
+    }
+    assert _units(tmp_path, files) == [f"arm/{each}" for each in found]
+
+
+def test_header_is_no_build_of_its_source(tmp_path: Path) -> None:
+    files = {
+        "arm/package.xml": package_xml("arm", build_type="catkin"),
+        "arm/CMakeLists.txt": _LISTS,
+        "arm/include/a.h": _CLASS.format(""),
+        "arm/src/a.cpp": f'#include "a.h"\n{_NODE}',
+        # What lies beside it is left over as well: it means the header that is installed.
+        "arm/draft/a.cpp": f'#include "../include/a.h"\n{_NODE}',
+        "arm/draft/a.h": _CLASS.format(""),
+    }
+    assert _units(tmp_path, files) == ["arm/src/a.cpp"]
+
+
 def test_package_in_one_that_nothing_builds_is_a_package(tmp_path: Path) -> None:
     files = {
         "package.xml": package_xml("all", build_type="catkin"),

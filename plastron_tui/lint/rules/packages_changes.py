@@ -165,7 +165,7 @@ def _gone(
 ) -> Iterator[Diagnostic]:
     message = f"`{name}` is gone since `{earlier.revision}`"
     count = 0
-    for unit in tree.units:
+    for unit in tree.built:
         for node in unit.nodes:
             for each in node.endpoints:
                 if each.kind.facts.interface is kind and each.type == name:
@@ -182,7 +182,7 @@ def _uses(tree: SourceTree, earlier: Earlier) -> _Uses:
     """Return where code names fields of the types that there were."""
     found: dict[tuple[_Key, int, str], list[_Use]] = defaultdict(list)
     seen: set[tuple[Path, Span]] = set()
-    for unit in tree.units:
+    for unit in tree.built:
         for use in unit.code.fields:
             for key, span in _steps(earlier, use.type, use.path, use.spans):
                 _note(found, seen, key, _Use(unit, unit.file(use.file), span))

@@ -6,6 +6,7 @@ import os
 from collections import defaultdict
 from collections.abc import Callable, Collection, Mapping
 from contextlib import suppress
+from itertools import chain
 from pathlib import Path
 
 from plastron_tui.lint.tree import PackageFacts
@@ -15,6 +16,7 @@ from plastron_tui.sources.packages.taken import SOURCES, unbuilt_sources
 
 from .units import UnitRead
 
+HEADERS = (".hpp", ".h", ".hh", ".hxx")
 _LISTS = ("CMakeLists.txt", ".cmake")
 
 
@@ -29,7 +31,8 @@ def unbuilt_units(
     """Return the files of nodes that no build takes.
 
     These are all those of a package in another one, and files of C++ that are in no package of a
-    workspace which has some, or sources that the CMakeLists.txt of their package does not mean.
+    workspace which has some, or sources that the CMakeLists.txt of their package does not mean,
+    and headers whose sources are all such.
 
     Args:
         found: the files of nodes.
@@ -40,8 +43,14 @@ def unbuilt_units(
     """
     folders = tuple(f"{each}{os.sep}" for each in inner)
     left = {path for path in found if path.startswith(folders)} if folders else set()
+    # A header that is read by itself is read with the source that defines what it declares.
+    defined = {
+        path: [part for part in each.parts if part.endswith(SOURCES)]
+        for path, each in found.items()
+        if path not in left and path.endswith(HEADERS)
+    }
     sources: dict[str, set[str]] = defaultdict(set)
-    for path in found:
+    for path in chain(found, *defined.values()):
         package = package_of(path)
         if path not in left and path.endswith(SOURCES):
             sources[package].add(path[len(package) + 1 :] if package else path)
@@ -50,6 +59,7 @@ def unbuilt_units(
         left |= {path for path in found if not is_script(path) and not package_of(path)}
     for package, names in sources.items():
         left.update(f"{package}{os.sep}{each}" for each in read(package, frozenset(names)))
+    left |= {path for path, parts in defined.items() if parts and left.issuperset(parts)}
     # One that is read with another one, which is built, may be included there.
     parts = {part for path, each in found.items() if path not in left for part in each.parts}
     return frozenset(left - parts)
@@ -84,4 +94,18 @@ def read_unbuilt(
                 texts[name] = read_regular(Path(folder, name), LARGEST)
             if name not in texts:
                 return None
-    return unbuilt_sources(texts, sources)
+    found = unbuilt_sources(texts, sources)
+    return frozenset(each for each in found if not _is_included(folder, names, each))
+
+
+def _is_included(folder: str, names: Collection[str], source: str) -> bool:
+    """Tell whether a header that is called as a source includes it, as those of templates do."""
+    base = source.rpartition("/")[2]
+    stem = base.rpartition(".")[0]
+    headers = {f"{stem}{ending}" for ending in HEADERS}
+    for name in names:
+        if name.rpartition("/")[2] in headers:
+            with suppress(OSError, ValueError):
+                if base.encode() in read_regular(Path(folder, name), LARGEST):
+                    return True
+    return False
