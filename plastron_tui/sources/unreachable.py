@@ -36,12 +36,12 @@ def _is_behind_leaving(statement: Node) -> bool:
     before: Node | None = statement
     while before is not None and before.type not in _LABELS:
         before = before.prev_named_sibling
-        if before is not None and _leaves(before):
+        if before is not None and leaves(before):
             return True
     return False
 
 
-def _leaves(statement: Node | None) -> bool:
+def leaves(statement: Node | None) -> bool:
     """Tell whether nothing that follows a statement runs."""
     if statement is None:
         return False
@@ -50,17 +50,17 @@ def _leaves(statement: Node | None) -> bool:
     if statement.type in ("block", "compound_statement"):
         # What a label is before is reached from elsewhere.
         inner = statement.named_children
-        return any(map(_leaves, inner)) and not any(each.type in _LABELS for each in inner)
+        return any(map(leaves, inner)) and not any(each.type in _LABELS for each in inner)
     if statement.type == "else_clause":
-        return _leaves(statement.named_children[-1] if statement.named_children else None)
+        return leaves(statement.named_children[-1] if statement.named_children else None)
     if statement.type not in ("if_statement", "elif_clause"):
         return False
     others = statement.children_by_field_name("alternative")
     is_whole = bool(others) and others[-1].type == "else_clause"
     first = statement.child_by_field_name("consequence")
     if statement.type == "elif_clause":
-        return _leaves(first)
-    return is_whole and _leaves(first) and all(map(_leaves, others))
+        return leaves(first)
+    return is_whole and leaves(first) and all(map(leaves, others))
 
 
 def _is_never(statement: Node, part: Node) -> bool:

@@ -86,6 +86,9 @@ def _told(root: Path, code: str) -> list[tuple[str, str]]:
     return found
 
 
+_KEPT = (
+    f"{_POLL}\n\ndef reset(self):\n    self.kept = None\n\ndef say(self):\n    Bool(data=self.kept)"
+)
 _CASES = [
     ("RC402", {"methods": "def poll(self):\n    time.sleep(1.0)  # wrong"}),
     ("RC402", {"methods": "def poll(self):\n    self.wait()\n\n"
@@ -120,6 +123,10 @@ _CASES = [
     # The base may spin it, or have it spun.
     ("RC405", {"main": "node = Talker()", "made": "self.spin_it()"}),
     ("RC405", {"main": "node = Talker()", "made": "Helper(self)"}),
+    # What only one of the two gives a value.
+    ("RM202", {"methods": f"{_KEPT}  # wrong"}),
+    ("RM202", {"methods": f"{_KEPT}  # wrong", "made": "self.kept = None"}),
+    ("RM202", {"methods": _KEPT, "made": "self.kept = True"}),
 ]  # fmt: skip
 
 

@@ -19,6 +19,7 @@ from plastron_tui.sources.python.scopes import Binding, BindingKind
 from plastron_tui.sources.python.syntax import parts_of
 
 from .message_values import MessageValues, field_of
+from .none_checks import is_checked, is_filled_elsewhere
 from .python_functions import BUILTINS, FLOATS, FUNCTIONS, TEXT_METHODS, TIMES
 from .returns import is_special
 
@@ -189,6 +190,11 @@ class ValueKinds:
             if found is not None and each.node.type == "augmented_assignment":
                 found = self._augmented(found, each, depth)
         if found is None:
+            return None
+        if found.kind is ValueKind.NONE and (
+            is_checked(node)
+            or (node.type == "attribute" and is_filled_elsewhere(self._messages, node))
+        ):
             return None
         if found.kind is ValueKind.LIST and len(bindings) == 1 and self._is_used_once(name):
             return found
