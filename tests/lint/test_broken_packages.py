@@ -13,6 +13,7 @@ XML = NODE_PACKAGE["demo/package.xml"]
 
 
 _LAUNCH = '<launch>\n  <node pkg="demo" exec="talker" name="{}/>\n</launch>\n'
+_FILLED = '<launch>\n  <param name="a" {}/>\n</launch>\n'
 
 
 @pytest.mark.parametrize(
@@ -21,6 +22,16 @@ _LAUNCH = '<launch>\n  <node pkg="demo" exec="talker" name="{}/>\n</launch>\n'
         ("a.launch.xml", _LAUNCH.format("a"), [("broken-xml", 3)]),
         ("a.launch.xml", _LAUNCH.format('a"'), []),
         ("a.launch", "<launch>\n", [("broken-xml", 1)]),
+        # A tool fills it in.
+        ("templates/a.launch", _FILLED.format("[LOAD_ATTRIBUTE]"), []),
+        ("arm_template/launch/a.launch", _FILLED.format("{{ more }}"), []),
+        ("templates/a.launch", _FILLED.format("value=@VALUE@"), []),
+        ("templates/a.launch", _FILLED.format("{% if more %}{% endif %}"), []),
+        ("templates/a.launch", "<launch>\n  <%= node %>\n  <[GROUP]></[GROUP]>\n</launch>\n", []),
+        ("a.launch", _FILLED.format("[LOAD_ATTRIBUTE]"), [("broken-xml", 2)]),
+        ("templates/a.launch", _FILLED.format("[load]"), [("broken-xml", 2)]),
+        ("templates/a.launch", _FILLED.format("[LOAD]><"), [("broken-xml", 2)]),
+        ("templates/a.launch", _LAUNCH.format("[NAME]"), [("broken-xml", 3)]),
         # It is XML, and not for roslaunch.
         ("a.launch", '<!DOCTYPE a [<!ENTITY b "c">]>\n<a>&b;</a>\n', []),
     ],
