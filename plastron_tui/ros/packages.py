@@ -8,6 +8,7 @@ read a `package.xml` by.
 from __future__ import annotations
 
 import keyword
+import re
 import sys
 from string import ascii_letters, ascii_lowercase, digits
 from typing import NamedTuple
@@ -22,6 +23,14 @@ CACHES = frozenset({"node_modules", "__pycache__"})
 
 IGNORE_MARKERS = frozenset({"CATKIN_IGNORE", "COLCON_IGNORE", "AMENT_IGNORE"})
 """Files that tell the build tools to leave out the folder that they are in."""
+
+LEFT_BEHIND = frozenset(
+    {"archive", "attic", "backup", "deprecated", "depricated", "legacy", "old", "sandbox",
+     "templates", "tmp", "unused"}
+)  # fmt: skip
+"""Folders of a package for what nobody starts any more, or not as it is."""
+
+_TESTS = re.compile(r"(?:tests?_?\d*|testing|(?:g|ros|unit_?)tests?|.+_tests)", re.IGNORECASE)
 
 LONGEST_PACKAGE_NAME = 160
 """The longest name of a package, in characters.
@@ -73,6 +82,11 @@ class Maintainer(NamedTuple):
 
     name: str
     mail: str
+
+
+def is_test_folder(name: str) -> bool:
+    """Tell whether a folder is for tests, as its name says, and for what these need."""
+    return _TESTS.fullmatch(name) is not None
 
 
 def check_package_name(name: str) -> NameProblem | None:

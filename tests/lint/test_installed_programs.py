@@ -35,6 +35,14 @@ def _setup(old: str, new: str, found: str, **more: str) -> Break:
     return Break("wheels/setup.py", old, new, found, more={**_SCRIPT, **more})
 
 
+_FOLDERS = {
+    "rover/test": False, "rover/test2": False, "rover/system_tests/launch": False,
+    "rover/rostest": False, "rover/launch/Old": False, "rover/deprecated": False,
+    "rover/testbed": True, "rover/launch/contest": True, "rover/launch/demo": True,
+}  # fmt: skip
+"""Folders of launch files, and whether what they start has to be there."""
+_STARTS = '<launch>\n  <node pkg="rover" exec="nothing"/>\n</launch>\n'
+
 _CASES = [
     # `scripts` and `data_files` of setup.py.
     Break("wheels/scripts/runner.py", "", _NODE,
@@ -71,6 +79,10 @@ _CASES = [
           " SETUP_CFG other.cfg SCRIPTS_DESTINATION lib/${PROJECT_NAME}"), more=_CFG),
     Break("rover/CMakeLists.txt", _LAST,
           _PYTHON_PACKAGE.format(" SCRIPTS_DESTINATION ${SOMEWHERE}"), more=_CFG),
+    # What tests and what is left behind start may not be there.
+    *(Break(f"{folder}/a.launch.xml", "", _STARTS,
+            f"RK506 {folder}/a.launch.xml:2" if is_told else "")
+      for folder, is_told in _FOLDERS.items()),
 ]  # fmt: skip
 
 

@@ -11,14 +11,14 @@ from plastron_tui.diagnostics import Code, Diagnostic, Label, Severity
 from plastron_tui.lint.rule import rule
 from plastron_tui.lint.tree import PackageFacts, SourceTree, UnitFacts
 from plastron_tui.model.package_facts import BuildFacts, How, Place, Script, Shebang, Target
+from plastron_tui.ros.packages import LEFT_BEHIND
 
 from .package_examples import NODE_PACKAGE, SCRIPT_PACKAGE, cmake_lists, setup_py
 
-_LEFT_ALONE = frozenset(
-    {"archive", "attic", "backup", "demo", "demos", "deprecated", "depricated", "doc", "docs",
-     "example", "examples", "launch", "legacy", "old", "sample", "samples", "sandbox", "templates",
-     "tmp", "tools", "tutorial", "tutorials", "unused", "utils", "util"}
-)  # fmt: skip
+_LEFT_ALONE = LEFT_BEHIND | {
+    "demo", "demos", "doc", "docs", "example", "examples", "launch", "sample", "samples", "tools",
+    "tutorial", "tutorials", "utils", "util",
+}  # fmt: skip
 """Folders of what people start by its path, or not any more."""
 
 

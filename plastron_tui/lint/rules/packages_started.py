@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Collection, Iterable, Iterator
+from itertools import takewhile
 from pathlib import Path
 from typing import NamedTuple
 
@@ -15,6 +16,7 @@ from plastron_tui.lint.tree import PackageFacts, SourceTree, StartedPlace
 from plastron_tui.model.package_facts import BuildFacts
 from plastron_tui.ros.launch_started import Started
 from plastron_tui.ros.name_slips import is_slip
+from plastron_tui.ros.packages import LEFT_BEHIND, is_test_folder
 
 from .package_examples import NODE_PACKAGE, setup_py
 
@@ -52,19 +54,21 @@ def entry_point_to_nothing(tree: SourceTree, code: Code) -> Iterator[Diagnostic]
     why="The launch ends with an error, or goes on without that node. It is told of packages of "
     "the workspace whose programs are all known, and of components in a container; what "
     "`CMakeLists.txt` makes in a way that is not followed, packages that are not in the workspace, "
-    "and the workspace of another `machine`, may have any program.",
+    "and the workspace of another `machine`, may have any program. What tests start, and what lies "
+    "in folders such as `old`, is left alone.",
     bad=NODE_PACKAGE | {"demo/launch/demo.launch.xml": _LAUNCH.format("taker")},
     good=NODE_PACKAGE | {"demo/launch/demo.launch.xml": _LAUNCH.format("talker")},
 )
 def launch_of_nothing(tree: SourceTree, code: Code) -> Iterator[Diagnostic]:
     """Find nodes of launch files that no package has."""
     found: dict[tuple[str, _Fault], dict[str, tuple[Span, Span | None]]] = {}
+    packages = {each.folder for each in tree.every_package}
     for started, version in _starts(tree):
         place = started.place
-        if place is None or started.file is None or _is_test(tree, started.file):
+        if place is None or started.file is None:
             continue
         fault = _fault(tree, started, version)
-        if fault is None:
+        if fault is None or _is_left_alone(tree, packages, started.file):
             continue
         # A name that was mistyped is mended in each file, a program that is not made once.
         places = found.setdefault((started.file if fault.near else "", fault), {})
@@ -96,11 +100,13 @@ def _starts(tree: SourceTree) -> Iterator[tuple[Started, int]]:
     yield from ((each, 2) for each in tree.unstarted)
 
 
-def _is_test(tree: SourceTree, file: str) -> bool:
-    """Tell whether a launch file is for tests, which may start what is built for them alone."""
-    path = Path(file)
-    folders = path.relative_to(tree.root).parts[:-1] if path.is_relative_to(tree.root) else ()
-    return any(each in ("deprecated", "test", "tests") for each in folders)
+def _is_left_alone(tree: SourceTree, packages: Collection[Path], file: str) -> bool:
+    """Tell whether a launch file is left behind, or for tests: they may start what they build."""
+    folders = [each for each in Path(file).parents if tree.root in each.parents]
+    if any(each.name == "deprecated" or is_test_folder(each.name) for each in folders):
+        return True
+    inner = takewhile(lambda each: each not in packages, folders)
+    return any(each.name.lower() in LEFT_BEHIND for each in inner)
 
 
 class _Fault(NamedTuple):

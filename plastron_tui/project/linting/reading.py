@@ -21,6 +21,7 @@ from plastron_tui.ros.launch_names import launch_language
 from plastron_tui.ros.launch_resolution import resolve
 from plastron_tui.ros.launch_started import Opened, Started
 from plastron_tui.ros.launch_text import Scope
+from plastron_tui.ros.packages import is_test_folder
 from plastron_tui.ros.parameter_blocks import ParameterBlock
 from plastron_tui.sources.grammars import bounding
 from plastron_tui.sources.launch.reader import LARGEST
@@ -139,9 +140,7 @@ class _Reading:
         below = len(os.fspath(self.listing.root))
         for path in sorted(found):
             place = path[below:].split(os.sep)
-            is_test = place[-1].startswith("test_") or any(
-                part in ("test", "tests") or part.endswith("_tests") for part in place
-            )
+            is_test = place[-1].startswith("test_") or any(map(is_test_folder, place[:-1]))
             folder, facts = self.package_of(path), found[path].facts
             is_left = facts.ros_version == 1 and folder in ported
             yield facts._replace(
