@@ -247,7 +247,13 @@ def _looked_for(name: str, build: BuildFacts, package: PackageFacts) -> tuple[La
     place = build.found.get(name)
     if place is None:
         return ()
-    return (Label(place.span, "this alone names it", package.folder / place.file),)
+    return (
+        Label(
+            place.span,
+            "CMake looks for it here, and nothing uses what it finds",
+            package.folder / place.file,
+        ),
+    )
 
 
 def _belongs_with(name: str, package: str) -> bool:

@@ -136,17 +136,17 @@ def _fault(tree: SourceTree, started: Started, version: int) -> _Fault | None:
     if package is None:
         if started.package in tree.packages:
             return None
-        near = [
+        meant = [
             each.name
             for each in tree.packages.values()
             if is_slip(each.name, started.package) and name in each.executables
         ]
-        if len(near) != 1:
+        if len(meant) != 1:
             return None
         message = (
-            f"no package `{started.package}` is in this workspace, and `{near[0]}` has `{name}`"
+            f"no package `{started.package}` is in this workspace, and `{meant[0]}` has `{name}`"
         )
-        return _Fault(message, started.package, near[0])
+        return _Fault(message, started.package, meant[0])
     build = package.build
     if started.container is not None:
         return None if build is None else _component_fault(build, package, name)
@@ -154,8 +154,27 @@ def _fault(tree: SourceTree, started: Started, version: int) -> _Fault | None:
     if version not in package.ros_versions or build is None or _may_have(package, build, name):
         return None
     broken = {each.name for each in build.entries}
-    near_name = _slip(name, (each for each in package.executables if each not in broken))
-    return _Fault(f"`{package.name}` has no program `{name}`", name, near_name, _left(build, name))
+    whole = [each for each in package.executables if each not in broken]
+    near = _slip(name, whole) or _longer(name, whole)
+    message = f"`{package.name}` has no program `{name}`"
+    if included := _launch_file(tree, package, name):
+        return _Fault(message, name, "", included)
+    return _Fault(message, name, near, _left(build, name))
+
+
+def _launch_file(tree: SourceTree, package: PackageFacts, name: str) -> str:
+    """Return what to do with a launch file of a package that is started as if it were a program."""
+    for launch in tree.launches:
+        if launch.path.name == name and launch.path.is_relative_to(package.folder):
+            return f"`{name}` is a launch file: include it, in place of starting it"
+    return ""
+
+
+def _longer(name: str, names: Iterable[str]) -> str:
+    """Return the one name that has all the words of another one, in a row: `teleop_node`."""
+    own = f"_{name.removesuffix('.py')}_"
+    found = [each for each in names if own in f"_{each.removesuffix('.py')}_"]
+    return found[0] if len(found) == 1 else ""
 
 
 def _slip(name: str, names: Iterable[str]) -> str:

@@ -86,7 +86,7 @@ def read_tree(
     parameters = dict(reading.parameter_files())
     named = dict(setting_places(launches, reading.unstarted))
     commented = tuple(commented_files(listing.files, reading.package_of, cache))
-    places = dict(started_places(launches, packages))
+    places = dict(started_places(launches, reading.unstarted, packages))
     cache.save()
     catalogs = {
         version: Catalog(distribution, type_folders=(listing.root,))
