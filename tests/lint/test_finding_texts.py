@@ -6,6 +6,9 @@ from pathlib import Path
 
 import pytest
 from packages import CMAKE, PYTHON, Break, found_in
+from parameter_packages import CONFIG, LAUNCH, NODE, driver, found, launch, package, python
+
+from plastron_tui.diagnostics import Severity
 
 _STARTED = '<launch>\n  <node pkg="wheels" exec="{}"/>\n</launch>\n'
 _FILE = "wheels/launch/more.launch.xml"
@@ -36,8 +39,29 @@ _CASES = [
 
 @pytest.mark.parametrize(("code", "case", "help_"), _CASES)
 def test_help(code: str, case: Break, help_: str | None, tmp_path: Path) -> None:
-    found = found_in(tmp_path, case.files(PYTHON | CMAKE))
-    assert [each.diagnostic.help for each in found if each.rule.code == code] == [help_]
+    told = found_in(tmp_path, case.files(PYTHON | CMAKE))
+    assert [each.diagnostic.help for each in told if each.rule.code == code] == [help_]
+
+
+_ANGLE = {"rover/msg/Angle.msg": "float64 value\n"}
+_USES = PYTHON["wheels/wheels/mover.py"].replace(
+    "from geometry_msgs.msg import Twist", "from rover.msg import Angle as Twist"
+)
+_LEFT = [
+    (_ANGLE, Severity.WARNING),
+    (_ANGLE | {"wheels/wheels/mover.py": _USES}, Severity.ERROR),
+    ({"rover/CMakeLists.txt": CMAKE["rover/CMakeLists.txt"].replace("Speed.msg", "Far.msg")}
+     | {"rover/msg/Speed.msg": ""}, Severity.ERROR),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize(("files", "severity"), _LEFT)
+def test_severity_of_a_definition(
+    files: dict[str, str], severity: Severity, tmp_path: Path
+) -> None:
+    """A type that nothing uses may be there for later; what a node or a command needs, not."""
+    told = found_in(tmp_path, PYTHON | CMAKE | files)
+    assert next(each.diagnostic.severity for each in told if each.rule.code == "RK507") == severity
 
 
 _UNMET = """\
@@ -60,9 +84,9 @@ def generate_launch_description():
 def test_place_of_a_program_that_starts_with_other_arguments(tmp_path: Path) -> None:
     """The name is marked, as it is where the program starts at once."""
     files = PYTHON | {"wheels/launch/more.launch.py": _UNMET}
-    (found,) = found_in(tmp_path, files)
-    span = found.diagnostic.span
-    assert found.rule.code == "RK506" and span is not None
+    (wrong,) = found_in(tmp_path, files)
+    span = wrong.diagnostic.span
+    assert wrong.rule.code == "RK506" and span is not None
     assert _UNMET[span.start : span.end] == "walker"
 
 
@@ -76,6 +100,32 @@ def test_what_cmake_looks_for_in_vain_says_so(tmp_path: Path) -> None:
     files["rover/CMakeLists.txt"] = files["rover/CMakeLists.txt"].replace(
         "ament_package()", f"{find}ament_package()"
     )
-    (found,) = found_in(tmp_path, files)
-    (label,) = found.diagnostic.labels
+    (wrong,) = found_in(tmp_path, files)
+    (label,) = wrong.diagnostic.labels
     assert label.message == "CMake looks for it here, and nothing uses what it finds"
+
+
+_OFFERED = [
+    ("max_sped", "max_speed", True),
+    ("maxSpeed", "max_speed", True),
+    # Another thing, or one of another type.
+    ("default_planning_pipeline", "default_planning_frame", False),
+    ("gain_double", "gain_int", False),
+    ("speed_double", "speed_double_array", False),
+]
+
+
+@pytest.mark.parametrize("is_in_file", [True, False])
+@pytest.mark.parametrize(("name", "declared", "is_offered"), _OFFERED)
+def test_parameter_that_is_offered(
+    name: str, declared: str, is_offered: bool, is_in_file: bool, tmp_path: Path
+) -> None:
+    """A parameter is offered where a slip tells it from the name, or how words are joined."""
+    files = {NODE: python(f"self.declare_parameter('{declared}', 0.5)")}
+    if is_in_file:
+        files[CONFIG] = f"driver:\n  ros__parameters:\n    {name}: 1.0\n"
+    else:
+        files |= {LAUNCH: launch(driver(f"{{'{name}': 1.0}}")), CONFIG: ""}
+    (wrong,) = found(tmp_path, package(files), "RP301")
+    assert (wrong.help == f"did you mean `{declared}`?") == is_offered
+    assert is_offered or wrong.help == "declare it in the node, or take it out here"

@@ -23,8 +23,10 @@ from .package_examples import TYPES_PACKAGE
     "Types are built where `rosidl_generate_interfaces` (in ROS 1 `add_message_files` and "
     "`generate_messages`) names the files and the packages that they are made of, what generates "
     "them is found, and, in ROS 2, the package is a member of `rosidl_interface_packages`. Lists "
-    "that are computed are not followed. A definition that no node of the workspace uses is a "
-    "warning, told once for all of a package where they are many, and not where a comment in the "
+    "that are computed are not followed. It is an error where a node of the workspace uses the "
+    "type, and where the commands or package.xml themselves lack something. A definition that is "
+    "left out, and that no node of the workspace uses, is a warning, as it may be there for later: "
+    "it is told once for all of a package where they are many, and not where a comment in the "
     "command has its name. Messages that the build makes of an action are left alone.",
     bad=TYPES_PACKAGE | {"demo/msg/Angle.msg": "float64 value\n"},
     good=TYPES_PACKAGE,

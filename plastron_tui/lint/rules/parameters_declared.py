@@ -127,7 +127,18 @@ def _meant(name: str, names: Iterable[str]) -> str | None:
     """Return the name that was meant, or the part of one with as many keys."""
     depth = name.count(".") + 1
     parts = dict.fromkeys(".".join(each.split(".")[:depth]) for each in names)
-    return nearest(name, parts)
+    return _near(name, parts)
+
+
+def _near(name: str, names: Iterable[str]) -> str | None:
+    """Return the name that is a slip, or another way of writing words, from one; None for none."""
+    found = nearest(name, names)
+    is_near = found is not None and (is_slip(name, found) or _plain(name) == _plain(found))
+    return found if is_near else None
+
+
+def _plain(name: str) -> str:
+    return name.replace("_", "").lower()
 
 
 def _renamed(name: str, part: KeyPart, meant: str | None) -> Fix | None:
@@ -153,7 +164,7 @@ def _undeclared_settings(
         for name, place, span in settings(tree, receiver):
             if place in told or any(node.has(name) for node in receiver.nodes):
                 continue
-            meant = nearest(name, [each for each in names if each not in taken])
+            meant = _near(name, [each for each in names if each not in taken])
             if not is_whole and (meant is None or not is_slip(name, meant)):
                 continue
             told.add(place)
