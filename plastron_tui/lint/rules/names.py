@@ -37,13 +37,16 @@ def misspelt_name(tree: SourceTree, code: Code) -> Iterator[Diagnostic]:
         for wrong, right in _slips(meetings):
             user = meetings[wrong][0]
             other = next(each for each in meetings[right] if each.sends is not user.sends)
+            help_ = f"did you mean `{right[2]}`?"
+            if len({each.sends for each in meetings[right]}) == 1:
+                help_ = f"write `{right[2]}` here, or `{wrong[2]}` there: one of them is a slip"
             yield Diagnostic(
                 code,
                 f"`{user.node.shown}` {user.endpoint.kind.facts.verb} `{wrong[2]}`, and "
                 f"`{other.node.shown}` {other.endpoint.kind.facts.verb} `{right[2]}`",
                 user.endpoint.span,
                 user.path,
-                help=f"did you mean `{right[2]}`?",
+                help=help_,
                 labels=(Label(other.endpoint.span, "the other name", other.path),),
             )
 
