@@ -34,6 +34,12 @@ _CASES = [
     ("RK506", _starts("walker", _TWO), None),
     ("RK506", _starts("walk", _NODES), None),
     ("RK506", _starts("mowers"), None),
+    # What both kinds of build need, at once.
+    ("RK503", Break("wheels/setup.cfg", "", None),
+     "write `install_scripts=$base/lib/wheels` below `[install]` "
+     "and `script_dir=$base/lib/wheels` below `[develop]`"),
+    ("RK503", Break("wheels/setup.cfg", "script_dir=$base/lib/wheels", ""),
+     "write `script_dir=$base/lib/wheels` below `[develop]`"),
 ]  # fmt: skip
 
 

@@ -54,7 +54,15 @@ def _fault(
     where, when = f"`lib/{name}`", ""
     if command == "develop":
         when = " of a build with `--symlink-install`"
-    help_ = f"write `{key}=$base/lib/{name}` below `[{command}]`"
+    # What is missing for both builds is told once, and so with both remedies.
+    missing = [
+        each
+        for each in _OPTIONS.items()
+        if each == (command, key) or all(option.key != each[1] for option in options)
+    ]
+    help_ = "write " + " and ".join(
+        f"`{key}=$base/lib/{name}` below `[{command}]`" for command, key in missing
+    )
     looks = f"`ros2 run` looks for programs{when} in {where}"
     for each in own:
         folder = each.value.rstrip(" \t/")
