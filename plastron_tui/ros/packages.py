@@ -30,7 +30,7 @@ LEFT_BEHIND = frozenset(
 )  # fmt: skip
 """Folders of a package for what nobody starts any more, or not as it is."""
 
-_TESTS = re.compile(r"(?:tests?_?\d*|testing|(?:g|ros|unit_?)tests?|.+_tests)", re.IGNORECASE)
+_TESTS = re.compile(r"(?:tests?_?\d*|(?:g|ros|unit_?)tests?|.+_tests)", re.IGNORECASE)
 
 LONGEST_PACKAGE_NAME = 160
 """The longest name of a package, in characters.
