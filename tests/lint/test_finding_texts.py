@@ -5,6 +5,8 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
+from graph_packages import LISTENER, code_of, package_of
+from linted import run_over, write_tree
 from packages import CMAKE, PYTHON, Break, found_in
 from parameter_packages import CONFIG, LAUNCH, NODE, driver, found, launch, package, python
 
@@ -135,3 +137,21 @@ def test_parameter_that_is_offered(
     (wrong,) = found(tmp_path, package(files), "RP301")
     assert (wrong.help == f"did you mean `{declared}`?") == is_offered
     assert is_offered or wrong.help == "declare it in the node, or take it out here"
+
+
+_HEARS = code_of(LISTENER, topic="chatte")
+_SLIPS = [
+    # Which of the two is the slip nobody knows, or a third one says it.
+    (package_of(listener=_HEARS),
+     "write `/chatter` here, or `/chatte` there: one of them is a slip"),
+    (package_of() | {"demo/demo/other.py": _HEARS.replace("listener", "other")},
+     "did you mean `/chatter`?"),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize(("files", "help_"), _SLIPS)
+def test_name_that_may_be_the_right_one(
+    files: dict[str, str | bytes], help_: str, tmp_path: Path
+) -> None:
+    (wrong,) = run_over(write_tree(tmp_path, files), "RG104").told
+    assert wrong.diagnostic.help == help_
