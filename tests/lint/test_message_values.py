@@ -406,6 +406,27 @@ def test_values_get_names() -> None:
 
 
 @pytest.mark.parametrize(
+    ("text", "is_mended"),
+    [
+        (tick("Point(1.0, 0.0)"), True),
+        (tick("Point(1.0, self.y)"), True),
+        (tick("Twist(1.0, 0.0)"), False),
+        (tick("Point(1.0, 0)"), False),
+        (tick("Header(Time(), 3)"), False),
+        (tick("String(None)"), False),
+        (script("Vector3(1, 2)"), True),
+        (script("Vector3('1', 2)"), False),
+    ],
+)
+def test_values_get_names_of_fields_that_hold_them(text: str, is_mended: bool) -> None:
+    assert len(told(text, "RM204")) == 1
+    assert (fixed(text, "RM204") != text) is is_mended
+    if is_mended or "import rclpy" in text:
+        # Nothing is said of a value before its field is known.
+        assert told(text, "RM202") == told(text, "RM203") == []
+
+
+@pytest.mark.parametrize(
     ("first", "line", "is_told"),
     [
         ("", "for _ in range(3): pass", True),

@@ -145,7 +145,7 @@ def _unknown_keywords(
 def wrong_value_kind(tree: SourceTree, code: Code) -> Iterator[Diagnostic]:
     """Find values that fields do not hold."""
     for unit, messages in units_of(tree):
-        for value in () if unit.is_test else unit.code.values:
+        for value in _given(unit, messages):
             places = [messages.place(each) for each in _places(value)]
             place = places[0]
             if place is None or not all(
@@ -186,6 +186,13 @@ def _type_words(messages: Messages, place: FieldType | MessageType) -> str:
     primitive = PRIMITIVES[messages.version].get(name)
     limits = primitive.range_text if primitive is not None else ""
     return f"`{place}` ({limits})" if limits else f"`{place}`"
+
+
+def _given(unit: UnitFacts, messages: Messages) -> Iterator[FieldValue]:
+    """Yield the values that fields get: of those without a name none arrives in rclpy."""
+    for value in () if unit.is_test else unit.code.values:
+        if messages.version == 1 or not value.path or not value.path[0].startswith("#"):
+            yield value
 
 
 def _places(value: FieldValue) -> tuple[MessageField, ...]:
@@ -232,7 +239,7 @@ def _behind(span: Span, text: str) -> Fix:
 def int_in_float_field(tree: SourceTree, code: Code) -> Iterator[Diagnostic]:
     """Find integers in fields of floating point."""
     for unit, messages in units_of(tree, "rclpy"):
-        for value in () if unit.is_test else unit.code.values:
+        for value in _given(unit, messages):
             places = [messages.place(each) for each in _places(value)]
             if not all(_is_int_in_float(messages, each, value) for each in places):
                 continue
@@ -282,7 +289,8 @@ def _as_float(value: FieldValue) -> tuple[str, Fix | None]:
     "positional-constructor",
     "A message is constructed of values without names that it does not take so.",
     why="In rclpy a constructor of a message takes keywords only: a `TypeError`. In rospy it takes "
-    "the values of all fields in their order, or keywords, and not both.",
+    "the values of all fields in their order, or keywords, and not both. `--fix` writes the names "
+    "where no value is one that its field does not hold.",
     bad={"sender.py": sender(construct="String('hello')")},
     good={"sender.py": sender(construct="String(data='hello')")},
 )
@@ -296,20 +304,34 @@ def positional_constructor(tree: SourceTree, code: Code) -> Iterator[Diagnostic]
             names = [each.name for each in section.fields]
             if messages.version == 2:
                 what = f"{described(built.type)} takes values by name only in rclpy"
-                fix = _named(built, names)
             elif built.keywords:
                 what = f"{described(built.type)} takes values by name, or all in order, not both"
-                fix = _named(built, names)
             elif built.positional != len(names):
                 what = (
                     f"{described(built.type)} takes {len(names)} values in order, and gets "
                     f"{built.positional}"
                 )
-                fix = _named(built, names) if built.positional < len(names) else None
             else:
                 continue
-            remedy = "write the name before each" if names else None
+            remedy, fix = "write the name before each" if names else None, None
+            if _fit(unit, messages, built):
+                fix = _named(built, names)
+            elif len(names) <= _MOST_NAMES:
+                remedy = f"its fields are {listed(f'`{x.type} {x.name}`' for x in section.fields)}"
             yield Diagnostic(code, what, built.span, unit.file(built.file), remedy, fix)
+
+
+def _fit(unit: UnitFacts, messages: Messages, built: Built) -> bool:
+    """Tell whether the values may stand in the fields whose turn it is."""
+    for value in unit.code.values:
+        is_here = value.file == built.file and value.span.start in built.places
+        if is_here and value.type == built.type:
+            place = messages.place(MessageField(value.type, value.path))
+            if place is not None and is_refused(messages, place, value):
+                return False
+            if messages.version == 2 and _is_int_in_float(messages, place, value):
+                return False
+    return True
 
 
 def _named(built: Built, names: Sequence[str]) -> Fix | None:

@@ -156,8 +156,7 @@ def _constructed(
         known = kinds.of(value)
         if known is not None:
             yield _value((MessageField(type_, (name,)),), known, value)
-    is_rospy = messages.analysis.library.ros_version == 1
-    if is_rospy and not arguments.is_open:
+    if not arguments.is_open:
         yield from _by_position(kinds, type_, arguments)
 
 
