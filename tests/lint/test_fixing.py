@@ -101,14 +101,49 @@ def test_what_reads_worse_is_left(tmp_path: Path, replacing: Replacing) -> None:
     assert (root / "c.xml").read_text() == "<bad/>\n"
 
 
-def test_what_breaks_another_rule_is_put_back(tmp_path: Path, replacing: Replacing) -> None:
+@pytest.mark.parametrize(
+    "selected",
+    [
+        ("RC9",),
+        # What is broken then is not told, and is broken nevertheless.
+        ("RC900", "RC902"),
+    ],
+)
+def test_what_breaks_another_rule_is_put_back(
+    tmp_path: Path, replacing: Replacing, selected: tuple[str, ...]
+) -> None:
     root = write_tree(tmp_path, {"a.py": "one = 'good'\n"})
     replacing("one", "worse")
     replacing("worse", "worst")
     replacing("good", "better")
-    changes = mend(run_over(root, "RC9"))
+    changes = mend(run_over(root, *selected))
     assert (root / "a.py").read_text() == "one = 'better'\n"
     assert (changes.done, changes.files, told(changes.run)) == (1, 1, [("RC900", 1)])
+
+
+@pytest.mark.parametrize("count", [1, 2, 5, 40])
+def test_what_breaks_a_rule_in_another_file_is_put_back(
+    tmp_path: Path, replacing: Replacing, count: int
+) -> None:
+    names = [f"f{number:02}.py" for number in range(count)]
+    root = write_tree(tmp_path, {**dict.fromkeys(names, "one = 1\n"), "z.py": "x = 1\n"})
+    harmful = root / names[count // 2]
+    harmful.write_text("one = 1; bad = 1\n")
+    replacing("one", "two")
+    replacing("bad", "gone")
+
+    @rule("RC950", "elsewhere", "A.", why="B.", bad={}, good={}, severity=Severity.WARNING)
+    def check(tree: SourceTree, code: Code) -> Iterator[Diagnostic]:
+        if "gone" in harmful.read_text():
+            yield Diagnostic(code, "x", Span(0, 1), root / "z.py")
+
+    try:
+        changes = mend(run_over(root, "RC900", "RC901"))
+    finally:
+        del RULES["RC950"]
+    assert harmful.read_text() == "two = 1; bad = 1\n"
+    assert all("two" in (root / name).read_text() for name in names)
+    assert (changes.done, changes.files, told(changes.run)) == (count, count, [("RC901", 1)])
 
 
 def test_a_file_that_cannot_be_written_is_told(tmp_path: Path, replacing: Replacing) -> None:

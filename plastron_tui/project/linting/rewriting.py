@@ -108,32 +108,38 @@ def _applied(path: Path, before: bytes, fixes: list[Fix]) -> tuple[bytes, tuple[
 def mend(run: LintRun) -> Changes:
     """Write the fixes of what is found, read it again, and go on until there are no more.
 
-    What makes more rules be broken in its file is put back, and its fixes are tried one by one.
+    What makes more rules be broken is put back: that of a file in which they are, and its fixes are
+    tried one by one. Where they are in others the half of what was written is tried.
     """
     count, files = 0, set[Path]()
     refused: set[tuple[Path, Fix]] = set()
     careful: set[Path] = set()
     problems: list[Diagnostic] = []
+    known = _broken(run)
+    most: int | None = None
     for _ in range(MOST_ROUNDS):
-        rewrites = fixed(run, refused, careful)
+        rewrites = fixed(run, refused, careful)[:most]
         if not rewrites:
             break
         found = write_all(rewrites)
         problems += found
-        written = [each for each in rewrites if each.path not in _unwritten(found)]
-        refused |= {(x.path, fix) for x in rewrites if x not in written for fix in x.fixes}
+        kept = [each for each in rewrites if each.path not in _unwritten(found)]
+        refused |= {(x.path, fix) for x in rewrites if x not in kept for fix in x.fixes}
+        most = 2 * most if most else None
         now = run.again()
-        harmed = [each for each in written if _breaks_more(each.path, run, now)]
-        if harmed:
-            back = [Rewrite(each.path, each.after, each.before) for each in harmed]
-            problems += write_all(back)
-            refused |= {(each.path, each.fixes[0]) for each in harmed if len(each.fixes) == 1}
-            careful |= {each.path for each in harmed}
+        while kept and (worse := _broken(now) - known):
+            harmed = [each for each in kept if any(each.path == file for file, _ in worse)] or kept
+            problems += write_all(Rewrite(each.path, each.after, each.before) for each in harmed)
+            if harmed is kept and len(kept) > 1:
+                most = len(kept) // 2
+            else:
+                refused |= {(each.path, each.fixes[0]) for each in harmed if len(each.fixes) == 1}
+                careful |= {each.path for each in harmed}
+            kept = [each for each in kept if each not in harmed]
             now = run.again()
-        kept = [each for each in written if each not in harmed]
         count += sum(len(each.fixes) for each in kept)
         files |= {each.path for each in kept}
-        run = now
+        run, known = now, _broken(now)
     return Changes(run, count, len(files), tuple(problems))
 
 
@@ -141,13 +147,17 @@ def _unwritten(problems: Iterable[Diagnostic]) -> set[Path]:
     return {each.file for each in problems if each.file and each.severity is Severity.ERROR}
 
 
-def _breaks_more(path: Path, before: LintRun, after: LintRun) -> bool:
-    """Tell whether more breaks some rule in a file than before."""
+def _broken(run: LintRun) -> Counter[tuple[Path | None, str]]:
+    """Count what breaks each rule in each file, be it a rule that was not selected.
 
-    def counted(run: LintRun) -> Counter[str]:
-        return Counter(str(x.rule.code) for x in run.told if x.diagnostic.file == path)
+    Of a comment that nothing breaks a rule for any more a fix may well be the reason.
+    """
 
-    return bool(counted(after) - counted(before))
+    def counted(run: LintRun) -> Counter[tuple[Path | None, str]]:
+        found = (each.diagnostic for each in run.found)
+        return Counter((x.file, str(x.code)) for x in found if x.code != codes.UNUSED_NOQA)
+
+    return counted(run) | counted(run.unselected())
 
 
 def note_all(run: LintRun) -> Changes:

@@ -77,6 +77,14 @@ class LintRun:
         """Return a run over the files as they are now."""
         return LintRun(self.options)
 
+    def unselected(self) -> LintRun:
+        """Return a run that follows the rules that are followed where none is selected."""
+        if not self.selection.select:
+            return self
+        run = self.again()
+        run.selection = self.selection._replace(select=())
+        return run
+
     @cached_property
     def paths(self) -> tuple[Path, ...]:
         """The folders and files that are looked at, whole and without links."""
