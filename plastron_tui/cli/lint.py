@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import sys
 import time
 from collections.abc import Callable
@@ -309,8 +310,9 @@ def _write(counted: Any, run: LintRun, format_: str) -> None:
     if format_ == "github":
         from plastron_tui.diagnostics.github import as_annotation
 
+        root = _repository(Path.cwd())
         for each in counted:
-            click.echo(as_annotation(each, run.lines, Path.cwd()))
+            click.echo(as_annotation(each, run.lines, root))
         return
     from plastron_tui.diagnostics.json_text import json_text
 
@@ -324,3 +326,9 @@ def _write(counted: Any, run: LintRun, format_: str) -> None:
 
     rules = {rule.code: RuleText(rule.name, rule.why) for rule in run.rules}
     click.echo(json_text(as_sarif(counted, run.lines, run.root, __version__, rules)))
+
+
+def _repository(folder: Path) -> Path:
+    """Return the root of the repository that a folder is in, the folder where it is in none."""
+    above = (folder, *folder.parents)
+    return next((each for each in above if os.path.lexists(each / ".git")), folder)

@@ -100,6 +100,28 @@ def test_results_go_to_standard_output(workspace: Path, run: Run, format_: str) 
         assert [each["ruleId"] for each in found["runs"][0]["results"]] == ["RC407"]
 
 
+@pytest.mark.parametrize(
+    ("repositories", "file"),
+    [
+        ((), "a.py"),
+        ((".git/",), "src/a.py"),
+        # So it is in a worktree, and in a submodule.
+        ((".git",), "src/a.py"),
+        ((".git/", "src/.git"), "a.py"),
+    ],
+)
+def test_annotations_name_files_from_the_root_of_the_repository(
+    workspace: Path, run: Run, repositories: tuple[str, ...], file: str
+) -> None:
+    for each in repositories:
+        if each.endswith("/"):
+            (workspace / each).mkdir()
+        else:
+            (workspace / each).touch()
+    result = run("lint", "--format", "github", cwd=workspace / "src")
+    assert f",file={file},line=3," in result.stdout.decode()
+
+
 @pytest.mark.parametrize("format_", ["json", "sarif", "github"])
 def test_file_name_that_is_no_text(workspace: Path, run: Run, format_: str) -> None:
     (workspace / "src" / "a.py").rename(workspace / "src" / os.fsdecode(b"\xff.py"))
