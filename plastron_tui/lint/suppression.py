@@ -18,7 +18,7 @@ from typing import NamedTuple
 from plastron_tui.diagnostics import LineIndex, Span
 
 from .comment_syntax import CommentStyle, comment_spans, style_of
-from .rule import Rule
+from .rule import Group, Rule
 
 _WORD_TEXT = rb"(?:[A-Za-z]\w*(?:-\w+)*|\*)"
 _CODES = _WORD_TEXT + rb"(?:[ \t]*[, \t][ \t]*" + _WORD_TEXT + rb")*"
@@ -32,6 +32,7 @@ _WORD = re.compile(_WORD_TEXT)
 _SIGN = re.compile(rb"noqa|NOLINT", re.I)
 _NAME = re.compile(rb"\bR[A-Z][0-9]{3}|[a-z]-[a-z]", re.I)
 _CODE = re.compile(r"[A-Z]+[0-9]+")
+_OURS = re.compile(rf"(?:{'|'.join(each.value for each in Group)})[0-9]{{3}}", re.I)
 
 
 class Comment(NamedTuple):
@@ -124,7 +125,8 @@ class FileComments:
         if span is None or not self.all:
             return False
         # The comments of both lines are used.
-        return bool(sum(self._mean(rule, line) for line in ends_of(self._lines, span)))
+        first, last = [self._mean(rule, line) for line in ends_of(self._lines, span)]
+        return first or last
 
     def _mean(self, rule: Rule, line: int) -> bool:
         key = line, rule
@@ -200,6 +202,16 @@ def named_rules(comment: Comment, rules: Iterable[Rule]) -> list[tuple[Rule, Spa
         for word, span in comment.codes or ()
         for rule in rules
         if word.upper() == rule.code or word == rule.name
+    ]
+
+
+def unknown_codes(comment: Comment, rules: Iterable[Rule]) -> list[tuple[str, Span]]:
+    """Return the words of a comment that look like codes of rules, and are none's."""
+    known = {str(rule.code) for rule in rules}
+    return [
+        (word.upper(), span)
+        for word, span in comment.codes or ()
+        if _OURS.fullmatch(word) and word.upper() not in known
     ]
 
 

@@ -11,6 +11,7 @@ from plastron_tui.diagnostics import LineIndex, Span
 from plastron_tui.lint.rule import RULES, Rule
 from plastron_tui.lint.rules import RULES as DECLARED
 from plastron_tui.lint.suppression import Comment, FileComments, comments_of, may_name_rules
+from plastron_tui.project.linting.rewriting import mend
 
 assert DECLARED is RULES
 RULE = RULES["RC407"]
@@ -86,8 +87,14 @@ def test_which_lines_a_comment_is_about(name: str, text: str, meant: bool) -> No
         ("  # noqa: RC407", []),
         ("\nx = 1  # noqa: RC407", [("RC407", 3), ("unused-noqa", 4)]),
         ("\nx = 1  # noqa: E501", [("RC407", 3)]),
+        ("\nx = 1  # noqa: RM999", [("RC407", 3), ("unused-noqa", 4)]),
+        ("  # noqa: rc999, RC407", [("unused-noqa", 3)]),
+        ("\nx = 1  # noqa: RM99, RM9999, RX999, RUF100", [("RC407", 3)]),
+        ("\nx = 1  # noqa: RM999, unused-noqa", [("RC407", 3)]),
         ("\nx = 1  # noqa", [("RC407", 3)]),
         ("\nx = '# noqa: RC407'", [("RC407", 3)]),
+        # The comments of the first line and of the last one are both of use.
+        ("  # noqa: RC407\nrospy.Publisher('b',  # noqa: RC407\n    String)  # noqa: RC407", []),
         # Of a rule that is not followed nobody knows.
         ("  # noqa: RC407, RG101", []),
         ("\nx = 1  # noqa: RC407, unused-noqa", [("RC407", 3)]),
@@ -100,6 +107,28 @@ def test_comment_in_a_workspace(tmp_path: Path, ending: str, found: list[object]
     assert told(run_over(root, "RC407", "unused-noqa")) == found
     (root / "b.py").write_text("x = 1  # noqa: queue-size-missing\n")
     assert told(run_over(root, "RC407", "unused-noqa")) == [*found, ("unused-noqa", 1)]
+
+
+@pytest.mark.parametrize(
+    ("comment", "messages", "left"),
+    [
+        ("RM999", ["there is no rule `RM999`"], ""),
+        (
+            "RC407, RM999",
+            ["nothing breaks `RC407` (queue-size-missing) here", "there is no rule `RM999`"],
+            "",
+        ),
+        ("E501, RM999", ["there is no rule `RM999`"], "  # noqa: E501, RM999"),
+    ],
+)
+def test_code_that_is_of_no_use(
+    tmp_path: Path, comment: str, messages: list[str], left: str
+) -> None:
+    root = write_tree(tmp_path, {"a.py": f"x = 1  # noqa: {comment}\n"})
+    run = run_over(root, "RC407", "unused-noqa")
+    assert [each.diagnostic.message for each in run.told] == messages
+    mend(run)
+    assert (root / "a.py").read_text() == f"x = 1{left}\n"
 
 
 def test_many_comments_are_judged_once_each(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -292,7 +292,7 @@ CHANGES_UNDONE = Code(
 UNUSED_NOQA = Code(
     "unused-noqa",
     "A comment of a workspace says that what breaks a rule of `plastron lint` in its line is "
-    "meant, and nothing there breaks the rule. Take the comment away: it would hide what somebody "
-    "breaks later.",
+    "meant, and nothing there breaks the rule, or there is no such rule. Take the comment away: it "
+    "would hide what somebody breaks later.",
     severity=Severity.WARNING,
 )

@@ -8,7 +8,7 @@ from pathlib import Path
 from plastron_tui.diagnostics import Diagnostic, Edit, Fix, LineIndex, Span, codes
 from plastron_tui.lint import Found, Rule
 from plastron_tui.lint.rule import RULES, rule_of
-from plastron_tui.lint.suppression import Comment, FileComments, named_rules
+from plastron_tui.lint.suppression import Comment, FileComments, named_rules, unknown_codes
 from plastron_tui.model.source import LARGEST_FILE
 from plastron_tui.regular_files import read_regular
 
@@ -43,7 +43,7 @@ class FileTexts:
         return comments is not None and comments.mean(found.rule, found.diagnostic.span)
 
     def unused(self, files: Iterable[str], rules: Collection[Rule]) -> Iterator[Found]:
-        """Yield the codes of comments that nothing breaks in their lines.
+        """Yield the codes of comments that nothing breaks in their lines, or that no rule has.
 
         Args:
             files: the files that may have such comments.
@@ -69,16 +69,23 @@ class FileTexts:
 def _unused_in(
     path: Path, text: bytes, comment: Comment, rules: Collection[Rule]
 ) -> Iterator[Found]:
-    """Yield the codes of a comment that are about rules which nothing breaks in its lines."""
-    unused = [each for each in named_rules(comment, RULES.values()) if each[0] in rules]
+    """Yield the codes of a comment that no rule has, or whose rules nothing breaks in its lines."""
+    unused = [
+        (span, f"nothing breaks `{rule.code}` ({rule.name}) here")
+        for rule, span in named_rules(comment, RULES.values())
+        if rule in rules
+    ]
+    unused += [
+        (span, f"there is no rule `{code}`")
+        for code, span in unknown_codes(comment, RULES.values())
+    ]
     fix = None
     if len(unused) == len(comment.codes or ()) and _is_whole(text, comment):
         start = comment.around.start
         while start and text[start - 1 : start] in (b" ", b"\t"):
             start -= 1
         fix = Fix("take the comment away", (Edit(Span(start, comment.around.end), ""),))
-    for rule, span in unused:
-        message = f"nothing breaks `{rule.code}` ({rule.name}) here"
+    for span, message in unused:
         remedy = "take the code, or the comment, away"
         found = Diagnostic(codes.UNUSED_NOQA, message, span, path, remedy, fix)
         yield Found(rule_of(codes.UNUSED_NOQA), found)
