@@ -80,17 +80,24 @@ def is_left_behind(tree: SourceTree, user: User) -> bool:
     return _LEFT_BEHIND.search(str(user.path).removeprefix(str(tree.root))) is not None
 
 
+_NEW_WORD = re.compile(r"(?<=[a-z\d])[A-Z]|[A-Z][a-z]")
+
+
 def is_variant(one: str, other: str) -> bool:
-    """Tell whether one type carries what the other does, and more: `Twist`, `TwistStamped`."""
+    """Tell whether one type carries what the other does, and more: `Twist`, `TwistStamped`.
+
+    Its name has whole words more at the end: what is written before makes another type, such as
+    `UInt32` of `Int32`.
+    """
     short, long = sorted((one, other), key=len)
-    return long.startswith(short) or long.endswith(short)
+    return long.startswith(short) and _NEW_WORD.match(long, len(short)) is not None
 
 
 def are_connected(tree: SourceTree, one: str, other: str) -> bool:
     """Tell whether packages are parts of one robot: by what they, or others, depend on."""
     if one == other:
         return True
-    needs = {name: _own_needs(tree, name) for name in tree.packages}
+    needs = _needs(tree)
     first, second = needs.get(one, frozenset()), needs.get(other, frozenset())
     return (
         other in first
@@ -100,8 +107,15 @@ def are_connected(tree: SourceTree, one: str, other: str) -> bool:
     )
 
 
-def _own_needs(tree: SourceTree, name: str) -> frozenset[str]:
-    """Return the packages of the workspace that one of them depends on."""
-    build = tree.packages[name].build
-    declared = () if build is None else build.dependencies
-    return frozenset(each.name for each in declared if each.name in tree.packages)
+@lru_cache(maxsize=1)
+def _needs(tree: SourceTree) -> Mapping[str, frozenset[str]]:
+    """Return the packages of the workspace that each of them depends on."""
+    builds = {name: package.build for name, package in tree.packages.items()}
+    return {
+        name: frozenset(
+            each.name
+            for each in (() if build is None else build.dependencies)
+            if each.name in builds
+        )
+        for name, build in builds.items()
+    }

@@ -318,6 +318,8 @@ def test_a_type_that_may_be_meant_on_the_other_side_is_no_conflict(tmp_path: Pat
 ODD = {
     "a_type_of_one_file": ("talks", "Int32", "", 1),
     "a_variant": ("talks", "StringMultiArray", "", 0),
+    "a_type_whose_name_ends_alike": ("talks", "CompressedString", "", 1),
+    "a_type_whose_name_begins_alike": ("talks", "Stringent", "", 1),
     "an_old_copy": ("talks_old", "Int32", "", 0),
     "a_partner_of_its_type": ("talks", "Int32", "Int32", 0),
 }
@@ -327,8 +329,9 @@ ODD = {
 def test_types_conflict_between_packages_that_need_nothing_of_each_other(
     tmp_path: Path, name: str, type_: str, heard: str, count: int
 ) -> None:
+    talker = code_of(TALKER, type=type_).replace("import Int32", f"import {type_}, Int32")
     files = {
-        **alone(name, "rclpy", code_of(TALKER, type=type_)),
+        **alone(name, "rclpy", talker),
         **alone("hears", "rclpy", code_of(LISTENER)),
         **alone("speaks", "rclpy", code_of(TALKER)),
     }
