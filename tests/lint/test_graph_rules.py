@@ -72,50 +72,6 @@ def test_two_drivers_of_which_one_is_started_do_not_conflict(tmp_path: Path) -> 
     assert [(code, name) for code, name, _ in found] == [("RG101", "other.py")]
 
 
-QOS = {
-    "a_profile": (code_of(TALKER, qos="qos_profile_sensor_data"), "", 1),
-    "a_policy": (
-        code_of(TALKER, qos="QoSProfile(depth=5, reliability=ReliabilityPolicy.BEST_EFFORT)"),
-        "",
-        1,
-    ),
-    "a_policy_set_afterwards": (
-        "",
-        code_of(
-            LISTENER,
-            before="q = QoSProfile(depth=1); q.durability = DurabilityPolicy.TRANSIENT_LOCAL",
-            qos="q",
-        ),
-        1,
-    ),
-    "both_of_them": (
-        code_of(TALKER, qos="qos_profile_sensor_data"),
-        code_of(LISTENER, qos="qos_profile_sensor_data"),
-        0,
-    ),
-    "more_than_asked_for": ("", code_of(LISTENER, qos="qos_profile_sensor_data"), 0),
-    "a_conflict_of_types": (
-        code_of(TALKER, qos="qos_profile_sensor_data", type="Int32"),
-        "",
-        0,
-    ),
-    "a_second_publisher_of_the_node": (
-        code_of(
-            TALKER,
-            qos="qos_profile_sensor_data",
-            more="self.other = self.create_publisher(String, 'chatter', 10)",
-        ),
-        "",
-        0,
-    ),
-}
-
-
-@pytest.mark.parametrize(("talker", "listener", "count"), QOS.values(), ids=QOS)
-def test_qos_never_matches(tmp_path: Path, talker: str, listener: str, count: int) -> None:
-    assert len(found_in(tmp_path, package_of(talker, listener), "RG102")) == count
-
-
 NAMED = node_of("talker", "name='a'")
 ONE = in_python(node_of("talker", "name='a'"))
 IN_YAML = "- node: {{pkg: demo, exec: {}, name: a}}\n"
@@ -338,21 +294,6 @@ def test_types_conflict_between_packages_that_need_nothing_of_each_other(
     if heard:
         files |= alone("counts", "rclpy", code_of(LISTENER, type=heard))
     assert len(found_in(tmp_path, files, "RG101")) == count
-
-
-@pytest.mark.parametrize(("more", "count"), [("", 1), ("qos_profile_sensor_data", 0)])
-def test_quality_of_service_of_nodes_that_no_launch_file_starts_together(
-    tmp_path: Path, more: str, count: int
-) -> None:
-    """Two that both have partners may be of two robots."""
-    files = {
-        **alone("talks", "rclpy", code_of(TALKER, qos="qos_profile_sensor_data")),
-        **alone("hears", "rclpy", code_of(LISTENER)),
-        **alone("speaks", "rclpy", code_of(TALKER)),
-    }
-    if more:
-        files |= alone("shows", "rclpy", code_of(LISTENER, qos=more))
-    assert len(found_in(tmp_path, files, "RG102")) == count
 
 
 MORE = "condition=IfCondition(LaunchConfiguration('more'))"

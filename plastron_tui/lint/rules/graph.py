@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter, defaultdict
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from pathlib import Path
 
 from plastron_tui.diagnostics import Code, Diagnostic, Label, Span
@@ -15,7 +15,7 @@ from plastron_tui.lint.well_known import IS_EVERYWHERE
 from plastron_tui.model.kinds import EndpointKind
 from plastron_tui.ros.interfaces import InterfaceKind, InterfaceName
 from plastron_tui.ros.launch_started import Site, Started
-from plastron_tui.ros.qos import mismatches, value_text
+from plastron_tui.ros.qos import Mismatch, mismatches, value_text
 from plastron_tui.ros.run_names import RunNames
 
 from .graph_examples import LISTENER, NAMED_TWICE, TALKER, listener, talker
@@ -196,23 +196,22 @@ def qos_mismatch(tree: SourceTree, code: Code) -> Iterator[Diagnostic]:
 
 
 def _never_matching(
-    code: Code, name: str, users: Iterable[User], *, is_run: bool
+    code: Code, name: str, users: Sequence[User], *, is_run: bool
 ) -> Iterator[Diagnostic]:
     """Yield what is wrong between the users of a topic, once for each that hears.
 
-    Of two that no launch file starts together, one has to be without anybody whom it matches.
+    Of two that no launch file starts together, one has to be without anybody whom it may match.
     """
-    users = list(users)
-    senders = _alone(user for user in users if user.endpoint.kind is EndpointKind.PUBLISHER)
-    receivers = _alone(user for user in users if user.endpoint.kind is EndpointKind.SUBSCRIPTION)
-    for receiver in receivers:
-        for sender in senders:
+    senders = [user for user in users if user.endpoint.kind is EndpointKind.PUBLISHER]
+    receivers = [user for user in users if user.endpoint.kind is EndpointKind.SUBSCRIPTION]
+    for receiver in _alone(receivers):
+        for sender in _alone(senders):
             found = _never_match(code, name, sender, receiver)
             if found is None:
                 continue
             if is_run or not (
-                any(_never_match(code, name, each, receiver) is None for each in senders)
-                and any(_never_match(code, name, sender, each) is None for each in receivers)
+                any(_may_match(each, receiver) for each in senders)
+                and any(_may_match(sender, each) for each in receivers)
             ):
                 yield found
                 break
@@ -226,11 +225,24 @@ def _alone(users: Iterable[User]) -> list[User]:
     return [each[0] for each in found.values() if len(each) == 1]
 
 
-def _never_match(code: Code, name: str, sender: User, receiver: User) -> Diagnostic | None:
+def _may_match(sender: User, receiver: User) -> bool:
+    """Tell whether messages may go from one to the other, as far as their types and QoS say."""
+    return _are_of_one_type(sender, receiver) and not _mismatches(sender, receiver)
+
+
+def _are_of_one_type(sender: User, receiver: User) -> bool:
+    """Tell whether two have one type, or may have: another rule tells of those that have two."""
+    return len({sender.endpoint.type, receiver.endpoint.type} - {None}) < 2
+
+
+def _mismatches(sender: User, receiver: User) -> Sequence[Mismatch]:
+    """Return the policies that keep two apart, as far as they are known."""
     offered, requested = sender.endpoint.qos, receiver.endpoint.qos
-    if len({sender.endpoint.type, receiver.endpoint.type} - {None}) > 1:
-        return None
-    found = () if offered is None or requested is None else mismatches(offered, requested)
+    return () if offered is None or requested is None else mismatches(offered, requested)
+
+
+def _never_match(code: Code, name: str, sender: User, receiver: User) -> Diagnostic | None:
+    found = _mismatches(sender, receiver) if _are_of_one_type(sender, receiver) else ()
     if not found:
         return None
     policies = " and ".join(each.policy for each in found)
