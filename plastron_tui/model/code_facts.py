@@ -230,6 +230,8 @@ class Arity(NamedTuple):
         is_result: whether it is called where it was to be handed over, and so gives nothing that
             can be called; the counts say nothing then.
         besides: what rospy is told to hand over besides the message, in the words of the file.
+        with_self: how a method begins that is written without `self`, once it has it; "" for all
+            else.
     """
 
     callback: str
@@ -242,6 +244,7 @@ class Arity(NamedTuple):
     file: str = ""
     is_result: bool = False
     besides: str = ""
+    with_self: str = ""
 
 
 class Repeated(NamedTuple):

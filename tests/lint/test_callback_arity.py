@@ -254,3 +254,86 @@ def test_what_a_callback_gets_that_cannot_be_called_has_no_fields(
             Vector3().w = 1.0
     """)
     assert len(fields_told(text, "RM201")) == count
+
+
+@pytest.mark.parametrize(
+    ("made", "method", "message", "help_"),
+    [
+        (TICK, "def tick():", "its object", "`def tick(self)`"),
+        (ME, "def heard(msg):", "its object and 1 argument", "`def heard(self, msg)`"),
+        (
+            ME,
+            "async def heard(\n    msg: String,  # it\n) -> None:",
+            "its object and 1 argument",
+            "`async def heard(self, msg: String)`",
+        ),
+        (
+            SERVE,
+            "def reset(request, response):",
+            "its object and 2 arguments",
+            "`def reset(self, request, response)`",
+        ),
+        (
+            LISTEN.format("partial(self.heard, 1, side='left')"),
+            "def heard(number, msg, *, side, more=None):",
+            "its object and 1 argument",
+            "`def heard(self, number, msg, *, side, more=None)`",
+        ),
+        (
+            GOAL.format(", cancel_callback=self.go"),
+            "def go(goal):",
+            "its object and 1 argument",
+            "`def go(self, goal)`",
+        ),
+    ],
+)
+def test_a_method_without_self_is_told_so(made: str, method: str, message: str, help_: str) -> None:
+    found = diagnostics(worker(made, f"{method}\n{REST}"), "RC403")
+    assert found
+    name = method.removeprefix("async ").removeprefix("def ").partition("(")[0]
+    for each in found:
+        start = f"`{name}` is a method without `self`, and is called with "
+        assert (each.message, each.help) == (start + message, f"add `self`: {help_}")
+
+
+@pytest.mark.parametrize(
+    ("made", "method"),
+    [
+        (ME, "def heard():"),
+        (ME, "def heard(self):"),
+        (ME, "def heard(this):"),
+        (ME, "def heard(slef):"),
+        (ME, "@classmethod\ndef heard(klass):"),
+        (ME, "@staticmethod\ndef heard(a, b, c):"),
+        (ME, "def heard(a, b, c, d):"),
+        (SERVE, "def reset(request):"),
+        (LISTEN.format("lambda: None"), "def heard():"),
+    ],
+)
+def test_what_would_not_fit_with_self_either_is_told_what_to_take(made: str, method: str) -> None:
+    (found,) = diagnostics(worker(made, f"{method}\n{REST}"), "RC403")
+    assert "method" not in found.message
+    assert (found.help or "").startswith("let it take ")
+
+
+@pytest.mark.parametrize("code", ["RM201", "RM202"])
+def test_parameters_that_self_is_missing_before_are_not_reasoned_about(code: str) -> None:
+    text = node("""
+        def on_set(request, response):
+            request.last.pose.position = 1
+            text = String(data=response)
+            print(response.datum, request.datum, text.datum)  # RM201
+            return response
+
+        def on_poses(msg):
+            print(msg.last.pose)
+            msg.last = 3
+            for pose in msg.poses:
+                print(pose.pose)
+
+        def on_odometry(self, msg):
+            print(msg.datum)  # RM201
+            String(data=msg)  # RM202
+    """)
+    wanted = [line.strip() for line in text.splitlines() if line.endswith(f"# {code}")]
+    assert fields_told(text, code) == wanted

@@ -203,6 +203,9 @@ def _misfit(fact: Arity) -> str:
     if fact.is_result:
         return f"{_named(fact.callback)} is called here, and what it returns cannot be called later"
     given = counted(fact.given, "argument") if fact.given else "none"
+    if fact.with_self:
+        given = f"its object and {given}" if fact.given else "its object"
+        return f"{_named(fact.callback)} is a method without `self`, and is called with {given}"
     if fact.besides:
         given += f": the message, and `{fact.besides}` as `callback_args`"
     return f"{_named(fact.callback)} {_taken(fact)}, and is called with {given}"
@@ -222,6 +225,8 @@ def _taken(fact: Arity) -> str:
 def _to_take(fact: Arity) -> str | None:
     if fact.is_result:
         return "hand the function over, without brackets behind it"
+    if fact.with_self:
+        return f"add `self`: `{fact.with_self}`"
     if fact.besides.isdecimal():
         return f"write `queue_size={fact.besides}`"
     if fact.besides:

@@ -20,10 +20,15 @@ _NEVER = Signature([Parameter("self", Parameter.KEYWORD_ONLY)])
 """The signature of a method that has no parameter for the object it is called on."""
 
 
-def signature_of(function: Scope, syntax: Syntax) -> Signature | None:
+def signature_of(function: Scope, syntax: Syntax, *, is_written: bool = False) -> Signature | None:
     """Return the signature of a function or a lambda, what it gets as a method left out.
 
     None where a decorator makes something of it that nobody knows.
+
+    Args:
+        function: the function.
+        syntax: its file.
+        is_written: whether to leave nothing out.
     """
     decorators = {
         syntax.slice(each) for each in definition(function).children if each.type == "decorator"
@@ -33,7 +38,7 @@ def signature_of(function: Scope, syntax: Syntax) -> Signature | None:
     found = _parameters(function.node.child_by_field_name("parameters"), syntax)
     is_method = function.kind == "function" and function.parent is not None
     is_bound = is_method and function.parent is not None and function.parent.kind == "class"
-    if is_bound and "@staticmethod" not in decorators:
+    if is_bound and not is_written and "@staticmethod" not in decorators:
         if not found:
             return _NEVER
         if found[0].kind not in _SPLATS.values():

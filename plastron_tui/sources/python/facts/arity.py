@@ -11,17 +11,21 @@ from tree_sitter import Node
 from plastron_tui.diagnostics import Span
 from plastron_tui.model.code_facts import Arity
 from plastron_tui.model.kinds import EndpointKind
+from plastron_tui.ros.name_slips import is_slip
 from plastron_tui.sources.python.analysis import Analysis
 from plastron_tui.sources.python.arguments import Arguments
 from plastron_tui.sources.python.callbacks import is_partial
 from plastron_tui.sources.python.functions import definition
 from plastron_tui.sources.python.positional import bounds, signature_of, takes
 from plastron_tui.sources.python.scopes import Scope
-from plastron_tui.sources.python.syntax import FUNCTIONS, Syntax
+from plastron_tui.sources.python.syntax import FUNCTIONS, Syntax, parts_of
 
 from .call_graph import CallGraph
 from .called_back import CALLBACK_ARGS, CalledBack, named
 from .objects import Objects
+
+_OBJECTS = frozenset({"self", "cls", "this"})
+"""What methods call the object, or the class, that they are called on."""
 
 
 def misfits(
@@ -45,7 +49,11 @@ def misfits(
         if any(takes(signature, handed + each, keywords) for each in callback.counts):
             continue
         least, most = _bounds(signature, handed, keywords)
-        definition = function.node.child_by_field_name("parameters") or function.node
+        written = signature_of(function, analysis.syntax, is_written=True)
+        is_shifted = written is not None and any(
+            takes(written, handed + each, keywords) for each in callback.counts
+        )
+        parameters = function.node.child_by_field_name("parameters") or function.node
         yield Arity(
             named(callback.value, callback.scope, analysis),
             callback.kind,
@@ -53,9 +61,24 @@ def misfits(
             least,
             None if most == math.inf else int(most),
             Span(callback.value.start_byte, callback.value.end_byte),
-            Span(definition.start_byte, definition.end_byte),
+            Span(parameters.start_byte, parameters.end_byte),
             besides=_besides(callback),
+            with_self=_with_self(function, analysis.syntax) if is_shifted else "",
         )
+
+
+def _with_self(function: Scope, syntax: Syntax) -> str:
+    """Return how a method begins once it has `self`, "" for what needs none or has one."""
+    owner, parameters = function.parent, function.node.child_by_field_name("parameters")
+    is_method = function.kind == "function" and owner is not None and owner.kind == "class"
+    if not is_method or parameters is None or definition(function) != function.node:
+        return ""
+    first = function.self_name or ""
+    if first in _OBJECTS or is_slip(first, "self"):
+        return ""
+    listed = [" ".join(syntax.slice(each).split()) for each in parts_of(parameters)]
+    start = "async def" if function.node.children[0].type == "async" else "def"
+    return f"{start} {function.name}({', '.join(['self', *listed])})"
 
 
 def _besides(callback: CalledBack) -> str:

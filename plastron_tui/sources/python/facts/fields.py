@@ -3,14 +3,13 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Container, Iterator
+from collections.abc import Iterator
 
 from tree_sitter import Node
 
 from plastron_tui.diagnostics import Span
 from plastron_tui.model.code_facts import FieldUse
 from plastron_tui.sources.grammars import is_inside
-from plastron_tui.sources.python.scopes import BindingKind
 from plastron_tui.sources.python.syntax import FUNCTIONS
 
 from .handed_messages import Held
@@ -20,17 +19,11 @@ _ASKED = re.compile(rb"""\b(?:hasattr|getattr|setattr|delattr)\s*\(\s*[^,()]+,\s
 _HANDLERS = frozenset({"except_clause", "except_group_clause"})
 
 
-def field_uses(
-    messages: MessageValues, misfits: Container[Span] = frozenset()
-) -> Iterator[FieldUse]:
+def field_uses(messages: MessageValues) -> Iterator[FieldUse]:
     """Yield the fields of messages that are read or written.
 
     What the code asks for before (`hasattr`), or is ready not to find (`except AttributeError`), is
     left out.
-
-    Args:
-        messages: what is known of the messages of a file.
-        misfits: the parameters of callbacks that cannot be called: what they get is not known.
     """
     text = messages.analysis.syntax.text
     asked = {name.decode() for name in _ASKED.findall(text)}
@@ -39,7 +32,7 @@ def field_uses(
         if _is_looked_into(node):
             continue
         holder, name = node.child_by_field_name("object"), node.child_by_field_name("attribute")
-        if holder is None or name is None or _is_given(messages, node, misfits):
+        if holder is None or name is None:
             continue
         held = messages.held(node) if messages.held(holder) else ()
         found = [each for each in held if not each.behind and each.path]
@@ -53,18 +46,6 @@ def field_uses(
             continue
         first, *others = (field_of(each) for each in found)
         yield FieldUse(first.type, first.path, spans, others=tuple(others), is_set=_is_set(node))
-
-
-def _is_given(messages: MessageValues, node: Node, misfits: Container[Span]) -> bool:
-    """Tell whether a path begins at a parameter of some functions, by where these have them."""
-    while node.type in ("attribute", "subscript") and node.named_children:
-        node = node.named_children[0]
-    scope = messages.analysis.scopes.at(node.start_byte)
-    found = scope.lookup(messages.analysis.syntax.slice(node)) if misfits else None
-    if found is None or any(each.kind is not BindingKind.PARAMETER for each in found[1]):
-        return False
-    parameters = found[0].node.child_by_field_name("parameters")
-    return parameters is not None and _span(parameters) in misfits
 
 
 def _is_set(node: Node) -> bool:

@@ -6,12 +6,12 @@ Sources: `rclpy.subscription`, `rclpy.service` and `rclpy.action` of Jazzy; `ros
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from typing import NamedTuple
 
 from tree_sitter import Node
 
-from plastron_tui.model.code_facts import MessageType, Part
+from plastron_tui.model.code_facts import ITEM, MessageType, Part
 from plastron_tui.model.endpoint_details import ActionDetails
 from plastron_tui.model.kinds import EndpointKind
 from plastron_tui.ros.interfaces import InterfaceName
@@ -51,6 +51,10 @@ class Held(NamedTuple):
         return (self._replace(path=(*self.path, name)),)
 
 
+Helds = tuple[Held, ...]
+"""What an expression may be, one or another of them; none where it may be something else."""
+
+_MOST_OTHERS = 4
 _Given = tuple[tuple[Part, str], ...]
 
 _RCLPY: dict[EndpointKind, _Given] = {
@@ -83,6 +87,21 @@ _SENDING: dict[int, dict[str, tuple[tuple[Argument, tuple[int, Part, str]], ...]
     },
 }
 """The same of the functions that are handed on with a goal."""
+
+
+def merged(found: Iterable[Helds]) -> Helds:
+    """Return all that something may be, nothing where one of the ways is not known."""
+    all_of_them: dict[Held, None] = {}
+    for each in found:
+        if not each:
+            return ()
+        all_of_them |= dict.fromkeys(each)
+    return tuple(all_of_them) if len(all_of_them) <= _MOST_OTHERS else ()
+
+
+def items(holders: Helds) -> Helds:
+    """Return the elements of lists."""
+    return merged(each.attribute(ITEM) for each in holders)
 
 
 def handed_messages(analysis: Analysis) -> dict[int, dict[int, tuple[Held, ...]]]:

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Container
 from typing import NamedTuple
 
 from tree_sitter import Node
 
-from plastron_tui.model.code_facts import ITEM, MessageField, MessageType, Part
+from plastron_tui.diagnostics import Span
+from plastron_tui.model.code_facts import MessageField, MessageType, Part
 from plastron_tui.model.kinds import EndpointKind
 from plastron_tui.ros.interfaces import InterfaceKind
 from plastron_tui.sources.python.analysis import Analysis, Site
@@ -22,22 +23,18 @@ from plastron_tui.sources.python.syntax import holders, parts_of
 from .answers import ASKED, THEN
 from .attribute_flow import last_in_function
 from .callers import calls_of, future_of
-from .handed_messages import Held, handed_messages, sure_types
+from .handed_messages import Held, Helds, handed_messages, items, merged, sure_types
 from .message_classes import message_class
 from .python_functions import LIBRARY_METHODS
 from .returns import is_special, returned_values
 
 _DEEPEST = 24
 _MOST_BINDINGS = 16
-_MOST_OTHERS = 4
 _MOST_HOLDERS = 8
 _SAME = frozenset({"copy.copy", "copy.deepcopy"})
 _LISTS = frozenset({"list", "tuple", "reversed", "sorted"})
 _METHODS = frozenset(name for _, name in THEN)
 _LOOPS = frozenset({"for_statement", "for_in_clause"})
-
-Helds = tuple[Held, ...]
-"""What an expression may be, one or another of them; none where it may be something else."""
 
 
 class Loop(NamedTuple):
@@ -57,9 +54,15 @@ class MessageValues:
         is_elsewhere: whether another file calls functions of this one, which may change more.
     """
 
-    def __init__(self, analysis: Analysis) -> None:
-        """Look at what callbacks get; all else is looked at when it is asked for."""
+    def __init__(self, analysis: Analysis, misfits: Container[Span] = frozenset()) -> None:
+        """Look at what callbacks get; all else is looked at when it is asked for.
+
+        Args:
+            analysis: the file.
+            misfits: the parameters of callbacks that cannot be called: what they get is not known.
+        """
         self.analysis = analysis
+        self._misfits = misfits
         self.sites = {site.call.id: site for site in analysis.first_sites()}
         self.makers: set[int] = set()
         self._types = sure_types(analysis)
@@ -133,7 +136,7 @@ class MessageValues:
             name = self.analysis.syntax.slice(node)
             found = self.scope(node).lookup(name)
             if found is not None and found[0].self_name == name:
-                return found[0].parent
+                return None if self._is_misfit(found[0]) else found[0].parent
         if node.type not in ("identifier", "attribute") or len(holders(node)) > _MOST_HOLDERS:
             return None
         known = without_none(self.bindings(node)[1])
@@ -216,13 +219,13 @@ class MessageValues:
             case "conditional_expression":
                 parts = parts_of(node)
                 sides = [each for each in (parts[0], parts[-1]) if each.type != "none"]
-                return _merged(self.held(side, depth) for side in sides)
+                return merged(self.held(side, depth) for side in sides)
             case "named_expression":
                 return self.held(node.child_by_field_name("value"), depth)
         return ()
 
     def _bound(self, name: str, bindings: list[Binding], depth: int) -> Helds:
-        return _merged(self._binding(name, each, depth) for each in without_none(bindings))
+        return merged(self._binding(name, each, depth) for each in without_none(bindings))
 
     def _binding(self, name: str, binding: Binding, depth: int) -> Helds:
         match binding.kind:
@@ -233,12 +236,12 @@ class MessageValues:
             case BindingKind.UNKNOWN:
                 loop = self.loop(binding, name)
                 if loop is not None and loop.taken is not None:
-                    return _items(self.held(loop.taken, depth))
+                    return items(self.held(loop.taken, depth))
         return ()
 
     def _parameter(self, name: str, binding: Binding, depth: int) -> Helds:
         function = binding.owner
-        if function is None or self._is_looked_at(name, function):
+        if function is None or self._is_misfit(function) or self._is_looked_at(name, function):
             return ()
         if function.node.id in self._handed:
             position = binding.index - bool(function.self_name)
@@ -250,12 +253,18 @@ class MessageValues:
             given = (
                 given_for(call, function, binding, name, self.analysis.syntax) for call in calls
             )
-            return _merged(self.held(value, depth) for value in given)
+            return merged(self.held(value, depth) for value in given)
         said = self._annotated(binding)
         if said is None or (calls is None and said.kind is not InterfaceKind.SERVICE):
             # What gets a function as a value may call it with something around the message.
             return ()
         return (Held(said, is_said=True),)
+
+    def _is_misfit(self, function: Scope) -> bool:
+        """Whether a function is a callback that cannot be called, as with `self` left out."""
+        parameters = function.node.child_by_field_name("parameters")
+        at = parameters and Span(parameters.start_byte, parameters.end_byte)
+        return at in self._misfits
 
     def _annotated(self, binding: Binding) -> MessageType | None:
         annotation = binding.annotation
@@ -274,7 +283,7 @@ class MessageValues:
         name_node = node.child_by_field_name("attribute")
         if holder and name_node is not None:
             name = self.analysis.syntax.slice(name_node)
-            return _merged(each.attribute(name) for each in holder)
+            return merged(each.attribute(name) for each in holder)
         name, bindings = self.bindings(node)
         return self._bound(name, bindings, depth)
 
@@ -283,7 +292,7 @@ class MessageValues:
         index = node.child_by_field_name("subscript")
         if index is not None and index.type == "slice":
             return holder
-        return _items(holder)
+        return items(holder)
 
     def _call(self, call: Node, depth: int) -> Helds:
         callee = call.child_by_field_name("function")
@@ -316,7 +325,7 @@ class MessageValues:
         is_pop = self.analysis.syntax.called_name(call) == "pop"
         if callee is None or callee.type != "attribute" or not is_pop:
             return ()
-        return _items(self.held(callee.child_by_field_name("object"), depth))
+        return items(self.held(callee.child_by_field_name("object"), depth))
 
     def given_by_library(self, call: Node) -> Helds:
         """Return what a method of cv_bridge or tf2 gives, where the file has none of its name."""
@@ -374,21 +383,7 @@ class MessageValues:
         if is_special(function):
             return ()
         values = returned_values(function)
-        return _merged(ask(each) for each in values if each.type != "none")
-
-
-def _merged(found: Iterable[Helds]) -> Helds:
-    """Return all that something may be, nothing where one of the ways is not known."""
-    all_of_them: dict[Held, None] = {}
-    for each in found:
-        if not each:
-            return ()
-        all_of_them |= dict.fromkeys(each)
-    return tuple(all_of_them) if len(all_of_them) <= _MOST_OTHERS else ()
-
-
-def _items(holders: Helds) -> Helds:
-    return _merged(each.attribute(ITEM) for each in holders)
+        return merged(ask(each) for each in values if each.type != "none")
 
 
 def field_of(held: Held) -> MessageField:

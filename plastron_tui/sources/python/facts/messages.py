@@ -41,10 +41,10 @@ def message_facts(analysis: Analysis, misfits: Container[Span] = frozenset()) ->
     if all(each.search(analysis.syntax.text) for each in _LIBRARIES):
         # What a message has hangs on the generation of ROS that the file runs in.
         return MessageFacts()
-    messages = MessageValues(analysis)
+    messages = MessageValues(analysis, misfits)
     kinds = ValueKinds(messages)
     return MessageFacts(
-        tuple(field_uses(messages, misfits)),
+        tuple(field_uses(messages)),
         (*field_values(messages, kinds), *answered_values(messages, kinds)),
         tuple(built_messages(messages, kinds)),
         tuple(sent_messages(messages)),

@@ -21,7 +21,8 @@ from plastron_tui.sources.python.arguments import Arguments
 from plastron_tui.sources.python.functions import callback_scope
 from plastron_tui.sources.python.syntax import parts_of
 
-from .message_values import Helds, MessageValues, field_of
+from .handed_messages import Helds
+from .message_values import MessageValues, field_of
 from .returns import gives_nothing, is_decorated, return_statements
 from .value_kinds import Known, ValueKinds
 
