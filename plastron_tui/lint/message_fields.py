@@ -31,6 +31,7 @@ class Missing(NamedTuple):
         field: the field that is no message, "" where a message lacks the field.
         other: the part of the service or the action that has it instead, None for none.
         is_constant: whether it is a constant there.
+        deeper: the one field of a field that may be meant, by its path, () for none or several.
     """
 
     position: int
@@ -39,6 +40,7 @@ class Missing(NamedTuple):
     field: str = ""
     other: MessageType | None = None
     is_constant: bool = False
+    deeper: tuple[str, ...] = ()
 
 
 Place = FieldType | MessageType
@@ -106,7 +108,8 @@ class Messages:
             return constants[name]
         if name in MESSAGE_ATTRIBUTES[self.version] or self._is_known_elsewhere(place, name):
             return None
-        missing = Missing(index, described(place), (*known, *constants))
+        names, deeper = (*known, *constants), self._deeper(known, name)
+        missing = Missing(index, described(place), names, deeper=deeper)
         for part in _PARTS.get(place.part, ()):
             other = place._replace(part=part)
             section = self.section(other)
@@ -116,6 +119,17 @@ class Messages:
             if is_constant or any(each.name == name for each in section.fields):
                 return missing._replace(other=other, is_constant=is_constant)
         return missing
+
+    def _deeper(self, known: Mapping[str, FieldType], name: str) -> tuple[str, ...]:
+        """Return where a field has one of the name: `pose.position`, `linear.x` for `linear_x`."""
+        found = []
+        for holder, type_ in known.items():
+            if type_.is_array or type_.message is None:
+                continue
+            inner = {each.name for each in self.fields(MessageType(type_.message))}
+            names = {name, name.removeprefix(f"{holder}_")}
+            found += [(holder, each) for each in names if each in inner]
+        return found[0] if len(found) == 1 else ()
 
     def _into_value(
         self, type_: FieldType, name: str, index: int, before: Sequence[str]

@@ -341,10 +341,7 @@ def test_a_slip_is_mended_and_another_thing_is_not() -> None:
 
 
 def test_a_diagnostic_says_what_there_is() -> None:
-    text = tick("""
-        msg = Vector3()
-        msg.w = 1.0
-    """)
+    text = tick("Vector3().w")
     (found,) = diagnostics(text, "RM201")
     assert found.message == "`geometry_msgs/Vector3` has no field `w`"
     assert found.help == "it has `x`, `y`, `z`"
@@ -369,6 +366,14 @@ def test_a_diagnostic_says_what_there_is() -> None:
         ("Pose().positions", None, "did you mean `position`?"),
         ("Pose().posture", None, "it has `position`, `orientation`"),
         ("Odometry().header.frame", None, "did you mean `frame_id`?"),
+        ("Twist().linear_x", None, "did you mean `linear.x`?"),
+        ("Twist().linear_w", None, "did you mean `linear`?"),
+        ("Twist(linear_x=1.0)", None, "did you mean `linear`?"),
+        ("Twist().x", None, "it has `linear`, `angular`"),
+        ("Odometry().pose.position", None, "did you mean `pose.pose.position`?"),
+        ("PoseStamped().frame_id", None, "did you mean `header.frame_id`?"),
+        ("PoseArray().poses[0].position_x", None, "did you mean `position.x`?"),
+        ("PoseArray().position", None, "it has `header`, `poses`"),
     ],
 )
 def test_a_diagnostic_offers_what_may_be_meant(line: str, message: str | None, help_: str) -> None:

@@ -81,7 +81,12 @@ def _told(
     if not any(_is_meant(name, each) for each in found.names):
         # What is near may be another thing.
         fix = None
-        if not any(_is_near(name, each) for each in found.names):
+        if found.deeper:
+            # What is behind an element has a path of its own.
+            before = path[: found.position]
+            start = max((at for at, each in enumerate(before, 1) if each == ITEM), default=0)
+            remedy = f"did you mean `{'.'.join((*before[start:], *found.deeper))}`?"
+        elif not any(_is_near(name, each) for each in found.names):
             remedy = None
     elif any(name.rstrip("s") == each.rstrip("s") != "" for each in found.names):
         # One of a list is no list.
@@ -128,7 +133,8 @@ def _unknown_keywords(
             continue
         found = messages.missing(MessageField(built.type, (name,)))
         if found is not None:
-            yield _told(code, unit, built.file, found, span, (name,))
+            # A keyword has no path.
+            yield _told(code, unit, built.file, found._replace(deeper=()), span, (name,))
 
 
 @rule(
