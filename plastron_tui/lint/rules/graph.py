@@ -7,6 +7,7 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from pathlib import Path
 
 from plastron_tui.diagnostics import Code, Diagnostic, Label, Span
+from plastron_tui.lint.misspelt_types import misspelt_types
 from plastron_tui.lint.rule import rule
 from plastron_tui.lint.runs import Place, RunningNode, User, runs_of, span_of
 from plastron_tui.lint.sides import are_parts, everywhere, is_left_behind, is_variant, workspaces
@@ -33,12 +34,14 @@ _Typed = tuple[InterfaceName, User]
     "the other side with the first one's type: two drivers of which a user starts one are no "
     "mistake. Where nothing says that their packages belong together, the type has to be that of "
     "one file alone, and no variant of the other one (`Twist`, `TwistStamped`). A node that itself "
-    "sends or hears two types by a name has a choice, and is left alone.",
+    "sends or hears two types by a name has a choice, and is left alone. A type that its package "
+    "does not have, and that is one slip away from one that it has, is told by itself.",
     bad={"talker.py": TALKER, "listener.py": listener(type="Int32")},
     good={"talker.py": TALKER, "listener.py": LISTENER},
 )
 def type_conflict(tree: SourceTree, code: Code) -> Iterator[Diagnostic]:
     """Find topics, services and actions of two types."""
+    yield from _misspelt(tree, code)
     told: set[tuple[Path, Span]] = set()
     for run in runs_of(tree):
         for place, user, other in _conflicts(tree, run.meetings(), is_run=run.launch is not None):
@@ -55,6 +58,21 @@ def type_conflict(tree: SourceTree, code: Code) -> Iterator[Diagnostic]:
             part = next((each for each in across if are_parts(tree, user, each)), None)
             if part is not None or _is_odd(meetings[place], user, other):
                 yield _conflict(code, place, user, part or other)
+
+
+def _misspelt(tree: SourceTree, code: Code) -> Iterator[Diagnostic]:
+    for (file, span), (type_, meant) in misspelt_types(tree).items():
+        message = f"`{type_.package}` has no type `{type_.name}`"
+        yield Diagnostic(code, message, span, file, f"did you mean `{meant}`?")
+
+
+def _as_meant(tree: SourceTree, user: User) -> User:
+    """Return an endpoint with the type that is meant where it has one that there is not."""
+    found = misspelt_types(tree).get((user.path, user.endpoint.span))
+    if found is None:
+        return user
+    type_ = InterfaceName(found[0].package, found[1])
+    return user._replace(endpoint=user.endpoint._replace(type=type_))
 
 
 def _is_odd(users: Iterable[User], user: User, other: User) -> bool:
@@ -79,8 +97,10 @@ def _is_moved(one: User, other: User) -> bool:
 def _conflicts(
     tree: SourceTree, meetings: Mapping[Place, list[User]], *, is_run: bool
 ) -> Iterator[tuple[Place, User, User]]:
+    misspelt = misspelt_types(tree)
     for place, users in meetings.items():
-        settled = [] if place[2] in IS_EVERYWHERE else _settled(users)
+        meant = (_as_meant(tree, user) for user in users)
+        settled = [] if place[2] in IS_EVERYWHERE else _settled(meant)
         types = Counter(type_ for type_, _ in settled)
         if len(types) < 2:
             continue
@@ -88,6 +108,8 @@ def _conflicts(
         for type_, user in settled:
             other = _conflicting(usual, (type_, user), settled, is_run=is_run)
             if other is None or (not is_run and _may_be_met(tree, place, user)):
+                continue
+            if any((each.path, each.endpoint.span) in misspelt for each in (user, other[1])):
                 continue
             if _are_two(tree, place[:2], type_, other[0]):
                 yield place, user, other[1]

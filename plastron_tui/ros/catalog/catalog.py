@@ -190,6 +190,12 @@ class Catalog:
             (name, kind) in index.packages for kind in InterfaceKind
         )
 
+    def has_all_of(self, package: str, kind: InterfaceKind) -> bool:
+        """Tell whether the distribution has a package's types of a kind, and all of them."""
+        index = data.index(self.distribution)
+        is_in_part = package in index.partial or package in data.FURTHER
+        return (package, kind) in index.packages and not is_in_part
+
     def packages(self, kind: InterfaceKind) -> Sequence[str]:
         """Return the packages that have interfaces of a kind, sorted."""
         return sorted({name.package for name in self.names(kind)})
