@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from plastron_tui.model.package_facts import BuildFacts, Declared, Used
+from plastron_tui.ros.name_slips import is_slip
 
 from .tree import PackageFacts, SourceTree
 
@@ -21,6 +22,7 @@ _BRINGING: dict[str, frozenset[str]] = {
 }  # fmt: skip
 """What packages bring that are there for nothing else: the metapackages of messages."""
 
+LIBRARIES = frozenset({"rclcpp", "rclpy", "roscpp", "rospy"})
 
 TYPES_ALONE = frozenset(
     {"ackermann_msgs", "can_msgs", "control_msgs", "controller_manager_msgs", "geographic_msgs",
@@ -100,7 +102,7 @@ def remedy_for(
     is_known = is_known or catalog is None or catalog.has_package(name)
     if used.package and not is_known:
         return f"no package is called `{name}`: the folder of its definitions has no package.xml"
-    remedy = _declaring(name, needs, build, version)
+    remedy = _declaring(name, needs, build, version, misnamed(tree, package, name))
     is_found = name in build.found or build.finds_declared
     if "build" not in needs or build.build_type == "ament_python" or is_found:
         return remedy
@@ -110,22 +112,38 @@ def remedy_for(
     return f"{remedy}, and `{finding}` into CMakeLists.txt"
 
 
-def misnamed(build: BuildFacts, name: str) -> list[Declared]:
-    """Return the dependencies that are meant for a package, and are not called like it.
+def misnamed(tree: SourceTree, package: PackageFacts, name: str) -> list[Declared]:
+    """Return the dependencies of a package that are meant for another one, and not called like it.
 
-    One tag has the names of several, or a name has hyphens, which no package of ROS has.
+    One tag has the names of several, a name has hyphens, which no package of ROS has, or it is
+    one slip from that of the package, and nobody has a package of it.
     """
+    others = () if package.build is None else package.build.dependencies
     return [
         each
-        for each in build.dependencies
-        if each.name != name and (name in each.name.split() or each.name.replace("-", "_") == name)
+        for each in others
+        if each.name != name
+        and (
+            name in each.name.split()
+            or each.name.replace("-", "_") == name
+            or (is_slip(each.name, name) and not _is_package(tree, package, each.name))
+        )
     ]
 
 
-def _declaring(name: str, needs: frozenset[str], build: BuildFacts, version: int) -> str:
+def _is_package(tree: SourceTree, package: PackageFacts, name: str) -> bool:
+    """Tell whether a package may be called so: one without types only where it is in use."""
+    build, catalog = package.build, tree.catalogs.get(package.ros_versions[0])
+    is_known = name in TYPES_ALONE or name in LIBRARIES or name in tree.packages
+    is_known = is_known or catalog is None or catalog.has_package(name)
+    return is_known or (build is not None and name in build.mentioned)
+
+
+def _declaring(
+    name: str, needs: frozenset[str], build: BuildFacts, version: int, others: list[Declared]
+) -> str:
     """Return what to write into package.xml, such that it still is valid (REP 127, 140, 149)."""
     declared = [each for each in build.dependencies if each.name == name]
-    others = misnamed(build, name)
     if not declared and others:
         if " " in others[0].name:
             return f"write a tag for each name of `{others[0].name}`"

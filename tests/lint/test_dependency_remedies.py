@@ -8,6 +8,7 @@ from pathlib import Path
 import pytest
 from packages import CATKIN, CMAKE, PYTHON, found_in
 
+from plastron_tui.lint.rules.package_examples import package_xml, setup_py
 from plastron_tui.sources.xml.package_xml import read_package
 
 _TAG = re.compile(r"`<(\w+)>geometry_msgs</\w+>`")
@@ -42,6 +43,12 @@ _CASES = [
      "write a condition of `<exec_depend>` that holds for ROS 2, too", "has it for ROS 1 alone"),
     ("wheels", 3, _tag("exec_depend", "geometry-msgs"),
      "write `geometry_msgs` in place of `geometry-msgs`", "says `geometry-msgs`"),
+    ("wheels", 3, _tag("exec_depend", "geometry_msg"),
+     "write `geometry_msgs` in place of `geometry_msg`", "says `geometry_msg`"),
+    ("rover", 3, _tag("depend", "goemetry_msgs"),
+     "write `geometry_msgs` in place of `goemetry_msgs`", "says `goemetry_msgs`"),
+    ("wheels", 3, _tag("exec_depend", "geometry_2msgs"),
+     _WRITE.format("exec_depend"), "does not depend on it"),
     ("old", 2, _tag("build_depend", "rospy geometry_msgs"),
      "write a tag for each name of `rospy geometry_msgs`", "names it in a tag of several"),
 ]  # fmt: skip
@@ -76,3 +83,21 @@ def test_remedy_mends_a_valid_package(
     package, wrong = read_package(files[f"{name}/package.xml"].encode(), Path("package.xml"))
     assert package is not None and wrong == ()
     assert "RK501" not in [x.rule.code for x in found_in(tmp_path / "b", files)]
+
+
+@pytest.mark.parametrize(
+    ("more", "is_slip"),
+    [
+        ({}, True),
+        ({"geometry_msg/package.xml": package_xml("geometry_msg"),
+          "geometry_msg/setup.py": setup_py(name="geometry_msg")}, False),
+        ({"wheels/wheels/other.py": "import geometry_msg\n"}, False),
+    ],
+)  # fmt: skip
+def test_name_that_is_a_slip_is_of_no_package(
+    more: dict[str, str], is_slip: bool, tmp_path: Path
+) -> None:
+    text = _package("wheels", 3, f"  {_tag('exec_depend', 'geometry_msg')}\n")
+    found = found_in(tmp_path, {**PYTHON, "wheels/package.xml": text, **more})
+    helps = [x.diagnostic.help or "" for x in found if x.rule.code == "RK501"]
+    assert ["in place of" in each for each in helps] == [is_slip]

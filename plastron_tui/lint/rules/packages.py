@@ -7,6 +7,7 @@ from functools import cache
 
 from plastron_tui.diagnostics import Code, Diagnostic, Edit, Fix, Label, Severity, Span
 from plastron_tui.lint.dependencies import (
+    LIBRARIES,
     TYPES_ALONE,
     brought,
     depends_on,
@@ -31,7 +32,6 @@ _BROUGHT = frozenset(
 """What the build of types needs, or brings, without anybody naming it."""
 _HANDED_ON = _BROUGHT | {"lifecycle_msgs", "rcl_interfaces", "rosgraph_msgs"}
 """What the client libraries themselves hand to whoever uses them."""
-_LIBRARIES = frozenset({"rclcpp", "rclpy", "roscpp", "rospy"})
 _FURTHER = frozenset(
     {"actionlib", "cv_bridge", "image_transport", "message_filters", "tf", "tf2_ros"}
 )
@@ -83,7 +83,7 @@ def undeclared_dependency(tree: SourceTree, code: Code) -> Iterator[Diagnostic]:
             version = package.ros_versions[0]
             if any(used.need in each.covers and version in each.versions for each in declared):
                 continue
-            declared = declared or misnamed(build, name)
+            declared = declared or misnamed(tree, package, name)
             seen.add(name)
             own_uses = ((x, with_modules if x.need == "exec" else with_headers) for x in build.used)
             uses = [x for x, own in own_uses if _package_of(x, package, types, own) == name]
@@ -151,7 +151,7 @@ def _own(tree: SourceTree) -> tuple[frozenset[str], frozenset[str]]:
 
 def _counts(name: str, build: BuildFacts, types: frozenset[str], tree: SourceTree) -> bool:
     """Tell whether a package is one that everybody is to declare, and that nobody hands on."""
-    if name in tree.packages or name in _LIBRARIES:
+    if name in tree.packages or name in LIBRARIES:
         return True
     if name in _FURTHER:
         start = name.partition("_")[0].rstrip("2")
