@@ -126,12 +126,12 @@ def misnamed(tree: SourceTree, package: PackageFacts, name: str) -> list[Declare
         and (
             name in each.name.split()
             or each.name.replace("-", "_") == name
-            or (is_slip(each.name, name) and not _is_package(tree, package, each.name))
+            or (is_slip(each.name, name) and not is_package(tree, package, each.name))
         )
     ]
 
 
-def _is_package(tree: SourceTree, package: PackageFacts, name: str) -> bool:
+def is_package(tree: SourceTree, package: PackageFacts, name: str) -> bool:
     """Tell whether a package may be called so: one without types only where it is in use."""
     build, catalog = package.build, tree.catalogs.get(package.ros_versions[0])
     is_known = name in TYPES_ALONE or name in LIBRARIES or name in tree.packages

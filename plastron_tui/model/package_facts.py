@@ -198,6 +198,7 @@ class BuildFacts(NamedTuple):
         has_groups: whether it depends on a group of packages as well.
         used: what its code needs of other packages and is not declared for that.
         mentioned: the dependencies that a file names besides those that build the package.
+        near: the packages that code or a definition seems to name, each one slip from a dependency.
         found: the packages that CMake looks for, and where it is told to.
         finds_declared: whether CMake looks for whatever package.xml declares.
         linked: the dependencies that other commands of CMake name.
@@ -228,6 +229,7 @@ class BuildFacts(NamedTuple):
     has_groups: bool = False
     used: tuple[Used, ...] = ()
     mentioned: frozenset[str] = frozenset()
+    near: frozenset[str] = frozenset()
     found: Mapping[str, Place] = MappingProxyType({})
     finds_declared: bool = False
     linked: frozenset[str] = frozenset()

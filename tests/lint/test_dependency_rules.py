@@ -5,9 +5,11 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
-from packages import CMAKE, PYTHON, Break, found_in, told_of
+from linted import run_over, write_tree
+from packages import CMAKE, PY_NODE, PYTHON, Break, found_in, told_of
 
-from plastron_tui.lint.rules.package_examples import TYPES_PACKAGE
+from plastron_tui.lint.rules.package_examples import TYPES_PACKAGE, package_xml, setup_py
+from plastron_tui.project.linting.rewriting import mend
 
 _GEOMETRY = "<depend>geometry_msgs</depend>"
 _EXEC = "  <exec_depend>geometry_msgs</exec_depend>\n"
@@ -51,13 +53,51 @@ _CASES = [
     Break("wheels/wheels/mover.py", "import rclpy\n", "import rclpy\nimport action_msgs.msg\n"),
     Break("wheels/wheels/mover.py", "import rclpy\n", "import rclpy\nimport nav2_msgs.msg\n",
           "RK501 wheels/wheels/mover.py:3"),
+    # A slip in the code speaks for the dependency, where nobody has a package of that name.
+    Break("wheels/wheels/mover.py", "geometry_msgs", "geometry_msg",
+          "RK501 wheels/wheels/mover.py:4"),
+    Break("wheels/wheels/mover.py", "from geometry_msgs.msg", "from goemetry_msgs.msg",
+          "RK501 wheels/wheels/mover.py:4"),
+    Break("wheels/wheels/mover.py", "from geometry_msgs.msg", "from geometry_2msgs.msg",
+          "RK502 wheels/package.xml:9"),
+    Break("wheels/wheels/mover.py", "from geometry_msgs.msg", "from geometry_msg.msg",
+          "RK502 wheels/package.xml:9", more={"wheels/wheels/geometry_msg/msg.py": ""}),
+    Break("wheels/wheels/mover.py", "from geometry_msgs.msg", "from geometry_msg.msg",
+          "RK502 wheels/package.xml:9",
+          more={"geometry_msg/package.xml": package_xml("geometry_msg"),
+                "geometry_msg/setup.py": setup_py(name="geometry_msg").replace(
+                    "packages=['geometry_msg']", "packages=[]")}),
+    Break("wheels/wheels/mover.py", "from geometry_msgs.msg import Twist",
+          "try:\n    from geometry_msg.msg import Twist\nexcept ImportError:\n    raise"),
+    Break("wheels/wheels/mover.py", "from geometry_msgs.msg", "from geometry_msg.msg",
+          "RK501 wheels/wheels/mover.py:4", more={"wheels/wheels/b.py": "import geometry_msgs\n"}),
+    Break("rover/src/mover.cpp", "geometry_msgs", "geometry_msg", "RK501 rover/src/mover.cpp:2"),
+    Break("rover/package.xml", "", CMAKE["rover/package.xml"].replace(
+              "<depend>rclcpp", "<depend>nav_msgs</depend>\n  <depend>rclcpp"),
+          "RK501 rover/src/part.cpp:1",
+          more={"rover/src/part.cpp": "#include <nav_msg/msg/path.hpp>\n"}),
+    Break("demo/package.xml", "", _demo(_GEOMETRY), "RK507 demo/msg/Speed.msg:1",
+          more={"demo/msg/Speed.msg": "geometry_msg/Twist twist\n"}),
 ]  # fmt: skip
 
 
 @pytest.mark.parametrize("case", _CASES, ids=lambda case: f"{case.file} {case.found}"[:60])
 def test_dependency_is_told_where_it_is(tmp_path: Path, case: Break) -> None:
-    own = {"demo": TYPES_PACKAGE, "wheels": PYTHON}[case.file.partition("/")[0]]
+    own = {"demo": TYPES_PACKAGE, "wheels": PYTHON, "rover": CMAKE}[case.file.partition("/")[0]]
     assert told_of(tmp_path, case.files(own)) == case.found
+
+
+def test_slip_in_an_import_keeps_the_dependency(tmp_path: Path) -> None:
+    text = PY_NODE.replace("geometry_msgs", "geometry_msg")
+    root = write_tree(tmp_path, PYTHON | {"wheels/wheels/mover.py": text, "plastron.yaml": ""})
+    run = run_over(root, "RK")
+    mend(run)
+    assert (root / "wheels/package.xml").read_text() == PYTHON["wheels/package.xml"]
+    (found,) = (each.diagnostic for each in run.told)
+    assert found.message == "no package `geometry_msg` is known"
+    assert found.help == "did you mean `geometry_msgs`?"
+    assert found.span is not None
+    assert text[found.span.start : found.span.end] == "geometry_msg"
 
 
 _NAV = "#include <nav_msgs/msg/path.hpp>\n"

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 from functools import cache
 
@@ -12,6 +13,7 @@ from plastron_tui.lint.dependencies import (
     brought,
     depends_on,
     has_types,
+    is_package,
     is_umbrella,
     misnamed,
     remedy_for,
@@ -21,7 +23,13 @@ from plastron_tui.lint.rule import rule
 from plastron_tui.lint.tree import PackageFacts, SourceTree
 from plastron_tui.model.package_facts import BuildFacts, Declared, Used
 from plastron_tui.ros.interfaces import InterfaceKind
-from plastron_tui.ros.package_keys import package_of_header, package_of_module
+from plastron_tui.ros.name_slips import is_slip
+from plastron_tui.ros.package_keys import (
+    key_of_header,
+    key_of_module,
+    package_of_header,
+    package_of_module,
+)
 
 from .package_examples import NODE_PACKAGE, package_xml
 
@@ -36,6 +44,11 @@ _FURTHER = frozenset(
     {"actionlib", "cv_bridge", "image_transport", "message_filters", "tf", "tf2_ros"}
 )
 """Packages without types of their own that code uses by their name."""
+_TYPES_OF = {
+    1: re.compile(r"(\w+)(?:\.(?:msg|srv)\b|/[A-Z]\w*\.h\Z)"),
+    2: re.compile(r"(\w+)(?:\.(?:msg|srv|action)\b|/(?:msg|srv|action)/)"),
+}
+"""Modules and headers that types are in, in the generations of ROS."""
 _ENDINGS = ("_msgs", "_srvs", "_interfaces", "_msg", "_srv", "_actions", "_action", "_messages")
 
 
@@ -55,7 +68,8 @@ def packages_of_types(tree: SourceTree, version: int) -> frozenset[str]:
     why="It works where somebody else has installed or built that package before, and breaks on "
     "the next machine, or when the packages are built in another order. What another package "
     "depends on does not count, but for the types that the client libraries themselves bring: they "
-    "are told where CMake looks for them. Code that is not installed, tests, and what is imported "
+    "are told where CMake looks for them. A name that is of no package, and one slip from one that "
+    "is depended on, is told, too. Code that is not installed, tests, and what is imported "
     "in `try` are left alone, as are most packages without types that are not of the workspace.",
     bad=NODE_PACKAGE | {"demo/package.xml": package_xml("demo", exec_depend=["rclpy"])},
     good=NODE_PACKAGE,
@@ -67,6 +81,7 @@ def undeclared_dependency(tree: SourceTree, code: Code) -> Iterator[Diagnostic]:
     for package, build in _built(tree):
         if build.has_groups:
             continue
+        yield from _misspelt(tree, code, package, build, known(package.ros_versions[0]))
         seen = {package.name, *brought(tree, package)}
         for used in build.used:
             own = with_modules if used.need == "exec" else with_headers
@@ -103,6 +118,42 @@ def undeclared_dependency(tree: SourceTree, code: Code) -> Iterator[Diagnostic]:
                     *_elsewhere(package, uses),
                 ),
             )
+
+
+def _misspelt(
+    tree: SourceTree, code: Code, package: PackageFacts, build: BuildFacts, types: frozenset[str]
+) -> Iterator[Diagnostic]:
+    """Yield the types that are used of no package, one slip from one that is depended on."""
+    wanted = {each.name for each in build.dependencies} & types
+    uses: dict[str, list[Used]] = {}
+    for used in build.used:
+        found = _TYPES_OF[package.ros_versions[0]].match(used.what)
+        if found is not None:
+            uses.setdefault(found[1], []).append(used)
+    for name, places in uses.items():
+        meant = sorted(each for each in wanted if is_slip(name, each))
+        if len(meant) != 1 or _is_known(tree, package, name):
+            continue
+        first = places[0].place
+        yield Diagnostic(
+            code,
+            f"no package `{name}` is known",
+            Span(first.span.start, first.span.start + len(name)),
+            package.folder / first.file,
+            help=f"did you mean `{meant[0]}`?",
+            labels=tuple(_elsewhere(package, places)),
+        )
+
+
+def _is_known(tree: SourceTree, package: PackageFacts, name: str) -> bool:
+    """Tell whether a package, or a module or a folder of headers of one, is called so."""
+    version = package.ros_versions[0]
+    return (
+        is_package(tree, package, name)
+        or key_of_module(name, version, ()) is not None
+        or key_of_header(name, version, ()) is not None
+        or any(name in build.modules | build.folders for _, build in _built(tree))
+    )
 
 
 def _or_out(tree: SourceTree, name: str, uses: list[Used]) -> str:
@@ -194,8 +245,9 @@ def _undeclared(name: str, used: Used, declared: list[Declared], version: int) -
     severity=Severity.WARNING,
     why="Whoever installs or builds the package gets the other one for nothing. It is told of "
     "packages that have types and nothing else, where no file of the package has the name: no "
-    "code, launch file, configuration or definition; what CMake hands on to others counts as used. "
-    "Of a package without code it is told where it has definitions of types.",
+    "code, launch file, configuration or definition, nor a slip of it; what CMake hands on to "
+    "others counts as used. Of a package without code it is told where it has definitions of "
+    "types.",
     bad=NODE_PACKAGE
     | {"demo/package.xml": package_xml("demo", exec_depend=["rclpy", "std_msgs", "sensor_msgs"])},
     good=NODE_PACKAGE,
@@ -221,7 +273,10 @@ def unused_dependency(tree: SourceTree, code: Code) -> Iterator[Diagnostic]:
                 continue
             if name not in known(package.ros_versions[0]) or not _has_only_types(name, tree):
                 continue
-            if _belongs_with(name, package.name):
+            near = (x for x in build.near if is_slip(x, name))
+            if _belongs_with(name, package.name) or not all(
+                _is_known(tree, package, x) for x in near
+            ):
                 continue
             told.add(name)
             yield Diagnostic(

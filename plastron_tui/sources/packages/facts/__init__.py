@@ -23,7 +23,7 @@ from .definitions import definition_mistakes
 from .entry_points import PythonSetup, read_python_setup
 from .scripts import find_scripts
 from .texts import PackageTexts
-from .uses import find_uses, header_folders, mentioned
+from .uses import find_uses, header_folders, mentioned, near_names
 
 
 def build_facts(
@@ -64,6 +64,7 @@ def build_facts(
         has_groups=any(each.tag == "group_depend" for each in package.groups),
         used=tuple(find_uses(texts, dependencies, lists, setup)),
         mentioned=mentioned(texts, names),
+        near=near_names(texts, names),
         found=found_packages(lists),
         finds_declared=finds_declared(lists),
         linked=linked_packages(lists, names),

@@ -13,12 +13,13 @@ from tree_sitter import Node
 from plastron_tui.diagnostics import Span
 from plastron_tui.model.package_facts import Declared, Place, Used
 from plastron_tui.ros.launch_names import launch_language
+from plastron_tui.ros.name_slips import LONGEST, is_slip, shortened
 from plastron_tui.sources.setup_py.syntax import python_parser
 
 from .cmake_lists import Lists
 from .definitions import fields_of
 from .entry_points import PythonSetup
-from .texts import CPP, SCRIPT_FOLDERS, PackageTexts, is_test
+from .texts import CPP, PYTHON, SCRIPT_FOLDERS, PackageTexts, is_test
 
 _IMPORT = re.compile(rb"^[ \t]*(?:from[ \t]+([A-Za-z_]\w*)|import[ \t]+([^\n#;]+))", re.M)
 _INCLUDE = re.compile(rb"^[ \t]*#[ \t]*include[ \t]*[<\"]([A-Za-z_][\w./+-]*)[>\"]", re.M)
@@ -28,6 +29,7 @@ _NO_CODE = re.compile(
     rb"//[^\n]*|/\*.*?(?:\*/|\Z)|R\"(\w*)\(.*?\)\1\"|\"(?:[^\"\\\n]|\\.)*\"", re.S
 )
 _CODE = re.compile(rb"^[^/*\n]*[;{#]", re.M)
+_FIELD = re.compile(rb"^[ \t]*([A-Za-z]\w*)/\w", re.M)
 _HEADER = re.compile(rb"^[ \t]*Header[ \t]", re.M)
 _WORD = rb"(?<![\w])(?:%b)(?![\w])"
 
@@ -56,6 +58,31 @@ def mentioned(texts: PackageTexts, names: Iterable[str]) -> frozenset[str]:
             # What ROS 1 makes of an action has a header.
             found.add("std_msgs")
     return frozenset(found)
+
+
+def near_names(texts: PackageTexts, names: Iterable[str]) -> frozenset[str]:
+    """Return what code or definitions name where a package stands, one slip from one of some.
+
+    The package's own folders and modules are left out.
+    """
+    wanted = [name for name in names if len(name) <= LONGEST]
+    keys = {key for name in wanted for key in shortened(name)}
+    known = {*wanted, texts.source.name, *_folders(texts), *header_folders(texts.names)}
+    found: set[str] = set()
+    for file, text in texts.others():
+        if file.endswith((".msg", ".srv", ".action")):
+            found.update(each.decode() for each in _FIELD.findall(text))
+        elif file.endswith(CPP):
+            found.update(each.partition(b"/")[0].decode() for each in _INCLUDE.findall(text))
+        elif file.endswith(PYTHON) or "." not in file.rpartition("/")[2]:
+            found.update(each.decode("utf-8", "replace") for each in _first_names(text))
+    return frozenset(
+        each
+        for each in found - known
+        if len(each) <= LONGEST
+        and not keys.isdisjoint(shortened(each))
+        and any(is_slip(each, name) for name in wanted)
+    )
 
 
 def find_uses(
