@@ -22,7 +22,16 @@ from plastron_tui.collector import paused
 from plastron_tui.private_files import read_private, sweep, write_private
 from plastron_tui.user_folders import cache_folder
 
-from .fingerprints import Digest, Fingerprints, Reads, Seen, Status, digest, unnoted
+from .fingerprints import (
+    Digest,
+    Fingerprints,
+    Reads,
+    Seen,
+    Status,
+    digest,
+    digest_of_names,
+    unnoted,
+)
 
 _LARGEST = 256 * 1024 * 1024
 _MOST_FILES = 64
@@ -221,14 +230,18 @@ def _forget_old(kept: Path) -> None:
 
 
 def _program_stamp() -> bytes:
-    """Return what tells this Plastron from any other, an edited one included."""
-    package = Path(plastron_tui.__file__).parent
-    texts = [plastron_tui.__version__.encode()]
-    for name in ("diagnostics", "lint", "model", "project", "ros", "sources"):
-        for place, _, files in os.walk(package / name):
-            for file in sorted(files):
-                if file.endswith((".py", ".scm")):
-                    with suppress(OSError):
-                        status = os.stat(os.path.join(place, file))
-                        texts.append(f"{file} {status.st_size} {status.st_mtime_ns}".encode())
-    return digest(*texts)
+    """Return what tells this Plastron from any other, an edited one included.
+
+    All files of the package count: what is read of a source rests on catalogs, too.
+    """
+    package = os.path.dirname(plastron_tui.__file__)
+    told = [plastron_tui.__version__]
+    for place, folders, files in os.walk(package):
+        if "__pycache__" in folders:
+            folders.remove("__pycache__")
+        within = place[len(package) :]
+        for file in files:
+            with suppress(OSError):
+                status = os.stat(f"{place}/{file}")
+                told.append(f"{within}/{file} {status.st_size} {status.st_mtime_ns}")
+    return digest_of_names(told)
