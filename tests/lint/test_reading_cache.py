@@ -278,6 +278,11 @@ def test_what_was_found_is_told_again_without_a_look(
     monkeypatch.setattr(run, "read_tree", lambda *given: _fail(str(given[0])))
     assert _found(root, kept) == cold
     assert {each.name: each.stat().st_ino for each in (kept / "lint").iterdir()} == before
+    # Yet it is used: others are forgotten first.
+    for each in (kept / "lint").iterdir():
+        os.utime(each, (0, 0))
+    assert _found(root, kept) == cold
+    assert all(each.stat().st_mtime > 0 for each in (kept / "lint").iterdir())
     monkeypatch.undo()
     # Other rules are looked for anew.
     options = LintOptions((root,), Selection(("RM201",)), cache=FactCache(root, kept), workers=1)

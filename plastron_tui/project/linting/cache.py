@@ -164,7 +164,13 @@ class FactCache:
                 data = packed(_without_repetitions(self._new, self.files.seen))
                 write_private(self._file, digest(self._stamp, data) + data)
                 _forget_old(self._file)
-            elif time.time() - os.stat(self._file).st_mtime > _STAYS:
+            else:
+                self.touch()
+
+    def touch(self) -> None:
+        """Mark as used what is left as it is: what was not used for longest is forgotten first."""
+        with suppress(OSError, ValueError):
+            if time.time() - os.stat(self._file).st_mtime > _STAYS:
                 os.utime(self._file)
 
 

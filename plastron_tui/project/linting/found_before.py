@@ -43,6 +43,9 @@ class FoundBefore:
         known = self._cache.get(self._key)
         if known is None or not all(code in RULES or code in CODES for code, *_ in known[0]):
             return None
+        # What is known of the files is not read, so nobody else marks it.
+        self._cache.touch()
+        self._facts.touch()
         return tuple(_found(each) for each in known[0])
 
     def keep(self, found: Iterable[Found], reads: Reads) -> None:
