@@ -14,6 +14,7 @@ from pathlib import Path
 from plastron_tui.diagnostics import LineIndex
 
 from .engine import Found
+from .selection import path_from
 
 LARGEST = 64 * 1024 * 1024
 _VERSION = 1
@@ -70,9 +71,5 @@ def _key(found: Found, root: Path, lines: Lines) -> tuple[str, str, str, str]:
     file, span = diagnostic.file, diagnostic.span
     index = None if file is None or span is None else lines(file)
     line = "" if index is None or span is None else index.line(index.position(span.start).line)
-    path = "" if file is None else _relative(file, root)
+    path = "" if file is None else path_from(root, file)
     return str(found.rule.code), path, line.strip(), diagnostic.message
-
-
-def _relative(file: Path, root: Path) -> str:
-    return file.relative_to(root).as_posix() if file.is_relative_to(root) else file.as_posix()

@@ -83,7 +83,7 @@ def _strength(rule: Rule, words: Iterable[str]) -> int:
 
 
 def path_from(root: Path, file: Path) -> str:
-    """Return a path as patterns of paths are compared with it, whatever they are for."""
+    """Return a path as patterns and baselines have it: from the root where it is below that."""
     return file.relative_to(root).as_posix() if file.is_relative_to(root) else str(file)
 
 
