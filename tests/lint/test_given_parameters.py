@@ -54,6 +54,15 @@ RP301 = {
         python("pass"),
         _config("max_speed: 1.0  # wrong\nreverse: true\nrate: 2.0"),
     ),
+    "all that people do not only read": (
+        python("pass"),
+        _config("example_speed: 1.0\nreverse: true  # wrong\nrate: 2.0"),
+    ),
+    "the one that people do not only read": (
+        python("pass"),
+        _config("home_do_not_execute: 1.0\nreverse: true  # wrong"),
+    ),
+    "a word that begins as one for people": (SPEED, _config("home_do_nothing: 1.0  # wrong")),
     "an entry that shows how to write one": (
         SPEED,
         _config("max_speed: 1.0\nexample_home_do_not_execute: 1.0\nreverse: true  # wrong"),
@@ -111,6 +120,15 @@ WRONG |= {
                     "{\n'max_sped': 1.0,  # wrong\n}",
                     ", condition=IfCondition(LaunchConfiguration('go'))",
                 ),
+            ),
+        },
+    ),
+    "RP301 in a launch file, beside what is for people": (
+        "RP301",
+        {
+            NODE: SPEED,
+            LAUNCH: launch(
+                driver("{\n'home_do_not_execute': 1.0, 'example': 1,\n'reverse': True,  # wrong\n}")
             ),
         },
     ),
@@ -226,6 +244,10 @@ RIGHT = {
             "Node(package='other', executable='arm', name='arm', parameters=[CONFIG])",
         ),
         CONFIG: _config("max_speed: 1.0") + _config("reach: 1.0", "arm_controller"),
+    },
+    "keys for people alone": {
+        NODE: python("pass"),
+        CONFIG: _config("example_speed: 1.0\nunused:\n  rate: 2.0\nhome_do_not_execute: 1"),
     },
     "a node of no package": {CONFIG: _config("reach: 1.0", "arm"), LAUNCH: launch()},
     "bytes": {

@@ -26,8 +26,12 @@ from .parameters_given import (
     settings,
 )
 
-_NOT_FOR_USE = "do_not"
-"""What is in the names of entries that show how to write one: `example_do_not_execute`."""
+_FOR_PEOPLE = re.compile(
+    r"(?:\A|[_.])(?:do_not|dont|example|unused|deprecated|disabled)(?:[_.]|\Z)"
+)
+"""What is in the names of keys that are there for people to read: `example_do_not_execute`."""
+
+_UNMEANT = "declare it in the node, or take it out here"
 
 
 @rule(
@@ -61,26 +65,23 @@ def _tells_all(node: Declared) -> bool:
     return node.is_whole and (bool(node.uses) or node.node.unit.is_python)
 
 
-_UNUSED = re.compile(r"(?:\A|_)(?:do_not|dont|example|unused|deprecated|disabled)(?:_|\Z)")
-"""What is in the names of keys that are there for people to read, and that no node declares."""
-
-
-_UNMEANT = "declare it in the node, or take it out here"
+def _is_undeclared(name: str, nodes: Iterable[Declared]) -> bool:
+    """Tell whether a name is meant for nodes, and none of them has such a parameter."""
+    return not _FOR_PEOPLE.search(name) and not any(node.has(name) for node in nodes)
 
 
 def _undeclared_keys(code: Code, given: Given) -> Iterator[Diagnostic]:
     names = [name for node in given.nodes for name in node.uses]
     taken = {key.name for key in given.block.keys}
     is_whole = all(map(_tells_all, given.nodes))
-    told: set[Span] = set()
-    if is_whole and not names and len(given.block.keys) > 1:
-        yield from _none_declared(code, given)
+    undeclared = [key for key in given.block.keys if _is_undeclared(key.name, given.nodes)]
+    if is_whole and not names and len(undeclared) > 1:
+        yield _none_declared(code, given, undeclared)
         return
-    for key in given.block.keys:
-        if _NOT_FOR_USE in key.name or any(node.has(key.name) for node in given.nodes):
-            continue
+    told: set[Span] = set()
+    for key in undeclared:
         part, name = _wrong_part(key, names)
-        if part.span in told or _UNUSED.search(part.text):
+        if part.span in told:
             continue
         told.add(part.span)
         free = [each for each in names if each not in taken]
@@ -98,19 +99,16 @@ def _undeclared_keys(code: Code, given: Given) -> Iterator[Diagnostic]:
         )
 
 
-def _none_declared(code: Code, given: Given) -> Iterator[Diagnostic]:
-    """Tell once of a block whose nodes declare nothing at all."""
-    keys = [key for key in given.block.keys if not given.nodes[0].has(key.name)]
-    if keys:
-        count = f"none of these {len(keys)} parameters" if len(keys) > 1 else f"no `{keys[0].name}`"
-        yield Diagnostic(
-            code,
-            f"{count} is declared in {_named(given)}, which declares nothing",
-            keys[0].parts[0].span,
-            given.file,
-            help=_UNMEANT,
-            labels=given.nodes[0].label(""),
-        )
+def _none_declared(code: Code, given: Given, keys: list[ParameterKey]) -> Diagnostic:
+    """Tell once of the keys of a block whose nodes declare nothing at all."""
+    return Diagnostic(
+        code,
+        f"none of these {len(keys)} parameters is declared in {_named(given)}, "
+        "which declares nothing",
+        keys[0].parts[0].span,
+        given.file,
+        help=_UNMEANT,
+    )
 
 
 def _wrong_part(key: ParameterKey, names: Iterable[str]) -> tuple[KeyPart, str]:
@@ -162,7 +160,7 @@ def _undeclared_settings(
         names = [name for node in receiver.nodes for name in node.uses]
         taken = receiver.settings
         for name, place, span in settings(tree, receiver):
-            if place in told or any(node.has(name) for node in receiver.nodes):
+            if place in told or not _is_undeclared(name, receiver.nodes):
                 continue
             meant = _near(name, [each for each in names if each not in taken])
             if not is_whole and (meant is None or not is_slip(name, meant)):
