@@ -20,6 +20,8 @@ from parameter_packages import (
     told,
 )
 
+from plastron_tui.lint.rules.parameters_examples import GIVEN
+
 CODES = ("RP301", "RP302", "RP303")
 
 SPEED = python("self.declare_parameter('max_speed', 0.5)")
@@ -41,6 +43,30 @@ OPEN = python("""
 def _config(text: str, block: str = "driver") -> str:
     lines = "".join(f"    {line}\n" for line in dedent(text).strip("\n").splitlines())
     return f"{block}:\n  ros__parameters:\n{lines}"
+
+
+def _started_twice(parameters: str, other: str = "arm") -> dict[str, str]:
+    """Return a package that starts `driver` and another program at one place."""
+    includes = "".join(
+        f'<include file="$(dirname)/one.launch.xml"><arg name="which" value="{each}"/></include>'
+        for each in ("driver", other)
+    )
+    return {
+        NODE: SPEED,
+        "rover/rover/arm.py": python("self.declare_parameter('reach', 0.5)").replace(
+            "'driver'", "'arm'"
+        ),
+        "rover/setup.py": GIVEN["rover/setup.py"].replace(
+            "rover.driver:main'", "rover.driver:main', 'arm = rover.arm:main'"
+        ),
+        LAUNCH: launch(),
+        "rover/launch/two.launch.xml": f"<launch>{includes}</launch>",
+        "rover/launch/one.launch.xml": f"""
+            <launch><arg name="which"/><node pkg="rover" exec="$(var which)">
+            {parameters}
+            </node></launch>
+        """,
+    }
 
 
 RP301 = {
@@ -131,6 +157,10 @@ WRONG |= {
                 driver("{\n'home_do_not_execute': 1.0, 'example': 1,\n'reverse': True,  # wrong\n}")
             ),
         },
+    ),
+    "RP301 in a launch file, of all that one place starts": (
+        "RP301",
+        _started_twice("<param\nname='sped' value='1.0'/> # wrong"),
     ),
     "RP303 in a launch file": (
         "RP303",
@@ -249,6 +279,12 @@ RIGHT = {
         NODE: python("pass"),
         CONFIG: _config("example_speed: 1.0\nunused:\n  rate: 2.0\nhome_do_not_execute: 1"),
     },
+    "what one of two declares that one place starts": _started_twice(
+        "<param name='reach' value='1.0'/><param name='max_speed' value='1.0'/>"
+    ),
+    "what may be for a node that is not read, of two that one place starts": _started_twice(
+        "<param name='reach' value='1.0'/>", "elsewhere"
+    ),
     "a node of no package": {CONFIG: _config("reach: 1.0", "arm"), LAUNCH: launch()},
     "bytes": {
         NODE: python("self.declare_parameter('raw', Parameter.Type.BYTE_ARRAY)"),

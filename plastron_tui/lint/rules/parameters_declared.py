@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections import defaultdict
 from collections.abc import Iterable, Iterator
 from pathlib import Path
 
@@ -95,7 +96,7 @@ def _undeclared_keys(code: Code, given: Given) -> Iterator[Diagnostic]:
             given.file,
             help=_UNMEANT if meant is None else f"did you mean `{meant}`?",
             fix=_renamed(name, part, meant),
-            labels=given.nodes[0].label(meant or ""),
+            labels=_declared(given.nodes, meant),
         )
 
 
@@ -151,29 +152,35 @@ def _renamed(name: str, part: KeyPart, meant: str | None) -> Fix | None:
 def _undeclared_settings(
     tree: SourceTree, code: Code, receivers: Receivers
 ) -> Iterator[Diagnostic]:
-    """Find what a launch file itself sets, and the node that it starts does not declare."""
-    told: set[SettingPlace] = set()
+    """Find what a launch file itself sets, and no node declares that is started at the place."""
+    of_place: dict[tuple[SettingPlace, Span], list[Receiver]] = defaultdict(list)
     for receiver in receivers.all:
-        if not receiver.nodes:
+        for _, place, span in settings(tree, receiver):
+            of_place[place, span].append(receiver)
+    for (place, span), started in of_place.items():
+        name = place.name
+        nodes = [node for receiver in started for node in receiver.nodes]
+        if not all(receiver.nodes for receiver in started) or not _is_undeclared(name, nodes):
             continue
-        is_whole = all(map(_tells_all, receiver.nodes))
-        names = [name for node in receiver.nodes for name in node.uses]
-        taken = receiver.settings
-        for name, place, span in settings(tree, receiver):
-            if place in told or not _is_undeclared(name, receiver.nodes):
-                continue
-            meant = _near(name, [each for each in names if each not in taken])
-            if not is_whole and (meant is None or not is_slip(name, meant)):
-                continue
-            told.add(place)
-            yield Diagnostic(
-                code,
-                f"no parameter `{name}` is declared in {_nodes(receiver.nodes)}",
-                span,
-                Path(place.file),
-                help=_UNMEANT if meant is None else f"did you mean `{meant}`?",
-                labels=receiver.nodes[0].label(meant or ""),
-            )
+        taken = {each for receiver in started for each in receiver.settings}
+        free = [each for node in nodes for each in node.uses if each not in taken]
+        meant = _near(name, free)
+        if not all(map(_tells_all, nodes)) and (meant is None or not is_slip(name, meant)):
+            continue
+        yield Diagnostic(
+            code,
+            f"no parameter `{name}` is declared in {_nodes(nodes)}",
+            span,
+            Path(place.file),
+            help=_UNMEANT if meant is None else f"did you mean `{meant}`?",
+            labels=_declared(nodes, meant),
+        )
+
+
+def _declared(nodes: Iterable[Declared], meant: str | None) -> tuple[Label, ...]:
+    """Return the first place where the name is declared that was meant, none where it is not."""
+    labels = (node.label(meant or "") for node in nodes)
+    return next(filter(None, labels), ())
 
 
 def _named(given: Given) -> str:
