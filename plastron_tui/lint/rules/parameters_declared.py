@@ -232,8 +232,8 @@ def wrong_node_name(tree: SourceTree, code: Code) -> Iterator[Diagnostic]:
 def _all_names(tree: SourceTree, receivers: Receivers) -> frozenset[str]:
     """Return the names of all nodes that are known, without their namespaces."""
     started = (each.started.name for each in receivers.all if each.started.name)
-    tests = (node.name for unit in tree.units for node in unit.nodes if node.name)
-    return frozenset((*receivers.by_name, *started, *tests))
+    in_code = (node.name for unit in tree.units for node in unit.nodes if node.name)
+    return frozenset((*receivers.by_name, *started, *in_code))
 
 
 def _misspelt(
