@@ -7,7 +7,8 @@ from collections.abc import Mapping
 from functools import cache, lru_cache
 from pathlib import Path
 
-from plastron_tui.diagnostics import Span, did_you_mean
+from plastron_tui.diagnostics import Span
+from plastron_tui.diagnostics.suggest import nearest
 from plastron_tui.ros.catalog import DISTRIBUTIONS, Catalog
 from plastron_tui.ros.interfaces import InterfaceKind, InterfaceName
 from plastron_tui.ros.name_slips import is_slip
@@ -38,8 +39,7 @@ def misspelt_types(tree: SourceTree) -> Mapping[tuple[Path, Span], tuple[Interfa
             near = sorted(each for each in names if is_slip(type_.name, each))
             if not near or not _is_undefined(tree, unit.ros_version, kind, type_):
                 continue
-            remedy = did_you_mean(type_.name, near) or f"did you mean `{near[0]}`?"
-            meant = next((each for each in near if f"`{each}`" in remedy), near[0])
+            meant = nearest(type_.name, near) or near[0]
             found[unit.path_of(endpoint), endpoint.span] = type_, meant
     return found
 

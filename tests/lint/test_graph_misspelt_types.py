@@ -83,10 +83,19 @@ OWN = {
 SILENT = {
     "no_near_name": ("std_msgs", "Elephant", {}),
     "a_package_that_is_not_known": ("old_msgs", "Flot32", {}),
-    "a_package_that_is_known_in_part": ("mavros_msgs", "Stat", {}),
+    "a_package_that_is_known_in_part": ("mavros_msgs", "ExtendedStat", {}),
     "a_definition_with_a_mistake": ("shapes", "Speeds", {"shapes/msg/Speeds.msg": "nothing x\n"}),
     "a_definition_elsewhere": ("shapes", "Speeds", {"shapes/more/Speeds.msg": "int8 x\n"}),
     "a_definition_that_is_made": ("shapes", "Speeds", {"shapes/msg/Speeds.msg.in": "int8 x\n"}),
+    "a_definition_that_cmake_names": (
+        "shapes",
+        "Speeds",
+        {
+            "shapes/CMakeLists.txt": OWN["shapes/CMakeLists.txt"].replace(
+                '"msg/Speed.msg"', '"msg/Speed.msg" "msg/Speeds.msg"'
+            )
+        },
+    ),
     "a_package_that_two_have": (
         "shapes",
         "Speeds",
@@ -106,3 +115,8 @@ def test_a_type_that_may_be_one(
 def test_a_type_of_a_package_of_the_workspace(tmp_path: Path) -> None:
     files = package_of(_typed(TALKER, "Speeds", "shapes"), code_of(LISTENER, topic="x"))
     assert _told(tmp_path, files | OWN) == [_finding("talker.py", "shapes", "Speeds", "Speed")]
+
+
+def test_a_type_that_a_test_makes_itself(tmp_path: Path) -> None:
+    files = {"demo/test/talker.py": _typed(TALKER, "Flot32")}
+    assert _told(tmp_path, package_of() | files) == []
