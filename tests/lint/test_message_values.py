@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from textwrap import dedent, indent
-
 import pytest
 from message_programs import diagnostics, fixed, marked, node, script, tick, told
 
@@ -170,52 +168,6 @@ def test_named_are_values_that_a_field_does_not_hold(text: str) -> None:
     assert told(text, "RM202") == marked(text)
 
 
-_EMPTY = "def start(self):\n    self.goal = None\n\ndef tick(self):\n"
-
-
-def _checked(lines: str) -> str:
-    return node(_EMPTY + indent(dedent(lines).strip("\n"), "    "))
-
-
-CHECKED = {
-    "no check": "self.twists.publish(self.goal)  # wrong",
-    "a check of something else": """
-        if self.goals is None or self.late:
-            return
-        String(data=self.goal)  # wrong
-    """,
-    "a check that goes on": """
-        if self.goal is None:
-            pass
-        String(data=self.goal)  # wrong
-    """,
-    "a check that None may pass": """
-        if self.goal is None and self.late:
-            return
-        if self.goal is not None:
-            return
-        String(data=self.goal)  # wrong
-    """,
-    "the branch of None": """
-        if self.goal is None or not self.goal:
-            String(data=self.goal)  # wrong
-        elif self.goal:
-            pass
-        if self.goal or self.late:
-            String(data=self.goal)  # wrong
-        if not (self.goal is not None or self.late):
-            String(data=self.goal)  # wrong
-        self.goal or self.texts.publish(self.goal)  # wrong
-    """,
-}
-
-
-@pytest.mark.parametrize("lines", CHECKED.values(), ids=CHECKED)
-def test_named_is_none_that_no_check_keeps_away(lines: str) -> None:
-    text = _checked(lines)
-    assert told(text, "RM202") == marked(text)
-
-
 CPP = """\
 #include "rclcpp/rclcpp.hpp"
 #include "std_msgs/msg/string.hpp"
@@ -247,45 +199,6 @@ def test_in_cpp_numbers_become_one_another() -> None:
 
 
 UNSURE = {
-    "a check that leaves before": _checked("""
-        if self.goal is None or self.late:
-            return
-        self.twists.publish(self.goal)
-        self.texts.publish(String(data=self.goal))
-    """),
-    "a check that leaves in the other branch": _checked("""
-        if self.goal is not None and self.ready:
-            pass
-        else:
-            raise ValueError
-        String(data=self.goal)
-    """),
-    "checks around": _checked("""
-        if self.goal:
-            String(data=self.goal)
-        if not self.goal:
-            pass
-        elif self.ready:
-            String(data=self.goal)
-        while (self.goal != None):
-            String(data=self.goal)
-        for _ in range(3):
-            if not isinstance(self.goal, str):
-                continue
-            String(data=self.goal)
-        String(data=self.goal if self.goal is not None else '')
-        self.goal and self.texts.publish(self.goal)
-    """),
-    "an assertion": _checked("""
-        assert self.goal is not None
-        String(data=self.goal)
-    """),
-    "a base of a file that is not read": _checked("String(data=self.goal)").replace(
-        "(Node)", "(GoalMixin, Node)"
-    ),
-    "a class that others may derive from": _checked("String(data=self.goal)")
-    .replace("spin(Worker())", "spin(others.Worker())")
-    .replace("Worker())", "make())"),
     "names of several kinds": tick("""
         value = 1
         if self.ready:
@@ -365,65 +278,6 @@ def test_integers_become_numbers_of_floating_point() -> None:
 
 def test_rospy_takes_integers() -> None:
     assert told(script("Vector3(1, 2, 3)\nTwist().linear.x = 1\n"), "RM203") == []
-
-
-POSITIONAL = {
-    "in rclpy": tick("""
-        String('a')  # wrong
-        Twist(Vector3(1.0, 0.0, 0.0))  # wrong
-        Point(1.0, y=2.0)  # wrong
-        self.client.call_async(SetBool.Request(True))  # wrong
-        Header(Time(), 'map')  # wrong
-        String(data='a')
-        String(**{'data': 'a'})
-    """),
-    "in rospy": script("""
-        String('a')
-        Vector3(1, 2, 3)
-        Vector3(1, 2)  # wrong
-        Twist(Vector3(), angular=Vector3())  # wrong
-        Empty()
-        SetBoolResponse(True)  # wrong
-        SetBoolResponse(True, 'a')
-        points = rospy.Publisher('point', Point, queue_size=1)
-        points.publish(1, 2)  # wrong
-        points.publish(1, 2, 3)
-        rospy.ServiceProxy('a', Trigger)()
-    """),
-}
-
-
-@pytest.mark.parametrize("text", POSITIONAL.values(), ids=POSITIONAL)
-def test_named_are_constructors_that_do_not_take_values_so(text: str) -> None:
-    assert told(text, "RM204") == marked(text)
-
-
-def test_values_get_names() -> None:
-    text = tick("Twist(Vector3(1.0, 0.0))\nHeader(Time(), 'map')")
-    after = fixed(text, "RM204")
-    assert "Twist(linear=Vector3(x=1.0, y=0.0))" in after
-    assert "Header(stamp=Time(), frame_id='map')" in after
-
-
-@pytest.mark.parametrize(
-    ("text", "is_mended"),
-    [
-        (tick("Point(1.0, 0.0)"), True),
-        (tick("Point(1.0, self.y)"), True),
-        (tick("Twist(1.0, 0.0)"), False),
-        (tick("Point(1.0, 0)"), False),
-        (tick("Header(Time(), 3)"), False),
-        (tick("String(None)"), False),
-        (script("Vector3(1, 2)"), True),
-        (script("Vector3('1', 2)"), False),
-    ],
-)
-def test_values_get_names_of_fields_that_hold_them(text: str, is_mended: bool) -> None:
-    assert len(told(text, "RM204")) == 1
-    assert (fixed(text, "RM204") != text) is is_mended
-    if is_mended or "import rclpy" in text:
-        # Nothing is said of a value before its field is known.
-        assert told(text, "RM202") == told(text, "RM203") == []
 
 
 @pytest.mark.parametrize(
