@@ -189,16 +189,19 @@ def _refuse_together(chosen: dict[str, bool]) -> None:
 
 def _shown_progress() -> Callable[[int, int], None]:
     """Return what shows how far reading is, in a line of the terminal that goes again."""
-    shown = time.monotonic()
+    from plastron_tui.diagnostics.terminal import drawn_on
+
+    shown, terminal = time.monotonic(), drawn_on(sys.stderr)
 
     def show(done: int, total: int) -> None:
         nonlocal shown
         now = time.monotonic()
         if done == total:
-            click.echo("\r\x1b[K", nl=False, err=True)
+            terminal.write("\r\x1b[K")
         elif now - shown > _OFTEN:
             shown = now
-            click.echo(f"\rreading: {done} of {total} files\x1b[K", nl=False, err=True)
+            terminal.write(f"\rreading: {done} of {total} files\x1b[K")
+        terminal.flush()
 
     return show
 

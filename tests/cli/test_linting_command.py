@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import os
+import pty
 import signal
 import subprocess
 from pathlib import Path
@@ -194,3 +195,16 @@ def test_what_can_have_no_comment_is_told(workspace: Path, run: Run) -> None:
     result = run("lint", "--add-noqa")
     assert b"1 problem can have no comment: see `per_file_ignores`\n" in result.stderr
     assert b"warning[RC407]" in result.stderr
+
+
+def test_progress_is_drawn_on_the_terminal_and_goes(workspace: Path) -> None:
+    own, its = pty.openpty()
+    try:
+        subprocess.run([*PLASTRON, "lint", "src"], cwd=workspace, stderr=its, check=False)
+        said = os.read(own, 65536)
+    finally:
+        os.close(own)
+        os.close(its)
+    # The line is taken back by the terminal's own signs, not by words for them.
+    assert b"\r\x1b[K" in said
+    assert b"\\x1b" not in said
