@@ -5,14 +5,14 @@ from __future__ import annotations
 import re
 from collections import defaultdict
 from collections.abc import Iterable
-from functools import cached_property, lru_cache
+from functools import cached_property
 from pathlib import Path
 
 from plastron_tui.ros.launch import loaded_nodelet
 from plastron_tui.ros.launch_started import Started
 
 from .joined import joined
-from .tree import PackageFacts, SourceTree, UnitFacts
+from .tree import PackageFacts, SourceTree, UnitFacts, once_a_tree
 
 
 class Executables:
@@ -124,7 +124,7 @@ class Executables:
         )
 
 
-@lru_cache(maxsize=1)
+@once_a_tree
 def executables_of(tree: SourceTree) -> Executables:
     """Return what finds the files of nodes of a workspace, the same for all who ask."""
     return Executables(tree)

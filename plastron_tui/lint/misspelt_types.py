@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections import defaultdict
 from collections.abc import Mapping
-from functools import cache, lru_cache
+from functools import cache
 from pathlib import Path
 
 from plastron_tui.diagnostics import Span
@@ -13,10 +13,10 @@ from plastron_tui.ros.catalog import DISTRIBUTIONS, Catalog
 from plastron_tui.ros.interfaces import InterfaceKind, InterfaceName
 from plastron_tui.ros.name_slips import is_slip
 
-from .tree import SourceTree
+from .tree import SourceTree, once_a_tree
 
 
-@lru_cache(maxsize=1)
+@once_a_tree
 def misspelt_types(tree: SourceTree) -> Mapping[tuple[Path, Span], tuple[InterfaceName, str]]:
     """Return the types that there are not, by call, each with the name that is meant.
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections import defaultdict
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from functools import cached_property, lru_cache
+from functools import cached_property
 from pathlib import Path
 from typing import NamedTuple
 
@@ -18,7 +18,7 @@ from plastron_tui.ros.names import spelled
 from plastron_tui.ros.run_names import Remap, RunNames
 
 from .executables import Executables, executables_of
-from .tree import LaunchFacts, SourceTree, UnitFacts
+from .tree import LaunchFacts, SourceTree, UnitFacts, once_a_tree
 
 
 class RunningNode(NamedTuple):
@@ -126,7 +126,7 @@ class Run:
         return found, strays
 
 
-@lru_cache(maxsize=1)
+@once_a_tree
 def runs_of(tree: SourceTree) -> tuple[Run, ...]:
     """Return the runs of a workspace.
 

@@ -5,12 +5,11 @@ from __future__ import annotations
 import re
 from collections import defaultdict
 from collections.abc import Mapping
-from functools import lru_cache
 from typing import NamedTuple
 
 from .namesakes import are_apart
 from .runs import Place, User, runs_of
-from .tree import SourceTree
+from .tree import SourceTree, once_a_tree
 
 
 class Sides(NamedTuple):
@@ -25,7 +24,7 @@ class Sides(NamedTuple):
     strays: tuple[User, ...]
 
 
-@lru_cache(maxsize=1)
+@once_a_tree
 def everywhere(tree: SourceTree) -> Sides:
     """Return the endpoints of all runs of a workspace, each once for each name that it gets."""
     found: dict[Place, dict[object, User]] = defaultdict(dict)
@@ -40,7 +39,7 @@ def everywhere(tree: SourceTree) -> Sides:
     return Sides(meetings, tuple(strays.values()))
 
 
-@lru_cache(maxsize=1)
+@once_a_tree
 def workspaces(tree: SourceTree) -> tuple[Mapping[Place, list[User]], ...]:
     """Return who is at each name in each workspace, for packages of one name keep several apart.
 
@@ -107,7 +106,7 @@ def are_connected(tree: SourceTree, one: str, other: str) -> bool:
     )
 
 
-@lru_cache(maxsize=1)
+@once_a_tree
 def _needs(tree: SourceTree) -> Mapping[str, frozenset[str]]:
     """Return the packages of the workspace that each of them depends on."""
     builds = {name: package.build for name, package in tree.packages.items()}

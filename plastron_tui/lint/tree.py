@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
-from functools import cached_property
+from functools import cached_property, wraps
 from pathlib import Path
-from typing import NamedTuple
+from typing import NamedTuple, TypeVar, cast
 
 from plastron_tui.diagnostics import Diagnostic, Span
 from plastron_tui.model.code_facts import CodeFacts
@@ -199,6 +199,11 @@ class SourceTree:
         return (*alone, *shared)
 
     @cached_property
+    def derived(self) -> dict[object, object]:
+        """What was found out of the whole workspace, by what finds it: see `once_a_tree`."""
+        return {}
+
+    @cached_property
     def _choices(self) -> dict[Path, Choices]:
         return {}
 
@@ -211,3 +216,21 @@ class SourceTree:
     def by_path(self) -> Mapping[Path, UnitFacts]:
         """The files of nodes, by the paths of their main files."""
         return {unit.path: unit for unit in self.units}
+
+
+_Derived = TypeVar("_Derived")
+
+
+def once_a_tree(find: Callable[[SourceTree], _Derived]) -> Callable[[SourceTree], _Derived]:
+    """Let several rules ask for what is the same for all: it is found once, and goes with the tree.
+
+    A cache beside the trees would keep the last one alive in a studio that has closed its files.
+    """
+
+    @wraps(find)
+    def found(tree: SourceTree) -> _Derived:
+        if find not in tree.derived:
+            tree.derived[find] = find(tree)
+        return cast(_Derived, tree.derived[find])
+
+    return found

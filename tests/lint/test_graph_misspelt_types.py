@@ -7,6 +7,7 @@ from pathlib import Path
 import pytest
 from graph_packages import LISTENER, TALKER, alone, code_of, in_python, node_of, package_of
 from linted import run_over, write_tree
+from packages import CATKIN, CATKIN_LISTS
 
 from plastron_tui.lint.rules.package_examples import TYPES_PACKAGE
 
@@ -110,6 +111,52 @@ def test_a_type_that_may_be_one(
 ) -> None:
     files = package_of(_typed(TALKER, type_, package), code_of(LISTENER, topic="x"))
     assert _told(tmp_path, files | OWN | more) == []
+
+
+@pytest.mark.parametrize(
+    ("type_", "told"),
+    [("WaypointPul", []), ("Triger", [("std_srvs", "Triger", "Trigger")])],
+    ids=["known_in_part", "known_wholly"],
+)
+def test_a_service_of_a_package(
+    tmp_path: Path, type_: str, told: list[tuple[str, str, str]]
+) -> None:
+    package = "std_srvs" if told else "mavros_msgs"
+    calls = f"self.cli = self.create_client({type_}, 'reset')"
+    talker = _with(code_of(TALKER, more=calls), f"{IMPORTED}\nfrom {package}.srv import {type_}")
+    assert _told(tmp_path, package_of(talker)) == [_finding("talker.py", *each) for each in told]
+
+
+@pytest.mark.parametrize(
+    ("imported", "is_told"), [("Flot32", True), ("*\nfrom helpers import *", False)]
+)
+def test_a_type_is_a_guess_where_modules_are_imported_whole(
+    tmp_path: Path, imported: str, is_told: bool
+) -> None:
+    talker = _with(code_of(TALKER, type="Flot32"), f"std_msgs.msg import {imported}")
+    found = _told(tmp_path, package_of(talker, code_of(LISTENER, topic="x")))
+    assert found == [_finding("talker.py", "std_msgs", "Flot32", "Float32")] * is_told
+
+
+@pytest.mark.parametrize(("type_", "is_told"), [("PlanGoal", False), ("Route", True)])
+def test_a_part_of_an_action_is_a_type_of_ros_1(tmp_path: Path, type_: str, is_told: bool) -> None:
+    node = (
+        f"#!/usr/bin/env python3\nimport rospy\nfrom old.msg import {type_}\n"
+        f"rospy.init_node('mover')\npub = rospy.Publisher('goals', {type_}, queue_size=1)\n"
+        "rospy.spin()\n"
+    )
+    defined = "add_action_files(\n  FILES\n  Plan.action\n)\nadd_message_files(\n  FILES\n"
+    files = {
+        **CATKIN,
+        "old/CMakeLists.txt": CATKIN_LISTS.replace(
+            "add_message_files(\n  FILES\n", f"{defined}  PlanGoals.msg\n  Routes.msg\n"
+        ),
+        "old/action/Plan.action": "int8 x\n---\n---\n",
+        "old/msg/PlanGoals.msg": "int8 x\n",
+        "old/msg/Routes.msg": "int8 x\n",
+        "old/scripts/mover.py": node,
+    }
+    assert _told(tmp_path, files) == [_finding("mover.py", "old", type_, f"{type_}s")] * is_told
 
 
 def test_a_type_of_a_package_of_the_workspace(tmp_path: Path) -> None:

@@ -107,7 +107,7 @@ def _conflicts(
         usual = types.most_common(1)[0][0]
         for type_, user in settled:
             other = _conflicting(usual, (type_, user), settled, is_run=is_run)
-            if other is None or (not is_run and _may_be_met(tree, place, user)):
+            if other is None or (not is_run and _may_meet_a_stray(tree, place, user)):
                 continue
             if any((each.path, each.endpoint.span) in misspelt for each in (user, other[1])):
                 continue
@@ -115,7 +115,7 @@ def _conflicts(
                 yield place, user, other[1]
 
 
-def _may_be_met(tree: SourceTree, place: Place, user: User) -> bool:
+def _may_meet_a_stray(tree: SourceTree, place: Place, user: User) -> bool:
     """Tell whether somebody at the other side of a name may have an endpoint's type: a guess."""
     return any(
         each.sends is not user.sends

@@ -126,7 +126,7 @@ def _told(
                 help=f"did you mean `{other.place[2]}`?",
                 labels=(Label(other.user.endpoint.span, "the other name", other.user.path),),
             )
-        elif is_asked and not _may_be_met(tree, user):
+        elif is_asked and not _may_meet_a_nameless(tree, user):
             yield Diagnostic(code, message, user.endpoint.span, user.path)
 
 
@@ -234,7 +234,7 @@ def _may_be_renamed(tree: SourceTree, *nodes: RunningNode) -> bool:
     return False
 
 
-def _may_be_met(tree: SourceTree, user: User) -> bool:
+def _may_meet_a_nameless(tree: SourceTree, user: User) -> bool:
     """Tell whether an endpoint of its package, whose name is not known, may be the other side."""
     return any(
         stray.endpoint.name is None

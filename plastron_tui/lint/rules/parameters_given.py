@@ -5,14 +5,14 @@ from __future__ import annotations
 import os
 from collections import defaultdict
 from collections.abc import Iterable, Iterator, Mapping
-from functools import cached_property, lru_cache
+from functools import cached_property
 from pathlib import Path
 from typing import NamedTuple
 
 from plastron_tui.diagnostics import Label, Span
 from plastron_tui.lint.executables import executables_of
 from plastron_tui.lint.runs import RunningNode, runs_of
-from plastron_tui.lint.tree import LaunchFacts, SettingPlace, SourceTree, UnitFacts
+from plastron_tui.lint.tree import LaunchFacts, SettingPlace, SourceTree, UnitFacts, once_a_tree
 from plastron_tui.model.code_facts import ParameterAccess, ParameterFacts, ParameterUse
 from plastron_tui.model.source import SourceNode
 from plastron_tui.ros.launch_started import Started
@@ -272,7 +272,7 @@ class Receivers:
         return next((self._folders[each] for each in file.parents if each in self._folders), None)
 
 
-@lru_cache(maxsize=1)
+@once_a_tree
 def receivers_of(tree: SourceTree) -> Receivers:
     """Return what gets parameters in a workspace, the same for all rules that ask."""
     return Receivers(tree)
