@@ -4,10 +4,9 @@ from __future__ import annotations
 
 import re
 from collections import defaultdict
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from typing import NamedTuple
 
-from .namesakes import are_apart
 from .runs import Place, User, runs_of
 from .tree import SourceTree, once_a_tree
 
@@ -46,18 +45,30 @@ def workspaces(tree: SourceTree) -> tuple[Mapping[Place, list[User]], ...]:
     What may be of several workspaces is in each of them.
     """
     whole = everywhere(tree).meetings
-    users = [user for users in whole.values() for user in users]
-    choices = {repr(sorted(each.items())): each for each in (tree.choices(x.path) for x in users)}
-    if len(choices) < 2:
-        return (whole,)
+    number_of = tree.workspaces.number_of
+    numbers = {user.path: number_of(user.path) for users in whole.values() for user in users}
     found = []
-    for choice in choices.values():
-        met = {
-            place: [user for user in users if not are_apart(choice, tree.choices(user.path))]
-            for place, users in whole.items()
-        }
+    for number in tree.workspaces.widest(set(numbers.values())):
+        met = {place: _beside(tree, number, users) for place, users in whole.items()}
         found.append({place: users for place, users in met.items() if users})
     return tuple(found)
+
+
+@once_a_tree
+def gatherings(tree: SourceTree) -> tuple[tuple[Place, list[User]], ...]:
+    """Return who is together at each name in some workspace; who is in several, is told of once."""
+    known, meetings = tree.workspaces, everywhere(tree).meetings
+    return tuple(
+        (place, _beside(tree, number, users))
+        for place, users in meetings.items()
+        for number in known.widest({known.number_of(user.path) for user in users})
+    )
+
+
+def _beside(tree: SourceTree, number: int, users: Iterable[User]) -> list[User]:
+    """Return the users that may be in a workspace."""
+    known = tree.workspaces
+    return [user for user in users if not known.are_apart(number, known.number_of(user.path))]
 
 
 def are_parts(tree: SourceTree, one: User, other: User) -> bool:

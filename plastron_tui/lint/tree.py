@@ -18,7 +18,7 @@ from plastron_tui.ros.interfaces import Interface, InterfaceKind, InterfaceName
 from plastron_tui.ros.launch_started import Resolved, Started
 from plastron_tui.ros.parameter_blocks import ParameterBlock
 
-from .namesakes import Choices, are_apart, nearest
+from .namesakes import Workspaces, nearest
 
 
 class UnitFacts(NamedTuple):
@@ -176,20 +176,17 @@ class SourceTree:
         """Return the package that the files of a node are in."""
         return self.package(unit.package, unit.path)
 
-    def choices(self, file: Path) -> Choices:
-        """Return which package of each name that several have a file means, where it is clear."""
-        if not self.namesakes:
-            return {}
-        known = self._choices.get(file.parent)
-        if known is None:
-            found = ((name, nearest(each, file)) for name, each in self.namesakes.items())
-            known = {name: folder for name, folder in found if folder is not None}
-            self._choices[file.parent] = known
-        return known
+    @cached_property
+    def workspaces(self) -> Workspaces:
+        """The workspaces that packages of one name keep apart."""
+        return Workspaces(self.namesakes)
 
     def are_apart(self, one: Path, other: Path) -> bool:
         """Tell whether two files are of different workspaces, and so never of one robot."""
-        return bool(self.namesakes) and are_apart(self.choices(one), self.choices(other))
+        if not self.namesakes:
+            return False
+        number_of = self.workspaces.number_of
+        return self.workspaces.are_apart(number_of(one), number_of(other))
 
     @cached_property
     def every_package(self) -> tuple[PackageFacts, ...]:
@@ -201,10 +198,6 @@ class SourceTree:
     @cached_property
     def derived(self) -> dict[object, object]:
         """What was found out of the whole workspace, by what finds it: see `once_a_tree`."""
-        return {}
-
-    @cached_property
-    def _choices(self) -> dict[Path, Choices]:
         return {}
 
     @cached_property

@@ -22,14 +22,16 @@ def shortened(name: str) -> set[str]:
 
 def is_slip(one: str, other: str) -> bool:
     """Tell whether a slip of the finger makes one name the other, and no other thing is meant."""
+    if abs(len(one) - len(other)) > 1:
+        return False
     start = _common(one, other)
     end = _common(one[start:][::-1], other[start:][::-1])
     a, b = one[start : len(one) - end], other[start : len(other) - end]
-    is_slip = max(len(a), len(b)) == 1 or (len(a) == 2 and a == b[::-1])
+    if max(len(a), len(b)) != 1 and (len(a) != 2 or a != b[::-1]):
+        return False
     words = set(re.split("[_/]", one)) ^ set(re.split("[_/]", other))
     return (
-        is_slip
-        and not any(char.isdigit() for char in a + b)
+        not any(char.isdigit() for char in a + b)
         and all(len(word) > 1 for word in words)
         and (not words or max(map(len, words)) > 2)
         and words not in _OPPOSITES

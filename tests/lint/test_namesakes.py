@@ -6,8 +6,10 @@ from pathlib import Path
 
 import pytest
 from graph_packages import LISTENER, PACKAGE_XML, SETUP, TALKER, code_of, found_in
+from hypothesis import given
+from hypothesis import strategies as st
 
-from plastron_tui.lint.namesakes import nearest
+from plastron_tui.lint.namesakes import Workspaces, nearest
 from plastron_tui.lint.rules.one_sided_examples import PUBLISHED
 
 SECOND = "'listener = demo.listener:main'"
@@ -127,3 +129,25 @@ def test_name_of_another_workspace_is_not_meant(tmp_path: Path) -> None:
     moved = {f"one/src/{name}": files.pop(name) for name in ("tank.py",)}
     moved |= {f"two/src/{name}": files.pop(name) for name in ("display.py",)}
     assert found_in(tmp_path / "apart", files | moved, "RG") == []
+
+
+FOLDERS = st.lists(st.sampled_from("ab"), max_size=3).map(lambda names: Path("/w", *names))
+SEVERAL = st.dictionaries(st.sampled_from("xyz"), st.sets(FOLDERS, min_size=2), max_size=3)
+
+
+@given(SEVERAL, FOLDERS, FOLDERS)
+def test_files_are_apart_that_mean_different_packages(
+    namesakes: dict[str, set[Path]], one: Path, other: Path
+) -> None:
+    files = one / "x.py", other / "y.py"
+    meant = [{name: nearest(each, file) for name, each in namesakes.items()} for file in files]
+    workspaces = Workspaces(namesakes)
+    first, second = map(workspaces.number_of, files)
+    assert (first == second) == (meant[0] == meant[1])
+    sure = [{name: folder for name, folder in each.items() if folder} for each in meant]
+    shared = sure[0].keys() & sure[1].keys()
+    is_apart = any(sure[0][name] != sure[1][name] for name in shared)
+    assert workspaces.are_apart(first, second) == workspaces.are_apart(second, first) == is_apart
+    kept = {first, second} - ({first} if sure[0].items() < sure[1].items() else set())
+    kept -= {second} if sure[1].items() < sure[0].items() else set()
+    assert set(workspaces.widest({first, second})) == kept

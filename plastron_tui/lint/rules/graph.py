@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 from collections import Counter, defaultdict
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from pathlib import Path
 
 from plastron_tui.diagnostics import Code, Diagnostic, Label, Span
 from plastron_tui.lint.misspelt_types import misspelt_types
 from plastron_tui.lint.rule import rule
 from plastron_tui.lint.runs import Place, RunningNode, User, runs_of, span_of
-from plastron_tui.lint.sides import are_parts, everywhere, is_left_behind, is_variant, workspaces
+from plastron_tui.lint.sides import are_parts, everywhere, gatherings, is_left_behind, is_variant
 from plastron_tui.lint.tree import SourceTree
 from plastron_tui.lint.well_known import IS_EVERYWHERE
 from plastron_tui.model.kinds import EndpointKind
@@ -44,19 +44,20 @@ def type_conflict(tree: SourceTree, code: Code) -> Iterator[Diagnostic]:
     yield from _misspelt(tree, code)
     told: set[tuple[Path, Span]] = set()
     for run in runs_of(tree):
-        for place, user, other in _conflicts(tree, run.meetings(), is_run=run.launch is not None):
-            told.add((user.path, user.endpoint.span))
-            yield _conflict(code, place, user, other)
-    for meetings in workspaces(tree):
-        for place, user, other in _conflicts(tree, meetings, is_run=False):
+        for place, users in run.meetings().items():
+            for user, other in _conflicts(tree, place, users, is_run=run.launch is not None):
+                told.add((user.path, user.endpoint.span))
+                yield _conflict(code, place, user, other)
+    for place, users in gatherings(tree):
+        for user, other in _conflicts(tree, place, users, is_run=False):
             if (other.path, other.endpoint.span) in told or _is_moved(user, other):
                 continue
             if any(is_left_behind(tree, each) for each in (user, other)):
                 continue
             far = other.endpoint.type, other.sends
-            across = [each for each in meetings[place] if (each.endpoint.type, each.sends) == far]
+            across = [each for each in users if (each.endpoint.type, each.sends) == far]
             part = next((each for each in across if are_parts(tree, user, each)), None)
-            if part is not None or _is_odd(meetings[place], user, other):
+            if part is not None or _is_odd(users, user, other):
                 yield _conflict(code, place, user, part or other)
 
 
@@ -95,24 +96,23 @@ def _is_moved(one: User, other: User) -> bool:
 
 
 def _conflicts(
-    tree: SourceTree, meetings: Mapping[Place, list[User]], *, is_run: bool
-) -> Iterator[tuple[Place, User, User]]:
+    tree: SourceTree, place: Place, users: Sequence[User], *, is_run: bool
+) -> Iterator[tuple[User, User]]:
     misspelt = misspelt_types(tree)
-    for place, users in meetings.items():
-        meant = (_as_meant(tree, user) for user in users)
-        settled = [] if place[2] in IS_EVERYWHERE else _settled(meant)
-        types = Counter(type_ for type_, _ in settled)
-        if len(types) < 2:
+    meant = (_as_meant(tree, user) for user in users)
+    settled = [] if place[2] in IS_EVERYWHERE else _settled(meant)
+    types = Counter(type_ for type_, _ in settled)
+    if len(types) < 2:
+        return
+    usual = types.most_common(1)[0][0]
+    for type_, user in settled:
+        other = _conflicting(usual, (type_, user), settled, is_run=is_run)
+        if other is None or (not is_run and _may_meet_a_stray(tree, place, user)):
             continue
-        usual = types.most_common(1)[0][0]
-        for type_, user in settled:
-            other = _conflicting(usual, (type_, user), settled, is_run=is_run)
-            if other is None or (not is_run and _may_meet_a_stray(tree, place, user)):
-                continue
-            if any((each.path, each.endpoint.span) in misspelt for each in (user, other[1])):
-                continue
-            if _are_two(tree, place[:2], type_, other[0]):
-                yield place, user, other[1]
+        if any((each.path, each.endpoint.span) in misspelt for each in (user, other[1])):
+            continue
+        if _are_two(tree, place[:2], type_, other[0]):
+            yield user, other[1]
 
 
 def _may_meet_a_stray(tree: SourceTree, place: Place, user: User) -> bool:
@@ -210,11 +210,10 @@ def _are_two(
 )
 def qos_mismatch(tree: SourceTree, code: Code) -> Iterator[Diagnostic]:
     """Find publishers and subscriptions of ROS 2 that never match."""
-    runs = [(run.meetings(), True) for run in runs_of(tree)]
-    for meetings, is_run in (*runs, *((each, False) for each in workspaces(tree))):
-        for (_, version, name), users in meetings.items():
-            if version == 2:
-                yield from _never_matching(code, name, users, is_run=is_run)
+    runs = ((each, True) for run in runs_of(tree) for each in run.meetings().items())
+    for ((_, version, name), users), is_run in (*runs, *((x, False) for x in gatherings(tree))):
+        if version == 2:
+            yield from _never_matching(code, name, users, is_run=is_run)
 
 
 def _never_matching(

@@ -4,12 +4,13 @@ from __future__ import annotations
 
 from collections import defaultdict
 from collections.abc import Iterator, Mapping
+from itertools import permutations
 
 from plastron_tui.diagnostics import Code, Diagnostic, Label, Severity
 from plastron_tui.lint.rule import rule
 from plastron_tui.lint.runs import Place, User, runs_of
-from plastron_tui.lint.sides import workspaces
-from plastron_tui.lint.tree import SourceTree
+from plastron_tui.lint.sides import everywhere, workspaces
+from plastron_tui.lint.tree import SourceTree, once_a_tree
 from plastron_tui.model.kinds import EndpointKind
 from plastron_tui.ros.interfaces import InterfaceName
 from plastron_tui.ros.name_slips import LONGEST, is_slip, shortened
@@ -33,8 +34,9 @@ _Met = Mapping[Place, list[User]]
 )
 def misspelt_name(tree: SourceTree, code: Code) -> Iterator[Diagnostic]:
     """Find names that are one slip apart."""
+    near = _near_names(tree)
     for meetings in (*(run.meetings() for run in runs_of(tree)), *workspaces(tree)):
-        for wrong, right in _slips(meetings):
+        for wrong, right in _slips(meetings, near):
             user = meetings[wrong][0]
             other = next(each for each in meetings[right] if each.sends is not user.sends)
             help_ = f"did you mean `{right[2]}`?"
@@ -51,31 +53,38 @@ def misspelt_name(tree: SourceTree, code: Code) -> Iterator[Diagnostic]:
             )
 
 
-def _slips(meetings: _Met) -> Iterator[tuple[Place, Place]]:
+def _slips(meetings: _Met, near: Mapping[Place, list[Place]]) -> Iterator[tuple[Place, Place]]:
     """Yield pairs of a name that has one side alone, and one that it was to be.
 
     Where both have one side alone, the one that hears is taken for the wrong one.
     """
-    lone: dict[tuple[object, str, InterfaceName], list[Place]] = defaultdict(list)
-    known: dict[tuple[object, str, InterfaceName], list[Place]] = defaultdict(list)
-    for place, users in list(meetings.items()):
-        types = {user.endpoint.type for user in users if user.endpoint.type is not None}
-        if len(place[2]) > LONGEST:
+    for one in sorted(near.keys() & meetings.keys()):
+        types = _types(meetings[one])
+        if len(types) != 1 or len({user.sends for user in meetings[one]}) != 1:
             continue
-        is_lone = len({user.sends for user in users}) == 1
-        for name in shortened(place[2]):
-            for type_ in types:
-                known[place[:2], name, type_].append(place)
-                if is_lone and len(types) == 1:
-                    lone[place[:2], name, type_].append(place)
-    pairs = {
-        (one, other)
-        for key in lone
-        for one in lone[key]
-        for other in known[key]
-        if one != other and _is_meant(meetings[one], meetings[other])
-    }
-    yield from (pair for pair in sorted(pairs) if is_slip(pair[0][2], pair[1][2]))
+        for other in near[one]:
+            users = meetings.get(other, [])
+            if types <= _types(users) and _is_meant(meetings[one], users):
+                yield one, other
+
+
+def _types(users: list[User]) -> set[InterfaceName]:
+    return {user.endpoint.type for user in users if user.endpoint.type is not None}
+
+
+@once_a_tree
+def _near_names(tree: SourceTree) -> Mapping[Place, list[Place]]:
+    """Return the names that are one slip from each, whoever runs together."""
+    alike: dict[tuple[object, str], list[Place]] = defaultdict(list)
+    for place in everywhere(tree).meetings:
+        for name in shortened(place[2]) if len(place[2]) <= LONGEST else ():
+            alike[place[:2], name].append(place)
+    pairs = {pair for places in alike.values() for pair in permutations(places, 2)}
+    found: dict[Place, list[Place]] = defaultdict(list)
+    for one, other in sorted(pairs):
+        if is_slip(one[2], other[2]):
+            found[one].append(other)
+    return found
 
 
 def _is_meant(wrong: list[User], right: list[User]) -> bool:

@@ -110,12 +110,15 @@ def _told(
     is_asked = code in tree.asked or RULES[code].is_opt_in
     is_read = cache(partial(_is_read, tree))
     lone = _lone(tree)
+    of_type: dict[InterfaceName | None, list[_Lone]] = defaultdict(list)
+    for each in lone:
+        of_type[each.user.endpoint.type].append(each)
     for one in lone:
         user = one.user
         if user.endpoint.kind not in kinds:
             continue
         message = f"nobody {verb} the {user.endpoint.kind.facts.named} `{one.place[2]}`"
-        other = _counterpart(one, _beside(tree, one, lone), is_read)
+        other = _counterpart(one, _beside(tree, one, of_type[user.endpoint.type]), is_read)
         if other is not None and not _may_be_renamed(tree, user.node, other.user.node):
             verb_ = other.user.endpoint.kind.facts.verb
             yield Diagnostic(
@@ -132,8 +135,6 @@ def _told(
 
 def _beside(tree: SourceTree, one: _Lone, lone: list[_Lone]) -> list[_Lone]:
     """Return the endpoints that may run together with one."""
-    if not tree.namesakes:
-        return lone
     return [each for each in lone if not tree.are_apart(one.user.path, each.user.path)]
 
 
@@ -178,7 +179,10 @@ def _is_own_affair(place: Place, user: User) -> bool:
 def _counterpart(
     one: _Lone, lone: list[_Lone], is_read: Callable[[InterfaceName], bool]
 ) -> _Lone | None:
-    """Return the only endpoint that can have been meant, None where there is none for sure."""
+    """Return the only endpoint that can have been meant, of those of its type.
+
+    None where there is none for sure.
+    """
     type_ = one.user.endpoint.type
     if type_ is None or not is_read(type_):
         return None
@@ -186,7 +190,6 @@ def _counterpart(
         each
         for each in lone
         if each.place[:2] == one.place[:2]
-        and each.user.endpoint.type == type_
         and each.user.sends is not one.user.sends
         and each.user.node.key != one.user.node.key
     ]
@@ -195,9 +198,7 @@ def _counterpart(
         return None
     places = {each.place for each in others}
     if len(places) != 1 or any(
-        each.user.sends is one.user.sends and each.place != one.place
-        for each in lone
-        if each.user.endpoint.type == type_
+        each.user.sends is one.user.sends and each.place != one.place for each in lone
     ):
         return None
     names = one.place[2], others[0].place[2]
