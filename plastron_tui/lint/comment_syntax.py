@@ -3,13 +3,18 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
 from enum import Enum
+from functools import lru_cache
 from pathlib import Path
 
 from plastron_tui.diagnostics import Span
 
+from .yaml_comments import yaml_comments
+
 _STRINGS = rb"\"(?:\\.|[^\"\\\n])*\"?|'(?:\\.|[^'\\\n])*'?"
+
+# All of a line is the value of a constant that is a string, signs of comments included.
+_STRING_CONSTANT = rb"^(?:\xef\xbb\xbf)?[ \t]*w?string(?:[ \t]*<=[ \t]*\d+)?[ \t]+\w+[ \t]*=[^\n]*"
 
 
 class CommentStyle(Enum):
@@ -43,11 +48,8 @@ _PARTS = {
     rb"|\"(?:\\.|[^\"\\])*\"?|\[(?P<b>=*)\[.*?(?:\](?P=b)\]|\Z)",
     CommentStyle.XML: rb"(?P<comment><!--.*?(?:-->|\Z))|<!\[CDATA\[.*?(?:\]\]>|\Z)|"
     rb"<\?.*?(?:\?>|\Z)|<(?:[^\"'<>]|\"[^\"]*(?:\"|\Z)|'[^']*(?:'|\Z))*>?",
-    # Quotes of a plain scalar are letters: whether a sign is in a string shows in what is read.
-    CommentStyle.YAML: rb"(?<![^ \t\n])(?P<comment>#[^\n]*)",
-    # All of a line is the value of a constant that is a string, signs of comments included.
-    CommentStyle.DEFINITION: rb"^[ \t]*w?string[ \t]+\w+[ \t]*=[^\n]*|" + _STRINGS
-    + rb"|(?P<comment>#[^\n]*)",
+    CommentStyle.DEFINITION: _STRING_CONSTANT + rb"|\"(?:\\[^\n]|[^\"\\\n])*\"?|"
+    rb"'(?:\\[^\n]|[^'\\\n])*'?|(?P<comment>#[^\n]*)",
     CommentStyle.PROGRAM: _STRINGS + rb"|(?P<comment>//[^\n]*)",
 }  # fmt: skip
 _LEXERS = {style: re.compile(parts, re.S | re.M) for style, parts in _PARTS.items()}
@@ -87,10 +89,13 @@ def tag_at(text: bytes, offset: int) -> Span | None:
     return None
 
 
-def comment_spans(style: CommentStyle, text: bytes) -> Iterator[Span]:
-    """Yield the places of the comments of a text."""
-    for match in _LEXERS[style].finditer(text):
-        if match["comment"] is not None:
-            yield Span(
-                match.start("comment"), len(match["comment"].rstrip()) + match.start("comment")
-            )
+@lru_cache(maxsize=4)
+def comment_spans(style: CommentStyle, text: bytes) -> tuple[Span, ...]:
+    """Return the places of the comments of a text."""
+    if style is CommentStyle.YAML:
+        return tuple(yaml_comments(text))
+    return tuple(
+        Span(match.start("comment"), len(match["comment"].rstrip()) + match.start("comment"))
+        for match in _LEXERS[style].finditer(text)
+        if match["comment"] is not None
+    )

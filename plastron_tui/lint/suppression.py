@@ -89,7 +89,7 @@ def comments_of(file: Path, text: bytes, lines: LineIndex) -> tuple[Comment, ...
         found = _nolints(text, lines)
     else:
         found = (_noqa(each, style, text, lines) for each in _NOQA.finditer(text))
-    return tuple(_outside_of_strings(found, tuple(comment_spans(style, text))))
+    return tuple(_outside_of_strings(found, comment_spans(style, text)))
 
 
 def _outside_of_strings(found: Iterable[Comment], real: tuple[Span, ...]) -> Iterator[Comment]:

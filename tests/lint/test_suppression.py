@@ -63,7 +63,7 @@ def _is_meant(name: str, text: str, at: str = "@") -> bool:
         ("a.hpp", "// NOLINTBEGIN(RC407)\n@\n// NOLINTEND(RC408)\n", False),
         ("CMakeLists.txt", "@ # noqa: RC407\n", True),
         ("other.txt", "@ # noqa: RC407\n", False),
-        ("a.yaml", "@ # noqa: RC407\n", True),
+        ("a.yaml", "x@ # noqa: RC407\n", True),
         ("a.xml", "<a @/> <!-- noqa: RC407 -->\n", True),
         ("a.xml", "<!-- noqa: RC407 -->\n<a\n  @\n  b=''/>\n", True),
         ("a.xml", "<!-- noqa: RC407 -->\n<a/>\n<b @/>\n", False),

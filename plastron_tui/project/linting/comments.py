@@ -81,10 +81,12 @@ def _unused_in(
     ]
     fix = None
     if len(unused) == len(comment.codes or ()) and _is_whole(text, comment):
-        start = comment.around.start
+        start, end = comment.around
         while start and text[start - 1 : start] in (b" ", b"\t"):
             start -= 1
-        fix = Fix("take the comment away", (Edit(Span(start, comment.around.end), ""),))
+        while text[end : end + 1] in (b" ", b"\t"):
+            end += 1
+        fix = Fix("take the comment away", (Edit(Span(start, end), ""),))
     for span, message in unused:
         remedy = "take the code, or the comment, away"
         found = Diagnostic(codes.UNUSED_NOQA, message, span, path, remedy, fix)

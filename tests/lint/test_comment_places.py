@@ -1,0 +1,103 @@
+"""Where a text has comments: nothing else says that something is meant, or is taken away."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+import yaml
+from linted import run_over, told, write_tree
+
+from plastron_tui.lint.comment_syntax import comment_spans, style_of
+from plastron_tui.lint.yaml_comments import yaml_comments
+from plastron_tui.project.linting.rewriting import mend
+
+MARK = "\ufeff"
+
+
+def _comments(name: str, text: str) -> list[str]:
+    raw, style = text.encode(), style_of(Path(name))
+    assert style is not None
+    return [raw[span.start : span.end].decode() for span in comment_spans(style, raw)]
+
+
+YAML = [
+    ("a: b  # c\n", ["# c"]),
+    ("# c\na: b\n# d", ["# c", "# d"]),
+    ("a: b#c\n", []),
+    ("a: don't  # c\n", ["# c"]),
+    ("a: |\n  b  # c\n  # d\n# e\n", ["# e"]),
+    ("a: >-  # c\n  b  # d\n\n # e\nf: g  # h\n", ["# c", "# e", "# h"]),
+    ("a: |2\n    b\n   # c\n # d\n", ["# d"]),
+    ("a:\n- |\n b # c\n- d # e\n", ["# e"]),
+    ("a: |\n  b # c", []),
+    ("a: 'b\n  # c\n  d'  # e\n", ["# e"]),
+    ('a: "b # c\n\n  # d"  # e\n', ["# e"]),
+    ("a: b\n  c#d\n  e  # f\n", ["# f"]),
+    ("a: [b,  # c\n  'd # e',  # f\n]\n", ["# c", "# f"]),
+    ("---\na: b  # c\n---\n# d\na: |\n # e\n...\n# f\n", ["# c", "# d", "# f"]),
+    ("é: ü  # ö\nß: |\n  # ä\n", ["# ö"]),
+    (f"{MARK}# c\na: b  # d\n", ["# c", "# d"]),
+    ("a: b\r\nc: |\r\n  # d\r\ne: f  # g\r\n", ["# g"]),
+    ("a: b\u2028# c\u2028d: e\n", ["# c"]),
+    # What follows a mistake nobody can tell.
+    ("a: b  # c\nd: 'e  # f\n", ["# c"]),
+    ("a: @b  # c\n", []),
+    ("", []),
+]
+
+
+@pytest.mark.parametrize("is_fast", [True, False])
+@pytest.mark.parametrize(("text", "comments"), YAML)
+def test_comments_of_yaml(
+    text: str, comments: list[str], is_fast: bool, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(yaml, "__with_libyaml__", yaml.__with_libyaml__ and is_fast)
+    raw = text.encode()
+    assert [raw[start:end].decode() for start, end in yaml_comments(raw)] == comments
+
+
+@pytest.mark.parametrize(
+    ("text", "comments"),
+    [
+        ("int32 a  # c\n", ["# c"]),
+        ("string a 'b # c'  # d\n", ["# d"]),
+        ("string a 'b\\\n# c\n", ["# c"]),
+        ("string A=b # c\n# d\n", ["# d"]),
+        ("string<=5 A=# c\n# d\n", ["# d"]),
+        ("wstring<=5 A=# c\n", []),
+        ("  string <= 5 A = # c\n", []),
+        (f"{MARK}string A=# c\n", []),
+        ("string<=5 a  # c\n", ["# c"]),
+        ("string<=5[<=3] a ['# c']  # d\n", ["# d"]),
+    ],
+)
+def test_comments_of_definitions(text: str, comments: list[str]) -> None:
+    assert _comments("a.msg", text) == comments
+
+
+@pytest.mark.parametrize(
+    ("name", "text", "left"),
+    [
+        ("a.yml", "a: |\n  see # noqa: RG101\n", None),
+        ("a.yml", "a: >\n  see # noqa: RG101\n  # noqa: RG101\n", None),
+        ("a.yml", "a: 'see\n  x # noqa: RG101'\n", None),
+        ("a.yml", 'a: "see # noqa: RG101"\n', None),
+        ("a.yml", "a: b# noqa: RG101\n", None),
+        ("a.yml", "a: b  # noqa: RG101\n", "a: b\n"),
+        ("a.yml", "a: b  # noqa: RG101 \t\nc: d\n", "a: b\nc: d\n"),
+        ("a.yml", "a: |  # noqa: RG101\n  # noqa: RG101\n", "a: |\n  # noqa: RG101\n"),
+        ("a.yml", f"{MARK}a: ü  # noqa: RG101\r\nb: |\r\n", f"{MARK}a: ü\r\nb: |\r\n"),
+        ("a.msg", "wstring<=5 D=# noqa: RG101\n", None),
+        ("a.srv", "string<=5 D=x # noqa: RG101\n---\n", None),
+        ("a.msg", "int32 D=1 # noqa: RG101\n", "int32 D=1\n"),
+    ],
+)
+def test_only_comments_are_taken_away(
+    tmp_path: Path, name: str, text: str, left: str | None
+) -> None:
+    root = write_tree(tmp_path, {name: text})
+    run = run_over(root, "RG101", "unused-noqa")
+    assert [code for code, _ in told(run)] == ([] if left is None else ["unused-noqa"])
+    mend(run)
+    assert (root / name).read_bytes() == (text if left is None else left).encode()
