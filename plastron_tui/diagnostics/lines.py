@@ -5,6 +5,8 @@ from __future__ import annotations
 from bisect import bisect_right
 from typing import NamedTuple
 
+_BYTE_ORDER_MARK = b"\xef\xbb\xbf"
+
 
 class Position(NamedTuple):
     """A place in a text: line and column count from 1, the column in characters."""
@@ -14,11 +16,14 @@ class Position(NamedTuple):
 
 
 class LineIndex:
-    """The line starts of a text, so that many offsets can be resolved cheaply."""
+    """The line starts of a text, so that many offsets can be resolved cheaply.
+
+    A byte order mark is before the first line: no editor shows or counts it.
+    """
 
     def __init__(self, text: bytes) -> None:
         self._text = text
-        starts = [0]
+        starts = [len(_BYTE_ORDER_MARK) if text.startswith(_BYTE_ORDER_MARK) else 0]
         find = text.find
         at = find(b"\n")
         while at >= 0:
@@ -31,7 +36,7 @@ class LineIndex:
 
     def line_at(self, offset: int) -> int:
         """Return the number of the line of a byte offset, from 1; however long the line is."""
-        return bisect_right(self._starts, min(max(offset, 0), len(self._text)))
+        return max(1, bisect_right(self._starts, min(offset, len(self._text))))
 
     def position(self, offset: int) -> Position:
         """Resolve a byte offset; one beyond the end counts as the end."""

@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import NamedTuple
 
 from plastron_tui.diagnostics import LineIndex, Span
-from plastron_tui.sources.splices import Splice, apply, newline_of
+from plastron_tui.sources.splices import Splice, apply, line_start, newline_of
 
 from .comment_syntax import CommentStyle, comment_spans, style_of, tag_at
 from .suppression import Comment, comments_of, with_codes
@@ -100,7 +100,7 @@ def _above_tag(text: bytes, span: Span, code: str) -> Iterator[Splice]:
     tag = tag_at(text, span.start)
     if tag is None:
         return
-    start = text.rfind(b"\n", 0, tag.start) + 1
+    start = line_start(text, tag.start)
     indent = text[start : tag.start]
     if not indent.strip():
         comment = CommentStyle.XML.comment(code).encode()

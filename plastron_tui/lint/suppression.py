@@ -16,6 +16,7 @@ from pathlib import Path
 from typing import NamedTuple
 
 from plastron_tui.diagnostics import LineIndex, Span
+from plastron_tui.sources.splices import line_start
 
 from .comment_syntax import CommentStyle, comment_spans, style_of
 from .rule import Group, Rule
@@ -178,7 +179,7 @@ def _lines_in_xml(
 ) -> tuple[int, int]:
     """Return the lines that a comment of XML is about: its own, or those of the tag below."""
     end = text.find(b"-->", match.end())
-    before = text[text.rfind(b"\n", 0, match.start()) + 1 : match.start()]
+    before = text[line_start(text, match.start()) : match.start()]
     if end < 0 or before.strip():
         return line, line
     tag = re.compile(rb"\s*<").match(text, end + 3)

@@ -6,13 +6,13 @@ The text is taken event by event, so that nothing of it is nested deeper than is
 from __future__ import annotations
 
 from collections.abc import Iterator
-from itertools import accumulate
 from typing import Any, NamedTuple
 
 from plastron_tui.diagnostics import Span
 
 from .parameter_values import MIXED_LIST, SECTION, Mistake, is_node_pattern, value_of
 from .parameters import Setting
+from .yaml_text import YamlText
 
 _DEEPEST = 40
 _MOST_EVENTS = 50_000
@@ -79,13 +79,13 @@ def read_blocks(text: bytes) -> tuple[ParameterBlock, ...] | None:
     import yaml
 
     try:
-        decoded = text.decode()
-        root = _tree(decoded)
+        yaml_text = YamlText(text)
+        root = _tree(yaml_text.text)
     except (ValueError, OverflowError, yaml.YAMLError):
         return None
     if root is None:
         return None
-    reader = _Reader(decoded)
+    reader = _Reader(yaml_text)
     reader.nodes(root, "", None)
     return tuple(reader.found) if reader.is_right else None
 
@@ -140,12 +140,10 @@ def _node(event: Any) -> _Node:
 class _Reader:
     """Goes over the tree; whatever ROS does not take ends it, since the file is then never used."""
 
-    def __init__(self, decoded: str) -> None:
+    def __init__(self, text: YamlText) -> None:
         self.found: list[ParameterBlock] = []
         self.is_right = True
-        self._decoded = decoded
-        sizes = () if decoded.isascii() else (len(each.encode()) for each in decoded)
-        self._offsets = [0, *accumulate(sizes)]
+        self._text = text
 
     def nodes(self, node: _Node, pattern: str, name: KeyPart | None) -> None:
         """Read what stands below a part of a node's name."""
@@ -165,15 +163,15 @@ class _Reader:
             if value.id == "mapping" and value.value:
                 yield from self._keys(value, parts)
             else:
-                found = value_of(value, self._decoded)
+                found = value_of(value, self._text.text)
                 is_nothing = value.id == "scalar" and value.value in ("", "~", "null")
                 if isinstance(found, Mistake):
                     problem = MIXED_LIST if found.message == MIXED_LIST else ""
-                    yield ParameterKey(parts, None, self._span(value), problem)
+                    yield ParameterKey(parts, None, self._text.span(value), problem)
                 elif is_nothing and value.style is None:
-                    yield ParameterKey(parts, None, self._span(value))
+                    yield ParameterKey(parts, None, self._text.span(value))
                 else:
-                    yield ParameterKey(parts, found, self._span(value))
+                    yield ParameterKey(parts, found, self._text.span(value))
 
     def _pairs(self, node: _Node) -> Iterator[tuple[_Node, _Node]]:
         if node.id != "mapping":
@@ -187,10 +185,4 @@ class _Reader:
                 self.is_right = False
 
     def _part(self, key: _Node) -> KeyPart:
-        return KeyPart(key.value, self._span(key))
-
-    def _span(self, node: _Node) -> Span:
-        return Span(self._byte(node.start_mark.index), self._byte(node.end_mark.index))
-
-    def _byte(self, index: int) -> int:
-        return index if self._decoded.isascii() else self._offsets[index]
+        return KeyPart(key.value, self._text.span(key))

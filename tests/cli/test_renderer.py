@@ -31,6 +31,7 @@ def found(span: Span | None, *labels: Label, help: str | None = None) -> Diagnos
     [
         pytest.param("one two", "two", "1 | one two", "  |     ^^^", id="plain"),
         pytest.param("one two\r\nx", "two", "1 | one two", "  |     ^^^", id="crlf"),
+        pytest.param("\ufeffone two", "one", "1 | one two", "  | ^^^", id="byte order mark"),
         pytest.param("\tone\ttwo", "two", "1 |  one two", "  |      ^^^", id="tabs"),
         pytest.param("日本 two", "two", "1 | 日本 two", "  |      ^^^", id="wide before"),
         pytest.param("a 日本 b", "日本", "1 | a 日本 b", "  |   ^^^^", id="wide marked"),

@@ -11,6 +11,7 @@ from plastron_tui.lint.rule import RULES, rule_of
 from plastron_tui.lint.suppression import Comment, FileComments, named_rules, unknown_codes
 from plastron_tui.model.source import LARGEST_FILE
 from plastron_tui.regular_files import read_regular
+from plastron_tui.sources.splices import line_start
 
 
 class FileTexts:
@@ -105,5 +106,5 @@ def _is_whole(text: bytes, comment: Comment) -> bool:
     around = comment.around
     before = text[around.start : comment.span.start].strip(b"/ \t")
     after = text[comment.span.end : around.end].removesuffix(b"-->").strip()
-    is_alone = not text[text.rfind(b"\n", 0, around.start) + 1 : around.start].strip()
+    is_alone = not text[line_start(text, around.start) : around.start].strip()
     return not before and not after and not is_alone

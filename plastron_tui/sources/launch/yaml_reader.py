@@ -7,13 +7,13 @@ actions, or a mapping that has them as `children`.
 from __future__ import annotations
 
 from collections.abc import Iterator
-from itertools import accumulate
 from pathlib import Path
 
 import yaml
 
 from plastron_tui.diagnostics import Diagnostic, Span, codes
 from plastron_tui.ros.launch import Format, LaunchFile
+from plastron_tui.ros.yaml_text import YamlText
 from plastron_tui.sources.xml.document import Attribute, Element
 
 from . import ros2_elements
@@ -52,14 +52,9 @@ class _Reader:
         if len(source) > _LARGEST:
             raise _BrokenError(f"the file is larger than {_LARGEST} bytes")
         try:
-            self._text = source.decode("utf-8")
+            self._yaml = YamlText(source)
         except UnicodeDecodeError as error:
             raise _BrokenError("the file is not UTF-8", Span(error.start, error.end)) from None
-        self._offsets = (
-            None
-            if self._text.isascii()
-            else [0, *accumulate(len(each.encode()) for each in self._text)]
-        )
         self._count = 0
 
     def root(self) -> Element:
@@ -73,16 +68,18 @@ class _Reader:
             raise _BrokenError("a launch file in YAML has one key, `launch`, and nothing beside it")
         key, value = document.value[0]
         if key.value != "launch":
-            raise _BrokenError("the outermost key of a launch file is `launch`", self._span(key))
+            raise _BrokenError(
+                "the outermost key of a launch file is `launch`", self._yaml.span(key)
+            )
         return self._element(key, value, 0)
 
     def _document(self) -> yaml.Node | None:
         self._check_depth()
         try:
-            found: yaml.Node | None = yaml.compose(self._text, Loader=yaml.SafeLoader)
+            found: yaml.Node | None = yaml.compose(self._yaml.text, Loader=yaml.SafeLoader)
         except yaml.MarkedYAMLError as error:
             mark = error.problem_mark or error.context_mark
-            at = self._byte(0 if mark is None else min(mark.index, len(self._text)))
+            at = self._yaml.byte(0 if mark is None else mark.index)
             message = f"this is no YAML: {error.problem or 'it cannot be read'}"
             raise _BrokenError(message, Span(at, at)) from None
         except (yaml.YAMLError, RecursionError, ValueError):
@@ -93,7 +90,7 @@ class _Reader:
         """Refuse what would be nested deeper than Python goes, before anything is composed."""
         depth = 0
         try:
-            for event in yaml.parse(self._text, Loader=yaml.SafeLoader):
+            for event in yaml.parse(self._yaml.text, Loader=yaml.SafeLoader):
                 depth += isinstance(event, yaml.CollectionStartEvent)
                 depth -= isinstance(event, yaml.CollectionEndEvent)
                 if depth > _DEEPEST:
@@ -110,10 +107,10 @@ class _Reader:
         keys = [name for name, _ in body.value] if isinstance(body, yaml.MappingNode) else []
         for each in (key, *keys):
             if not isinstance(each, yaml.ScalarNode):
-                raise _BrokenError("a key is a word, and this is none", self._span(each))
-        span = Span(self._byte(first.start_mark.index), self._byte(body.end_mark.index))
+                raise _BrokenError("a key is a word, and this is none", self._yaml.span(each))
+        span = Span(self._yaml.span(first).start, self._yaml.span(body).end)
         if self._count > _MOST_ELEMENTS or depth > _DEEPEST:
-            raise _BrokenError("the aliases make too much of the file", self._span(key))
+            raise _BrokenError("the aliases make too much of the file", self._yaml.span(key))
         attributes: list[Attribute] = []
         children: list[Element] = []
         if isinstance(body, yaml.SequenceNode):
@@ -127,14 +124,14 @@ class _Reader:
                 else:
                     children += self._nested(name, value, depth)
         elif body.value:
-            raise _BrokenError(f"`{key.value}` has no attributes here", self._span(body))
+            raise _BrokenError(f"`{key.value}` has no attributes here", self._yaml.span(body))
         return Element(
             str(key.value),
             tuple(attributes),
             tuple(children),
             ("",) * (len(children) + 1),
             span,
-            self._span(key),
+            self._yaml.span(key),
             span,
             None,
             first.start_mark.line + 1,
@@ -144,7 +141,7 @@ class _Reader:
         for each in body.value:
             if not isinstance(each, yaml.MappingNode) or len(each.value) != 1:
                 message = "an action of a launch file is one key with what belongs to it"
-                raise _BrokenError(message, self._span(each))
+                raise _BrokenError(message, self._yaml.span(each))
             ((key, body),) = each.value
             yield self._element(key, body, depth + 1)
 
@@ -153,7 +150,9 @@ class _Reader:
         is_list = isinstance(value, yaml.SequenceNode)
         for each in value.value if is_list else (value,):
             if not isinstance(each, yaml.MappingNode):
-                raise _BrokenError(f"each `{name.value}` has a name and more", self._span(each))
+                raise _BrokenError(
+                    f"each `{name.value}` has a name and more", self._yaml.span(each)
+                )
             yield self._element(name, each, depth + 1, is_listed=is_list)
 
     def _is_value(self, value: yaml.Node) -> bool:
@@ -169,17 +168,11 @@ class _Reader:
             text = str(value.value) if is_true is None else str(is_true).lower()
         else:
             text = str(value.value)
-        span = Span(self._byte(name.start_mark.index), self._byte(value.end_mark.index))
-        start, end = self._span(value)
+        span = Span(self._yaml.span(name).start, self._yaml.span(value).end)
+        start, end = self._yaml.span(value)
         is_quoted = isinstance(value, yaml.ScalarNode) and value.style in ("'", '"')
         inner = Span(start + is_quoted, end - is_quoted)
         return Attribute(str(name.value), text, span, inner)
 
     def _source(self, node: yaml.Node) -> str:
-        return self._text[node.start_mark.index : node.end_mark.index]
-
-    def _span(self, node: yaml.Node) -> Span:
-        return Span(self._byte(node.start_mark.index), self._byte(node.end_mark.index))
-
-    def _byte(self, index: int) -> int:
-        return index if self._offsets is None else self._offsets[min(index, len(self._text))]
+        return self._yaml.text[node.start_mark.index : node.end_mark.index]

@@ -20,6 +20,7 @@ from plastron_tui.sources.cmake.facts import (
 )
 from plastron_tui.sources.cmake.reader import Call
 from plastron_tui.sources.packages.reading import CMAKE_LISTS, PACKAGE_XML
+from plastron_tui.sources.splices import line_start
 from plastron_tui.sources.xml.package_data import PackageXml
 
 from .cmake_lists import Lists
@@ -88,8 +89,8 @@ def _type(file: str) -> str:
 def _start(texts: PackageTexts, file: str) -> Place:
     """Return the first line of a definition that says something."""
     text = texts.get(file) or b""
-    at = 0
-    for line in text.splitlines(keepends=True):
+    at = line_start(text, 0)
+    for line in text[at:].splitlines(keepends=True):
         said = line.strip()
         if said and not said.startswith(b"#"):
             start = at + len(line) - len(line.lstrip())
