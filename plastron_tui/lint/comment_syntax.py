@@ -11,7 +11,11 @@ from plastron_tui.diagnostics import Span
 
 from .yaml_comments import yaml_comments
 
-_STRINGS = rb"\"(?:\\.|[^\"\\\n])*\"?|'(?:\\.|[^'\\\n])*'?"
+# A backslash takes a line break along, which is of two characters in some files.
+_STRINGS = rb"\"(?:\\(?:\r\n|.)|[^\"\\\n])*\"?|'(?:\\(?:\r\n|.)|[^'\\\n])*'?"
+_RAW_STRING = rb"(?<!\w)(?:u8|[uUL])?R\"(?P<raw>[^()\\\s]{0,16})\(.*?(?:\)(?P=raw)\"|\Z)"
+# Quotes between the digits of a number begin nothing.
+_NUMBER = rb"(?<!\w)\.?\d(?:'?[\w.]|(?<=[eEpP])[+-])*"
 
 # All of a line is the value of a constant that is a string, signs of comments included.
 _STRING_CONSTANT = rb"^(?:\xef\xbb\xbf)?[ \t]*w?string(?:[ \t]*<=[ \t]*\d+)?[ \t]+\w+[ \t]*=[^\n]*"
@@ -40,8 +44,8 @@ class CommentStyle(Enum):
 # Each begins at the first match, so that a sign in a string begins no comment. What has no end
 # goes on to the end of the text, so that a text is passed over once.
 _PARTS = {
-    CommentStyle.CPP: rb"R\"(?P<raw>[^()\\\s]{0,16})\(.*?(?:\)(?P=raw)\"|\Z)|" + _STRINGS
-    + rb"|(?P<comment>//(?:\\\r?\n|[^\n])*|/\*.*?(?:\*/|\Z))",
+    CommentStyle.CPP: rb"|".join((_RAW_STRING, _STRINGS, _NUMBER))
+    + rb"|(?P<comment>//(?:\\[ \t\r\f\v]*\n|[^\n])*|/\*.*?(?:\*/|\Z))",
     CommentStyle.PYTHON: rb"\"\"\"(?:\\.|[^\\])*?(?:\"\"\"|\Z)|'''(?:\\.|[^\\])*?(?:'''|\Z)|"
     + _STRINGS + rb"|(?P<comment>#[^\n]*)",
     CommentStyle.CMAKE: rb"(?P<comment>#\[(?P<c>=*)\[.*?(?:\](?P=c)\]|\Z)|#[^\n]*)"

@@ -79,7 +79,8 @@ def _places(
         end = len(text) if end < 0 else end
         if text[end - 1 : end] == b"\r":
             end -= 1
-        if not text[:end].endswith(b"\\"):
+        # Compilers of C++ do not mind blanks behind the backslash.
+        if not text[:end].rstrip(b" \t").endswith(b"\\"):
             yield Splice(end, end, f"  {style.comment(code)}".encode())
     if style is CommentStyle.XML:
         yield from _above_tag(text, span, code)

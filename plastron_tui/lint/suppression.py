@@ -51,7 +51,7 @@ class Comment(NamedTuple):
     first: int
     last: int
     codes: tuple[tuple[str, Span], ...] | None
-    around: Span = Span(0, 0)
+    around: Span
 
     def is_about(self, rule: Rule) -> bool:
         """Tell whether it names a rule, or all of them."""
@@ -86,19 +86,22 @@ def comments_of(file: Path, text: bytes, lines: LineIndex) -> tuple[Comment, ...
     style = style_of(file)
     if style is None or not may_have_comments(text):
         return ()
+    real = comment_spans(style, text)
     if style is CommentStyle.CPP:
-        found = _nolints(text, lines)
-    else:
-        found = (_noqa(each, style, text, lines) for each in _NOQA.finditer(text))
-    return tuple(_outside_of_strings(found, comment_spans(style, text)))
+        return tuple(_nolints(_within(real, _NOLINT.finditer(text)), lines))
+    found = _within(real, _NOQA.finditer(text))
+    return tuple(_noqa(match, around, style, text, lines) for match, around in found)
 
 
-def _outside_of_strings(found: Iterable[Comment], real: tuple[Span, ...]) -> Iterator[Comment]:
+def _within(
+    real: tuple[Span, ...], found: Iterable[re.Match[bytes]]
+) -> Iterator[tuple[re.Match[bytes], Span]]:
+    """Yield what is within comments, each with the whole comment."""
     starts = [each.start for each in real]
     for each in found:
-        at = bisect_right(starts, each.span.start) - 1
-        if at >= 0 and each.span.end <= real[at].end:
-            yield each._replace(around=real[at])
+        at = bisect_right(starts, each.start()) - 1
+        if at >= 0 and each.end() <= real[at].end:
+            yield each, real[at]
 
 
 class FileComments:
@@ -139,33 +142,35 @@ class FileComments:
         return self._known[key]
 
 
-def _nolints(text: bytes, lines: LineIndex) -> Iterator[Comment]:
+def _nolints(
+    matches: Iterable[tuple[re.Match[bytes], Span]], lines: LineIndex
+) -> Iterator[Comment]:
     """Yield the comments of C++; one that begins lines counts where another one ends them."""
-    begun: dict[tuple[str, ...], re.Match[bytes]] = {}
-    for found in _NOLINT.finditer(text):
+    begun: dict[tuple[str, ...], Comment] = {}
+    for found, around in matches:
         line = lines.line_at(found.start())
         named = None if found["colon"] is None else tuple(_codes(found))
         words = tuple(word for word, _ in named or ())
         match found["kind"]:
             case b"BEGIN":
-                begun[words] = found
+                begun[words] = Comment(Span(*found.span()), line, line, named, around)
             case b"END":
                 if (begin := begun.pop(words, None)) is not None:
-                    named = None if begin["colon"] is None else tuple(_codes(begin))
-                    first = lines.line_at(begin.start())
-                    yield Comment(Span(*begin.span()), first, line, named)
+                    yield begin._replace(last=line)
             case b"NEXTLINE":
-                yield Comment(Span(*found.span()), line + 1, line + 1, named)
+                yield Comment(Span(*found.span()), line + 1, line + 1, named, around)
             case _:
-                yield Comment(Span(*found.span()), line, line, named)
+                yield Comment(Span(*found.span()), line, line, named, around)
 
 
-def _noqa(match: re.Match[bytes], style: CommentStyle, text: bytes, lines: LineIndex) -> Comment:
+def _noqa(
+    match: re.Match[bytes], around: Span, style: CommentStyle, text: bytes, lines: LineIndex
+) -> Comment:
     first = last = lines.line_at(match.start())
     if style is CommentStyle.XML:
         first, last = _lines_in_xml(match, text, lines, first)
     codes = None if match["colon"] is None else tuple(_codes(match))
-    return Comment(Span(*match.span()), first, last, codes)
+    return Comment(Span(*match.span()), first, last, codes, around)
 
 
 def _codes(match: re.Match[bytes]) -> Iterator[tuple[str, Span]]:

@@ -77,6 +77,35 @@ def test_comments_of_definitions(text: str, comments: list[str]) -> None:
 
 
 @pytest.mark.parametrize(
+    ("text", "comments"),
+    [
+        ("int x = 1'000;  // c\n", ["// c"]),
+        ("int x = 1'000'000;  // c\n", ["// c"]),
+        ("int x = 0x1'Fp+1'0 + 'a';  // c\n", ["// c"]),
+        ("auto x = .5'0e-1'0f;  // c 'd'\n", ["// c 'd'"]),
+        ('f(1\'0, "// b");  // c\n', ["// c"]),
+        ("int x = 0xF'F; char y = '\"';  // c\n", ["// c"]),
+        ("char x = u8'/', y = u'\\'', z = L'\"';  // c\n", ["// c"]),
+        ("case 1:x = '//' + a1'//';  // c\n", ["// c"]),
+        ('f("\\"// b", \'"\');  // c\n', ["// c"]),
+        ('f("a\\\n// b");  // c\n', ["// c"]),
+        ('f("a\\\r\n// b");  // c\r\n', ["// c"]),
+        ('f(R"(")" // b)");  // c\n', ['// b)");  // c']),
+        ('f(R"x(" )" // b\n)x");  // c\n', ["// c"]),
+        ('f(u8R"(\n// b)", LR"(//)", UR"(//)");  // c\n', ["// c"]),
+        # The end of a name makes no raw string.
+        ('f(FOOR"(a");  // c\n', ["// c"]),
+        ("x;  // c \\\nd\ny;\n", ["// c \\\nd"]),
+        ("x;  // c \\ \t\nd\ny;\n", ["// c \\ \t\nd"]),
+        ("x;  // c \\\r\nd\r\ny;\r\n", ["// c \\\r\nd"]),
+        ("x; /* c // d\n e */ y;  // f /* g\nz;\n", ["/* c // d\n e */", "// f /* g"]),
+    ],
+)
+def test_comments_of_cpp(text: str, comments: list[str]) -> None:
+    assert _comments("a.cpp", text) == comments
+
+
+@pytest.mark.parametrize(
     ("name", "text", "left"),
     [
         ("a.yml", "a: |\n  see # noqa: RG101\n", None),
@@ -88,6 +117,10 @@ def test_comments_of_definitions(text: str, comments: list[str]) -> None:
         ("a.yml", "a: b  # noqa: RG101 \t\nc: d\n", "a: b\nc: d\n"),
         ("a.yml", "a: |  # noqa: RG101\n  # noqa: RG101\n", "a: |\n  # noqa: RG101\n"),
         ("a.yml", f"{MARK}a: ü  # noqa: RG101\r\nb: |\r\n", f"{MARK}a: ü\r\nb: |\r\n"),
+        ("a.hpp", "int x = 1'000;  // NOLINT(RG101)\n", "int x = 1'000;\n"),
+        ("a.xml", "<a>b <!-- noqa: RG101 -->c</a>\n", "<a>b c</a>\n"),
+        ("a.xml", "<a>b<!-- noqa: RG101 --> c</a>\n", "<a>b c</a>\n"),
+        ("a.xml", "<a/> <!-- noqa: RG101 --> \n", "<a/>\n"),
         ("a.msg", "wstring<=5 D=# noqa: RG101\n", None),
         ("a.srv", "string<=5 D=x # noqa: RG101\n---\n", None),
         ("a.msg", "int32 D=1 # noqa: RG101\n", "int32 D=1\n"),
@@ -101,3 +134,19 @@ def test_only_comments_are_taken_away(
     assert [code for code, _ in told(run)] == ([] if left is None else ["unused-noqa"])
     mend(run)
     assert (root / name).read_bytes() == (text if left is None else left).encode()
+
+
+@pytest.mark.parametrize(
+    ("name", "text"),
+    [
+        ("a.hpp", "x;  // NOLINTBEGIN(RG101)\ny;\nz;  // NOLINTEND(RG101)\n"),
+        ("a.hpp", "#define A x \\  // NOLINT(RG101)\ny\n"),
+        ("CMakeLists.txt", "set(a b\\ # noqa: RG101\n)\n"),
+    ],
+)
+def test_comment_that_is_needed_stays(tmp_path: Path, name: str, text: str) -> None:
+    root = write_tree(tmp_path, {name: text})
+    run = run_over(root, "RG101", "unused-noqa")
+    assert [code for code, _ in told(run)] == ["unused-noqa"]
+    mend(run)
+    assert (root / name).read_text() == text

@@ -82,16 +82,23 @@ def _unused_in(
     ]
     fix = None
     if len(unused) == len(comment.codes or ()) and _is_whole(text, comment):
-        start, end = comment.around
-        while start and text[start - 1 : start] in (b" ", b"\t"):
-            start -= 1
-        while text[end : end + 1] in (b" ", b"\t"):
-            end += 1
-        fix = Fix("take the comment away", (Edit(Span(start, end), ""),))
+        fix = Fix("take the comment away", (Edit(_with_blanks(text, comment.around), ""),))
     for span, message in unused:
         remedy = "take the code, or the comment, away"
         found = Diagnostic(codes.UNUSED_NOQA, message, span, path, remedy, fix)
         yield Found(rule_of(codes.UNUSED_NOQA), found)
+
+
+def _with_blanks(text: bytes, comment: Span) -> Span:
+    """Return a comment with the blanks around it, where they end the line: elsewhere they count."""
+    start, end = comment
+    while text[end : end + 1] in (b" ", b"\t"):
+        end += 1
+    if text[end : end + 1] not in (b"", b"\r", b"\n"):
+        return comment
+    while start and text[start - 1 : start] in (b" ", b"\t"):
+        start -= 1
+    return Span(start, end)
 
 
 def _read(file: Path) -> bytes | None:
@@ -106,5 +113,7 @@ def _is_whole(text: bytes, comment: Comment) -> bool:
     around = comment.around
     before = text[around.start : comment.span.start].strip(b"/ \t")
     after = text[comment.span.end : around.end].removesuffix(b"-->").strip()
-    is_alone = not text[line_start(text, around.start) : around.start].strip()
-    return not before and not after and not is_alone
+    line = text[line_start(text, around.start) : around.start].strip()
+    is_pair = text.startswith(b"NOLINTBEGIN", comment.span.start)
+    # A backslash that ends a line means more than one with a comment behind it.
+    return not (before or after or is_pair or not line or line.endswith(b"\\"))
