@@ -8,6 +8,7 @@ from functools import lru_cache
 from pathlib import Path
 
 from plastron_tui.diagnostics import Span
+from plastron_tui.targets import language_of
 
 from .yaml_comments import yaml_comments
 
@@ -60,8 +61,6 @@ _LEXERS = {style: re.compile(parts, re.S | re.M) for style, parts in _PARTS.item
 
 _STYLES = {
     ".py": CommentStyle.PYTHON,
-    # A script without a suffix.
-    "": CommentStyle.PYTHON,
     ".yaml": CommentStyle.YAML,
     ".yml": CommentStyle.YAML,
     ".cmake": CommentStyle.CMAKE,
@@ -77,10 +76,15 @@ _STYLES = {
 } | dict.fromkeys((".cpp", ".cc", ".cxx", ".hpp", ".hxx", ".hh", ".h"), CommentStyle.CPP)
 
 
-def style_of(file: Path) -> CommentStyle | None:
-    """Return what the comments of a file look like, None where none can say anything of rules."""
+def style_of(file: Path, text: bytes = b"") -> CommentStyle | None:
+    """Return what the comments of a file look like, None where none can say anything of rules.
+
+    Its name tells it, or, of a file without a suffix, its text: a script begins with what runs it.
+    """
     if file.name == "CMakeLists.txt":
         return CommentStyle.CMAKE
+    if not file.suffix:
+        return CommentStyle.PYTHON if language_of(file, text) is not None else None
     return _STYLES.get(file.suffix)
 
 

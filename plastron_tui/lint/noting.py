@@ -38,7 +38,7 @@ def with_comments(file: Path, text: bytes, asked: Sequence[tuple[Span, str]]) ->
         text: what it holds.
         asked: places, each with the code of the rule that it breaks.
     """
-    style = style_of(file)
+    style = style_of(file, text)
     if style is None:
         return Noted(text, 0)
     count = 0

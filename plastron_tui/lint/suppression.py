@@ -83,8 +83,8 @@ def may_name_rules(text: bytes) -> bool:
 
 def comments_of(file: Path, text: bytes, lines: LineIndex) -> tuple[Comment, ...]:
     """Return the comments of a file about rules, in the order in which they begin or end lines."""
-    style = style_of(file)
-    if style is None or not may_have_comments(text):
+    style = style_of(file, text) if may_have_comments(text) else None
+    if style is None:
         return ()
     real = comment_spans(style, text)
     if style is CommentStyle.CPP:

@@ -30,7 +30,8 @@ def commented_files(
     """
     by_package: dict[str, list[str]] = defaultdict(list)
     for path in files:
-        if style_of(Path(path)) is not None:
+        name = Path(path)
+        if not name.suffix or style_of(name) is not None:
             by_package[package_of(path)].append(path)
     for folder, paths in by_package.items():
         key = f"comments {folder} {digest_of_names(iter(paths)).hex()}"
@@ -47,5 +48,6 @@ def commented_files(
 
 def _names_rules(path: str) -> bool:
     with suppress(OSError, ValueError):
-        return may_name_rules(read_regular(path, LARGEST_FILE))
+        text = read_regular(path, LARGEST_FILE)
+        return may_name_rules(text) and style_of(Path(path), text) is not None
     return False
