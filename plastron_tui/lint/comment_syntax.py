@@ -10,6 +10,7 @@ from pathlib import Path
 from plastron_tui.diagnostics import Span
 from plastron_tui.targets import language_of
 
+from .python_comments import python_comments
 from .yaml_comments import yaml_comments
 
 # A backslash takes a line break along, which is of two characters in some files.
@@ -20,6 +21,8 @@ _NUMBER = rb"(?<!\w)\.?\d(?:'?[\w.]|(?<=[eEpP])[+-])*"
 
 # All of a line is the value of a constant that is a string, signs of comments included.
 _STRING_CONSTANT = rb"^(?:\xef\xbb\xbf)?[ \t]*w?string(?:[ \t]*<=[ \t]*\d+)?[ \t]+\w+[ \t]*=[^\n]*"
+
+_TAG = rb"<(?:[^\"'<>]|\"[^\"]*(?:\"|\Z)|'[^']*(?:'|\Z))*>?"
 
 
 class CommentStyle(Enum):
@@ -47,15 +50,14 @@ class CommentStyle(Enum):
 _PARTS = {
     CommentStyle.CPP: rb"|".join((_RAW_STRING, _STRINGS, _NUMBER))
     + rb"|(?P<comment>//(?:\\[ \t\r\f\v]*\n|[^\n])*|/\*.*?(?:\*/|\Z))",
-    CommentStyle.PYTHON: rb"\"\"\"(?:\\.|[^\\])*?(?:\"\"\"|\Z)|'''(?:\\.|[^\\])*?(?:'''|\Z)|"
-    + _STRINGS + rb"|(?P<comment>#[^\n]*)",
-    CommentStyle.CMAKE: rb"(?P<comment>#\[(?P<c>=*)\[.*?(?:\](?P=c)\]|\Z)|#[^\n]*)"
-    rb"|\"(?:\\.|[^\"\\])*\"?|\[(?P<b>=*)\[.*?(?:\](?P=b)\]|\Z)",
+    # A bracket within a word begins no argument, nor does what is behind a backslash.
+    CommentStyle.CMAKE: rb"(?P<comment>#\[(?P<c>=*)\[.*?(?:\](?P=c)\]|\Z)|#[^\n]*)|\\[^\n]"
+    rb"|\"(?:\\.|[^\"\\])*\"?|(?<![^\s()\"])\[(?P<b>=*)\[.*?(?:\](?P=b)\]|\Z)",
     CommentStyle.XML: rb"(?P<comment><!--.*?(?:-->|\Z))|<!\[CDATA\[.*?(?:\]\]>|\Z)|"
-    rb"<\?.*?(?:\?>|\Z)|<(?:[^\"'<>]|\"[^\"]*(?:\"|\Z)|'[^']*(?:'|\Z))*>?",
+    rb"<\?.*?(?:\?>|\Z)|" + _TAG,
     CommentStyle.DEFINITION: _STRING_CONSTANT + rb"|\"(?:\\[^\n]|[^\"\\\n])*\"?|"
     rb"'(?:\\[^\n]|[^'\\\n])*'?|(?P<comment>#[^\n]*)",
-    CommentStyle.PROGRAM: _STRINGS + rb"|(?P<comment>//[^\n]*)",
+    CommentStyle.PROGRAM: rb"\"(?:\\[^\n]|[^\"\\\n])*\"?|/\*.*?(?:\*/|\Z)|(?P<comment>//[^\n]*)",
 }  # fmt: skip
 _LEXERS = {style: re.compile(parts, re.S | re.M) for style, parts in _PARTS.items()}
 
@@ -88,6 +90,15 @@ def style_of(file: Path, text: bytes = b"") -> CommentStyle | None:
     return _STYLES.get(file.suffix)
 
 
+_NEXT_TAG = re.compile(rb"\s*(" + _TAG + rb")")
+
+
+def tag_behind(text: bytes, offset: int) -> Span | None:
+    """Return the tag of an XML text that follows an offset behind blanks alone, None for none."""
+    found = _NEXT_TAG.match(text, offset)
+    return None if found is None else Span(*found.span(1))
+
+
 def tag_at(text: bytes, offset: int) -> Span | None:
     """Return the tag of an XML text that an offset is in, None where it is in none."""
     for match in _LEXERS[CommentStyle.XML].finditer(text):
@@ -101,9 +112,10 @@ def tag_at(text: bytes, offset: int) -> Span | None:
 def comment_spans(style: CommentStyle, text: bytes) -> tuple[Span, ...]:
     """Return the places of the comments of a text."""
     if style is CommentStyle.YAML:
-        return tuple(yaml_comments(text))
-    return tuple(
-        Span(match.start("comment"), len(match["comment"].rstrip()) + match.start("comment"))
-        for match in _LEXERS[style].finditer(text)
-        if match["comment"] is not None
-    )
+        found = yaml_comments(text)
+    elif style is CommentStyle.PYTHON:
+        found = python_comments(text)
+    else:
+        matches = _LEXERS[style].finditer(text)
+        found = (Span(*each.span("comment")) for each in matches if each["comment"] is not None)
+    return tuple(Span(start, start + len(text[start:end].rstrip())) for start, end in found)

@@ -18,7 +18,7 @@ from typing import NamedTuple
 from plastron_tui.diagnostics import LineIndex, Span
 from plastron_tui.sources.splices import line_start
 
-from .comment_syntax import CommentStyle, comment_spans, style_of
+from .comment_syntax import CommentStyle, comment_spans, style_of, tag_behind
 from .rule import Group, Rule
 
 _WORD_TEXT = rb"(?:[A-Za-z]\w*(?:-\w+)*|\*)"
@@ -168,7 +168,7 @@ def _noqa(
 ) -> Comment:
     first = last = lines.line_at(match.start())
     if style is CommentStyle.XML:
-        first, last = _lines_in_xml(match, text, lines, first)
+        first, last = _lines_in_xml(around, text, lines, first)
     codes = None if match["colon"] is None else tuple(_codes(match))
     return Comment(Span(*match.span()), first, last, codes, around)
 
@@ -179,19 +179,13 @@ def _codes(match: re.Match[bytes]) -> Iterator[tuple[str, Span]]:
         yield word[0].decode(), Span(start + word.start(), start + word.end())
 
 
-def _lines_in_xml(
-    match: re.Match[bytes], text: bytes, lines: LineIndex, line: int
-) -> tuple[int, int]:
+def _lines_in_xml(comment: Span, text: bytes, lines: LineIndex, line: int) -> tuple[int, int]:
     """Return the lines that a comment of XML is about: its own, or those of the tag below."""
-    end = text.find(b"-->", match.end())
-    before = text[line_start(text, match.start()) : match.start()]
-    if end < 0 or before.strip():
+    tag = tag_behind(text, comment.end)
+    before = text[line_start(text, comment.start) : comment.start]
+    if before.strip() or tag is None or b"\n" not in text[comment.end : tag.start]:
         return line, line
-    tag = re.compile(rb"\s*<").match(text, end + 3)
-    if tag is None or b"\n" not in tag[0]:
-        return line, line
-    close = text.find(b">", tag.end())
-    return lines.line_at(tag.end() - 1), lines.line_at(len(text) if close < 0 else close)
+    return lines.line_at(tag.start), lines.line_at(tag.end - 1)
 
 
 def _means(word: str, rule: Rule) -> bool:

@@ -26,8 +26,7 @@ def yaml_comments(source: bytes) -> Iterator[Span]:
     text = yaml_text.text
     for start, end in _gaps(text):
         for found in _COMMENT.finditer(text, start, end):
-            comment_end = found.start() + len(found[0].rstrip())
-            yield Span(yaml_text.byte(found.start()), yaml_text.byte(comment_end))
+            yield Span(yaml_text.byte(found.start()), yaml_text.byte(found.end()))
 
 
 def _gaps(text: str) -> Iterator[tuple[int, int]]:

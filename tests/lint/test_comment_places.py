@@ -106,6 +106,77 @@ def test_comments_of_cpp(text: str, comments: list[str]) -> None:
 
 
 @pytest.mark.parametrize(
+    ("text", "comments"),
+    [
+        ("x = 'a # b'  # c\n", ["# c"]),
+        ("x = 'don\\'t # b'  # c\n", ["# c"]),
+        ("x = r'\\'  # b'\ny  # c\n", ["# c"]),
+        ("x = 'a\\\n# b'  # c\n", ["# c"]),
+        ("x = 'a\\\r\n# b'  # c\r\n", ["# c"]),
+        ('def f():\n    """a\n    # b\n    """  # c\n', ["# c"]),
+        ("x = '''a ' # b\n''' '# c'  # d\n", ["# d"]),
+        ("x = 1  # a\ry = '# b'  # c\r", ["# a", "# c"]),
+        ('x = f"{d["# a"]}"  # b\n', ["# b"]),
+        ("x = f'{d['# a']!r:{w['# b']}#} # c'  # d\n", ["# d"]),
+        ("x = Rf'{a:#x}' + fr'\\{b}' + f'\\'# c'  # d\n", ["# d"]),
+        ("x = f'{{# a' f'{ {1: 2}[1]:>3}' '}'  # b\n", ["# b"]),
+        ("x = f'''{\n  a['# b']  # c\n}# d\n'''  # e\n", ["# e"]),
+        ("x = f'{f'{f'{\"# a\"}'}'}'  # b\n", ["# b"]),
+        ("x = t'{a[\"'# b\"]}'  # c\n", ["# c"]),
+        ("x = f'a{b:c\ny  # b\n", ["# b"]),
+        ("if'a':pass  # b\n", ["# b"]),
+    ],
+)
+def test_comments_of_python(text: str, comments: list[str]) -> None:
+    assert _comments("a.py", text) == comments
+
+
+@pytest.mark.parametrize(
+    ("text", "comments"),
+    [
+        ('set(a "b # c")  # d\n', ["# d"]),
+        ('set(a "b\n# c")  # d\n', ["# d"]),
+        ("set(a b\\# c)\n", []),
+        ('set(a \\"b)  # c "\n', ['# c "']),
+        ('set(a b"c # d")  # e\n', ["# e"]),
+        ("set(a b#c\n)\n", ["#c"]),
+        ("set(a [[ # b\n]] # c\n)\n", ["# c"]),
+        ("set(a [=[ # b ]] # c\n]=]) # d\n", ["# d"]),
+        ('set(a b[[c "d ]] # e")  # f\n', ["# f"]),
+        ("#[==[ a # b\n]] # c\n]==] set(d)# e\n", ["#[==[ a # b\n]] # c\n]==]", "# e"]),
+        ("# [[ a\nset(b)  # ]] c\n", ["# [[ a", "# ]] c"]),
+    ],
+)
+def test_comments_of_cmake(text: str, comments: list[str]) -> None:
+    assert _comments("CMakeLists.txt", text) == comments
+
+
+@pytest.mark.parametrize(
+    ("text", "comments"),
+    [
+        ("<a b='<!-- c -->'/> <!-- d -->\n", ["<!-- d -->"]),
+        ("<a>it's <!-- b --> it's</a>\n", ["<!-- b -->"]),
+        ("<?a <!-- b --> ?><![CDATA[<!-- c -->]]><!-- d -->\n", ["<!-- d -->"]),
+        ("<!DOCTYPE a [<!ENTITY b '<!-- c -->'> <!-- d -->]>\n", ["<!-- d -->"]),
+    ],
+)
+def test_comments_of_xml(text: str, comments: list[str]) -> None:
+    assert _comments("a.xml", text) == comments
+
+
+@pytest.mark.parametrize(
+    ("text", "comments"),
+    [
+        ('load "a // b"  // c\n', ["// c"]),
+        ("/* // a\nb // c\n*/ d  // e\n", ["// e"]),
+        ("it's  // a\n", ["// a"]),
+    ],
+)
+def test_comments_of_programs(text: str, comments: list[str]) -> None:
+    assert _comments("a.plastron", text) == comments
+
+
+@pytest.mark.parametrize(
     ("name", "text", "left"),
     [
         ("a.yml", "a: |\n  see # noqa: RG101\n", None),
@@ -117,6 +188,10 @@ def test_comments_of_cpp(text: str, comments: list[str]) -> None:
         ("a.yml", "a: b  # noqa: RG101 \t\nc: d\n", "a: b\nc: d\n"),
         ("a.yml", "a: |  # noqa: RG101\n  # noqa: RG101\n", "a: |\n  # noqa: RG101\n"),
         ("a.yml", f"{MARK}a: ü  # noqa: RG101\r\nb: |\r\n", f"{MARK}a: ü\r\nb: |\r\n"),
+        ("a.py", 'x = f"{d["# noqa: RG101"]}"\n', None),
+        ("a.py", "x = 1  # noqa: RG101\ry = 2\r", "x = 1\ry = 2\r"),
+        ("CMakeLists.txt", "set(a b\\# noqa: RG101\n)\n", None),
+        ("a.plastron", "/*\na // noqa: RG101\n*/\n", None),
         ("README", "Write `x = 1  # noqa: RG101`\n", None),
         ("Makefile", "x:  # noqa: RG101\n", None),
         (".ignored", "x  # noqa: RG101\n", None),

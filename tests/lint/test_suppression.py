@@ -69,6 +69,7 @@ def _is_meant(name: str, text: str, at: str = "@") -> bool:
         ("a.yaml", "x@ # noqa: RC407\n", True),
         ("a.xml", "<a @/> <!-- noqa: RC407 -->\n", True),
         ("a.xml", "<!-- noqa: RC407 -->\n<a\n  @\n  b=''/>\n", True),
+        ("a.xml", "<!-- noqa: RC407 -->\n<a b='>'\n  @/>\n", True),
         ("a.xml", "<!-- noqa: RC407 -->\n<a/>\n<b @/>\n", False),
         ("a.plastron", "@ // noqa: RC407\n", True),
         ("a.msg", "@ # noqa: RC407\n", True),
