@@ -160,6 +160,83 @@ def test_revision_is_read_and_nothing_of_the_repository_is_run(tmp_path: Path) -
         assert isinstance(read_earlier(tree, revision), Diagnostic)
 
 
+def _committed(folder: Path) -> Path:
+    """Write a repository with a commit, and return its folder."""
+    root = write_tree(folder, _BEFORE)
+    _git(root, "init", "-q")
+    _git(root, "add", "-A")
+    _git(root, "commit", "-q", "-m", "before")
+    return root
+
+
+def _lose(root: Path, name: str) -> None:
+    """Take away what git has of a file in the last commit."""
+    words = ["git", "rev-parse", f"HEAD:{name}"]
+    known = subprocess.run(words, cwd=root, check=True, capture_output=True, text=True).stdout
+    (root / ".git/objects" / known[:2] / known[2:].strip()).unlink()
+
+
+@pytest.mark.parametrize(
+    ("lost", "why"),
+    [
+        ((), ""),
+        (("user.py",), ""),
+        (("rover/msg/Speed.msg",), "the repository lacks `rover/msg/Speed.msg`, as"),
+        (("rover/package.xml", "rover/msg/Speed.msg"), "the repository lacks `rover/msg/Speed.msg` "
+         "and 1 more, as"),
+    ],
+)  # fmt: skip
+def test_revision_of_which_files_are_missing(
+    tmp_path: Path, lost: tuple[str, ...], why: str
+) -> None:
+    root = _committed(tmp_path)
+    for name in lost:
+        _lose(root, name)
+    tree = read_tree([root], FactCache(root, tmp_path / "cache"), workers=1)
+    earlier = read_earlier(tree, "HEAD")
+    if why:
+        assert isinstance(earlier, Diagnostic)
+        assert why in earlier.message
+    else:
+        assert isinstance(earlier, Earlier)
+        assert root / "user.py" in earlier.unchanged
+
+
+@pytest.mark.parametrize(
+    "settings",
+    [
+        {"remote.origin.url": "ext::{runs}", "protocol.ext.allow": "always"},
+        {"remote.origin.url": "there:x", "core.sshCommand": "{runs}",
+         "protocol.ssh.allow": "always"},
+        {"remote.origin.url": "git://localhost/x", "core.gitProxy": "{runs}",
+         "protocol.git.allow": "always"},
+        {"remote.origin.url": ".", "remote.origin.uploadpack": "{runs};",
+         "protocol.file.allow": "always"},
+        {"remote.origin.url": "x", "remote.origin.vcs": "ext", "protocol.ext.allow": "always"},
+        {"remote.origin.url": "https://localhost:9/x", "credential.helper": "!{runs}",
+         "core.askPass": "{runs}", "protocol.https.allow": "always"},
+        {"alias.ls-tree": "!{runs}", "alias.cat-file": "!{runs}", "core.pager": "{runs}",
+         "pager.ls-tree": "true", "diff.external": "{runs}", "core.editor": "{runs}"},
+    ],
+)  # fmt: skip
+def test_nothing_is_fetched_with_programs_of_the_repository(
+    tmp_path: Path, settings: Mapping[str, str]
+) -> None:
+    root = _committed(tmp_path)
+    program = tmp_path / "runs"
+    program.write_text(f"#!/bin/sh\ntouch {tmp_path}/was-run\n")
+    program.chmod(0o755)
+    partial = {"core.repositoryFormatVersion": "1", "extensions.partialClone": "origin",
+               "remote.origin.promisor": "true"}  # fmt: skip
+    for name, value in {**partial, **settings}.items():
+        _git(root, "config", name, value.format(runs=program))
+    for name in ("user.py", "rover/msg/Speed.msg"):
+        _lose(root, name)
+    tree = read_tree([root], FactCache(root, tmp_path / "cache"), workers=1)
+    assert isinstance(read_earlier(tree, "HEAD"), Diagnostic)
+    assert not (tmp_path / "was-run").exists()
+
+
 def _write_submodule(folder: Path) -> Path:
     """Write a repository that has another one as its submodule, and return its folder."""
     inner = write_tree(folder / "inner", _BEFORE)

@@ -19,9 +19,7 @@ _MOST_FILES = 20_000
 _LARGEST = 1_000_000
 _MOST_MODULES = 100
 _DEEPEST = 5
-_SETTINGS = (
-    "core.hooksPath=/dev/null", "core.fsmonitor=false", "core.pager=cat", "protocol.allow=never",
-)  # fmt: skip
+_SETTINGS = ("core.hooksPath=/dev/null", "core.fsmonitor=false", "core.pager=cat")
 
 
 class Answer(NamedTuple):
@@ -64,6 +62,9 @@ def _git(folder: str, *words: str, given: bytes = b"") -> bytes:
         if not name.startswith("GIT_")
     }
     environ |= {
+        # Git before 2.45 fetches what is missing, and the repository says which program does that.
+        # Of all that forbids it, nothing but this goes before `protocol.ext.allow` of its settings.
+        "GIT_ALLOW_PROTOCOL": "none",
         "GIT_NO_LAZY_FETCH": "1",
         "GIT_NO_REPLACE_OBJECTS": "1",
         "GIT_OPTIONAL_LOCKS": "0",
@@ -86,7 +87,8 @@ def _answer(folder: str, revision: str, depth: int = 0) -> Answer:
     """Return what git knows of what is below a folder at a revision, in submodules too."""
     commit = _commit(folder, revision)
     prefix = _git(folder, "rev-parse", "--show-prefix").rstrip(b"\n")
-    listed = _git(folder, "ls-tree", "-r", "-z", "-l", "--full-tree", commit)
+    # No sizes: git asks every file for its own, and tries to fetch each that is missing.
+    listed = _git(folder, "ls-tree", "-r", "-z", "--full-tree", commit)
     wanted: list[tuple[bytes, str]] = []
     code: dict[str, str] = {}
     modules: list[tuple[str, str]] = []
@@ -95,18 +97,15 @@ def _answer(folder: str, revision: str, depth: int = 0) -> Answer:
         parts = about.split()
         if parts[1:2] == [b"commit"] and path.startswith(prefix) and depth < _DEEPEST:
             modules.append((os.fsdecode(path[len(prefix) :]), parts[2].decode()))
-        is_file = len(parts) == 4 and parts[1] == b"blob" and parts[3].isdigit()
-        if not is_file or not path.startswith(prefix) or parts[0] == b"120000":
+        is_file = parts[1:2] == [b"blob"] and parts[0] != b"120000"
+        if not is_file or not path.startswith(prefix):
             continue
         name = path[len(prefix) :].decode("utf-8", "replace")
         if name.endswith(_CODE):
             code[name] = parts[2].decode()
-        elif _WANTED.fullmatch(path[len(prefix) :]) and int(parts[3]) <= _LARGEST:
+        elif _WANTED.fullmatch(path[len(prefix) :]):
             wanted.append((parts[2], name))
-    wanted = wanted[:_MOST_FILES]
-    asked = b"".join(each + b"\n" for each, _ in wanted)
-    objects = _git(folder, "cat-file", "--batch", given=asked)
-    files = dict(_cut(objects, [name for _, name in wanted]))
+    files = dict(_texts(folder, wanted[:_MOST_FILES]))
     for name, earlier in modules[:_MOST_MODULES]:
         # One that is not fetched has no files now, either.
         if os.path.exists(os.path.join(folder, name, ".git")):
@@ -139,18 +138,24 @@ def _commit(folder: str, revision: str) -> str:
         raise _GitError("it is no commit") from None
 
 
-def _cut(objects: bytes, names: list[str]) -> list[tuple[str, str]]:
-    """Return the texts that `git cat-file --batch` has written one after the other."""
+def _texts(folder: str, wanted: list[tuple[bytes, str]]) -> list[tuple[str, str]]:
+    """Return the texts of files, by their names, of those that git has under names of its own."""
+    known = b"".join(each + b"\n" for each, _ in wanted)
+    rows = _git(folder, "cat-file", "--batch-check", given=known).splitlines()
+    heads = [(row.split(), name) for row, (_, name) in zip(rows, wanted, strict=True)]
+    missing = [name for head, name in heads if len(head) != 3]
+    if missing:
+        # What is left would be compared as if these had never been.
+        more = f" and {len(missing) - 1} more" if missing[1:] else ""
+        raise _GitError(f"the repository lacks `{missing[0]}`{more}, as a partial clone does")
+    heads = [(head, name) for head, name in heads if int(head[2]) <= _LARGEST]
+    known = b"".join(head[0] + b"\n" for head, _ in heads)
+    objects = _git(folder, "cat-file", "--batch", given=known)
     found = []
     at = 0
-    for name in names:
-        end = objects.find(b"\n", at)
-        head = objects[at:end].split()
-        if len(head) != 3:
-            at = end + 1
-            continue
-        size = int(head[2])
-        text = objects[end + 1 : end + 1 + size]
-        found.append((name, text.decode("utf-8", "replace")))
-        at = end + size + 2
+    for head, name in heads:
+        start = objects.index(b"\n", at) + 1
+        at = start + int(head[2])
+        found.append((name, objects[start:at].decode("utf-8", "replace")))
+        at += 1
     return found
