@@ -8,6 +8,7 @@ from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
 from functools import cache
+from itertools import pairwise
 from pathlib import Path
 from typing import ClassVar
 
@@ -30,6 +31,8 @@ _FEWEST_STEPS = 2_000
 _STEPS_PER_BYTE = 0.1
 _PIECE = 65_536
 
+_LONE_RETURN = re.compile(rb"\r(?!\n)")
+
 
 class Grammar:
     """A grammar, and the queries that a folder has for it; each is made once, when asked for."""
@@ -49,6 +52,14 @@ class Grammar:
         for nodes in found.values():
             nodes.sort(key=lambda node: (node.start_byte, -node.end_byte))
         return found
+
+
+def python_lines(text: bytes) -> bytes:
+    """Return a Python text of the same length whose lines end where Python ends them.
+
+    At a carriage return, too: for tree-sitter the line goes on, and takes the square of its length.
+    """
+    return _LONE_RETURN.sub(b"\n", text)
 
 
 class _Bounding(threading.local):
@@ -166,6 +177,22 @@ class ParsedFile:
     def captures(self, name: str) -> dict[str, list[Node]]:
         """Run a query over the whole file; the nodes of a capture are in the order of the text."""
         return self.grammar.captures(name, self.root)
+
+
+def first_error(root: Node) -> Node:
+    """Return the first node at fault of a text that does not parse.
+
+    What is missing may be a sign that no node shows, such as the end of a line. Then it is the one
+    that begins in the line of the one before, or else the one that lacks the sign.
+    """
+    node = root
+    while not (node.is_error or node.is_missing):
+        wrong = next((each for each in node.children if each.has_error), None)
+        if wrong is None:
+            pairs = pairwise(node.children)
+            return next((y for x, y in pairs if x.end_point.row == y.start_point.row), node)
+        node = wrong
+    return node
 
 
 def count_errors(root: Node) -> int:

@@ -160,3 +160,12 @@ INCLUDE = (
 )  # fmt: skip
 def test_statements_are_followed_or_told(body: str, expected: list[str]) -> None:
     assert _read(body) == expected
+
+
+def test_lone_carriage_returns_end_lines() -> None:
+    lines = ["def generate_launch_description():", "    # Starts nothing.",
+             "    return LaunchDescription([Node(package='a', executable='b')])", ""]  # fmt: skip
+    for end in ("\n", "\r\n", "\r"):
+        read = read_launch_python(end.join(lines).encode())
+        assert read.launch is not None
+        assert [type(each) for each in read.launch.items] == [StartedNode]

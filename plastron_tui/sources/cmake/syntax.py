@@ -18,6 +18,7 @@ from tree_sitter import Language, Node, Parser
 
 from plastron_tui.diagnostics import Diagnostic, codes
 from plastron_tui.sources.build_files import RefusedError, check_text, refusal
+from plastron_tui.sources.grammars import first_error
 
 _DEEPEST = 60
 _BLOCKS = {
@@ -201,7 +202,7 @@ def _with_short_blanks(text: bytes) -> bytes:
 
 def _first_wrong(root: Node) -> tuple[int, int]:
     """Return where the first syntax error is; a command that is not closed begins there."""
-    wrong = next(each for each in _all(root) if each.is_error or each.is_missing)
+    wrong = first_error(root)
     command = wrong.parent
     if wrong.is_missing and wrong.type == ")" and command is not None:
         opening = next((each for each in command.children if each.type == "("), command)

@@ -13,7 +13,7 @@ from tree_sitter import Language, Node
 from plastron_tui.diagnostics import Diagnostic, Span, codes
 from plastron_tui.ros.launch import Format, Item, LaunchFile, Unread
 from plastron_tui.ros.launch_text import text
-from plastron_tui.sources.grammars import BoundedParser
+from plastron_tui.sources.grammars import BoundedParser, python_lines
 
 from .python_actions import SEQUENCES, Computed, placed
 from .python_values import (
@@ -32,7 +32,7 @@ from .xml_reader import LaunchRead
 
 def read_launch_python(source: bytes, file: Path | None = None) -> LaunchRead:
     """Read a launch file in Python; what is computed is an `Unread` item."""
-    root = BoundedParser(_language()).parse(source).root_node
+    root = BoundedParser(_language()).parse(python_lines(source)).root_node
     if root.has_error:
         found = Diagnostic(codes.BROKEN_LAUNCH, "this is no Python that can be read", file=file)
         return LaunchRead(None, Format.PYTHON, None, (found,))

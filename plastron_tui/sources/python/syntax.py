@@ -19,6 +19,7 @@ from plastron_tui.sources.grammars import (
     ParsedFile,
     count_errors,
     is_too_deep,
+    python_lines,
     wide_errors,
 )
 from plastron_tui.sources.text_memo import remembered
@@ -33,9 +34,6 @@ _ASCII = bytes([9, 10, *range(32, 127)])
 
 # In these a part of a file has no meaning of its own, and some take the square of its length.
 _NO_TEXT = frozenset({"idna", "punycode", "raw-unicode-escape", "unicode-escape", "utf-7"})
-
-# Python ends a line there; for tree-sitter the line goes on, and takes the square of its length.
-_OLD_LINE_END = re.compile(rb"\r(?!\n)")
 
 FUNCTIONS = frozenset({"function_definition", "lambda"})
 """What has statements of its own, which run when it is called."""
@@ -77,7 +75,7 @@ def parse(text: bytes) -> Syntax:
     """Parse a file, whatever its encoding, without moving an offset."""
     encoding = _encoding(text)
     source = text if encoding == "utf-8" else text.translate(AS_LETTERS)
-    source = bound_indents(_OLD_LINE_END.sub(b"\n", source))
+    source = bound_indents(python_lines(source))
     parser = BoundedParser(Syntax.grammar.language())
     tree = parser.parse(source)
     errors = count_errors(tree.root_node)

@@ -12,7 +12,7 @@ from tree_sitter import Language, Node
 
 from plastron_tui.diagnostics import codes
 from plastron_tui.sources.build_files import check_text, refusal
-from plastron_tui.sources.grammars import BoundedParser
+from plastron_tui.sources.grammars import BoundedParser, first_error, python_lines
 
 from .branches import Branching, are_apart, never_runs, read_branchings, way_to
 from .names import Names, descendants, read_names
@@ -26,9 +26,13 @@ _CATKIN_CALL = "generate_distutils_setup"
 _MOST_SETUP_CALLS = 20
 
 
+def parse_python(text: bytes) -> Node:
+    """Return the root of the tree of a text in Python, over exactly its bytes."""
+    return _parser().parse(python_lines(text)).root_node
+
+
 @cache
-def python_parser() -> BoundedParser:
-    """Return a parser of Python."""
+def _parser() -> BoundedParser:
     return BoundedParser(Language(tree_sitter_python.language()))
 
 
@@ -97,10 +101,10 @@ def parse_setup(text: bytes, path: Path, ros_version: int = 2) -> Setup:
     """
     check_text(text, path)
     _check_encoding(text, path)
-    root = python_parser().parse(text).root_node
+    root = parse_python(text)
     nodes = _nodes(text, path, root)
     if root.has_error:
-        wrong = next(each for each in nodes if each.is_error or each.is_missing)
+        wrong = first_error(root)
         span = (wrong.start_byte, wrong.end_byte)
         raise refusal(text, path, span, "has a syntax error", codes.BROKEN_BUILD_FILE)
     calls = list(_setup_calls(text, nodes))
@@ -136,7 +140,7 @@ def _chosen(
 def _check_encoding(text: bytes, path: Path) -> None:
     """Refuse a file whose coding line, one of the first two (PEP 263), names another encoding."""
     at = 0
-    for line in text.split(b"\n", 2)[:2]:
+    for line in python_lines(text).split(b"\n", 2)[:2]:
         comment, _, said = line.lower().partition(b"coding")
         name = said[1:].strip().replace(b"_", b"-")
         is_coding = comment.lstrip(b"\xef\xbb\xbf \t").startswith(b"#") and said[:1] in (b":", b"=")

@@ -92,3 +92,26 @@ def test_large_formats_are_not_followed() -> None:
     text = f"A = 'x'\nB = {long}.format(A)\nC = {long}.format(B)\n{_SCRIPTS % (_FORMATTED % 'C')}"
     setup = read_setup(text.encode(), Path("setup.py")).setup
     assert setup is not None and not setup.console_scripts
+
+
+@pytest.mark.parametrize("end", ["\n", "\r\n", "\r", "\n\f\n", "\n\f"])
+def test_lines_end_where_python_ends_them(end: str) -> None:
+    text = f"from setuptools import setup{end}# of{end}setup(name='demo'){end}"
+    read = read_setup(text.encode(), Path("setup.py"))
+    assert read.diagnostics == ()
+    assert read.setup is not None and read.setup.name == "demo"
+
+
+_SYNTAX_ERRORS = {
+    "a = 1\nb = 2\fsetup(name='demo')\n": 2,
+    "a = 1\nb = 2\vsetup(name='demo')\n": 2,
+    "a = 1\n\x1c\nsetup(name='demo')\n": 2,
+    "a = 1\nb = (2\nsetup(name='demo')\n": 2,
+    "if a:\n    b = 2\n    c = 3 4\nsetup(name='demo')\n": 3,
+}
+
+
+@pytest.mark.parametrize("text", _SYNTAX_ERRORS, ids=ascii)
+def test_syntax_error_is_told_with_its_line(text: str) -> None:
+    (told,) = read_setup(text.encode(), Path("setup.py")).diagnostics
+    assert told.message == f"line {_SYNTAX_ERRORS[text]} of `setup.py` has a syntax error"

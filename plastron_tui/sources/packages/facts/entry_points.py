@@ -24,7 +24,7 @@ from plastron_tui.sources.setup_py.reader import (
     keyword,
     read_setup,
 )
-from plastron_tui.sources.setup_py.syntax import parse_setup, python_parser
+from plastron_tui.sources.setup_py.syntax import parse_python, parse_setup
 
 from .script_folder import script_folder
 from .texts import PackageTexts
@@ -295,7 +295,7 @@ def _entry(
 
 def top_names(text: bytes) -> frozenset[str] | None:
     """Return the names that a module has, None where that is not sure."""
-    root = python_parser().parse(text).root_node
+    root = parse_python(text)
     if root.has_error:
         return None
     found: set[str] = set()

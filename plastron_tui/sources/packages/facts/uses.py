@@ -14,7 +14,7 @@ from plastron_tui.diagnostics import Span
 from plastron_tui.model.package_facts import Declared, Place, Used
 from plastron_tui.ros.launch_names import launch_language
 from plastron_tui.ros.name_slips import LONGEST, is_slip, shortened
-from plastron_tui.sources.setup_py.syntax import python_parser
+from plastron_tui.sources.setup_py.syntax import parse_python
 
 from .cmake_lists import Lists
 from .definitions import fields_of
@@ -200,7 +200,7 @@ def _imports(text: bytes, skipped: set[str]) -> Iterator[tuple[str, Span, bool]]
     """
     if all(each.decode("utf-8", "replace") in skipped for each in _first_names(text)):
         return
-    root = python_parser().parse(text).root_node
+    root = parse_python(text)
     if root.has_error:
         return
     waiting = [root]
