@@ -139,6 +139,18 @@ class Language:
         del text, others
         return False
 
+    @if_it_fails(None)
+    def refusal(self, path: Path, text: bytes, ros_version: int = 2) -> Diagnostic | None:
+        """Return why whoever runs a file refuses it for sure, None where that is not sure.
+
+        Args:
+            path: the file.
+            text: what it holds.
+            ros_version: the generation of ROS that it is for.
+        """
+        del path, text, ros_version
+        return None
+
     def definitions(self, text: bytes, name: str) -> int:
         """Count the functions of a name that a text defines; 0 as well where that is not known."""
         del text, name

@@ -91,9 +91,9 @@ NO_NODE = Code(
 
 FILE_TOO_LARGE = Code(
     "file-too-large",
-    "A file is larger than any node that a person writes, or has more comments in a row "
-    "or more classes, and is not read; or it would be larger than what is read of a robot, and is "
-    "not written.",
+    "A file is larger than any node that a person writes, or has more comments in a row, "
+    "more classes or more brackets within each other, and is not read; or it would be larger "
+    "than what is read of a robot, and is not written.",
 )
 
 ENDPOINT_IN_USE = Code(
@@ -112,6 +112,12 @@ UNREADABLE_FILE = Code(
     "unreadable-file",
     "A file cannot be read as text: it is not there, a folder, too large, not UTF-8, has "
     "NUL bytes, or the operating system refuses. Save it as UTF-8, or name another file.",
+)
+
+BROKEN_PYTHON = Code(
+    "broken-python",
+    "A file of a workspace has a syntax error, so that Python 3 runs nothing of it. Code of "
+    "ROS 1, which may be for Python 2, is not told of.",
 )
 
 BAD_PROJECT = Code(

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import os
 import stat
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping
 from contextlib import suppress
 from dataclasses import replace
 from pathlib import Path
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 from plastron_tui.diagnostics import Diagnostic, codes
 from plastron_tui.lint.tree import PackageFacts
@@ -17,9 +17,13 @@ from plastron_tui.sources.packages.facts import build_facts
 from plastron_tui.sources.packages.facts.texts import LARGEST
 from plastron_tui.sources.packages.files import BUILD_FILES
 from plastron_tui.sources.packages.installed import further_programs
-from plastron_tui.sources.packages.reading import PackageFiles, read_package_files
+from plastron_tui.sources.packages.reading import SETUP_PY, PackageFiles, read_package_files
+from plastron_tui.targets import language_of
+
+from .kept_diagnostics import Kept, kept, unread
 
 _OF_XML = frozenset({codes.BROKEN_XML, codes.UNSUPPORTED_XML, codes.BROKEN_PACKAGE})
+_UNREADABLE = frozenset({codes.UNREADABLE_FILE, codes.FILE_TOO_LARGE})
 
 
 class PackageRead(NamedTuple):
@@ -27,16 +31,11 @@ class PackageRead(NamedTuple):
 
     Attributes:
         facts: what it says, None where nothing of it counts.
-        wrong: why its package.xml is none: diagnostics, their codes as plain texts.
+        wrong: why nothing of it counts, where one of its files is to blame.
     """
 
     facts: PackageFacts | None
-    wrong: tuple[tuple[Any, ...], ...] = ()
-
-    def diagnostics(self) -> Iterator[Diagnostic]:
-        """Yield why its package.xml is none."""
-        for code, *parts in self.wrong:
-            yield Diagnostic(codes.CODES[code], *parts)
+    wrong: Kept = ()
 
 
 _MAY_RUN = stat.S_IXUSR | stat.S_IXGRP | stat.S_IXOTH
@@ -73,8 +72,7 @@ def read_package(folder: str, names: frozenset[str], programs: frozenset[str]) -
     files = PackageFiles(Path(folder), names, texts, is_whole=False)
     source, found = read_package_files(files, 2)
     if source is None:
-        wrong = (each for each in found if each.code in _OF_XML)
-        return PackageRead(None, tuple((str(each.code), *each[1:]) for each in wrong))
+        return PackageRead(None, kept(_left_out(found, texts)))
     further = further_programs(source)
     source = replace(source, executables={**further.programs, **source.executables})
     facts = PackageFacts(
@@ -85,3 +83,23 @@ def read_package(folder: str, names: frozenset[str], programs: frozenset[str]) -
         build_facts(source, read, programs, is_whole=further.is_whole),
     )
     return PackageRead(facts)
+
+
+def _left_out(found: Iterable[Diagnostic], texts: Mapping[str, bytes]) -> Iterator[Diagnostic]:
+    """Yield why nothing of a package counts: what the build refuses, or cannot be read here."""
+    for each in found:
+        file = each.file
+        text = None if file is None else texts.get(file.name)
+        if each.code in _OF_XML:
+            yield each
+        elif file is None or text is None:
+            continue
+        elif file.name == SETUP_PY:
+            language = language_of(file)
+            refused = None if language is None else language.refusal(file, text)
+            if refused is not None:
+                yield refused
+            elif each.code in _UNREADABLE:
+                yield unread(each)
+        elif each.code in _UNREADABLE or (each.code is codes.BROKEN_BUILD_FILE and each.span):
+            yield unread(each)

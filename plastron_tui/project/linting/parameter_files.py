@@ -3,16 +3,23 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator
+from contextlib import suppress
 from dataclasses import replace
 from itertools import chain
+from pathlib import Path
+from typing import NamedTuple
 
-from plastron_tui.diagnostics import Span
+from plastron_tui.diagnostics import Diagnostic, Span, codes
 from plastron_tui.lint.tree import LaunchFacts, SettingPlace
+from plastron_tui.regular_files import read_regular
 from plastron_tui.ros.launch import Container, Group, Item, LaunchFile
 from plastron_tui.ros.launch_resolution import resolve
 from plastron_tui.ros.launch_started import Opened, Resolved, Started
 from plastron_tui.ros.launch_text import Scope
 from plastron_tui.ros.parameter_blocks import ParameterBlock, read_blocks
+from plastron_tui.sources.not_text import not_utf_8, without_nul
+
+from .kept_diagnostics import Kept, is_template, kept, unread
 
 LARGEST = 256 * 1024
 """In bytes; a parameter file has some kilobytes."""
@@ -23,9 +30,73 @@ def is_parameter_file(path: str) -> bool:
     return path.endswith((".yaml", ".yml"))
 
 
-def blocks_of(text: bytes | None) -> tuple[ParameterBlock, ...] | None:
+class ParameterFileRead(NamedTuple):
+    """What was read of a parameter file of ROS 2.
+
+    Attributes:
+        blocks: what it says, None where it is none that a node can take.
+        wrong: why no node can take it, or why it is not read here.
+    """
+
+    blocks: tuple[ParameterBlock, ...] | None
+    wrong: Kept = ()
+
+
+def text_of(path: str, limit: int) -> bytes | None:
+    """Return what a file holds, None where it cannot be read, or has more bytes than may be."""
+    with suppress(OSError, ValueError):
+        return read_regular(path, limit)
+    return None
+
+
+def read_parameter_file(name: str) -> ParameterFileRead | None:
     """Return what a file says of parameters, None where it is no parameter file of ROS 2."""
-    return read_blocks(text) if text is not None and b"ros__parameters" in text else None
+    text, path = text_of(name, LARGEST), Path(name)
+    if text is None or b"ros__parameters" not in without_nul(text):
+        return None
+    blocks = read_blocks(text)
+    return ParameterFileRead(blocks, kept(() if blocks is not None else _wrong(text, path)))
+
+
+def _wrong(text: bytes, path: Path) -> Iterator[Diagnostic]:
+    other = not_utf_8(text, path)
+    if is_template(path) or b"{{" in text or b"{%" in text:
+        return
+    error = _mistake(text)
+    if error is not None and other is not None:
+        yield other
+    elif error is not None:
+        mark = getattr(error, "problem_mark", None)
+        why = getattr(error, "problem", None) or "it cannot be read"
+        span = None if mark is None else _line(text, mark.line)
+        yield Diagnostic(codes.BAD_PARAMETERS, f"this is no YAML: {why}", span, path)
+    elif other is not None:
+        yield unread(other)
+
+
+def _line(text: bytes, row: int) -> Span:
+    """Return what a line says, counted from 0; behind the last one it is that."""
+    lines = text.split(b"\n")
+    row = min(row, len(lines) - 1)
+    start = sum(map(len, lines[:row])) + row
+    return Span(start, start + len(lines[row].rstrip()))
+
+
+def is_no_yaml(text: bytes) -> bool:
+    """Tell whether the parser that ROS uses refuses a text."""
+    return _mistake(text) is not None
+
+
+def _mistake(text: bytes) -> Exception | None:
+    import yaml
+
+    loader = yaml.CBaseLoader if yaml.__with_libyaml__ else yaml.BaseLoader
+    try:
+        for _ in yaml.parse(text, Loader=loader):
+            pass
+    except (yaml.YAMLError, ValueError) as error:
+        return error
+    return None
 
 
 def setting_places(

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from contextlib import suppress
 from dataclasses import dataclass, field
 from functools import cached_property, partial
 from itertools import chain
@@ -14,8 +13,6 @@ from typing import TypeVar
 from plastron_tui.diagnostics import Diagnostic
 from plastron_tui.lint.namesakes import nearest
 from plastron_tui.lint.tree import LaunchFacts, PackageFacts, SourceTree, UnitFacts
-from plastron_tui.model.source import LARGEST_FILE
-from plastron_tui.regular_files import read_regular
 from plastron_tui.ros.catalog import Catalog
 from plastron_tui.ros.launch_names import launch_language
 from plastron_tui.ros.launch_resolution import resolve
@@ -24,7 +21,6 @@ from plastron_tui.ros.launch_text import Scope
 from plastron_tui.ros.packages import is_test_folder
 from plastron_tui.ros.parameter_blocks import ParameterBlock
 from plastron_tui.sources.grammars import bounding
-from plastron_tui.sources.launch.reader import LARGEST
 from plastron_tui.sources.launch.xml_reader import LaunchRead
 from plastron_tui.sources.still_disk import still_disk
 from plastron_tui.sources.workspace_modules import Modules, modules_in, workspace_of
@@ -32,11 +28,11 @@ from plastron_tui.sources.workspace_modules import Modules, modules_in, workspac
 from .cache import FactCache, packed, unpacked
 from .commented import commented_files
 from .fingerprints import Digest, Reads, digest_of_names, noted
-from .launch_files import LaunchFileRead, read_launch_file
+from .kept_diagnostics import diagnostics_of
+from .launch_files import content_of, read_launch_file
 from .listing import Listing, files_around, list_files, mark_of
 from .packages import read_package, runnable
-from .parameter_files import LARGEST as PARAMETERS
-from .parameter_files import blocks_of, is_parameter_file, setting_places, unstarted
+from .parameter_files import is_parameter_file, read_parameter_file, setting_places, unstarted
 from .pool import Died, Pool
 from .same_names import by_name, namesakes_of, same_names
 from .started_places import started_places
@@ -142,6 +138,7 @@ class _Reading:
             place = path[below:].split(os.sep)
             is_test = place[-1].startswith("test_") or any(map(is_test_folder, place[:-1]))
             folder, facts = self.package_of(path), found[path].facts
+            assert facts is not None
             is_left = facts.ros_version == 1 and folder in ported
             yield facts._replace(
                 package=folders.get(folder, ""),
@@ -161,7 +158,7 @@ class _Reading:
             if known is None:
                 missed.setdefault(self.package_of(path), []).append(path)
             elif known[0] is not None:
-                yield path, known[0]
+                yield from self._taken(path, known[0])
         total = sum(map(len, missed.values()))
         for done, answer in enumerate(pool.map(_groups(missed.values(), pool.count)), 1):
             if self.progress is not None:
@@ -174,7 +171,13 @@ class _Reading:
                 self.cache.put(self._unit_key(answer.path), answer.reads, answer.data)
                 read: UnitRead | None = unpacked(answer.data)
                 if read is not None:
-                    yield answer.path, read
+                    yield from self._taken(answer.path, read)
+
+    def _taken(self, path: str, read: UnitRead) -> Iterator[tuple[str, UnitRead]]:
+        """Yield a file with nodes, and note what is wrong with it."""
+        self.wrong += diagnostics_of(read.wrong)
+        if read.facts is not None:
+            yield path, read
 
     def _programs(self) -> Iterator[str]:
         """Yield the files of packages without a suffix that may be run: scripts may be among them.
@@ -231,7 +234,7 @@ class _Reading:
             found = self._once("package", folder, read, self._names[folder] + marks)
             if found is None:
                 continue
-            self.wrong += found.diagnostics()
+            self.wrong += diagnostics_of(found.wrong)
             if found.facts is not None:
                 # Neither catkin nor colcon looks for packages within packages.
                 is_inner = self.package_of(folder) != ""
@@ -293,7 +296,7 @@ class _Reading:
         for path, read in reads.items():
             if read is not None and read.launch is not None:
                 found_in = partial(folder_of, file=path)
-                scope = Scope({}, {}, os.path.dirname(path), found_in, _content)
+                scope = Scope({}, {}, os.path.dirname(path), found_in, content_of)
                 resolved = resolve(read.launch, read.format.ros_version, scope, path, opened)
                 found.append(LaunchFacts(Path(path), resolved, read.format.ros_version))
                 if read.format.ros_version == 2:
@@ -303,15 +306,17 @@ class _Reading:
     def parameter_files(self) -> Iterator[tuple[Path, tuple[ParameterBlock, ...]]]:
         """Yield the parameter files of ROS 2 with what they say."""
         for path in filter(is_parameter_file, self.listing.files):
-            blocks = self._once("parameters", path, partial(_read_blocks, path))
-            if blocks:
-                yield Path(path), blocks
+            found = self._once("parameters", path, partial(read_parameter_file, path))
+            if found is not None:
+                self.wrong += diagnostics_of(found.wrong)
+                if found.blocks:
+                    yield Path(path), found.blocks
 
     def _launch(self, path: str) -> LaunchRead | None:
-        found = self._once("launch", path, partial(_read_launch, path))
+        found = self._once("launch", path, partial(read_launch_file, path))
         if found is None:
             return None
-        self.wrong += found.diagnostics()
+        self.wrong += diagnostics_of(found.wrong)
         return found.read
 
     def package_of(self, path: str) -> str:
@@ -374,25 +379,3 @@ def _groups(packages: Iterable[list[str]], workers: int) -> Iterator[list[str]]:
 
 def _key(what: str, path: str, names: Digest) -> str:
     return f"{what} {path} {names.hex()}"
-
-
-def _text(path: str, limit: int = LARGEST_FILE) -> bytes | None:
-    with suppress(OSError, ValueError):
-        return read_regular(path, limit)
-    return None
-
-
-def _content(path: str) -> str | None:
-    text = _text(path, LARGEST)
-    with suppress(ValueError):
-        return None if text is None else text.decode()
-    return None
-
-
-def _read_blocks(path: str) -> tuple[ParameterBlock, ...] | None:
-    return blocks_of(_text(path, PARAMETERS))
-
-
-def _read_launch(path: str) -> LaunchFileRead | None:
-    text = _text(path, LARGEST)
-    return None if text is None else read_launch_file(text, Path(path))

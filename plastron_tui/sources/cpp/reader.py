@@ -9,6 +9,7 @@ from pathlib import Path
 from plastron_tui.diagnostics import Code, Diagnostic, codes
 from plastron_tui.model.source import FileSet, SourceUnit
 from plastron_tui.sources.base import ReadResult
+from plastron_tui.sources.not_text import not_utf_8
 
 from .analysis import Analysis
 from .beside import sources_beside
@@ -55,8 +56,8 @@ def read_cpp(path: Path, files: FileSet, library: str | None = None) -> ReadResu
     text = files.main
     if len(text) > MOST_BYTES:
         return _refuse(path, codes.FILE_TOO_LARGE, "the file is larger than 4 MB and is not read")
-    if b"\x00" in text:
-        return _refuse(path, codes.NO_NODE, "the file is not a text")
+    if b"\x00" in text and (found := not_utf_8(text, path)) is not None:
+        return ReadResult(None, (found,))
     versions = [LIBRARIES[library]] if library in LIBRARIES else _mentioned(files)
     if not versions:
         return _refuse(path, codes.NO_NODE, "the file includes neither ROS 1 nor ROS 2")

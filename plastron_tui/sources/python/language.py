@@ -9,6 +9,7 @@ from collections.abc import Container
 from pathlib import Path
 from typing import ClassVar
 
+from plastron_tui.diagnostics import Diagnostic
 from plastron_tui.model.code_facts import CodeFacts
 from plastron_tui.model.source import FileSet, SourceUnit
 from plastron_tui.sources.base import Language, ReadResult
@@ -97,6 +98,12 @@ class Python(Language):
         if is_broken and all(syntax_error(other) is None for other in others):
             return True
         return lost_names(meanings_in(text), *map(meanings_in, others)) != []
+
+    def refusal(self, path: Path, text: bytes, ros_version: int = 2) -> Diagnostic | None:
+        """Return why Python refuses a file for sure, None where that is not sure."""
+        from .refused_text import refusal
+
+        return refusal(path, text, ros_version)
 
     def definitions(self, text: bytes, name: str) -> int:
         """Count the functions and methods of a name that a Python text defines."""

@@ -8,6 +8,7 @@ from pathlib import Path
 from plastron_tui.diagnostics import Code, Diagnostic, codes
 from plastron_tui.model.source import FileSet, SourceUnit
 from plastron_tui.sources.base import ReadResult
+from plastron_tui.sources.not_text import not_utf_8
 
 from .calls import LIBRARIES, ClientLibrary
 from .nodes import group
@@ -33,8 +34,8 @@ def read_python(path: Path, files: FileSet, library: str | None = None) -> ReadR
     text = files.main
     if len(text) > MOST_BYTES:
         return _refuse(path, codes.FILE_TOO_LARGE, "the file is larger than 4 MB and is not read")
-    if b"\x00" in text:
-        return _refuse(path, codes.NO_NODE, "the file is not a text")
+    if b"\x00" in text and (found := not_utf_8(text, path)) is not None:
+        return ReadResult(None, (found,))
     candidates = [LIBRARIES[library]] if library in LIBRARIES else _imported(text)
     is_guess = not candidates and _CREATION.search(text) is not None
     if not candidates and not is_guess:

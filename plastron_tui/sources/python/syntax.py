@@ -96,7 +96,7 @@ def parse(text: bytes) -> Syntax:
 def _encoding(text: bytes) -> str:
     """Return the encoding that the file names, or else the one that its bytes are in."""
     # A coding line that the bytes contradict is no better than none.
-    wishes = [name for name in (_declared(text), "utf-8", "latin-1") if name is not None]
+    wishes = [name for name in (declared_encoding(text), "utf-8", "latin-1") if name is not None]
     return next(name for name in wishes if _is_in(text, name))
 
 
@@ -108,7 +108,7 @@ def _is_in(text: bytes, encoding: str) -> bool:
     return True
 
 
-def _declared(text: bytes) -> str | None:
+def declared_encoding(text: bytes) -> str | None:
     """Return what the coding line names, where Python could read a file in it."""
     if text.startswith(codecs.BOM_UTF8):
         return None

@@ -78,13 +78,20 @@ def test_a_block_without_its_colon_keeps_what_is_in_it():
 
 
 @pytest.mark.parametrize(
-    "text",
-    ["", "print('hello')\n", "# import rospy\n", b"\x00\x01import rospy", b"import rospy\n\x00"],
+    ("text", "code"),
+    [
+        (b"", "no-node"),
+        (b"print('hello')\n", "no-node"),
+        (b"# import rospy\n", "no-node"),
+        (b"\xf0\x00\x01import rospy", "no-node"),
+        (b"import rospy\n\x00", "unreadable-file"),
+        ("\ufeffimport rospy\n".encode("utf-16-le"), "unreadable-file"),
+    ],
 )
-def test_a_file_that_is_no_node_is_a_diagnostic(text):
-    result = read_python(Path("x"), one(text if isinstance(text, bytes) else text.encode()))
+def test_a_file_that_is_no_node_is_a_diagnostic(text, code):
+    result = read_python(Path("x"), one(text))
     assert result.source is None
-    assert [d.code for d in result.diagnostics] == ["no-node"]
+    assert [d.code for d in result.diagnostics] == [code]
 
 
 def test_a_huge_file_is_a_diagnostic():
