@@ -16,8 +16,8 @@ class YamlText:
     """A text as PyYAML shall get it, whose marks count characters where spans count bytes.
 
     Attributes:
-        text: the text without the byte order mark that it may begin with: PyYAML counts that one or
-            does not, as it is built with libyaml or without.
+        text: the text without the byte order marks that it may begin with, of which libyaml skips
+            two, and counts the second one alone.
     """
 
     def __init__(self, source: bytes) -> None:
@@ -27,7 +27,7 @@ class YamlText:
             UnicodeDecodeError: it is not UTF-8.
         """
         decoded = source.decode("utf-8")
-        self.text = decoded.removeprefix(_BYTE_ORDER_MARK)
+        self.text = decoded.removeprefix(_BYTE_ORDER_MARK).removeprefix(_BYTE_ORDER_MARK)
         self._before = 3 * (len(decoded) - len(self.text))
         self._offsets = (
             None

@@ -58,9 +58,12 @@ def test_what_is_found_and_written(
 
 
 @pytest.mark.parametrize("is_fast", [True, False])
-def test_places_in_parameter_files(is_fast: bool, monkeypatch: pytest.MonkeyPatch) -> None:
+@pytest.mark.parametrize("marks", [0, 1, 2])
+def test_places_in_parameter_files(
+    is_fast: bool, marks: int, monkeypatch: pytest.MonkeyPatch
+) -> None:
     monkeypatch.setattr(yaml, "__with_libyaml__", yaml.__with_libyaml__ and is_fast)
-    text = MARK + "a:\n  ros__parameters:\n    größe: 'ü'\n".encode()
+    text = MARK * marks + "a:\n  ros__parameters:\n    größe: 'ü'\n".encode()
     blocks = read_blocks(text)
     assert blocks is not None
     (key,) = blocks[0].keys
