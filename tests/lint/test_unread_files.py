@@ -135,9 +135,15 @@ def test_file_that_is_not_read_is_told_once(
     assert [each for each in _told(root, "RK") if " R" not in each] == []
 
 
-def test_what_is_too_large_is_told(tmp_path: Path) -> None:
-    text = NODE + "# more\n" * 30_000
-    root = write_tree(tmp_path, {"eye.py": text, "other.py": "# more\n" * 30_000})
+@pytest.mark.parametrize(
+    ("name", "text", "more"),
+    [
+        ("eye.py", NODE, "# more\n" * 30_000),
+        ("eye.cpp", CPP, "std::vector<" * 10_000),
+    ],
+)
+def test_what_is_too_large_is_told(tmp_path: Path, name: str, text: str, more: str) -> None:
+    root = write_tree(tmp_path, {name: text + more, f"other{Path(name).suffix}": more})
     assert _told(root) == ["warning file-too-large 0"]
 
 

@@ -15,6 +15,7 @@ from .analysis import Analysis
 from .beside import sources_beside
 from .last_read import keep_analysis
 from .mentioned import is_component, is_nodelet
+from .nesting import is_nested_too_deep
 from .node_sites import nodelets
 from .nodes import group
 from .sites import MOST_SITES, find_sites
@@ -61,6 +62,9 @@ def read_cpp(path: Path, files: FileSet, library: str | None = None) -> ReadResu
     versions = [LIBRARIES[library]] if library in LIBRARIES else _mentioned(files)
     if not versions:
         return _refuse(path, codes.NO_NODE, "the file includes neither ROS 1 nor ROS 2")
+    if is_nested_too_deep(text):
+        problem = "the file is nested deeper than people write, and is not read"
+        return _refuse(path, codes.FILE_TOO_LARGE, problem)
     parsed = [
         ("" if at == 0 else name, parse(each))
         for at, (name, each) in enumerate(files.texts)

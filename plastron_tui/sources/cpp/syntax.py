@@ -22,6 +22,7 @@ from plastron_tui.sources.grammars import (
 from plastron_tui.sources.text_memo import remembered
 
 from .macros import join_macros, mask_macros
+from .nesting import is_nested_too_deep
 from .preprocessing import Define, Include, blank, preprocess
 
 
@@ -99,6 +100,9 @@ def parse(text: bytes) -> Syntax:
     parser = BoundedParser(Syntax.grammar.language())
     for _ in range(3):
         source = bytes(code)
+        if is_nested_too_deep(source):
+            tree = parser.given_up()
+            break
         tree = parser.parse(source if encoding == "utf-8" else source.translate(AS_LETTERS))
         if is_too_deep(source, tree.root_node):
             tree = parser.given_up()
