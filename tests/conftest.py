@@ -102,10 +102,12 @@ def pytest_collection_modifyitems(
 # Thousands of tests and all modules stay to the end: to walk among them again and again took half
 # of the processor's time.
 gc.set_threshold(200_000, 10, 10)
+gc.disable()
 
 
 def pytest_collection_finish() -> None:
     gc.freeze()
+    gc.enable()
 
 
 # In CI everything is installed, and a skip, whoever made it, would hide a failure.
