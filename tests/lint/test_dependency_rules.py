@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 from linted import run_over, write_tree
-from packages import CMAKE, PY_NODE, PYTHON, Break, found_in, told_of
+from packages import CATKIN, CMAKE, PY_NODE, PYTHON, Break, found_in, told_of
 
 from plastron_tui.lint.rules.package_examples import TYPES_PACKAGE, package_xml, setup_py
 from plastron_tui.project.linting.rewriting import mend
@@ -53,6 +53,24 @@ _CASES = [
     Break("wheels/wheels/mover.py", "import rclpy\n", "import rclpy\nimport action_msgs.msg\n"),
     Break("wheels/wheels/mover.py", "import rclpy\n", "import rclpy\nimport nav2_msgs.msg\n",
           "RK501 wheels/wheels/mover.py:3"),
+    # What types alone are imported of in this way is a package of types, known or not.
+    Break("wheels/wheels/mover.py", "import rclpy\n",
+          "import rclpy\nfrom acme_msgs.msg import Wheel\n", "RK501 wheels/wheels/mover.py:3"),
+    Break("wheels/wheels/mover.py", "import rclpy\n",
+          "import rclpy\nfrom acme_interfaces.srv import Wheel\n",
+          "RK501 wheels/wheels/mover.py:3"),
+    Break("rover/src/mover.cpp", "#include <rclcpp/rclcpp.hpp>",
+          '#include "acme_msgs/msg/wheel.hpp"',
+          "RK501 rover/src/mover.cpp:1"),
+    Break("old/scripts/mover.py", "import rospy\n",
+          "import rospy\nfrom acme_srvs.srv import Wheel\n", "RK501 old/scripts/mover.py:3"),
+    Break("wheels/wheels/mover.py", "import rclpy\n",
+          "import rclpy\nfrom acme.msg import Wheel\n"),
+    Break("wheels/wheels/mover.py", "import rclpy\n",
+          "import rclpy\nfrom acme_msgs.tools import Wheel\n"),
+    Break("wheels/wheels/mover.py", "import rclpy\n",
+          "import rclpy\nfrom acme_msgs.msg import Wheel\n",
+          more={"wheels/acme_msgs/__init__.py": "", "wheels/acme_msgs/msg.py": "Wheel = 1\n"}),
     # A slip in the code speaks for the dependency, where nobody has a package of that name.
     Break("wheels/wheels/mover.py", "geometry_msgs", "geometry_msg",
           "RK501 wheels/wheels/mover.py:4"),
@@ -83,7 +101,9 @@ _CASES = [
 
 @pytest.mark.parametrize("case", _CASES, ids=lambda case: f"{case.file} {case.found}"[:60])
 def test_dependency_is_told_where_it_is(tmp_path: Path, case: Break) -> None:
-    own = {"demo": TYPES_PACKAGE, "wheels": PYTHON, "rover": CMAKE}[case.file.partition("/")[0]]
+    own = {"demo": TYPES_PACKAGE, "wheels": PYTHON, "rover": CMAKE, "old": CATKIN}[
+        case.file.partition("/")[0]
+    ]
     assert told_of(tmp_path, case.files(own)) == case.found
 
 

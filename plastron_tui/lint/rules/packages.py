@@ -69,7 +69,8 @@ def packages_of_types(tree: SourceTree, version: int) -> frozenset[str]:
     "the next machine, or when the packages are built in another order. What another package "
     "depends on does not count, but for the types that the client libraries themselves bring: they "
     "are told where CMake looks for them. A name that is of no package, and one slip from one that "
-    "is depended on, is told, too. Code that is not installed, tests, and what is imported "
+    "is depended on, is told, too. Of packages that are not known, those count that have only "
+    "types by what is imported of them. Code that is not installed, tests, and what is imported "
     "in `try` are left alone, as are most packages without types that are not of the workspace.",
     bad=NODE_PACKAGE | {"demo/package.xml": package_xml("demo", exec_depend=["rclpy"])},
     good=NODE_PACKAGE,
@@ -81,11 +82,12 @@ def undeclared_dependency(tree: SourceTree, code: Code) -> Iterator[Diagnostic]:
     for package, build in _built(tree):
         if build.has_groups:
             continue
-        yield from _misspelt(tree, code, package, build, known(package.ros_versions[0]))
+        types = known(package.ros_versions[0])
+        yield from _misspelt(tree, code, package, build, types)
+        types = types.union(_types_by_form(tree, package, build, types))
         seen = {package.name, *brought(tree, package)}
         for used in build.used:
             own = with_modules if used.need == "exec" else with_headers
-            types = known(package.ros_versions[0])
             name = _package_of(used, package, types, own)
             if name is None or name in seen or _is_of_another(used, build, tree):
                 continue
@@ -120,6 +122,19 @@ def undeclared_dependency(tree: SourceTree, code: Code) -> Iterator[Diagnostic]:
             )
 
 
+def _types_by_form(
+    tree: SourceTree, package: PackageFacts, build: BuildFacts, known: frozenset[str]
+) -> Iterator[str]:
+    """Yield what can only be packages of types, by the form of what is imported of them."""
+    form = _TYPES_OF[package.ros_versions[0]]
+    for name in {
+        found[1] for found in map(form.match, (each.what for each in build.used)) if found
+    }:
+        is_meant = any(is_slip(name, each) for each in known | tree.packages.keys())
+        if name.endswith(_ENDINGS) and not is_meant and not _is_own_module(tree, name):
+            yield name
+
+
 def _misspelt(
     tree: SourceTree, code: Code, package: PackageFacts, build: BuildFacts, types: frozenset[str]
 ) -> Iterator[Diagnostic]:
@@ -152,8 +167,13 @@ def _is_known(tree: SourceTree, package: PackageFacts, name: str) -> bool:
         is_package(tree, package, name)
         or key_of_module(name, version, ()) is not None
         or key_of_header(name, version, ()) is not None
-        or any(name in build.modules | build.folders for _, build in _built(tree))
+        or _is_own_module(tree, name)
     )
+
+
+def _is_own_module(tree: SourceTree, name: str) -> bool:
+    """Tell whether a module, or a folder of headers, of the workspace is called so."""
+    return any(name in build.modules | build.folders for _, build in _built(tree))
 
 
 def _or_out(tree: SourceTree, name: str, uses: list[Used]) -> str:
