@@ -58,7 +58,7 @@ def target_of(
     Raises:
         RefusedError: it cannot be written there.
     """
-    if not _is_inner_name(name):
+    if elsewhere is None and not _is_inner_name(name):
         message = f"{name!a} cannot be the name of a file in the output folder"
         raise RefusedError(refusal(codes.OUTSIDE_OUTPUT, message, None))
     try:

@@ -17,7 +17,7 @@ from plastron_tui.lint import Found
 from plastron_tui.lint.rule import RULES, rule_of
 
 from .cache import FactCache, packed
-from .fingerprints import Reads, digest, digest_of_names
+from .fingerprints import Digest, Reads, digest, digest_of_names
 from .listing import Listing, files_around, mark_of
 from .packages import runnable
 
@@ -47,6 +47,10 @@ class FoundBefore:
         self._cache.touch()
         self._facts.touch()
         return tuple(_found(each) for each in known[0])
+
+    def needs(self) -> dict[str, Digest | None]:
+        """Return what each file held that it was found in, or that was kept for the next run."""
+        return self._cache.needs()
 
     def keep(self, found: Iterable[Found], reads: Reads) -> None:
         """Leave to the next run what was found.

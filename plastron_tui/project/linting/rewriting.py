@@ -4,10 +4,11 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Collection, Iterable, Mapping
+from itertools import chain
 from pathlib import Path
 from typing import NamedTuple
 
-from plastron_tui.diagnostics import Diagnostic, Fix, Severity, codes, has_errors
+from plastron_tui.diagnostics import Diagnostic, Fix, codes, has_errors
 from plastron_tui.lint.comment_syntax import CommentStyle, style_of
 from plastron_tui.lint.fixing import with_fixes
 from plastron_tui.lint.noting import with_comments
@@ -24,7 +25,8 @@ MOST_ROUNDS = 20
 
 _NEVER_MEANT = {
     codes.UNUSED_NOQA, codes.BROKEN_XML, codes.UNSUPPORTED_XML, codes.BROKEN_PACKAGE,
-    *codes.GROUPS["sentences"],
+    codes.BROKEN_PYTHON, codes.BROKEN_LAUNCH, codes.BROKEN_BUILD_FILE, codes.BAD_PARAMETERS,
+    codes.UNREADABLE_FILE, codes.FILE_TOO_LARGE, *codes.GROUPS["sentences"],
 }  # fmt: skip
 
 
@@ -67,8 +69,9 @@ def fixed(
 ) -> tuple[Rewrite, ...]:
     """Return the files that the fixes of what is found change.
 
-    Fixes that touch each other wait for their turn. A file that would read worse gets its fixes
-    one by one, without those that do harm.
+    Fixes that touch each other wait for their turn, as do those of a file that somebody has changed
+    since it was read. A file that would read worse gets its fixes one by one, without those that do
+    harm.
 
     Args:
         run: what is found.
@@ -78,7 +81,7 @@ def fixed(
     found = []
     for path, fixes in _fixes(run, refused).items():
         before = run.text(path)
-        if before is not None:
+        if before is not None and not run.is_changed(path):
             after, applied = _applied(path, before, fixes[:1] if path in careful else fixes)
             if after != before:
                 found.append(Rewrite(path, before, after, applied))
@@ -115,21 +118,27 @@ def mend(run: LintRun) -> Changes:
     refused: set[tuple[Path, Fix]] = set()
     careful: set[Path] = set()
     problems: list[Diagnostic] = []
+    changed: list[Diagnostic] = []
     known = _broken(run)
     most: int | None = None
     for _ in range(MOST_ROUNDS):
         rewrites = fixed(run, refused, careful)[:most]
-        if not rewrites:
-            break
         found = write_all(rewrites)
-        problems += found
+        # What somebody else has changed meanwhile is read again, and has its turn then.
+        later = {path for path, each in found.items() if all(map(_is_change, each))}
+        changed = list(chain(*(found[path] for path in later)))
+        if not rewrites and not any(map(run.is_changed, _fixes(run, refused))):
+            break
+        problems += chain(*(each for path, each in found.items() if path not in later))
         kept = [each for each in rewrites if each.path not in _unwritten(found)]
-        refused |= {(x.path, fix) for x in rewrites if x not in kept for fix in x.fixes}
+        failed = [each for each in rewrites if each not in kept and each.path not in later]
+        refused |= {(each.path, fix) for each in failed for fix in each.fixes}
         most = 2 * most if most else None
         now = run.again()
         while kept and (worse := _broken(now) - known):
             harmed = [each for each in kept if any(each.path == file for file, _ in worse)] or kept
-            problems += write_all(Rewrite(each.path, each.after, each.before) for each in harmed)
+            back = write_all(Rewrite(each.path, each.after, each.before) for each in harmed)
+            problems += chain(*back.values())
             if harmed is kept and len(kept) > 1:
                 most = len(kept) // 2
             else:
@@ -140,11 +149,15 @@ def mend(run: LintRun) -> Changes:
         count += sum(len(each.fixes) for each in kept)
         files |= {each.path for each in kept}
         run, known = now, _broken(now)
-    return Changes(run, count, len(files), tuple(problems))
+    return Changes(run, count, len(files), (*problems, *changed))
 
 
-def _unwritten(problems: Iterable[Diagnostic]) -> set[Path]:
-    return {each.file for each in problems if each.file and each.severity is Severity.ERROR}
+def _is_change(problem: Diagnostic) -> bool:
+    return problem.code == codes.CHANGED_ON_DISK
+
+
+def _unwritten(problems: Mapping[Path, tuple[Diagnostic, ...]]) -> set[Path]:
+    return {path for path, found in problems.items() if has_errors(found)}
 
 
 def _broken(run: LintRun) -> Counter[tuple[Path | None, str]]:
@@ -170,7 +183,7 @@ def note_all(run: LintRun) -> Changes:
     told = [each for each in run.told if each.diagnostic.code not in _NEVER_MEANT]
     for path in dict.fromkeys(each.diagnostic.file for each in told):
         before = None if path is None else run.text(path)
-        if path is None or before is None:
+        if path is None or before is None or run.is_changed(path):
             continue
         here = [
             (span, str(x.rule.code))
@@ -185,23 +198,23 @@ def note_all(run: LintRun) -> Changes:
     for path in _unwritten(problems):
         counts.pop(path, None)
     now = run.again() if rewrites else run
-    return Changes(now, sum(counts.values()), len(counts), problems)
+    return Changes(now, sum(counts.values()), len(counts), tuple(chain(*problems.values())))
 
 
-def write_all(rewrites: Iterable[Rewrite]) -> tuple[Diagnostic, ...]:
-    """Write files, each as a whole; return what could not be written."""
-    problems: list[Diagnostic] = []
+def write_all(rewrites: Iterable[Rewrite]) -> dict[Path, tuple[Diagnostic, ...]]:
+    """Write files, each as a whole; return what went wrong, by the file that was to be written."""
+    problems = {}
     for each in rewrites:
         plan, diagnostics = plan_of(each)
-        refusal = (*diagnostics, *plan.conflicts)
-        problems += refusal
-        if not has_errors(refusal):
-            problems += write(plan).diagnostics
-    # What else could be done is said to those who generate a file.
-    return tuple(
-        each if each.code == codes.CHANGED_ON_DISK else each._replace(help=None)
-        for each in problems
-    )
+        found = (*diagnostics, *plan.conflicts)
+        if not has_errors(found):
+            found += write(plan).diagnostics
+        if found:
+            # What else could be done is said to those who generate a file.
+            problems[each.path] = tuple(
+                x if _is_change(x) else x._replace(help=None) for x in found
+            )
+    return problems
 
 
 def write_file(path: Path, text: bytes) -> tuple[Diagnostic, ...]:
@@ -224,7 +237,7 @@ def plan_of(rewrite: Rewrite) -> tuple[FilePlan, tuple[Diagnostic, ...]]:
 
 def _is_worse(path: Path, before: bytes, after: bytes) -> bool:
     """Tell whether a text breaks the rules of its language, which it did not before."""
-    language = language_of(path)
+    language = language_of(path, before)
     if language is not None:
         return language.is_worse(after, before)
     style = style_of(path)

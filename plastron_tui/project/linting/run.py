@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import replace
 from functools import cached_property
 from itertools import chain
@@ -25,7 +25,7 @@ from plastron_tui.targets import LIBRARIES
 
 from .cache import FactCache
 from .comments import FileTexts
-from .fingerprints import Reads, noted
+from .fingerprints import Digest, Reads, digest, noted
 from .found_before import FoundBefore
 from .listing import Listing, common_folder, list_files
 from .reading import Progress, read_tree
@@ -71,6 +71,7 @@ class LintRun:
 
         self.options = options
         self.diagnostics: list[Diagnostic] = []
+        self._held: Mapping[str, Digest | None] = {}
         self._files = FileTexts()
 
     def again(self) -> LintRun:
@@ -204,15 +205,19 @@ class LintRun:
         has_programs = any(each.endswith(".plastron") for each in self._listing.files)
         if has_programs or self.options.against:
             # What a program loads, and what git has, is not told by the files that are here.
-            return self._find()
+            found = self._find()
+            self._held = self._cache.needs()
+            return found
         said = repr((self.selection, [rule.code for rule in self.rules], str(self.root)))
         before = FoundBefore(self._cache, self._listing, said)
         known = before.get()
+        self._held = before.needs()
         if known is None:
             told = len(self.diagnostics)
             reads = Reads({}, {})
             with noted(reads):
                 known = self._find()
+            self._held = self._cache.needs()
             if self.tree.is_whole and len(self.diagnostics) == told:
                 before.keep(known, reads)
         return known
@@ -247,6 +252,11 @@ class LintRun:
     def text(self, file: Path) -> bytes | None:
         """Return what a file holds, None where it cannot be read."""
         return self._files.text(file)
+
+    def is_changed(self, file: Path) -> bool:
+        """Tell whether somebody has changed a file after it was read for what is found in it."""
+        known, text = self._held.get(os.fspath(file)), self.text(file)
+        return known is not None and (text is None or digest(text) != known)
 
     def lines(self, file: Path | None) -> LineIndex | None:
         """Return the lines of a file, None where it cannot be read."""
