@@ -229,9 +229,9 @@ def _explain(words: tuple[str, ...]) -> None:
 
 def _write_baseline(run: LintRun, file: Path, report: Report) -> None:
     from plastron_tui.diagnostics import counted, has_errors
-    from plastron_tui.project.linting.rewriting import write_file
+    from plastron_tui.project.linting.rewriting import write_baseline
 
-    problems = write_file(file, run.baseline_text().encode())
+    problems = write_baseline(file, run.baseline_text().encode())
     _tell_problems(run, report)
     report.add(problems, run.lines)
     if not has_errors(problems):

@@ -21,7 +21,9 @@ def as_annotation(found: Diagnostic, lines: Lines, root: Path) -> str:
     properties = {"title": f"plastron lint ({found.code})"}
     if found.file is not None:
         file = found.file
-        properties["file"] = str(file.relative_to(root) if file.is_relative_to(root) else file)
+        # What a terminal would obey is escaped: GitHub has no other way to write it.
+        shown = str(file.relative_to(root) if file.is_relative_to(root) else file)
+        properties["file"] = visible(shown)
         index = lines(file)
         if found.span is not None and index is not None:
             start, end = index.position(found.span.start), index.position(found.span.end)

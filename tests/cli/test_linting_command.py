@@ -156,6 +156,40 @@ def test_comments_baseline_and_fixes(workspace: Path, run: Run) -> None:
     assert sorted(snapshot(workspace)) == ["src", "src/a.py"]
 
 
+OLD_BASELINE = '{"version": 1, "findings": []}'
+TAKEN = {
+    "no_file": (None, 0),
+    "nothing": ("", 0),
+    "a_baseline": (OLD_BASELINE, 0),
+    "a_source": (NO_QUEUE, 2),
+    "other_json": ('{"version": "1"}', 2),
+    "a_baseline_of_later": (OLD_BASELINE.replace("1", "2"), 2),
+}
+
+
+@pytest.mark.parametrize(("text", "status"), TAKEN.values(), ids=TAKEN)
+def test_baseline_takes_the_place_of_no_work(
+    workspace: Path, run: Run, text: str | None, status: int
+) -> None:
+    file = workspace / "known.json"
+    if text is not None:
+        file.write_text(text)
+    result = run("lint", "--write-baseline", "known.json")
+    assert result.returncode == status
+    if status:
+        assert file.read_text() == text
+        assert b"`known.json` is no baseline, and would be written over" in result.stderr
+    else:
+        assert b"RC407" in file.read_bytes()
+        assert run("lint", "--baseline", "known.json").returncode == 0
+
+
+def test_annotation_of_a_name_that_a_terminal_would_obey(workspace: Path, run: Run) -> None:
+    (workspace / "src" / "a.py").rename(workspace / "src" / "d \x1b[31m:,%.py")
+    said = run("lint", "--format", "github").stdout.decode()
+    assert r",file=src/d \x1b[31m%3A%2C%25.py,line=" in said
+
+
 def test_a_rule_is_explained_and_completed(run: Run) -> None:
     by_code, by_name = (
         run("lint", "--explain", "RC407"),

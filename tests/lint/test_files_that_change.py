@@ -62,10 +62,10 @@ def test_what_somebody_changes_meanwhile_is_read_again(
 ) -> None:
     root = write_tree(tmp_path, {"a.py": BROKEN})
     file = root / "a.py"
-    _before_writing(monkeypatch, lambda: file.write_text(LINE + BROKEN))
+    _before_writing(monkeypatch, lambda: file.write_text(BROKEN + LINE))
     changes = mend(run_over(root, "RM203"))
     assert (changes.done, changes.files, changes.diagnostics) == (1, 1, ())
-    assert file.read_text() == LINE + MENDED
+    assert file.read_text() == MENDED + LINE
 
 
 def test_what_another_one_has_mended_meanwhile_is_done(

@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import NamedTuple
 
 from plastron_tui.diagnostics import Diagnostic, Fix, codes, has_errors
+from plastron_tui.lint.baseline import LARGEST, read_baseline
 from plastron_tui.lint.comment_syntax import CommentStyle, style_of
 from plastron_tui.lint.fixing import with_fixes
 from plastron_tui.lint.noting import with_comments
@@ -16,6 +17,7 @@ from plastron_tui.output.manifest import Manifest
 from plastron_tui.output.plan import FilePlan, OutputFile, make_plan
 from plastron_tui.output.target_paths import cannot_write
 from plastron_tui.output.writer import write
+from plastron_tui.regular_files import read_named
 from plastron_tui.targets import language_of
 
 from .run import LintRun
@@ -137,7 +139,8 @@ def mend(run: LintRun) -> Changes:
         now = run.again()
         while kept and (worse := _broken(now) - known):
             harmed = [each for each in kept if any(each.path == file for file, _ in worse)] or kept
-            back = write_all(Rewrite(each.path, each.after, each.before) for each in harmed)
+            before = (Rewrite(each.path, each.after, each.before) for each in harmed)
+            back = write_all(before)
             problems += chain(*back.values())
             if harmed is kept and len(kept) > 1:
                 most = len(kept) // 2
@@ -217,13 +220,22 @@ def write_all(rewrites: Iterable[Rewrite]) -> dict[Path, tuple[Diagnostic, ...]]
     return problems
 
 
-def write_file(path: Path, text: bytes) -> tuple[Diagnostic, ...]:
-    """Write a file that is the linter's own: nothing in it is anybody's work."""
+def write_baseline(path: Path, text: bytes) -> tuple[Diagnostic, ...]:
+    """Write a baseline, over nothing that may be somebody's work."""
     try:
-        path.write_bytes(text)
-    except (OSError, ValueError) as error:
+        if not path.exists():
+            path.write_bytes(text)
+            return ()
+        before = read_named(path, LARGEST)
+        if before:
+            read_baseline(before)
+    except OSError as error:
         return (cannot_write(path, error),)
-    return ()
+    except ValueError:
+        message = f"`{path.name}` is no baseline, and would be written over"
+        remedy = "name another file, or remove this one"
+        return (Diagnostic(codes.CANNOT_WRITE, message, file=path, help=remedy),)
+    return tuple(chain(*write_all([Rewrite(path, before, text)]).values()))
 
 
 def plan_of(rewrite: Rewrite) -> tuple[FilePlan, tuple[Diagnostic, ...]]:
