@@ -53,12 +53,13 @@ def target_of(
         shown: its path, for people.
         real_folder: the output folder, links resolved.
         name: its name from there.
-        elsewhere: where it is written instead.
+        elsewhere: where it is written instead; what is there has the name that it has.
 
     Raises:
         RefusedError: it cannot be written there.
     """
-    if elsewhere is None and not _is_inner_name(name):
+    is_there = elsewhere is not None and os.path.lexists(elsewhere)
+    if not is_there and not _is_inner_name(name):
         message = f"{name!a} cannot be the name of a file in the output folder"
         raise RefusedError(refusal(codes.OUTSIDE_OUTPUT, message, None))
     try:
