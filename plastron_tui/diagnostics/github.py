@@ -11,7 +11,7 @@ from pathlib import Path
 from .data import Diagnostic
 from .render import Lines
 from .severity import Severity
-from .terminal import visible
+from .terminal import visible, visible_character
 
 _COMMANDS = {Severity.ERROR: "error", Severity.WARNING: "warning", Severity.NOTE: "notice"}
 
@@ -21,9 +21,7 @@ def as_annotation(found: Diagnostic, lines: Lines, root: Path) -> str:
     properties = {"title": f"plastron lint ({found.code})"}
     if found.file is not None:
         file = found.file
-        # What a terminal would obey is escaped: GitHub has no other way to write it.
-        shown = str(file.relative_to(root) if file.is_relative_to(root) else file)
-        properties["file"] = visible(shown)
+        properties["file"] = str(file.relative_to(root) if file.is_relative_to(root) else file)
         index = lines(file)
         if found.span is not None and index is not None:
             start, end = index.position(found.span.start), index.position(found.span.end)
@@ -40,4 +38,6 @@ def _data(text: str) -> str:
 
 
 def _property(text: str) -> str:
-    return _data(text).replace(":", "%3A").replace(",", "%2C")
+    r"""Return a property; what GitHub has no sign for is escaped as in text: `\x1b`, `\udcff`."""
+    text = _data(text).replace(":", "%3A").replace(",", "%2C")
+    return "".join(map(visible_character, text))

@@ -72,7 +72,7 @@ def visible_line(text: str, *, in_colour: bool) -> str:
         return text
     parts = _COLOUR.split(text)
     plain, colours = parts[::2], parts[1::2]
-    shown = ["".join(map(_visible, part)) for part in plain]
+    shown = ["".join(map(visible_character, part)) for part in plain]
     if not in_colour or not colours:
         return "".join(shown)
     last = "" if colours[-1] == _RESET else _RESET
@@ -124,6 +124,7 @@ def drawn_on(stream: TextIO) -> TextIO:
     return stream.terminal if isinstance(stream, EscapingStream) else stream
 
 
-def _visible(character: str) -> str:
+def visible_character(character: str) -> str:
+    """Return a character escaped, but for tabs and the spaces of all scripts."""
     is_space = character == "\t" or category(character) == "Zs"
     return character if is_space else visible(character)

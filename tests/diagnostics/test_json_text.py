@@ -14,10 +14,10 @@ from plastron_tui.diagnostics.json_text import json_text
     [
         ("a", "a"),
         ("ä\U0001f600", "ä\U0001f600"),
-        ("a\udcff.py", "a\ufffd.py"),
-        ("\U0001f600\udcff\udcfe\U0001f600", "\U0001f600\ufffd\ufffd\U0001f600"),
+        ("a\udcff.py", r"a\udcff.py"),
+        ("\U0001f600\udcff\udcfe\U0001f600", "\U0001f600\\udcff\\udcfe\U0001f600"),
         ("\\udcff", "\\udcff"),
-        ("\\\udcff", "\\\ufffd"),
+        ("\\\udcff", "\\\\udcff"),
     ],
 )
 def test_half_a_pair_is_no_character(text: str, read: str) -> None:

@@ -101,6 +101,13 @@ def test_sarif_names_a_file_byte_by_byte() -> None:
             "::error title=plastron lint (other-code),file=a%2Cb%3Ac%0A.py::"
             r"a\n::error::b%25\x1b[2J",
         ),
+        # A space of another script stays, for GitHub to find the file; so it does in SARIF.
+        (
+            Diagnostic(OTHER, "a", file=ROOT / "a\udcff\u3000\x1b[31m\u202e\r.py"),
+            r"::error title=plastron lint (other-code),file=a\udcff"
+            "\u3000"
+            r"\x1b[31m\u202e%0D.py::a",
+        ),
         # Columns are of one line.
         (
             Diagnostic(OTHER, "a", Span(4, 15), FILE),

@@ -223,7 +223,8 @@ def write_all(rewrites: Iterable[Rewrite]) -> dict[Path, tuple[Diagnostic, ...]]
 def write_baseline(path: Path, text: bytes) -> tuple[Diagnostic, ...]:
     """Write a baseline, over nothing that may be somebody's work."""
     try:
-        if not path.exists():
+        if not path.is_file():
+            # A pipe, or a terminal, has no work that could be lost.
             path.write_bytes(text)
             return ()
         before = read_named(path, LARGEST)
