@@ -2,16 +2,18 @@
 
 from __future__ import annotations
 
+import errno
 import os
 from collections.abc import Callable, Iterable
 from pathlib import Path
+from typing import Any
 
 import pytest
 from linted import run_over, told, write_tree
 
 from plastron_tui.lint.rules import RULES
 from plastron_tui.project.linting import rewriting
-from plastron_tui.project.linting.rewriting import Changes, Rewrite, mend, note_all
+from plastron_tui.project.linting.rewriting import Changes, Rewrite, mend, note_all, write_baseline
 from plastron_tui.project.linting.run import LintRun
 
 BROKEN = RULES["RM203"].bad["driver.py"]
@@ -116,3 +118,58 @@ def test_places_of_another_text_are_not_changed(
     changes = change(run)
     assert file.read_text() == LINE + (MENDED if change is mend else BROKEN)
     assert changes.done == (1 if change is mend else 0)
+
+
+def test_what_a_killed_process_has_left_is_no_name_of_a_file(tmp_path: Path) -> None:
+    root = write_tree(tmp_path, {"a.py": BROKEN, ".plastron-0.new": MENDED})
+    os.link(root / "a.py", root / ".plastron-0.old")
+    changes = mend(run_over(root, "RM203"))
+    assert (changes.done, changes.diagnostics) == (1, ())
+    assert [each.name for each in root.iterdir()] == ["a.py"]
+
+
+FAILED = {"cannot_be_opened": "open", "cannot_be_synced": "fsync", "disk_is_full": "write"}
+
+
+def _full(call: str) -> Callable[..., Any]:
+    """Return what a call for the system does where there is no room for anything new."""
+    real = getattr(os, call)
+
+    def full(*given: Any, **named: Any) -> Any:
+        if call != "open" or given[1] & os.O_CREAT:
+            raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
+        return real(*given, **named)
+
+    return full
+
+
+@pytest.mark.parametrize("call", FAILED.values(), ids=FAILED)
+@pytest.mark.parametrize("before", [None, b"", b'{"version": 1, "findings": []}'])
+def test_baseline_is_written_as_a_whole_or_not_at_all(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, call: str, before: bytes | None
+) -> None:
+    file = tmp_path / "known.json"
+    if before is not None:
+        file.write_bytes(before)
+    with monkeypatch.context() as patch:
+        patch.setattr(os, call, _full(call))
+        (problem,) = write_baseline(file, b'{"version": 1, "findings": [1]}')
+    assert problem.code == "cannot-write"
+    assert (file.read_bytes() if file.exists() else None) == before
+    assert list(tmp_path.iterdir()) == [file] * (before is not None)
+    # The folder is no output folder: it gets no manifest.
+    assert write_baseline(file, b"{}") == ()
+    assert list(tmp_path.iterdir()) == [file]
+
+
+@pytest.mark.parametrize("call", FAILED.values(), ids=FAILED)
+@pytest.mark.parametrize("change", [mend, note_all])
+def test_what_a_full_disk_does_not_take_counts_for_nothing(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, change: Change, call: str
+) -> None:
+    root = write_tree(tmp_path, {"a.py": BROKEN})
+    monkeypatch.setattr(os, call, _full(call))
+    changes = change(run_over(root, "RM203"))
+    assert (changes.done, changes.files) == (0, 0)
+    assert [str(each.code) for each in changes.diagnostics] == ["cannot-write"]
+    assert [each.read_text() for each in root.iterdir()] == [BROKEN]

@@ -8,12 +8,13 @@ from itertools import chain
 from pathlib import Path
 from typing import NamedTuple
 
-from plastron_tui.diagnostics import Diagnostic, Fix, codes, has_errors
+from plastron_tui.diagnostics import Diagnostic, Fix, Severity, codes, has_errors
 from plastron_tui.lint.baseline import LARGEST, read_baseline
 from plastron_tui.lint.comment_syntax import CommentStyle, style_of
 from plastron_tui.lint.fixing import with_fixes
 from plastron_tui.lint.noting import with_comments
 from plastron_tui.output.manifest import Manifest
+from plastron_tui.output.own_files import settled
 from plastron_tui.output.plan import FilePlan, OutputFile, make_plan
 from plastron_tui.output.target_paths import cannot_write
 from plastron_tui.output.writer import write
@@ -37,13 +38,13 @@ class Rewrite(NamedTuple):
 
     Attributes:
         path: the file.
-        before: what it holds.
+        before: what it holds, None where there is no such file.
         after: what it shall hold.
         fixes: what of it mends something.
     """
 
     path: Path
-    before: bytes
+    before: bytes | None
     after: bytes
     fixes: tuple[Fix, ...] = ()
 
@@ -127,11 +128,11 @@ def mend(run: LintRun) -> Changes:
         rewrites = fixed(run, refused, careful)[:most]
         found = write_all(rewrites)
         # What somebody else has changed meanwhile is read again, and has its turn then.
-        later = {path for path, each in found.items() if all(map(_is_change, each))}
-        changed = list(chain(*(found[path] for path in later)))
+        later = {path for path in _unwritten(found) if all(map(_is_change, _errors(found[path])))}
+        changed = list(chain(*(_errors(found[path]) for path in later)))
         if not rewrites and not any(map(run.is_changed, _fixes(run, refused))):
             break
-        problems += chain(*(each for path, each in found.items() if path not in later))
+        problems += (x for x in chain(*found.values()) if x not in changed)
         kept = [each for each in rewrites if each.path not in _unwritten(found)]
         failed = [each for each in rewrites if each not in kept and each.path not in later]
         refused |= {(each.path, fix) for each in failed for fix in each.fixes}
@@ -139,8 +140,8 @@ def mend(run: LintRun) -> Changes:
         now = run.again()
         while kept and (worse := _broken(now) - known):
             harmed = [each for each in kept if any(each.path == file for file, _ in worse)] or kept
-            before = (Rewrite(each.path, each.after, each.before) for each in harmed)
-            back = write_all(before)
+            before = ((x.path, x.after, x.before) for x in harmed if x.before is not None)
+            back = write_all(Rewrite(*each) for each in before)
             problems += chain(*back.values())
             if harmed is kept and len(kept) > 1:
                 most = len(kept) // 2
@@ -157,6 +158,10 @@ def mend(run: LintRun) -> Changes:
 
 def _is_change(problem: Diagnostic) -> bool:
     return problem.code == codes.CHANGED_ON_DISK
+
+
+def _errors(problems: Iterable[Diagnostic]) -> list[Diagnostic]:
+    return [each for each in problems if each.severity is Severity.ERROR]
 
 
 def _unwritten(problems: Mapping[Path, tuple[Diagnostic, ...]]) -> set[Path]:
@@ -208,8 +213,10 @@ def write_all(rewrites: Iterable[Rewrite]) -> dict[Path, tuple[Diagnostic, ...]]
     """Write files, each as a whole; return what went wrong, by the file that was to be written."""
     problems = {}
     for each in rewrites:
+        # What a killed process has left beside a file would count as another name of it.
+        notes = settled(each.path.parent)
         plan, diagnostics = plan_of(each)
-        found = (*diagnostics, *plan.conflicts)
+        found = (*notes, *diagnostics, *plan.conflicts)
         if not has_errors(found):
             found += write(plan).diagnostics
         if found:
@@ -223,11 +230,11 @@ def write_all(rewrites: Iterable[Rewrite]) -> dict[Path, tuple[Diagnostic, ...]]
 def write_baseline(path: Path, text: bytes) -> tuple[Diagnostic, ...]:
     """Write a baseline, over nothing that may be somebody's work."""
     try:
-        if not path.is_file():
+        if path.exists() and not path.is_file():
             # A pipe, or a terminal, has no work that could be lost.
             path.write_bytes(text)
             return ()
-        before = read_named(path, LARGEST)
+        before = read_named(path, LARGEST) if path.exists() else None
         if before:
             read_baseline(before)
     except OSError as error:
@@ -243,7 +250,12 @@ def plan_of(rewrite: Rewrite) -> tuple[FilePlan, tuple[Diagnostic, ...]]:
     """Return what writing a file does, and why it cannot be written."""
     path = rewrite.path
     file = OutputFile(
-        path.name, rewrite.after, is_executable=False, merged_from=rewrite.before, path=path
+        path.name,
+        rewrite.after,
+        is_executable=False,
+        merged_from=rewrite.before,
+        path=path,
+        has_handwork=True,
     )
     return make_plan(path.parent, [file], Manifest())
 
