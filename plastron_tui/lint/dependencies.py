@@ -33,6 +33,10 @@ TYPES_ALONE = frozenset(
 """Packages that have types and nothing else, and that the catalog does not list."""
 
 
+TYPE_ENDINGS = ("_msgs", "_srvs", "_interfaces", "_msg", "_srv", "_actions", "_action", "_messages")
+"""How the names end that people give packages of types."""
+
+
 def is_umbrella(tree: SourceTree, package: PackageFacts) -> bool:
     """Tell whether a package of the workspace is there to bring others, and makes nothing."""
     build = package.build

@@ -13,6 +13,7 @@ from plastron_tui.ros.interfaces import FieldType, InterfaceName
 from plastron_tui.ros.primitives import PRIMITIVES
 
 from .cpp_values import is_refused_in_cpp
+from .dependencies import TYPE_ENDINGS
 from .message_fields import Messages, Place, described
 
 _WORDS = {
@@ -22,9 +23,12 @@ _WORDS = {
     ValueKind.TEXT: "a str",
     ValueKind.BYTES: "bytes",
     ValueKind.LIST: "a list",
+    ValueKind.DICT: "a dict",
+    ValueKind.SET: "a set",
     ValueKind.NONE: "None",
     ValueKind.TIME: "a time of the client library",
     ValueKind.MESSAGE: "a message",
+    ValueKind.CLASS: "the class of a message",
 }
 _LONGEST = 40
 """The most digits of an integer that are looked at; no type holds half of them."""
@@ -150,7 +154,7 @@ def _is_other(
     """Whether a message is of another type, where both are known."""
     if isinstance(given, FieldType):
         given = MessageType(_message(given))
-    if given is None or messages.section(wanted) is None or messages.section(given) is None:
+    if given is None or not all(_is_known(messages, each) for each in (wanted, given)):
         return False
     if given == wanted or messages.version == 2:
         return given != wanted
@@ -167,10 +171,19 @@ def _is_other(
     return not names.issuperset(each.name for each in fields)
 
 
+def _is_known(messages: Messages, type_: MessageType) -> bool:
+    """Whether a type is one: for rclpy the name tells it from others, known or not."""
+    is_named = messages.version == 2 and type_.name.package.endswith(TYPE_ENDINGS)
+    return is_named or messages.section(type_) is not None
+
+
 def _is_list_refused(
     messages: Messages, place: FieldType, kind: ValueKind, given: Place | None, value: FieldValue
 ) -> bool:
     element = place.element
+    if kind is ValueKind.SET or (kind is ValueKind.DICT and messages.version == 1):
+        # Both libraries take the elements of a set; rospy takes the keys of a dict as well.
+        return False
     if kind is ValueKind.BYTES:
         return element.name not in _BYTES and messages.version == 2
     if kind is ValueKind.TEXT and messages.version == 1:

@@ -91,8 +91,12 @@ class ValueKind(Enum):
     TEXT = "str"
     BYTES = "bytes"
     LIST = "list"
+    DICT = "dict"
+    SET = "set"
     NONE = "None"
     MESSAGE = "message"
+    CLASS = "class"
+    """The class of a message, `String` for `String()`."""
     TIME = "time"
     """A time or a duration of the client library, `node.get_clock().now()`."""
 

@@ -12,6 +12,13 @@ WRONG = {
         msg.data = 1.5  # wrong
         msg.data = None  # wrong
         msg.data = ['a']  # wrong
+        msg.data = {'a': 1}  # wrong
+        msg.data = {each: 1 for each in 'ab'}  # wrong
+        msg.data = {'a', 'b'}  # wrong
+        msg.data = {each for each in 'ab'}  # wrong
+        msg.data = dict(a=1)  # wrong
+        msg.data = frozenset('ab')  # wrong
+        msg.data = String  # wrong
         msg.data = True  # wrong
         msg.data = b'a'  # wrong
         msg.data = String()  # wrong
@@ -45,17 +52,32 @@ WRONG = {
             self.twists.publish(stamped)  # wrong
             self.twists.publish(msg.twist.twist)
             self.twists.publish('stop')  # wrong
-            self.twists.publish(Twist)
+            self.twists.publish(Twist)  # wrong
             self.client.call_async(SetBool.Response())  # wrong
             self.client.call_async(True)  # wrong
             self.texts.publish(String(data=msg.child_frame_id))
             self.texts.publish(String(data=msg.pose.pose.position.x))  # wrong
     """),
+    "messages of a package that is not known": tick("""
+        wheels = self.create_publisher(Wheel, 'wheels', 10)
+        wheels.publish(Twist())  # wrong
+        wheels.publish(Wheel())
+        self.twists.publish(Wheel())  # wrong
+        Twist().linear = Wheel().hub
+        Twist().linear = Wheel()  # wrong
+        self.twists.publish(Rim())
+    """).replace(
+        "import rclpy\n",
+        "import rclpy\nfrom acme_msgs.msg import Wheel\nfrom acme.msg import Rim\n",
+        1,
+    ),
     "lists": tick("""
         scan = LaserScan()
         scan.ranges = 1.0  # wrong
         scan.ranges = 'abc'  # wrong
         scan.ranges = ['a', 'b']  # wrong
+        scan.ranges = {1.0, 2.0}
+        scan.ranges = {1.0: 2.0}  # wrong
         scan.ranges = [1.0, 2.0]
         scan.ranges = [float(each) for each in '123']
         joints = JointState(name='a')  # wrong
@@ -297,6 +319,14 @@ def test_python2_packs_what_python3_refuses(first: str, line: str, is_told: bool
         "pub = rospy.Publisher('a', Int32, queue_size=1)\npub.publish(Int32(data=4.5))  # wrong\n"
     )
     assert told(text, "RM202") == (marked(text) if is_told else [])
+
+
+@pytest.mark.parametrize("value", ["'%d' % 4", "{}", "[1]", "Int32"])
+def test_neither_packs_what_is_no_number(value: str) -> None:
+    text = "import rospy\nfrom std_msgs.msg import Int32\nrospy.init_node('a')\nraw_input()\n"
+    text += "pub = rospy.Publisher('a', Int32, queue_size=1)\n"
+    text += f"pub.publish(Int32(data={value}))  # wrong\n"
+    assert told(text, "RM202") == marked(text)
 
 
 SAID = {

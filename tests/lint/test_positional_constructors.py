@@ -5,6 +5,8 @@ from __future__ import annotations
 import pytest
 from message_programs import fixed, marked, script, tick, told
 
+_UNKNOWN = "from acme_msgs.msg import Wheel\nfrom acme.msg import Rim\n"
+_IMPORTED, _OLD = f"import rclpy\n{_UNKNOWN}", f"import rospy\n{_UNKNOWN}"
 POSITIONAL = {
     "in rclpy": tick("""
         String('a')  # wrong
@@ -15,6 +17,12 @@ POSITIONAL = {
         String(data='a')
         String(**{'data': 'a'})
     """),
+    "of a package of types that is not known": tick("""
+        Wheel(1.0)  # wrong
+        Wheel(radius=1.0)
+        Rim(1.0)
+    """).replace("import rclpy\n", _IMPORTED, 1),
+    "of one that is not known, in rospy": script("Wheel(1.0)").replace("import rospy\n", _OLD, 1),
     "in rospy": script("""
         String('a')
         Vector3(1, 2, 3)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 
 from plastron_tui.diagnostics import Code, Diagnostic, Edit, Fix, Severity, Span, guess, listed
+from plastron_tui.lint.dependencies import TYPE_ENDINGS
 from plastron_tui.lint.message_fields import PYTHON, Messages, Missing, described, units_of
 from plastron_tui.lint.message_values import (
     element_out_of_range,
@@ -305,9 +306,11 @@ def positional_constructor(tree: SourceTree, code: Code) -> Iterator[Diagnostic]
     for unit, messages in units_of(tree, *sorted(PYTHON)):
         for built in () if unit.is_test else unit.code.built:
             section = messages.section(built.type)
-            if not built.positional or section is None:
+            fields = () if section is None else section.fields
+            is_named = messages.version == 2 and built.type.name.package.endswith(TYPE_ENDINGS)
+            if not built.positional or (section is None and not is_named):
                 continue
-            names = [each.name for each in section.fields]
+            names = [each.name for each in fields]
             if messages.version == 2:
                 what = f"{described(built.type)} takes values by name only in rclpy"
             elif built.keywords:
@@ -322,8 +325,8 @@ def positional_constructor(tree: SourceTree, code: Code) -> Iterator[Diagnostic]
             remedy, fix = "write the name before each" if names else None, None
             if _fit(unit, messages, built):
                 fix = _named(built, names)
-            elif len(names) <= _MOST_NAMES:
-                remedy = f"its fields are {listed(f'`{x.type} {x.name}`' for x in section.fields)}"
+            elif 0 < len(names) <= _MOST_NAMES:
+                remedy = f"its fields are {listed(f'`{x.type} {x.name}`' for x in fields)}"
             yield Diagnostic(code, what, built.span, unit.file(built.file), remedy, fix)
 
 

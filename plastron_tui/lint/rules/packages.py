@@ -9,6 +9,7 @@ from functools import cache
 from plastron_tui.diagnostics import Code, Diagnostic, Edit, Fix, Label, Severity, Span
 from plastron_tui.lint.dependencies import (
     LIBRARIES,
+    TYPE_ENDINGS,
     TYPES_ALONE,
     brought,
     depends_on,
@@ -49,7 +50,6 @@ _TYPES_OF = {
     2: re.compile(r"(\w+)(?:\.(?:msg|srv|action)\b|/(?:msg|srv|action)/)"),
 }
 """Modules and headers that types are in, in the generations of ROS."""
-_ENDINGS = ("_msgs", "_srvs", "_interfaces", "_msg", "_srv", "_actions", "_action", "_messages")
 
 
 def packages_of_types(tree: SourceTree, version: int) -> frozenset[str]:
@@ -131,7 +131,7 @@ def _types_by_form(
         found[1] for found in map(form.match, (each.what for each in build.used)) if found
     }:
         is_meant = any(is_slip(name, each) for each in known | tree.packages.keys())
-        if name.endswith(_ENDINGS) and not is_meant and not _is_own_module(tree, name):
+        if name.endswith(TYPE_ENDINGS) and not is_meant and not _is_own_module(tree, name):
             yield name
 
 
@@ -342,7 +342,7 @@ def _has_only_types(name: str, tree: SourceTree) -> bool:
     own = tree.packages.get(name)
     if own is not None:
         return not own.executables and own.build is not None and not own.build.has_code
-    return name.endswith(_ENDINGS)
+    return name.endswith(TYPE_ENDINGS)
 
 
 def _without(declared: Declared, build: BuildFacts) -> Fix | None:

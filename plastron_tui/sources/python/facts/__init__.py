@@ -11,7 +11,7 @@ from .callback_facts import callback_facts
 from .closed import is_closed
 from .messages import message_facts
 from .parameters import allows_undeclared, parameter_facts
-from .python2 import is_python2
+from .python2 import has_float, is_python2
 from .queues import without_queue
 
 
@@ -21,6 +21,9 @@ def code_facts(source: SourceUnit) -> CodeFacts:
     analysis = analyze(source.files.main, library, package_names(source.path, library))
     callbacks = callback_facts(analysis)
     messages = message_facts(analysis, {each.definition for each in callbacks.arities})
+    values = messages.values
+    if library.ros_version == 1 and is_python2(analysis):
+        values = tuple(each for each in values if not has_float(each))
     return CodeFacts(
         is_closed=is_closed(analysis),
         blocking=callbacks.blocking,
@@ -32,7 +35,7 @@ def code_facts(source: SourceUnit) -> CodeFacts:
         parameters=tuple(parameter_facts(analysis)),
         allows_undeclared=allows_undeclared(analysis),
         fields=messages.fields,
-        values=() if library.ros_version == 1 and is_python2(analysis) else messages.values,
+        values=values,
         built=messages.built,
         sent=messages.sent,
     )

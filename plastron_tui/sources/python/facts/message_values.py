@@ -230,7 +230,7 @@ class MessageValues:
     def _binding(self, name: str, binding: Binding, depth: int) -> Helds:
         match binding.kind:
             case BindingKind.VALUE:
-                return self.held(binding.value, depth)
+                return self.held(binding.value, depth) or self._said(name, binding)
             case BindingKind.PARAMETER:
                 return self._parameter(name, binding, depth)
             case BindingKind.UNKNOWN:
@@ -265,6 +265,17 @@ class MessageValues:
         parameters = function.node.child_by_field_name("parameters")
         at = parameters and Span(parameters.start_byte, parameters.end_byte)
         return at in self._misfits
+
+    def _said(self, name: str, binding: Binding) -> Helds:
+        """Return what the annotation says of a variable that a call gives its value."""
+        target = binding.node.child_by_field_name("left")
+        value = binding.value
+        if target is None or target.type != "identifier" or value is None or value.type != "call":
+            return ()
+        said = self._annotated(binding)
+        if said is None or self._is_looked_at(name, binding.scope):
+            return ()
+        return (Held(said, is_said=True),)
 
     def _annotated(self, binding: Binding) -> MessageType | None:
         annotation = binding.annotation

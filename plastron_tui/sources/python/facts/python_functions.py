@@ -22,6 +22,9 @@ BUILTINS = {
     "list": ValueKind.LIST,
     "sorted": ValueKind.LIST,
     "bytes": ValueKind.BYTES,
+    "dict": ValueKind.DICT,
+    "set": ValueKind.SET,
+    "frozenset": ValueKind.SET,
 }
 """What the built-in functions give."""
 

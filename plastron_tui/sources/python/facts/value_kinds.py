@@ -103,6 +103,10 @@ class ValueKinds:
                 return self._list(parts_of(node), depth)
             case "list_comprehension":
                 return self._list(parts_of(node)[:1], depth)
+            case "dictionary" | "dictionary_comprehension":
+                return Known(ValueKind.DICT)
+            case "set" | "set_comprehension":
+                return Known(ValueKind.SET)
             case "not_operator":
                 return Known(ValueKind.BOOL)
             case "unary_operator":
@@ -116,6 +120,8 @@ class ValueKinds:
         if held and not any(each.behind or each.is_said for each in held):
             return Known(ValueKind.MESSAGE, sources=tuple(map(field_of, held)))
         match node.type:
+            case "identifier" | "attribute" if self._messages.class_of(node) is not None:
+                return Known(ValueKind.CLASS)
             case "identifier" | "attribute":
                 return self._named(node, depth)
             case "call":
