@@ -113,7 +113,7 @@ def is_refused(messages: Messages, place: Place, value: FieldValue) -> bool:
             source = MessageField(MessageType(value.message))
         given = messages.place(source) if source is not None else None
         kind = None if given is None else kind_of(given, messages.version)
-    if kind is None or (kind is ValueKind.NONE and not _is_checked(messages)):
+    if kind is None or (kind is ValueKind.NONE and not _is_checked(messages, value)):
         return False
     if isinstance(place, MessageType) or (place.message is not None and not place.is_array):
         wanted = place if isinstance(place, MessageType) else MessageType(_message(place))
@@ -128,9 +128,10 @@ def is_refused(messages: Messages, place: Place, value: FieldValue) -> bool:
     return kind not in _taken(place, messages) or _is_out_of_range(messages, place, value)
 
 
-def _is_checked(messages: Messages) -> bool:
+def _is_checked(messages: Messages, value: FieldValue) -> bool:
     """Whether None is refused where it is given, and not only where it is sent."""
-    return messages.is_python and messages.version == 2
+    is_answer = not value.path and value.type.part is Part.RESPONSE
+    return messages.version == 2 or is_answer
 
 
 def _is_out_of_range(messages: Messages, place: FieldType, value: FieldValue) -> bool:

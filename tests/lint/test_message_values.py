@@ -71,6 +71,24 @@ WRONG = {
         "import rclpy\nfrom acme_msgs.msg import Wheel\nfrom acme.msg import Rim\n",
         1,
     ),
+    "answers of rospy": script("""
+        def on_set(request):  # wrong
+            x = request.data
+
+        def on_reset(request):
+            if request.data:
+                return None
+            return {'success': True}
+
+        def on_start(request):
+            if request.data:
+                return True  # wrong
+            return SetBoolResponse(True, '')
+
+        rospy.Service('a', SetBool, on_set)
+        rospy.Service('b', SetBool, on_reset)
+        rospy.Service('c', SetBool, on_start)
+    """),
     "lists": tick("""
         scan = LaserScan()
         scan.ranges = 1.0  # wrong

@@ -22,6 +22,26 @@ POSITIONAL = {
         Wheel(radius=1.0)
         Rim(1.0)
     """).replace("import rclpy\n", _IMPORTED, 1),
+    "of answers, in rospy": script("""
+        def on_list(request):
+            return [True]  # wrong
+
+        def on_values(request):
+            if request.data:
+                return True, 'a', 3  # wrong
+            return True, 'a'
+
+        def on_none(request):
+            return []
+
+        def on_more(request):
+            return [True, *more]
+
+        rospy.Service('a', SetBool, on_list)
+        rospy.Service('b', SetBool, on_values)
+        rospy.Service('c', SetBool, on_none)
+        rospy.Service('d', SetBool, on_more)
+    """),
     "of one that is not known, in rospy": script("Wheel(1.0)").replace("import rospy\n", _OLD, 1),
     "in rospy": script("""
         String('a')

@@ -323,7 +323,7 @@ def positional_constructor(tree: SourceTree, code: Code) -> Iterator[Diagnostic]
             else:
                 continue
             remedy, fix = "write the name before each" if names else None, None
-            if _fit(unit, messages, built):
+            if built.places and _fit(unit, messages, built):
                 fix = _named(built, names)
             elif 0 < len(names) <= _MOST_NAMES:
                 remedy = f"its fields are {listed(f'`{x.type} {x.name}`' for x in fields)}"

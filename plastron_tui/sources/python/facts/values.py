@@ -19,17 +19,20 @@ from plastron_tui.model.code_facts import (
 from plastron_tui.model.kinds import EndpointKind
 from plastron_tui.sources.python.arguments import Arguments
 from plastron_tui.sources.python.functions import callback_scope
+from plastron_tui.sources.python.scopes import Scope
 from plastron_tui.sources.python.syntax import parts_of
 
 from .handed_messages import Helds
 from .message_values import MessageValues, field_of
-from .returns import gives_nothing, is_decorated, return_statements
+from .returns import gives_nothing, is_decorated, return_statements, returned_values
 from .value_kinds import Known, ValueKinds
 
 _CONVERTED = frozenset({ValueKind.INT, ValueKind.BOOL, ValueKind.FLOAT})
 """What an array of numbers takes as an element, and makes a number of its own of."""
 
 _CALLS = frozenset({"call", "call_async"})
+_ANSWERS = frozenset({ValueKind.NONE, ValueKind.LIST, ValueKind.DICT})
+"""What rospy takes for an answer besides the answer itself."""
 
 
 def field_values(messages: MessageValues, kinds: ValueKinds) -> Iterator[FieldValue]:
@@ -47,32 +50,49 @@ def field_values(messages: MessageValues, kinds: ValueKinds) -> Iterator[FieldVa
 
 
 def answered_values(messages: MessageValues, kinds: ValueKinds) -> Iterator[FieldValue]:
-    """Yield what callbacks of services of rclpy give instead of the response."""
-    analysis = messages.analysis
-    if analysis.library.ros_version == 1:
-        return
-    for site in messages.sites.values():
-        function = callback_scope(analysis, site) if site.shape.callback is not None else None
-        held = messages.of_site(site, Part.RESPONSE)
-        is_service = site.endpoint.kind is EndpointKind.SERVICE
-        if function is None or not is_service or not held or is_decorated(function):
-            continue
-        fields = (MessageField(held[0].type),)
+    """Yield what callbacks of services give as their answer.
+
+    A callback of rospy may give None on purpose, which is an error of the call, and the values of
+    the fields as a list or a dict.
+    """
+    is_rospy = messages.analysis.library.ros_version == 1
+    for function, type_ in _answering(messages):
+        fields = (MessageField(type_),)
         for statement in return_statements(function):
             for value in parts_of(statement):
                 is_tuple = value.type == "expression_list"
                 known = Known(ValueKind.LIST) if is_tuple else kinds.of(value)
-                if known is not None:
+                if known is not None and not (is_rospy and known.kind in _ANSWERS):
                     yield _value(fields, known, value)
-            if not parts_of(statement):
+            if not parts_of(statement) and not is_rospy:
                 yield _value(fields, Known(ValueKind.NONE), statement)
         name = function.node.child_by_field_name("name")
         if name is not None and gives_nothing(function):
             yield _value(fields, Known(ValueKind.NONE), name)
 
 
+def _answering(messages: MessageValues) -> Iterator[tuple[Scope, MessageType]]:
+    """Yield the callbacks of services, each with what it answers with."""
+    for site in messages.sites.values():
+        function = callback_scope(messages.analysis, site)
+        held = messages.of_site(site, Part.RESPONSE)
+        is_service = site.endpoint.kind is EndpointKind.SERVICE
+        if function is not None and is_service and held and not is_decorated(function):
+            yield function, held[0].type
+
+
+def _answers(messages: MessageValues) -> Iterator[Built]:
+    """Yield the lists that callbacks of rospy give, of which it makes an answer."""
+    for function, type_ in _answering(messages):
+        for value in returned_values(function):
+            parts = parts_of(value)
+            is_list = value.type in ("expression_list", "list", "tuple")
+            if is_list and parts and not any("splat" in each.type for each in parts):
+                yield Built(type_, len(parts), (), Span(value.start_byte, value.end_byte))
+
+
 def built_messages(messages: MessageValues, kinds: ValueKinds) -> Iterator[Built]:
-    """Yield the constructors of messages that are called, `publish` of rospy with fields too."""
+    """Yield what makes messages: constructors, in rospy `publish` with fields, and answers."""
     syntax = messages.analysis.syntax
     for call in messages.analysis.captures.get("call", []):
         type_ = messages.class_of(call.child_by_field_name("function"))
@@ -89,6 +109,8 @@ def built_messages(messages: MessageValues, kinds: ValueKinds) -> Iterator[Built
         )
         span = Span(call.start_byte, call.end_byte)
         yield Built(type_, len(places), names, span, places=places)
+    if messages.analysis.library.ros_version == 1:
+        yield from _answers(messages)
 
 
 def _keyword_names(call: Node, slice_: Callable[[Node], str]) -> tuple[tuple[str, Span], ...]:
