@@ -33,7 +33,7 @@ from rclpy.node import Node
 from sensor_msgs.msg import JointState, LaserScan
 import std_msgs.msg
 from std_msgs.msg import Bool, Float32, Float64MultiArray, Header, Int32, String
-from std_srvs.srv import SetBool, Trigger
+from std_srvs.srv import SetBool, Trigger, Trigger_Response
 from tf2_ros import TransformBroadcaster
 from visualization_msgs.msg import Marker
 

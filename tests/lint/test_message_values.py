@@ -141,6 +141,8 @@ WRONG = {
         def on_reset(self, request, response):
             if not self.ready:
                 return False  # wrong
+            if self.quiet:
+                return Trigger_Response()
             if self.late:
                 return SetBool.Response()  # wrong
             if self.early:

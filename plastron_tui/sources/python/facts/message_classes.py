@@ -64,9 +64,9 @@ def _of_name(qualified: str) -> MessageType | None:
     if len(rest) == 1 and (kind, rest[0]) in _PARTS:
         return MessageType(InterfaceName(package, name), _PARTS[kind, rest[0]])
     if kind == "srv" and not rest:
-        # rospy: `std_srvs.srv.SetBoolRequest`
+        # rospy: `std_srvs.srv.SetBoolRequest`, and in rclpy what is behind `SetBool.Request`.
         for end in ("Request", "Response"):
             if name.endswith(end) and name != end:
-                of = InterfaceName(package, name.removesuffix(end))
+                of = InterfaceName(package, name.removesuffix(end).removesuffix("_"))
                 return MessageType(of, _PARTS["srv", end])
     return None
