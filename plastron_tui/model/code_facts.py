@@ -268,9 +268,15 @@ class Repeated(NamedTuple):
 
 
 class Dropped(NamedTuple):
-    """An endpoint whose handle nobody keeps, and which ends with it."""
+    """An endpoint, or a callback of parameters, whose handle nobody keeps, and which ends with it.
 
-    kind: EndpointKind
+    Attributes:
+        kind: the kind of the endpoint, None for a callback of parameters.
+        span: the call.
+        file: the name of the file in its set, "" for the main file.
+    """
+
+    kind: EndpointKind | None
     span: Span
     file: str = ""
 

@@ -33,6 +33,7 @@ private:
   rclcpp::Publisher<std_msgs::msg::String>::SharedPtr pub_;
   rclcpp::Subscription<std_msgs::msg::String>::SharedPtr sub_;
   rclcpp::TimerBase::SharedPtr timer_;
+  {more}
 }};
 int main(int argc, char ** argv) {{
   rclcpp::init(argc, argv);
@@ -69,8 +70,10 @@ def facts(text: str) -> CodeFacts:
     return code_facts(source)
 
 
-def ros2(callback: str = "", ask: str = "", setup: str = SETUP, main: str = MAIN) -> str:
-    return ROS2.format(callback=callback, ask=ask, setup=setup, main=main)
+def ros2(
+    callback: str = "", ask: str = "", setup: str = SETUP, main: str = MAIN, more: str = ""
+) -> str:
+    return ROS2.format(callback=callback, ask=ask, setup=setup, main=main, more=more)
 
 
 def ros1(callback: str = "", main: str = f"{SUB1} ros::spin();") -> str:

@@ -1,8 +1,9 @@
-"""Endpoints whose handle nobody keeps, and which end with it.
+"""Endpoints and callbacks of parameters whose handle nobody keeps, and which end with it.
 
 Sources: `rclcpp/node_interfaces/node_base.hpp` of Jazzy: a group of callbacks has weak pointers to
-what it calls; `ros/subscriber.h`, `ros/publisher.h`, `ros/timer.h`, `ros/service_server.h` of
-Noetic: the last copy of a handle ends what it is of.
+what it calls; `node_parameters.hpp` and `rclcpp/parameter_event_handler.hpp`: so have the lists of
+callbacks of parameters; `ros/subscriber.h`, `ros/publisher.h`, `ros/timer.h`,
+`ros/service_server.h` of Noetic: the last copy of a handle ends what it is of.
 """
 
 from __future__ import annotations
@@ -15,7 +16,8 @@ from tree_sitter import Node
 from plastron_tui.model.code_facts import Dropped
 from plastron_tui.model.source import EndpointKind
 from plastron_tui.sources.cpp.analysis import Analysis, Site
-from plastron_tui.sources.cpp.holders import holder_of
+from plastron_tui.sources.cpp.arguments import Call
+from plastron_tui.sources.cpp.holders import holder_of_call
 from plastron_tui.sources.cpp.receivers import HANDLE
 from plastron_tui.sources.cpp.scopes import Scope, Variable, body_of, last_name
 from plastron_tui.sources.cpp.shapes import FILLED
@@ -35,10 +37,20 @@ _STAYING = re.compile(
     rb"|\bwhile\b|\bfor\s*\(\s*;\s*;|\bgoto\b|\bcin\b"
 )
 _KEPT_BY_OTHERS = frozenset({"empty", "lazy", "filter"})
+_OF_NODE = (
+    "add_on_set_parameters_callback",
+    "add_post_set_parameters_callback",
+    "add_pre_set_parameters_callback",
+)
+"""Methods of a node, and of its interface for parameters, that give a handle back."""
+
+_OF_HANDLER = ("add_parameter_callback", "add_parameter_event_callback")
+_HANDLER = "rclcpp::ParameterEventHandler"
+_OF_LIBRARY = ("rclcpp::", "rclcpp_lifecycle::")
 
 
 def dropped(analysis: Analysis) -> Iterator[Dropped]:
-    """Yield the endpoints, each once."""
+    """Yield them, each once."""
     found: dict[tuple[str, int], Dropped] = {}
     for site in analysis.sites:
         endpoint = site.endpoint
@@ -48,10 +60,43 @@ def dropped(analysis: Analysis) -> Iterator[Dropped]:
             continue
         if site.call.name in ("waitForMessage", "wait_for_message"):
             continue
-        if _is_plain(analysis, site) and (_is_discarded(site) or _is_left(analysis, site)):
+        if _is_plain(analysis, site) and _is_dropped(analysis, site.call, endpoint.kind):
             span, file = span_of(site.call.node), site.file.name
             found.setdefault((file, span.start), Dropped(endpoint.kind, span, file))
+    for call in _parameter_callbacks(analysis):
+        if _is_dropped(analysis, call):
+            span, file = span_of(call.node), call.scope.file.name
+            found.setdefault((file, span.start), Dropped(None, span, file))
     yield from (found[key] for key in sorted(found))
+
+
+def _parameter_callbacks(analysis: Analysis) -> Iterator[Call]:
+    """Yield the calls that add a callback of parameters and give its handle back."""
+    unit = analysis.unit
+    if analysis.ros_version == 1:
+        return
+    for name in (*_OF_NODE, *_OF_HANDLER):
+        for call in () if name in unit.functions else unit.calls.get(name, ()):
+            if not call.scope.file.is_beside and _is_of_library(analysis, call):
+                yield call
+
+
+def _is_of_library(analysis: Analysis, call: Call) -> bool:
+    """Tell whether a method is that of the client library."""
+    owner = analysis.unit.class_of(call.scope)
+    if call.receiver is None or call.receiver.type == "this":
+        is_node = owner is not None and analysis.receivers.is_node_class(owner)
+        return is_node and call.name in _OF_NODE
+    type_ = analysis.receivers.type_of(call.receiver, call.scope)
+    if call.name in _OF_HANDLER:
+        return type_ == _HANDLER
+    # What else has a method of this name is no class of the files.
+    return type_.startswith(_OF_LIBRARY) or analysis.receivers.is_node(type_, call.scope)
+
+
+def _is_dropped(analysis: Analysis, call: Call, kind: EndpointKind | None = None) -> bool:
+    """Tell whether nobody keeps what a call gives back."""
+    return _is_discarded(call) or _is_left(analysis, call, kind)
 
 
 def _is_plain(analysis: Analysis, site: Site) -> bool:
@@ -67,9 +112,9 @@ def _is_plain(analysis: Analysis, site: Site) -> bool:
     )
 
 
-def _is_discarded(site: Site) -> bool:
+def _is_discarded(call: Call) -> bool:
     """Tell whether a call is a statement of its own."""
-    node = site.call.node
+    node = call.node
     if node.type != "call_expression":
         return False
     while node.parent is not None and node.parent.type == "cast_expression":
@@ -77,9 +122,9 @@ def _is_discarded(site: Site) -> bool:
     return node.parent is not None and bool(node.parent.type == "expression_statement")
 
 
-def _is_left(analysis: Analysis, site: Site) -> bool:
-    """Tell whether a variable of a function that returns is all that has an endpoint."""
-    holder = holder_of(analysis, site)
+def _is_left(analysis: Analysis, call: Call, kind: EndpointKind | None) -> bool:
+    """Tell whether a variable of a function that returns is all that has a handle."""
+    holder = holder_of_call(analysis, call)
     if holder is None or holder.kind != "local" or holder.is_reference or holder.is_pointer:
         return False
     function = holder.scope.enclosing("function", "lambda")
@@ -97,7 +142,7 @@ def _is_left(analysis: Analysis, site: Site) -> bool:
     staying = _SPINNING if _is_constructor(analysis, function) else _STAYING
     if staying.search(code, block.start_byte, block.end_byte):
         return False
-    return _is_only_used(analysis, holder, site)
+    return _is_only_used(analysis, holder, kind)
 
 
 def _block(node: Node) -> Node | None:
@@ -118,14 +163,16 @@ def _is_constructor(analysis: Analysis, function: Scope) -> bool:
     return name == made.name
 
 
-def _is_only_used(analysis: Analysis, holder: Variable, site: Site) -> bool:
-    """Tell whether all that is done with a variable is to call its methods."""
+def _is_only_used(analysis: Analysis, holder: Variable, kind: EndpointKind | None) -> bool:
+    """Tell whether all that is done with a variable is to call its methods, if anything."""
     named = mentions(analysis.unit, holder)
     if named is None:
         return False
     is_used = False
     for _, node in named:
         parent = node.parent
+        if parent is not None and _is_cast_to_void(parent):
+            continue
         is_holder = parent is not None and parent.type == "field_expression"
         if not is_holder or parent is None or method_of(parent) is None:
             return False
@@ -134,7 +181,15 @@ def _is_only_used(analysis: Analysis, holder: Variable, site: Site) -> bool:
             return False
         is_used = True
     # A publisher that sends, and then is left, may be meant.
-    return not (is_used and site.endpoint.kind is EndpointKind.PUBLISHER)
+    return not (is_used and kind is EndpointKind.PUBLISHER)
+
+
+def _is_cast_to_void(node: Node) -> bool:
+    """Tell whether a cast only says that a variable is not used: `(void)timer;`."""
+    is_cast = node.type == "cast_expression"
+    type_ = node.child_by_field_name("type") if is_cast else None
+    is_statement = node.parent is not None and node.parent.type == "expression_statement"
+    return type_ is not None and type_.text == b"void" and is_statement
 
 
 def _is_in_lambda(node: Node, holder: Variable) -> bool:
