@@ -25,6 +25,7 @@ from plastron_tui.sources.retries import is_short_retry
 from plastron_tui.sources.unreachable import is_unreachable
 
 from .called_back import CallbackBodies, CalledBack, is_in_default_group, is_of_same_node
+from .parameter_clients import ASKING, ASYNC, SYNC, is_of, own_client
 from .places import span_of
 
 _SPINNING = frozenset({"spin", "spin_some", "spin_until_future_complete"})
@@ -45,7 +46,7 @@ _HELD = re.compile(r"(?:this->)?(\w+)(?:->get_node_base_interface\(\))?")
 _SLEPT_BY = re.compile(r"(?:rclcpp|ros)::(?:Wall)?(?:Rate|Duration)(?:Base)?")
 _THREADS = re.compile(rb"MultiThreaded|AsyncSpinner|CallbackQueue|MTNodeHandle|MTPrivate")
 _GROUPS = re.compile(rb"callback_?group", re.IGNORECASE)
-_NAMES = _SPINNING | _WAITING | _SLEEPING
+_NAMES = _SPINNING | _WAITING | _SLEEPING | ASKING
 
 
 class _Waiting(NamedTuple):
@@ -57,6 +58,7 @@ class _Waiting(NamedTuple):
         sites: the clients that bring it.
         is_endless: whether it never comes, whoever brings it.
         seconds: how long it sleeps, None where that is not known.
+        owner: the class whose node has the client of parameters that brings it, None for others.
     """
 
     wait: Wait
@@ -64,6 +66,7 @@ class _Waiting(NamedTuple):
     sites: tuple[Site, ...] = ()
     is_endless: bool = False
     seconds: float | None = None
+    owner: Scope | None = None
 
 
 def blocking(analysis: Analysis, bodies: CallbackBodies) -> Iterator[Blocking]:
@@ -150,6 +153,11 @@ class _Waits:
             is_alone = self._a.ros_version == 2 or (self._is_one_thread and not is_action)
             if self._has_threads or self._has_groups or not is_alone:
                 return None
+        elif waiting.owner is not None:
+            is_own = is_of(self._a, callback.site, waiting.owner)
+            is_endless = is_own and (waiting.wait is Wait.SPIN or is_default)
+            if not is_endless:
+                return None
         elif waiting.wait is Wait.SPIN:
             if not self._is_own_node(waiting.call, callback.site):
                 return None
@@ -188,6 +196,9 @@ class _Waits:
             return None
         if call.name in _SPINNING:
             return self._spun(call)
+        if call.name in ASKING:
+            owner = own_client(self._a, call, SYNC)
+            return None if owner is None else _Waiting(Wait.SPIN, call, owner=owner)
         return self._waited(call)
 
     def _spun(self, call: Call) -> _Waiting | None:
@@ -215,6 +226,9 @@ class _Waits:
             time = seconds(self._a, call.argument(0), call.scope)
             if time is None or time.number is None or time.number <= 0:
                 return None
+        if asked.name in ASKING:
+            owner = own_client(self._a, asked, ASYNC)
+            return None if owner is None else _Waiting(Wait.SERVICE, call, owner=owner)
         kind, wait = _ASKING[asked.name]
         sites = self._clients(asked.receiver, asked.scope, kind)
         return _Waiting(wait, call, sites) if sites else None
@@ -230,7 +244,7 @@ class _Waits:
             if call.name in ("share", "move", "get_future"):
                 inner = call.receiver if call.receiver is not None else call.argument(0)
                 return self._asked(inner, scope, depth + 1)
-            return call if call.name in _ASKING else None
+            return call if call.name in _ASKING or call.name in ASKING else None
         if node.type == "field_expression" and last_name(node, scope) == "future":
             return self._asked(node.child_by_field_name("argument"), scope, depth + 1)
         if node.type != "identifier":
