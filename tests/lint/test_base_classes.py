@@ -204,6 +204,14 @@ def test_what_neither_base_nor_node_declares_is_told_of(
     [
         ["node = Talker()  # wrong", "node.get_logger().info('up')", "node.destroy_node()"],
         ["Talker()  # wrong"],
+        ["node = None", "try:", "    node = Talker()  # wrong", "finally:", "    if node:",
+         "        node.destroy_node()"],
+        ["node = Talker()  # wrong", "if node is not None and not rclpy.ok():",
+         "    node.destroy_node()"],
+        ["node = Talker()  # wrong", "node.trigger_configure()", "node.trigger_activate()"],
+        ["node = Talker()", "if work(node):", "    node.destroy_node()"],
+        ["node = Talker()", "if node.work():", "    node.destroy_node()"],
+        ["node = Talker()", "nodes = [node]"],
         ["node = Talker()  # wrong", "executor = SingleThreadedExecutor()",
          "executor.add_node(node)", "executor.spin"],
         ["node = Talker()", "rclpy.spin(node)"],
@@ -224,7 +232,7 @@ def test_a_node_of_another_file_that_nothing_spins_is_told(
     files = _files()
     files["demo/demo/talker.py"] += other
     files["demo/demo/run.py"] = run
-    wrong = [("run.py", each) for each in lines if each.endswith("# wrong")]
+    wrong = [("run.py", each.strip()) for each in lines if each.endswith("# wrong")]
     assert _told(write_tree(tmp_path, files), "RC405") == wrong
 
 

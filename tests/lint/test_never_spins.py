@@ -62,6 +62,29 @@ CASES = {
         HEARD,
         f"other = rclpy.create_node('other')\n{MADE}rclpy.spin(other)\nnode.destroy_node()",
     ),
+    "filters of messages": worker(
+        "self.sub = message_filters.Subscriber(self, String, 'orders')\n"
+        "self.sub.registerCallback(self.heard)\n",
+        HEARD,
+        f"{MADE}node.trigger_configure()",
+    ),
+    "filters of messages without a callback": worker(
+        "self.sub = message_filters.Subscriber(self, String, 'orders')\n",
+        HEARD,
+        "node = Worker()",
+    ),
+    "asks whether another node is there": worker(
+        LISTEN,
+        HEARD,
+        f"other = rclpy.create_node('other')\n{MADE}rclpy.spin(other)\n"
+        "if node is not None:\n    node.destroy_node()",
+    ),
+    "compares another node": worker(
+        LISTEN,
+        HEARD,
+        "other = rclpy.create_node('other')\nnode = Worker()\nrclpy.spin(other)\n"
+        "if node == other:\n    node.destroy_node()",
+    ),
     "spins both": worker(
         LISTEN,
         HEARD,

@@ -12,10 +12,17 @@ from plastron_tui.sources.python.references import Use, references, variable_of
 from .base_files import Base
 from .called_back import running_scope
 
-_HARMLESS = frozenset({"add_node", "destroy_node", "get_clock", "get_logger", "get_name"})
-"""What is done with a node, by it or with it, that has no callback called."""
+_HARMLESS = frozenset(
+    {
+        "destroy_node", "get_clock", "get_logger", "get_name", "trigger_activate",
+        "trigger_cleanup", "trigger_configure", "trigger_deactivate", "trigger_shutdown",
+    }
+)  # fmt: skip
+"""What a node does that has no callback of its endpoints called."""
 
-_PARENTS = frozenset({"argument_list", "attribute"})
+_ADDING = "add_node"
+_CONDITIONS = frozenset({"elif_clause", "if_statement", "while_statement"})
+_TESTS = frozenset({"boolean_operator", "not_operator", "parenthesized_expression"})
 
 
 def imported_idle(analysis: Analysis, is_idle: Callable[[Base], bool]) -> Node | None:
@@ -52,13 +59,40 @@ def _is_left(made: Node, analysis: Analysis) -> bool:
     if variable is None or analysis.scopes.at(target.start_byte).kind == "module":
         return False
     return all(
-        each.use is Use.BINDING or _is_harmless(each.node, analysis)
+        each.use in (Use.BINDING, Use.NOTHING) or is_harmless(each.node, analysis)
         for each in references(variable, analysis)
     )
 
 
-def _is_harmless(node: Node, analysis: Analysis) -> bool:
+def is_harmless(node: Node, analysis: Analysis, *, is_added: bool = True) -> bool:
+    """Tell whether a use of a node has no callback called.
+
+    Args:
+        node: the name of the node, where it is used.
+        analysis: the file.
+        is_added: whether an executor may get the node as well, in a file where none spins.
+    """
     parent = node.parent
-    call = parent.parent if parent is not None and parent.type in _PARENTS else None
-    is_call = call is not None and call.type == "call"
-    return is_call and call is not None and analysis.syntax.called_name(call) in _HARMLESS
+    if _is_asked_for(node):
+        return True
+    call = parent.parent if parent is not None else None
+    if parent is None or call is None or call.type != "call":
+        return False
+    name = analysis.syntax.called_name(call)
+    if parent.type == "argument_list":
+        return name in (_ADDING, "destroy_node") and is_added
+    return parent.type == "attribute" and name in _HARMLESS
+
+
+def _is_asked_for(node: Node) -> bool:
+    """Tell whether it is only asked whether there is a node: `if node:`, `node is not None`."""
+    test = node
+    while test.parent is not None and test.parent.type in _TESTS:
+        test = test.parent
+    parent = test.parent
+    if parent is None:
+        return False
+    if parent.type == "comparison_operator":
+        return any(each.type == "none" for each in parent.named_children)
+    condition = parent.child_by_field_name("condition") if parent.type in _CONDITIONS else None
+    return condition is not None and condition.id == test.id

@@ -14,7 +14,7 @@ from tree_sitter import Node
 
 from plastron_tui.diagnostics import Span
 from plastron_tui.model.kinds import EndpointKind
-from plastron_tui.sources.python.analysis import Analysis, NodeSite
+from plastron_tui.sources.python.analysis import Analysis, NodeSite, Site
 from plastron_tui.sources.python.base_classes import inherited_sites
 from plastron_tui.sources.python.functions import function_uses
 from plastron_tui.sources.python.references import Use, references, variable_of
@@ -25,7 +25,7 @@ from .base_files import Base, read_bases
 from .call_graph import CallGraph
 from .called_back import is_certain, running_scope
 from .closed import handed_out, hands_out
-from .imported_nodes import imported_idle
+from .imported_nodes import imported_idle, is_harmless
 
 _CALLED = frozenset(
     {
@@ -35,6 +35,7 @@ _CALLED = frozenset(
         EndpointKind.ACTION_SERVER,
     }
 )
+_FILTER = "message_filters.Subscriber"
 _SPINNING = re.compile(rb"[Ss]pin|[Nn]avigator")
 _GOING_ON = re.compile(rb"[Ss]pin|[Nn]avigator|Thread|Process|Executor")
 _STAYING = re.compile(
@@ -68,21 +69,23 @@ def idle(analysis: Analysis, graph: CallGraph) -> Span | None:
 def _is_called(analysis: Analysis, node: NodeSite) -> bool:
     """Tell whether a node has callbacks."""
     return any(
-        site.endpoint.kind in _CALLED
-        and not site.shape.gives_message
-        and site.shape.callback is not None
-        and is_certain(site, analysis)
+        _has_callback(site, analysis)
         and (node.owner is None or site.owner is None or site.owner is node.owner)
         for site in analysis.first_sites()
     ) or (
         node.owner is not None
-        and any(
-            site.endpoint.kind in _CALLED
-            and site.shape.callback is not None
-            and is_certain(site, file)
-            for file, site in inherited_sites(analysis, node.owner)
-        )
+        and any(_has_callback(site, file) for file, site in inherited_sites(analysis, node.owner))
     )
+
+
+def _has_callback(site: Site, file: Analysis) -> bool:
+    """Tell whether a call site has something called, itself or by a filter of messages."""
+    if site.endpoint.kind not in _CALLED or site.shape.gives_message or not is_certain(site, file):
+        return False
+    is_filtered = _FILTER in site.shape.callees and any(
+        True for _ in file.resolver.calls_of("registerCallback")
+    )
+    return site.shape.callback is not None or is_filtered
 
 
 def _unspun(analysis: Analysis) -> Span | None:
@@ -139,17 +142,9 @@ def _is_left_out(analysis: Analysis, made: Node) -> bool:
     if node is None or variable is None or not _is_called(analysis, node):
         return False
     return all(
-        each.use is Use.BINDING or _is_harmless(each.node, analysis)
+        each.use in (Use.BINDING, Use.NOTHING) or is_harmless(each.node, analysis, is_added=False)
         for each in references(variable, analysis)
     )
-
-
-def _is_harmless(node: Node, analysis: Analysis) -> bool:
-    """Tell whether a use of a node only asks for its logger, or ends it."""
-    attribute = node.parent
-    call = attribute.parent if attribute is not None and attribute.type == "attribute" else None
-    name = "" if call is None or call.type != "call" else analysis.syntax.called_name(call)
-    return name in ("destroy_node", "get_logger", "get_name", "get_clock")
 
 
 def _may_spin(analysis: Analysis, call: Node) -> bool:
