@@ -20,6 +20,32 @@ AGAIN = {
         LISTEN,
         f"def heard(self, msg):\n    if not msg.data:\n        return\n    self.{PUB}  # wrong",
     ),
+    "of a filter": worker(
+        "self.sub = message_filters.Subscriber(self, String, 'orders')\n"
+        "self.both = message_filters.TimeSynchronizer([self.sub], 10)\n"
+        "self.both.registerCallback(self.heard)\n",
+        f"def heard(self, msg):\n    self.{PUB}  # wrong",
+    ),
+    "and ended with the node": worker(
+        LISTEN,
+        f"def heard(self, msg):\n    self.{PUB}  # wrong\n\n"
+        "def destroy_node(self):\n    self.destroy_publisher(self.pub)\n\n"
+        "def on_cleanup(self, state):\n    self.destroy_publisher(self.pub)",
+    ),
+    "and ended by another callback": worker(
+        LISTEN + TIMER,
+        f"def heard(self, msg):\n    self.{PUB}\n\n"
+        "def tick(self):\n    self.destroy_publisher(self.pub)",
+    ),
+    "and ended by a method that anybody may call": worker(
+        LISTEN,
+        f"def heard(self, msg):\n    self.{PUB}\n\n"
+        "def end(self):\n    self.destroy_publisher(self.pub)\n\n"
+        "def destroy_node(self):\n    self.end()",
+    ),
+    "in a transition": worker("pass", f"def on_activate(self, state):\n    self.{PUB}").replace(
+        "(Node)", "(LifecycleNode)"
+    ),
     "in a try": worker(
         TIMER,
         f"def tick(self):\n    try:\n        self.{PUB}  # wrong\n    except ValueError:\n"

@@ -247,8 +247,9 @@ def _to_take(fact: Arity) -> str | None:
     severity=Severity.WARNING,
     why="The node keeps the one of each time before: there are more of them with every call, each "
     "subscription calls its callback once more, and what a new publisher sends first is lost, for "
-    "nobody has found it yet. Not told where the file ends endpoints of the kind, where a "
-    "condition asks for more than the message, or where the name is another one each time.",
+    "nobody has found it yet. Not told where the file ends endpoints of the kind before the node "
+    "itself ends (`destroy_node`, `on_cleanup`), where a condition asks for more than the message, "
+    "or where the name is another one each time.",
     bad=AGAIN["bad"],
     good=AGAIN["good"],
 )

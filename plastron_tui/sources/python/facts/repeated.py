@@ -35,7 +35,12 @@ _ENDED = {
     EndpointKind.ACTION_CLIENT: re.compile(rb"\.destroy\("),
     EndpointKind.TIMER: re.compile(rb"destroy_timer|\.cancel\(|\.shutdown\("),
 }
-"""How endpoints of a kind are ended; a file that does so anywhere keeps account of them."""
+"""How endpoints of a kind are ended; a file that does so keeps account of them."""
+
+_LAST = frozenset(
+    {"__del__", "destroy_node", "on_cleanup", "on_deactivate", "on_error", "on_shutdown"}
+)
+"""Methods of a node that end what there is once, when it has done its work."""
 
 _UNREGISTERED = re.compile(rb"\.unregister\(")
 _BEFORE = re.compile(rb"[\w.]*\W*\Z")
@@ -76,12 +81,22 @@ def _counts(site: Site, analysis: Analysis) -> bool:
     """Tell whether a call site makes one endpoint of a name, which goes on when it is let go."""
     kind = site.endpoint.kind
     ended = _ENDED.get(kind)
-    if ended is None or site.shape.gives_message or ended.search(analysis.syntax.text):
+    if ended is None or site.shape.gives_message or _keeps_account(analysis, ended):
         return False
     if analysis.library.module == "rospy" and (kind is EndpointKind.CLIENT or _is_oneshot(site)):
         return False
     is_named = kind is EndpointKind.TIMER or site.endpoint.name is not None
     return is_named and is_certain(site, analysis) and not _is_unregistered(kind, analysis)
+
+
+def _keeps_account(analysis: Analysis, ended: re.Pattern[bytes]) -> bool:
+    """Tell whether a file ends endpoints while its node works: the last one is no account."""
+    for found in ended.finditer(analysis.syntax.text):
+        function = analysis.scopes.at(found.start()).enclosing("function")
+        is_method = function is not None and bool(function.self_name)
+        if function is None or not is_method or function.name not in _LAST:
+            return True
+    return False
 
 
 def _is_unregistered(kind: EndpointKind, analysis: Analysis) -> bool:
@@ -113,7 +128,7 @@ def _in_callbacks(
         return
     for callback in callbacks:
         function = callback.function
-        if function is None or callback.site is None or not _is_repeating(callback, analysis):
+        if function is None or not _is_repeating(callback, analysis):
             continue
         taken = _taken(function, analysis)
         all_reached = graph.reached(function)
@@ -177,7 +192,10 @@ def _is_sure(step: Node, callback: Scope, known: frozenset[bytes], analysis: Ana
 
 
 def _is_repeating(callback: CalledBack, analysis: Analysis) -> bool:
-    if callback.kind not in _REPEATING or callback.site is None:
+    if callback.site is None:
+        # What filters call, as often as a topic has messages; a node changes its state rarely.
+        return callback.kind is EndpointKind.SUBSCRIPTION
+    if callback.kind not in _REPEATING:
         return False
     return analysis.library.module != "rospy" or not _is_oneshot(callback.site)
 
