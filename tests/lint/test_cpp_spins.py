@@ -7,6 +7,10 @@ from cpp_programs import SUB1, facts, ros1, ros2
 
 EXECUTOR = "rclcpp::executors::SingleThreadedExecutor e;"
 
+_MADE = "auto node = std::make_shared<Talker>(); rclcpp::shutdown();"
+_MOTOR = "struct Motor { void spin_once() {} }; Motor motor_;"
+_DERIVED = "Motor : public rclcpp::executors::SingleThreadedExecutor {"
+
 
 @pytest.mark.parametrize(
     ("text", "is_idle"),
@@ -28,6 +32,23 @@ EXECUTOR = "rclcpp::executors::SingleThreadedExecutor e;"
         ),
         (ros1(main=f"{SUB1} ros::AsyncSpinner s(2); ros::Duration(9).sleep();"), True),
         (ros1(main=f"{SUB1} ros::AsyncSpinner s(2); s.start();"), False),
+        (ros2("motor_.spin_once();", main=_MADE, more=_MOTOR), True),
+        (
+            ros2("motor_->spin_once();", main=_MADE, more=_MOTOR.replace("Motor m", "Motor * m")),
+            True,
+        ),
+        (ros2("other_.spin_once();", main=_MADE, more=_MOTOR), False),
+        (ros2("spin_once();", main=_MADE, more=_MOTOR), False),
+        (ros2("motor_.spin_once();", main=_MADE, more=_MOTOR.replace("Motor {", _DERIVED)), False),
+        (ros2("motor_.spin_once();", main=f"{EXECUTOR} e.spin_once();", more=_MOTOR), False),
+        (
+            ros2(
+                "motor_.spin_once();",
+                main=_MADE,
+                more=_MOTOR.replace("{}", "{ rclcpp::spin_some(node_); }"),
+            ),
+            False,
+        ),
         (ros2(main="/* todo */ rclcpp::shutdown();"), False),
         (ros2(main="").replace("Talker() :", "Talker(int) :"), False),
         (ros2(), False),

@@ -62,6 +62,22 @@ CASES = {
         HEARD,
         f"other = rclpy.create_node('other')\n{MADE}rclpy.spin(other)\nnode.destroy_node()",
     ),
+    "says it in names of its own": worker(
+        LISTEN + "self.spin_client = self.create_client(Trigger, 'spin')\n",
+        HEARD + "\n\ndef spin_it(self):\n    spin_speed = 1\n    self.spin_client.call_async("
+        "spin_speed)\n    self.spin_it()",
+        MADE,
+    ),
+    "a name that another file gives": worker(LISTEN, HEARD, "node = Worker()\nspinner.go()"),
+    "a parameter": worker(
+        LISTEN, HEARD + "\n\ndef go(self, spinner):\n    spinner(self)", "node = Worker()"
+    ),
+    "a name for the function": worker(LISTEN, HEARD, "spinning = rclpy.spin\nspinning(Worker())"),
+    "an attribute that is the function": worker(
+        LISTEN + "self.spinner = rclpy.spin\n",
+        HEARD + "\n\ndef go(self):\n    self.spinner(self)",
+        "Worker().go()",
+    ),
     "filters of messages": worker(
         "self.sub = message_filters.Subscriber(self, String, 'orders')\n"
         "self.sub.registerCallback(self.heard)\n",

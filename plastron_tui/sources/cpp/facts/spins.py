@@ -9,8 +9,11 @@ from __future__ import annotations
 import re
 from collections.abc import Sequence
 
+from tree_sitter import Node
+
 from plastron_tui.diagnostics import Span
 from plastron_tui.sources.cpp.analysis import Analysis, Site
+from plastron_tui.sources.cpp.arguments import Call
 from plastron_tui.sources.cpp.scopes import Function, Scope
 
 from .called_back import CALLED
@@ -47,7 +50,7 @@ def idle(analysis: Analysis) -> Span | None:
     if main is None or main.file is not unit.files[0] or not _is_called(analysis):
         return None
     files = [each.syntax for each in unit.all_files]
-    if any(each.has(_SPINNING) for each in files) and _may_spin([each.code for each in files]):
+    if any(each.has(_SPINNING) for each in files) and _may_spin(_without_own(analysis)):
         return None
     is_sure = _is_alone(analysis) if analysis.ros_version == 2 else has_known_headers(analysis)
     return span_of(main.declarator) if is_sure else None
@@ -60,6 +63,42 @@ def _may_spin(codes: Sequence[bytes]) -> bool:
     if any(_SPUN.search(code) for code in codes):
         return True
     return _SPINNING.search(_without_idle(b"\n".join(codes))) is not None
+
+
+def _without_own(analysis: Analysis) -> list[bytes]:
+    """Return the code of the files without the names of methods of theirs: `display_->spin()`.
+
+    What such a method does itself is in the files, or has no node to spin.
+    """
+    unit = analysis.unit
+    own: dict[int, list[Node]] = {}
+    for name, functions in unit.functions.items():
+        if _SPINNING.search(name.encode()) is None:
+            continue
+        for each in functions:
+            if unit.class_of_function(each) is not None:
+                own.setdefault(id(each.file), []).append(each.declarator)
+        for call in unit.calls.get(name, ()):
+            if call.name_node is not None and _calls_own(analysis, call):
+                own.setdefault(id(call.scope.file), []).append(call.name_node)
+    codes = []
+    for file in unit.all_files:
+        code = bytearray(file.syntax.code)
+        for node in own.get(id(file), ()):
+            code[node.start_byte : node.end_byte] = b" " * (node.end_byte - node.start_byte)
+        codes.append(bytes(code))
+    return codes
+
+
+def _calls_own(analysis: Analysis, call: Call) -> bool:
+    """Tell whether a call is one of a method of a class of the files which derives from nothing."""
+    if call.receiver is None:
+        return False
+    type_ = analysis.receivers.type_of(call.receiver, call.scope)
+    owner = analysis.unit.find_class(type_, call.scope) if type_ else None
+    if owner is None or call.name not in owner.functions:
+        return False
+    return not any(True for _ in analysis.unit.foreign_bases(owner))
 
 
 def _without_idle(code: bytes) -> bytes:

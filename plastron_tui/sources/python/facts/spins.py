@@ -26,6 +26,7 @@ from .call_graph import CallGraph
 from .called_back import is_certain, running_scope
 from .closed import handed_out, hands_out
 from .imported_nodes import imported_idle, is_harmless
+from .own_names import is_own_name
 
 _CALLED = frozenset(
     {
@@ -193,12 +194,13 @@ def _span(node: Node) -> Span:
 def _says(analysis: Analysis, pattern: re.Pattern[bytes]) -> bool:
     """Tell whether the code of a file has a name with a pattern; strings and comments are none.
 
-    Nor is what only names a function, and does not call it: `executor.spin`.
+    Nor is what only names a function, and does not call it, `executor.spin`, or a name of the
+    file's own, whose value the file says as well.
     """
     root = analysis.syntax.root
     for found in pattern.finditer(analysis.syntax.text):
         node = root.descendant_for_byte_range(found.start(), found.end())
-        if node is not None and node.type == "identifier":
+        if node is not None and node.type == "identifier" and not is_own_name(node, analysis):
             parent = node.parent
             if parent is None or parent.type not in ("dotted_name", "aliased_import"):
                 whole = parent if parent is not None and parent.type == "attribute" else node
