@@ -329,12 +329,16 @@ class ParameterFacts(NamedTuple):
         is_own: whether all is among them but for what well-known libraries declare by themselves.
         takes_options: whether who makes the node may let it have parameters that it does not
             declare.
+        is_elsewhere: whether the files make the node alone, and others define its class.
+        is_rest_whole: whether all else that the node declares is among the uses then.
     """
 
     uses: tuple[ParameterUse, ...] = ()
     is_whole: bool = False
     is_own: bool = False
     takes_options: bool = False
+    is_elsewhere: bool = False
+    is_rest_whole: bool = False
 
 
 class CodeFacts(NamedTuple):

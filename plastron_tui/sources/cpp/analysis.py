@@ -99,6 +99,7 @@ class Analysis:
         qos_steps: what changes the profiles of their variables, as far as it was looked for.
         calls_found: how many calls create endpoints.
         worlds_left: how many calls of functions are yet looked at for what they create.
+        cut: the calls that create more than was looked at, by their ids.
         sites: the calls that create endpoints, in the order of the files.
         nodes: what makes the nodes.
     """
@@ -114,6 +115,7 @@ class Analysis:
     qos_steps: dict[Variable, Any] = field(default_factory=dict)
     calls_found: int = 0
     worlds_left: int = 4_000
+    cut: set[int] = field(default_factory=set)
     sites: list[Site] = field(default_factory=list)
     nodes: list[NodeSite] = field(default_factory=list)
 

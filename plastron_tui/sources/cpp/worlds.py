@@ -24,12 +24,18 @@ def worlds(analysis: Analysis, found: Found, name: Node | None) -> Iterator[Bind
     """Yield the calls of the function around a call, each bound while it is looked at."""
     unit = analysis.unit
     scope = (found.options or found.call).scope
-    for items in _turns(analysis, name, scope):
+    turns = _turns(analysis, name, scope)
+    if len(turns) > MOST_WORLDS:
+        analysis.cut.add(found.call.node.id)
+    for items in turns[:MOST_WORLDS]:
         unit.items = items
-        chosen = list(_calls(analysis, scope, 0))[:MOST_WORLDS] or [()]
-        for bindings in chosen:
+        chosen = list(_calls(analysis, scope, 0)) or [()]
+        if len(chosen) > MOST_WORLDS:
+            analysis.cut.add(found.call.node.id)
+        for bindings in chosen[:MOST_WORLDS]:
             analysis.worlds_left -= 1
             if analysis.worlds_left < 0:
+                analysis.cut.add(found.call.node.id)
                 break
             unit.bindings = {function: (call, {}) for function, call in bindings}
             yield bindings
@@ -52,9 +58,8 @@ def _turns(analysis: Analysis, name: Node | None, scope: Scope) -> list[dict[Var
                     continue
                 listed = analysis.evaluator.fold(variable.value, variable.scope)
                 if listed is not None and isinstance(listed.value, tuple):
-                    return [
-                        {variable: Value(item).like(listed)} for item in listed.value[:MOST_WORLDS]
-                    ]
+                    few = listed.value[: MOST_WORLDS + 1]
+                    return [{variable: Value(item).like(listed)} for item in few]
     return [{}]
 
 
@@ -96,8 +101,8 @@ def _calls(analysis: Analysis, scope: Scope, depth: int) -> Iterator[Bindings]:
     has_template = function.place.kind == "template"
     if not function.parameters and not has_template:
         return
-    for call in analysis.callers.of(function)[:MOST_WORLDS]:
-        outer = list(_calls(analysis, call.scope, depth + 1))[:MOST_WORLDS]
+    for call in analysis.callers.of(function)[: MOST_WORLDS + 1]:
+        outer = list(_calls(analysis, call.scope, depth + 1))[: MOST_WORLDS + 1]
         for bindings in outer or [()]:
             if all(each is not function for each, _ in bindings):
                 yield ((function, call), *bindings)

@@ -19,8 +19,12 @@ from plastron_tui.sources.cpp.nodes import owned_sites
 from plastron_tui.sources.cpp.parameter_details import parameter_details
 from plastron_tui.sources.cpp.read_parameters import parameter_call
 
-from .helped_parameters import helped_uses, type_of_default
-from .whole_parameters import wholeness
+from .default_types import type_of_default
+from .helped_parameters import helped_uses
+from .listed_names import possible_names
+from .places import is_guarded
+from .set_parameters import set_uses
+from .whole_parameters import Wholeness, is_elsewhere, rest_wholeness, wholeness
 
 _ALLOWED = re.compile(
     rb"\b(?:allow_undeclared_parameters|automatically_declare_parameters_from_overrides)"
@@ -44,10 +48,17 @@ def parameter_facts(analysis: Analysis) -> Iterator[ParameterFacts]:
     for maker, sites in zip(analysis.nodes, owned_sites(analysis), strict=True):
         uses = tuple(_uses(analysis, sites, is_dynamic=is_dynamic))
         uses += tuple(helped_uses(analysis, maker, is_dynamic=is_dynamic))
+        uses += tuple(set_uses(analysis, maker))
         declared = [use for use in uses if use.access is ParameterAccess.DECLARE]
         is_known = all(use.name is not None for use in declared)
-        is_whole, is_own = wholeness(analysis, maker) if is_known else (False, False)
-        yield ParameterFacts(uses, is_whole, is_own, takes_options)
+        is_left = is_elsewhere(analysis, maker)
+        known = rest = Wholeness()
+        if is_known:
+            known = wholeness(analysis, maker)
+            rest = rest_wholeness(analysis, maker) if is_left else rest
+        yield ParameterFacts(
+            uses, known.is_whole, known.is_own, takes_options, is_left, rest.is_whole
+        )
 
 
 def _uses(analysis: Analysis, sites: Iterable[Site], *, is_dynamic: bool) -> Iterator[ParameterUse]:
@@ -60,14 +71,19 @@ def _uses(analysis: Analysis, sites: Iterable[Site], *, is_dynamic: bool) -> Ite
         type_ = None
         if access is ParameterAccess.DECLARE and not is_dynamic:
             type_ = _type(analysis, site, node)
-        yield ParameterUse(
+        use = ParameterUse(
             access,
             _name(analysis, site),
             Span(place.start_byte, place.end_byte),
             site.endpoint.file,
             type_,
-            _is_guarded(site.call.node),
+            is_guarded(site.call.node),
         )
+        if access is ParameterAccess.DECLARE and site.call.node.id in analysis.cut:
+            yield use._replace(name=None)
+        is_open = use.name is None and site.call.name == "declare_parameter"
+        names = possible_names(analysis, node, site.place) if is_open else None
+        yield from (use,) if names is None else (use._replace(name=name) for name in sorted(names))
 
 
 def _access(site: Site) -> ParameterAccess | None:
@@ -116,13 +132,3 @@ def _type(analysis: Analysis, site: Site, name: Node | None) -> str | None:
     is_listed = site.call.name == "declare_parameters"
     default = value_of(site.arguments, name) if is_listed else said.default
     return None if default is None else type_of_default(analysis, default, site.place)
-
-
-def _is_guarded(node: Node) -> bool:
-    """Tell whether a call stands in a `try`."""
-    around = node.parent
-    while around is not None and around.type != "function_definition":
-        if around.type == "try_statement":
-            return True
-        around = around.parent
-    return False

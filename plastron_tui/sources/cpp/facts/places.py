@@ -48,3 +48,13 @@ class Conditionals:
     def has(self, at: int) -> bool:
         """Tell whether an offset is in one of them."""
         return any(start <= at < end for start, end in self._spans)
+
+
+def is_guarded(node: Node) -> bool:
+    """Tell whether a call stands in a `try`."""
+    around = node.parent
+    while around is not None and around.type != "function_definition":
+        if around.type == "try_statement":
+            return True
+        around = around.parent
+    return False

@@ -42,26 +42,47 @@ _FUNCTIONS = frozenset(
 class Wholeness(NamedTuple):
     """How much is known of what a node declares, see `ParameterFacts`."""
 
-    is_whole: bool
-    is_own: bool
+    is_whole: bool = False
+    is_own: bool = False
 
 
 def wholeness(analysis: Analysis, maker: NodeSite) -> Wholeness:
     """Tell whether the call sites of a node are all that declares parameters of it."""
     owner = maker.owner
-    if owner is not None and not (
-        _is_of(analysis, owner, (*_BASES, *_NAV2_BASES))
-        and is_defined(analysis, owner, called=True)
-    ):
-        return Wholeness(is_whole=False, is_own=False)
-    if any(True for _ in _other_declarations(analysis)) or _declares_beside(analysis):
-        return Wholeness(is_whole=False, is_own=False)
+    if owner is not None and not is_defined(analysis, owner, called=True):
+        return Wholeness()
+    return Wholeness() if _declares_beside(analysis) else rest_wholeness(analysis, maker)
+
+
+def rest_wholeness(analysis: Analysis, maker: NodeSite) -> Wholeness:
+    """Tell the same but for the methods of the node's class that are not read."""
+    owner = maker.owner
+    if owner is not None and not _is_of(analysis, owner, (*_BASES, *_NAV2_BASES)):
+        return Wholeness()
+    if any(True for _ in _other_declarations(analysis)):
+        return Wholeness()
     files = analysis.unit.files
     handed = [each for file in files for each in handed_out(analysis, file)]
     is_own = all(_is_harmless(analysis, *each, _OWN_NAMES) for each in handed)
     is_whole = owner is None or knows_bases(analysis, owner)
     is_whole = is_whole and all(_is_harmless(analysis, *each, _HARMLESS) for each in handed)
     return Wholeness(is_own and is_whole, is_own)
+
+
+def is_elsewhere(analysis: Analysis, maker: NodeSite) -> bool:
+    """Tell whether a node's class is one of a header whose methods other sources define."""
+    owner = maker.owner
+    if owner is None or not owner.file.name:
+        return False
+    is_open = False
+    for name in owner.functions:
+        known = analysis.unit.functions_of(owner, name)
+        bodies = [each for each in known if each.scope is not None]
+        if any(not each.file.name for each in bodies):
+            return False
+        own = [each for each in bodies if not each.file.is_beside]
+        is_open = is_open or not (own or all(map(_is_without_body, known)))
+    return is_open
 
 
 def _declares_beside(analysis: Analysis) -> bool:
