@@ -89,11 +89,23 @@ class Executables:
                 return self._made_of(package, each.sources)
         return _only(self._by_class[package.folder, re.split("::|/", name)[-1]])
 
+    def sources(self, started: Started) -> list[UnitFacts]:
+        """Return the files of nodes among the sources of what a launch file starts."""
+        package = self._tree.package(started.package, started.file)
+        if package is None:
+            return []
+        name, known = started.executable, package.executables
+        found = known.get(name) or next((x for x in known.values() if x.loaded == name), None)
+        return [] if found is None else self._units(package, found.sources)
+
     def _made_of(self, package: PackageFacts, files: Iterable[str]) -> UnitFacts | None:
+        units = self._units(package, files)
+        return _only(units) or joined(units)
+
+    def _units(self, package: PackageFacts, files: Iterable[str]) -> list[UnitFacts]:
         by_path = self._tree.by_path
         paths = {package.folder / each for each in files}
-        units = [by_path[path] for path in sorted(paths) if path in by_path]
-        return _only(units) or joined(units)
+        return [by_path[path] for path in sorted(paths) if path in by_path]
 
     @cached_property
     def programs(self) -> dict[Path, UnitFacts]:

@@ -11,6 +11,7 @@ from typing import NamedTuple
 
 from plastron_tui.diagnostics import Label, Span
 from plastron_tui.lint.executables import executables_of
+from plastron_tui.lint.made_nodes import MadeNode, facts_of, made_nodes_of
 from plastron_tui.lint.runs import RunningNode, runs_of
 from plastron_tui.lint.tree import LaunchFacts, SettingPlace, SourceTree, UnitFacts, once_a_tree
 from plastron_tui.model.code_facts import ParameterAccess, ParameterFacts, ParameterUse
@@ -127,6 +128,7 @@ class Receivers:
     def __init__(self, tree: SourceTree) -> None:
         """Look at each launch file once."""
         self._tree = tree
+        self._made = made_nodes_of(tree)
         self._open = {
             (unit.package, name)
             for unit in tree.units
@@ -147,11 +149,22 @@ class Receivers:
             nodes: dict[int, list[Declared]] = defaultdict(list)
             for node in run.nodes:
                 if node.started is not None:
-                    nodes[id(node.started)].append(self.declared(node))
+                    made = self._made.defined(node.unit, node.node)
+                    nodes[id(node.started)].append(self._declared(made, node.names, node.started))
             for started in run.launch.resolved.started:
-                yield Receiver(started, tuple(nodes[id(started)]), run.launch)
+                found = nodes[id(started)] or self._linked(started)
+                yield Receiver(started, tuple(found), run.launch)
         for started in self._tree.unstarted:
             yield Receiver(started, tuple(map(self.declared, self._unstarted(started))))
+
+    def _linked(self, started: Started) -> list[Declared]:
+        names = RunNames(started.namespace)
+        return [self._declared(made, names, started) for made in self._made.linked(started)]
+
+    def _declared(self, made: MadeNode, names: RunNames, started: Started) -> Declared:
+        name = started.name or made.node.label
+        declared = self.declared(RunningNode(made.unit, made.node, name, names, started))
+        return declared._replace(is_whole=declared.is_whole and made.is_whole)
 
     def _unstarted(self, started: Started) -> Iterator[RunningNode]:
         unit = executables_of(self._tree).started(started)
@@ -288,14 +301,6 @@ def _is_meant(node: Declared, block: ParameterBlock) -> bool:
 
 def _is_for_one(block: ParameterBlock, names: tuple[str, ...]) -> bool:
     return any(is_for(block.pattern, name) for name in names)
-
-
-def facts_of(unit: UnitFacts, node: SourceNode) -> ParameterFacts:
-    """Return what is known of the parameters of a node."""
-    if len(unit.code.parameters) != len(unit.nodes):
-        return ParameterFacts()
-    pairs = zip(unit.nodes, unit.code.parameters, strict=True)
-    return next((facts for each, facts in pairs if each is node), ParameterFacts())
 
 
 def settings(tree: SourceTree, receiver: Receiver) -> Iterator[tuple[str, SettingPlace, Span]]:

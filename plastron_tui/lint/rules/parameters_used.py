@@ -7,13 +7,14 @@ from pathlib import Path
 
 from plastron_tui.diagnostics import Code, Diagnostic, Severity, Span
 from plastron_tui.diagnostics.suggest import nearest
+from plastron_tui.lint.made_nodes import facts_of
 from plastron_tui.lint.rule import rule
 from plastron_tui.lint.tree import SourceTree
 from plastron_tui.model.code_facts import ParameterAccess, ParameterUse
 from plastron_tui.ros.name_slips import is_slip
 
 from .parameters_examples import UNDECLARED, node
-from .parameters_given import facts_of, is_of_every_node, receivers_of
+from .parameters_given import is_of_every_node, receivers_of
 
 _OUTCOMES = {
     ParameterAccess.GET: "ROS 2 refuses it",
