@@ -80,7 +80,6 @@ class _State:
     remaps: tuple[_Renaming, ...] = ()
     settings: Settings = ()
     given: frozenset[str] = field(default_factory=frozenset)
-    unknown: frozenset[str] = frozenset()
     included: tuple[Site, ...] = ()
     pushed: Site | None = None
     is_named: bool = True
@@ -128,9 +127,10 @@ class _Resolution:
     def _item(self, item: Item, state: _State) -> _State:
         match item:
             case Argument(name=name, default=default):
-                is_set = name in state.scope.arguments or name in state.unknown
-                if not is_set and default is not None:
-                    return self._set(state, name, default, item)
+                if not state.scope.has(name):
+                    if default is not None:
+                        return self._set(state, name, default, item)
+                    return replace(state, scope=state.scope.with_argument(name, None))
             case Variable(name=name, value=value):
                 return self._set(state, name, value, item)
             case Namespace(namespace=namespace):
@@ -176,15 +176,9 @@ class _Resolution:
 
     def _set(self, state: _State, name: str, value: Text, item: Item) -> _State:
         found = state.scope.value(value)
-        known = dict(state.scope.arguments)
         if found is None:
-            known.pop(name, None)
             self._tell(state, item, f"the value of `{name}`", value, is_value=True)
-            state = replace(state, unknown=state.unknown | {name})
-        else:
-            known[name] = found
-            state = replace(state, unknown=state.unknown - {name})
-        return replace(state, scope=replace(state.scope, arguments=known))
+        return replace(state, scope=state.scope.with_argument(name, found))
 
     def _start(self, item: StartedNode, state: _State, container: str | None) -> Started | None:
         names = [item.package, item.executable, *(x for x in (item.name, item.namespace) if x)]
@@ -309,14 +303,18 @@ class _Resolution:
             return state
         inner = replace(
             state,
-            scope=replace(state.scope, arguments=known, folder=opened.folder),
+            scope=replace(
+                state.scope,
+                arguments=known,
+                unknown_arguments=_unknown_in(item, state, known),
+                folder=opened.folder,
+            ),
             file=path,
             ros_version=opened.ros_version,
             around=around,
             namespace=namespace,
             pushed=state.pushed if item.namespace is None else (state.file, item.place),
             given=frozenset(known),
-            unknown=_unknown_in(item, state, known),
             included=(*state.included, (state.file, item.place)),
         )
         after = self.go(opened.launch.items, inner)
@@ -324,8 +322,7 @@ class _Resolution:
             return state
         return replace(
             state,
-            scope=replace(state.scope, arguments=after.scope.arguments),
-            unknown=after.unknown,
+            scope=replace(after.scope, folder=state.scope.folder),
             namespace=after.namespace,
             pushed=after.pushed,
             is_named=after.is_named,
@@ -389,7 +386,7 @@ class _Resolution:
 
 def _unknown_in(item: Include, state: _State, known: Mapping[str, str]) -> frozenset[str]:
     """Return the arguments that an included file is given, and whose values are not known."""
-    around = state.unknown if state.ros_version == 2 else ()
+    around = state.scope.unknown_arguments if state.ros_version == 2 else ()
     return frozenset((*around, *(name for name, _ in item.arguments))) - known.keys()
 
 

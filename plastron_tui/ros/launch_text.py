@@ -9,7 +9,7 @@ in ROS 1 (the wiki page "roslaunch/XML/param").
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from enum import Enum
 from typing import NamedTuple
 
@@ -35,7 +35,7 @@ class Substitution(NamedTuple):
         kind: what it asks for.
         argument: of what: the name of an argument or of a package, the path of a file that is
             read, the command of which the output counts; for `OTHER` what it says.
-        default: what it is where there is none, for variables of the environment.
+        default: what it is where there is none.
     """
 
     kind: Kind
@@ -130,6 +130,7 @@ class Scope:
         find_package: returns the folder of a package that others find its files in.
         read_file: returns what a file holds.
         run_command: returns what a command says besides `cat`, of which that is known without.
+        unknown_arguments: those that are set to what is not known: no default stands for that.
     """
 
     arguments: Mapping[str, str] = field(default_factory=dict)
@@ -138,6 +139,19 @@ class Scope:
     find_package: Callable[[str], str | None] = _nowhere
     read_file: Callable[[str], str | None] = _nowhere
     run_command: Callable[[str], str | None] = _nowhere
+    unknown_arguments: frozenset[str] = frozenset()
+
+    def has(self, name: str) -> bool:
+        """Tell whether an argument is set, to a known value or not."""
+        return name in self.arguments or name in self.unknown_arguments
+
+    def with_argument(self, name: str, value: str | None) -> Scope:
+        """Return this with an argument that is set, to None where its value is not known."""
+        known = {key: each for key, each in self.arguments.items() if key != name}
+        unknown = self.unknown_arguments - {name}
+        if value is None:
+            return replace(self, arguments=known, unknown_arguments=unknown | {name})
+        return replace(self, arguments={**known, name: value}, unknown_arguments=unknown)
 
     def value(self, of: Text) -> str | None:
         """Return what a text comes to, None where that is not known."""
@@ -168,6 +182,8 @@ class Scope:
         if name is None:
             return None
         if part.kind is Kind.ARGUMENT:
+            if name in self.unknown_arguments:
+                return None
             found = self.arguments.get(name)
         elif part.kind is Kind.PACKAGE:
             found = self.find_package(name)
