@@ -21,6 +21,7 @@ VALUES = frozenset(
         "`<param>`", "`<rosparam>`", "`<env>`", "`<set_env>`", "`<unset_env>`", "`<append_env>`",
         "`<log>`", "`<log_info>`", "`SetEnvironmentVariable`", "`AppendEnvironmentVariable`",
         "`UnsetEnvironmentVariable`", "`LogInfo`", "`SetUseSimTime`", "`SetParametersFromFile`",
+        "the period of a `TimerAction`",
     )
 )  # fmt: skip
 """What is not understood and starts no node: it sets values, or says something."""

@@ -24,6 +24,21 @@ PYTHON = {
         "IncludeLaunchDescription('a', launch_arguments=5), IncludeLaunchDescription(),"
         "PushRosNamespace(), GroupAction(3), LaunchConfiguration(), SetRemap(1), Node()",
     ),
+    "functions that call themselves": b"def f(x):\n    return [f(x), f(x)]\n" + _python("", "f(1)"),
+    "functions doubled": b"".join(
+        b"def f%d(x):\n    return [f%d(x), f%d(x)]\n" % (at, at - 1, at - 1) for at in range(40)
+    )
+    + _python("", "f39(1)"),
+    "opaque functions doubled": b"".join(
+        b"def f%d(c):\n    return [OpaqueFunction(function=f%d)] + [OpaqueFunction(function=f%d)] "
+        b"+ [OpaqueFunction(function=f%d)]\n" % (at, at - 1, at - 1, at - 1)
+        for at in range(40)
+    )
+    + _python("", "OpaqueFunction(function=f39)"),
+    "branches": _python("".join(f"    if x:\n        a{at} = {at}\n" for at in range(20_000)), ""),
+    "deep branches": _python(
+        "".join(f"{' ' * (at + 4)}if x:\n" for at in range(90)) + " " * 94 + "a = 1\n", ""
+    ),
     "no function": b"",
     "no Python": b"def (",
     "no UTF-8": _python("", "'x'").replace(b"x", b"\xe9"),

@@ -11,7 +11,7 @@ from hypothesis import HealthCheck, Phase, given, settings
 from launch_files import launch_files
 from machine import examples
 
-from plastron_tui.ros.launch import Include, LaunchFile, ParameterValue, StartedNode, Unread
+from plastron_tui.ros.launch import Group, Include, LaunchFile, ParameterValue, StartedNode, Unread
 from plastron_tui.sources.launch.python_reader import read_launch_python
 from plastron_tui.targets.launch.python import write_python
 
@@ -63,6 +63,9 @@ def _read(body: str) -> list[str]:
         elif isinstance(item, Include):
             arguments = (f"{name}={value}" for name, value in item.arguments)
             found.append(" ".join((str(item.file), *arguments)))
+        elif isinstance(item, Group):
+            assert item.condition is not None
+            found.append(f"if {item.condition.value}")
         else:
             assert isinstance(item, Unread)
             found.append(f"? {item.what}")
@@ -99,7 +102,7 @@ INCLUDE = (
         (f"nodes = [{A}]\nprint(nodes)\n{RETURN}", ["a"]),
         (f"nodes = [{A}]\nfill(nodes)\n{RETURN}", ["a", "? what `fill` adds"]),
         (f"nodes = [{A}]\nif os:\n    nodes.append({B})\n{RETURN}",
-         ["a", "? what an `if` adds"]),
+         ["a", "if $(os)"]),
         (f"nodes = [{A}]\nfor x in 'ab':\n    nodes += [{B}]\n{RETURN}",
          ["a", "? what a `for` adds"]),
         (f"nodes = [{A} for _ in range(2)]\n{RETURN}", ["a", "a"]),
@@ -146,7 +149,7 @@ INCLUDE = (
          ["? what an `except` returns", "a"]),
         (f"try:\n    pass\nfinally:\n    nodes = [{A}]\n{RETURN}", ["a"]),
         (f"if os:\n    return LaunchDescription([{A}])\nreturn LaunchDescription([{B}])",
-         ["? what an `if` returns", "b"]),
+         ["if $(os)", "? what an `if` returns", "b"]),
         (f"return LaunchDescription([{A}])\nreturn LaunchDescription([{B}])", ["a"]),
         ("return LaunchDescription([Node(executable=','.join(['a', 'b']))])", ["a,b"]),
         ("return LaunchDescription([Node(executable=os.path.join('a', 'b'))])", ["a/b"]),

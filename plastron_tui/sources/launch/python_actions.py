@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable
 from dataclasses import replace
+from itertools import chain
 from typing import Any, NamedTuple
 
 from tree_sitter import Node
@@ -72,7 +73,7 @@ def placed(node: Node) -> Place:
 def as_text(value: Any) -> Text | None:
     """Return a value as a text; a list is the texts of its elements, one behind the other."""
     if isinstance(value, Text):
-        return value
+        return value if type(value) is Text else Text(value.parts)
     if isinstance(value, bool):
         return text(str(value))
     if isinstance(value, (str, int, float)):
@@ -96,7 +97,7 @@ def _of(kind: Kind) -> _Action:
             return Text((Substitution(kind, text()),))
         if name is None:
             return None
-        default = as_text(named["default_value"]) if "default_value" in named else None
+        default = _optional(named.get("default_value", named.get("default")))
         return Text((Substitution(kind, name, default),))
 
     return make
@@ -130,7 +131,7 @@ def _condition(negated: bool) -> _Action:
     return make
 
 
-def _when(named: _Named) -> Condition | None:
+def when(named: _Named) -> Condition | None:
     """Return the condition of an action; one that is computed is a text that nobody knows."""
     found = named.get("condition")
     if found is None or isinstance(found, Condition):
@@ -146,13 +147,14 @@ def _argument(positional: list[Any], named: _Named, place: Place) -> Item | None
     given = named.get("default_value", positional[1] if len(positional) > 1 else None)
     default = as_text(given)
     if default is None and given is not None:
-        default = _unknown(given)
+        default = unknown_text(given)
     about = named.get("description")
     about = about if isinstance(about, str) else ""
-    return Argument(name, default, about, condition=_when(named), place=place)
+    return Argument(name, default, about, condition=when(named), place=place)
 
 
-def _unknown(value: Any) -> Text:
+def unknown_text(value: Any) -> Text:
+    """Return the text that stands for a value which nobody knows."""
     what = value.what if isinstance(value, Computed) else "a value"
     return Text((Substitution(Kind.OTHER, text(what)),))
 
@@ -161,7 +163,7 @@ def _optional(value: Any) -> Text | None:
     if value is None:
         return None
     found = as_text(value)
-    return _unknown(value) if found is None else found
+    return unknown_text(value) if found is None else found
 
 
 def _node(executable: str) -> _Action:
@@ -172,7 +174,7 @@ def _node(executable: str) -> _Action:
         known = ("package", executable, "node_executable", "name", "node_name", "namespace",
                  "node_namespace", "remappings", "parameters", "condition",
                  "composable_node_descriptions")  # fmt: skip
-        others = ((key, as_text(value) or _unknown(value)) for key, value in named.items()
+        others = ((key, as_text(value) or unknown_text(value)) for key, value in named.items()
                   if key not in known)  # fmt: skip
         return StartedNode(
             _optional(named.get("package")) or text(),
@@ -182,7 +184,7 @@ def _node(executable: str) -> _Action:
             tuple(_remaps(named.get("remappings"))),
             tuple(_parameters(named.get("parameters"))),
             tuple((key, _lower_flag(value)) for key, value in others),
-            condition=_when(named),
+            condition=when(named),
             place=place,
         )
 
@@ -195,26 +197,26 @@ def _lower_flag(value: Text) -> Text:
 
 def _remaps(found: Any) -> Iterable[Remapping]:
     if isinstance(found, Computed):
-        yield Remapping(_unknown(found), _unknown(found))
+        yield Remapping(unknown_text(found), unknown_text(found))
     for each in found if isinstance(found, list) else ():
         pair: Any = each if type(each) in SEQUENCES else ()
         if len(pair) == 2:
             place = each.place if isinstance(each, Written) else None
             yield Remapping(_optional(pair[0]) or text(), _optional(pair[1]) or text(), place)
         else:
-            yield Remapping(_unknown(each), _unknown(each))
+            yield Remapping(unknown_text(each), unknown_text(each))
 
 
 def _parameters(found: Any) -> Iterable[Parameter]:
     if isinstance(found, Computed):
-        yield ParameterFile(_unknown(found))
+        yield ParameterFile(unknown_text(found))
     for each in found if isinstance(found, list) else ():
         if isinstance(each, dict):
             yield from _values(each, text())
         elif isinstance(each, _File):
             yield ParameterFile(each.file)
         else:
-            yield ParameterFile(as_text(each) or _unknown(each))
+            yield ParameterFile(as_text(each) or unknown_text(each))
 
 
 def _values(found: dict[Any, Any], before: Text) -> Iterable[ParameterValue]:
@@ -223,7 +225,7 @@ def _values(found: dict[Any, Any], before: Text) -> Iterable[ParameterValue]:
         if isinstance(value, dict):
             yield from _values(value, name)
         elif isinstance(value, _TypedText):
-            inner = as_text(value.value) or _unknown(value.value)
+            inner = as_text(value.value) or unknown_text(value.value)
             literal = inner.literal if value.is_text else None
             yield ParameterValue(name, inner if literal is None else literal,
                                  value.is_text and literal is None, value.is_float)  # fmt: skip
@@ -237,7 +239,7 @@ def _value(name: Text, value: Any) -> ParameterValue:
         setting = typed(setting, 2)
     if setting is not None:
         return ParameterValue(name, setting)
-    return ParameterValue(name, as_text(value) or _unknown(value))
+    return ParameterValue(name, as_text(value) or unknown_text(value))
 
 
 def _container(positional: list[Any], named: _Named, place: Place) -> Container | None:
@@ -245,7 +247,7 @@ def _container(positional: list[Any], named: _Named, place: Place) -> Container 
     if node is None:
         return None
     parts = _components(named.get("composable_node_descriptions"))
-    return Container(node, None, parts, condition=_when(named), place=place)
+    return Container(node, None, parts, condition=when(named), place=place)
 
 
 def _load(positional: list[Any], named: _Named, place: Place) -> Container | None:
@@ -253,12 +255,21 @@ def _load(positional: list[Any], named: _Named, place: Place) -> Container | Non
     parts = _components(named.get("composable_node_descriptions"))
     if target is None:
         return None
-    return Container(None, target, parts, condition=_when(named), place=place)
+    return Container(None, target, parts, condition=when(named), place=place)
 
 
 def _components(found: Any) -> tuple[StartedNode, ...]:
-    listed = found if isinstance(found, list) else []
-    return tuple(each for each in listed if isinstance(each, StartedNode))
+    if isinstance(found, Group):
+        # What an `if` adds to the list hangs on its condition.
+        return tuple(
+            replace(each, condition=found.condition or each.condition)
+            for each in _components(list(found.items))
+        )
+    if isinstance(found, StartedNode):
+        return (found,)
+    if type(found) in SEQUENCES:
+        return tuple(chain.from_iterable(map(_components, found)))
+    return () if found is None else (StartedNode(unknown_text(found), text()),)
 
 
 def _include(positional: list[Any], named: _Named, place: Place) -> Include | None:
@@ -277,9 +288,9 @@ def _include(positional: list[Any], named: _Named, place: Place) -> Include | No
         name = as_text(pair[0])
         if name is None or name.literal is None:
             return None
-        arguments.append((name.literal, as_text(pair[1]) or _unknown(pair[1])))
-    file = as_text(source) or _unknown(source)
-    return Include(file, tuple(arguments), condition=_when(named), place=place)
+        arguments.append((name.literal, as_text(pair[1]) or unknown_text(pair[1])))
+    file = as_text(source) or unknown_text(source)
+    return Include(file, tuple(arguments), condition=when(named), place=place)
 
 
 def _group(positional: list[Any], named: _Named, place: Place) -> Group | None:
@@ -292,12 +303,12 @@ def _group(positional: list[Any], named: _Named, place: Place) -> Group | None:
         for each in actions
     )  # fmt: skip
     is_scoped = named.get("scoped") is not False
-    return Group(items, is_scoped, condition=_when(named), place=place)
+    return Group(items, is_scoped, condition=when(named), place=place)
 
 
 def _namespace(positional: list[Any], named: _Named, place: Place) -> Namespace | None:
     found = _optional(positional[0] if positional else named.get("namespace"))
-    return None if found is None else Namespace(found, condition=_when(named), place=place)
+    return None if found is None else Namespace(found, condition=when(named), place=place)
 
 
 def _set_remap(positional: list[Any], named: _Named, place: Place) -> Remap | None:
@@ -305,7 +316,7 @@ def _set_remap(positional: list[Any], named: _Named, place: Place) -> Remap | No
     found = [_optional(each) for each in pair]
     if len(found) != 2 or found[0] is None or found[1] is None:
         return None
-    return Remap(found[0], found[1], condition=_when(named), place=place)
+    return Remap(found[0], found[1], condition=when(named), place=place)
 
 
 def _set_parameter(positional: list[Any], named: _Named, place: Place) -> SetParameter | None:
@@ -313,7 +324,7 @@ def _set_parameter(positional: list[Any], named: _Named, place: Place) -> SetPar
     name = as_text(pair[0]) if len(pair) == 2 else None
     if name is None:
         return None
-    return SetParameter(_value(name, pair[1]), condition=_when(named), place=place)
+    return SetParameter(_value(name, pair[1]), condition=when(named), place=place)
 
 
 def _variable(positional: list[Any], named: _Named, place: Place) -> Variable | None:
@@ -321,8 +332,8 @@ def _variable(positional: list[Any], named: _Named, place: Place) -> Variable | 
     name = as_text(pair[0]) if len(pair) == 2 else None
     if name is None or name.literal is None:
         return None
-    value = as_text(pair[1]) or _unknown(pair[1])
-    return Variable(name.literal, value, condition=_when(named), place=place)
+    value = as_text(pair[1]) or unknown_text(pair[1])
+    return Variable(name.literal, value, condition=when(named), place=place)
 
 
 def _typed(positional: list[Any], named: _Named, place: Place) -> _TypedText:
@@ -334,7 +345,7 @@ def _typed(positional: list[Any], named: _Named, place: Place) -> _TypedText:
 
 def _file(positional: list[Any], named: _Named, place: Place) -> _File:
     found = _first(positional, named, place)
-    return _File(as_text(found) or _unknown(found))
+    return _File(as_text(found) or unknown_text(found))
 
 
 ACTIONS: dict[str, _Action] = {

@@ -11,22 +11,27 @@ import tree_sitter_python
 from tree_sitter import Language, Node
 
 from plastron_tui.diagnostics import Diagnostic, Span, codes
-from plastron_tui.ros.launch import Format, Item, LaunchFile, Unread
+from plastron_tui.ros.launch import Format, Item, LaunchFile, Place, Unread, Variable, items_of
 from plastron_tui.ros.launch_text import text
 from plastron_tui.sources.grammars import BoundedParser, python_lines
 
-from .python_actions import SEQUENCES, Computed, placed
-from .python_values import (
-    HEAVIEST,
-    Values,
+from .python_actions import Computed, placed, unknown_text
+from .python_branches import Outcome, merged
+from .python_calls import Calls, Returned
+from .python_deferred import maybe
+from .python_functions import Function
+from .python_nodes import (
     arguments_of,
     callee,
+    clauses,
     field,
+    names_in,
     positional_of,
     short,
     source_of,
-    weight_of,
 )
+from .python_tracking import Tracking
+from .python_values import MOST_WORK, is_of_context
 from .xml_reader import LaunchRead
 
 
@@ -49,17 +54,17 @@ def read_launch_python(source: bytes, file: Path | None = None) -> LaunchRead:
         message = "a launch file has a function `generate_launch_description`"
         found = Diagnostic(codes.BROKEN_LAUNCH, message, Span(0, 0), file)
         return LaunchRead(None, Format.PYTHON, None, (found,))
-    reader = _Reader()
+    calls = Calls(_Reader)
+    reader = _Reader(calls)
     reader.block(root)
+    reader.enter()
     reader.block(function.child_by_field_name("body"))
-    return LaunchRead(LaunchFile(tuple(reader.items)), Format.PYTHON)
+    return LaunchRead(LaunchFile(calls.expanded(reader.items)), Format.PYTHON)
 
-
-_MOST_WORK = 1_000_000
-"""How many values are copied at most where lists are changed again and again."""
 
 _BRANCHES = frozenset(("if_statement", "for_statement", "while_statement", "match_statement"))
 _LEAVING = re.compile(rb"\b(?:break|continue|return|await|yield)\b")
+_WORD = re.compile(rb"\w+")
 _ADDING = frozenset(("append", "extend", "insert"))
 _READING = frozenset(("get", "items", "keys", "values", "copy", "index", "count"))
 _HARMLESS = frozenset(("print", "pprint", "len"))
@@ -70,19 +75,23 @@ def _language() -> Language:
     return Language(tree_sitter_python.language())
 
 
-class _Reader:
+class _Reader(Tracking):
     """Goes over statements in their order.
 
     Attributes:
-        items: what the launch description has so far.
+        returned: what the function returns, where it is not that which describes the launch.
     """
 
-    def __init__(self) -> None:
-        self.items: list[Item] = []
-        self._values = Values()
-        self._names = self._values.names
-        self._descriptions: set[str] = set()
-        self._work = 0
+    def __init__(self, calls: Calls, *, is_function: bool = False) -> None:
+        super().__init__(calls.values)
+        self.returned: list[Returned] = []
+        self._is_function = self._is_inside = is_function
+        self._returns = 0
+
+    def enter(self) -> None:
+        """Go into the function that describes the launch: no other one sees what it names."""
+        self.values.names = self.names = dict(self.names)
+        self._is_inside = True
 
     def block(self, block: Node | None) -> bool:
         """Read the statements of a block, and tell whether it returns."""
@@ -94,9 +103,15 @@ class _Reader:
             for child in node.named_children:
                 self._expression(child)
         elif node.type == "return_statement":
-            for child in node.named_children:
-                self._description(child)
+            self._return(node)
             return True
+        elif node.type == "raise_statement":
+            return True
+        elif node.type == "function_definition":
+            self.descriptions.discard(field(node, "name"))
+            self.names[field(node, "name")] = Function(node, self.names)
+        elif node.type == "if_statement" and self._is_inside:
+            return self._if(node)
         elif node.type == "with_statement":
             for child in node.named_children:
                 if child.type == "with_clause":
@@ -110,9 +125,67 @@ class _Reader:
             word = node.type.removesuffix("_statement")
             self._branch(node, f"{'an' if word == 'if' else 'a'} `{word}`")
         elif node.type == "delete_statement":
-            for name in _names_in(node):
-                self._forget(name)
+            for name in names_in(node):
+                self.forget(name)
         return False
+
+    def _return(self, node: Node) -> None:
+        self._returns += 1
+        inner = [child for child in node.named_children if child.type != "comment"]
+        if not self._is_function:
+            for child in inner:
+                self._description(child)
+            return
+        value = self.values.value(inner[0]) if inner else None
+        if inner and source_of(inner[0]) in self.descriptions:
+            value, self.items = [*self.items], []
+        self.returned.append(Returned(value, placed(node), ""))
+
+    def _if(self, node: Node) -> bool:
+        """Follow the branches of an `if`, each as one that may be taken, and tell if all return."""
+        self.values.work += 10 * len(self.names)
+        if self.values.work > MOST_WORK:
+            self._branch(node, "an `if`")
+            return False
+        before, outcomes = dict(self.names), list[Outcome]()
+        is_whole = False
+        for condition, block in clauses(node):
+            truth = True if condition is None else self.values.truth(condition)
+            if truth is False:
+                continue
+            if truth and not outcomes:
+                return self.block(block)
+            what = "else" if condition is None else short(condition)
+            outcomes.append(self._tried(block, what, before, placed(node)))
+            if truth:
+                is_whole = True
+                break
+        if not is_whole and outcomes:
+            outcomes.append(Outcome(before, "else", is_over=False))
+        if outcomes:
+            self.set_names(merged(before, outcomes, placed(node)))
+        return bool(outcomes) and all(each.is_over for each in outcomes)
+
+    def _tried(
+        self, block: Node | None, what: str, before: dict[str, Any], place: Place
+    ) -> Outcome:
+        """Follow a branch: what it adds to the description, and returns, is in doubt."""
+        self.set_names(before)
+        outer, self.items = self.items, []
+        returned, descriptions = len(self.returned), set(self.descriptions)
+        returns = self._returns
+        is_over = self.block(block)
+        after, added, self.items = dict(self.names), self.items, outer
+        self.descriptions = descriptions
+        if added:
+            self.items.append(maybe(added, what, place))
+        for each in set(items_of(tuple(added), Variable)):
+            self.items.append(Variable(each.name, unknown_text(Computed(what)), place=place))
+        more = self.returned[returned:]
+        self.returned[returned:] = [x._replace(what=x.what or what) for x in more]
+        if self._returns > returns and not self._is_function:
+            self.items.append(Unread("what an `if` returns", place=place))
+        return Outcome(after, what, is_over)
 
     def _loop(self, node: Node) -> bool:
         """Follow a `for` turn by turn, and tell whether that can be done."""
@@ -121,16 +194,17 @@ class _Reader:
             return False
         if node.child_by_field_name("alternative") is not None:
             return False
-        turns = self._values.turns(left, node.child_by_field_name("right"))
+        turns = self.values.turns(left, node.child_by_field_name("right"))
         for turn in turns or ():
-            self._names.update(turn)
-            self._descriptions.difference_update(turn)
+            self.names.update(turn)
+            self.descriptions.difference_update(turn)
             self.block(body)
         return turns is not None
 
     def _try(self, node: Node) -> bool:
         """Read a `try` as if nothing in it is raised; what else it may do is told."""
-        is_over = self.block(node.child_by_field_name("body"))
+        returns = self._returns
+        is_over = self.block(node.child_by_field_name("body")) and self._returns > returns
         for child in node.named_children:
             if child.type.startswith("except"):
                 self._branch(child, "an `except`")
@@ -157,37 +231,40 @@ class _Reader:
         if left.type == "identifier":
             name = source_of(left)
             if right.type == "call" and callee(right) == "LaunchDescription":
-                self._descriptions.add(name)
+                self.descriptions.add(name)
                 self._description(right)
-            elif right.type == "identifier" and source_of(right) in self._descriptions:
-                self._descriptions.add(name)
+            elif right.type == "identifier" and source_of(right) in self.descriptions:
+                self.descriptions.add(name)
             else:
-                self._descriptions.discard(name)
-                self._names[name] = self._values.value(right)
+                self.descriptions.discard(name)
+                self.names[name] = self.values.value(right)
         elif left.type == "subscript":
-            self._set_element(left, self._values.value(right))
+            self._set_element(left, self.values.value(right))
         else:
-            self._forget_all(left)
+            self.forget_all(left)
 
     def _set_element(self, left: Node, value: Any) -> None:
         """Follow `name[key] = value` of a dictionary."""
         of, key = left.child_by_field_name("value"), left.child_by_field_name("subscript")
+        if of is not None and key is not None and is_of_context(of):
+            self.set_argument(self.values.value(key), value, left)
+            return
         name = "" if of is None else source_of(of)
-        found, word = self._names.get(name), None if key is None else self._values.value(key)
+        found, word = self.names.get(name), None if key is None else self.values.value(key)
         if isinstance(found, dict) and isinstance(word, str):
-            self._change(name, {**found, text(word): value})
+            self.change(name, {**found, text(word): value})
         else:
-            self._forget_all(left)
+            self.forget_all(left)
 
     def _augment(self, node: Node, left: Node, right: Node) -> None:
-        name, value = source_of(left), self._values.value(right)
-        found = self._names.get(name)
+        name, value = source_of(left), self.values.value(right)
+        found = self.names.get(name)
         if field(node, "operator") == "+=" and isinstance(found, list):
-            self._change(name, [*found, *self._elements(value, right)])
+            self.change(name, [*found, *self.elements(value, right)])
         elif field(node, "operator") == "|=" and isinstance(found, dict) and type(value) is dict:
-            self._change(name, {**found, **value})
+            self.change(name, {**found, **value})
         else:
-            self._forget_all(left)
+            self.forget_all(left)
 
     def _call(self, node: Node) -> None:
         """Follow a call that is a statement."""
@@ -196,49 +273,49 @@ class _Reader:
         name = "" if of is None else source_of(of)
         if function is None or of is None:
             pass
-        elif name in self._descriptions and field(function, "attribute") == "add_action":
+        elif name in self.descriptions and field(function, "attribute") == "add_action":
             for argument in arguments_of(node):
                 value = argument.child_by_field_name("value") or argument
-                self._add(self._values.value(value), value)
+                self._add(self.values.value(value), value)
             return
-        elif name in self._names:
+        elif name in self.names:
             self._method(name, field(function, "attribute"), node)
             return
         else:
-            self._forget_all(of)
+            self.forget_all(of)
+        called = self.names.get(callee(node)) if of is None else None
+        if isinstance(called, Function):
+            self.values.value(node)
+            words = set(_WORD.findall(called.node.text or b""))
+            if any(each.encode() in words for each in self.descriptions):
+                self.items.append(Unread(f"what `{called.name}` adds", place=placed(node)))
         if callee(node) not in _HARMLESS:
             self._hand_out(node, f"`{callee(node)}`")
 
     def _method(self, name: str, method: str, node: Node) -> None:
         """Follow a method of a list or a dictionary that changes it."""
-        found = self._names[name]
-        values = [self._values.value(each) for each in arguments_of(node)]
+        found = self.names[name]
+        values = [self.values.value(each) for each in arguments_of(node)]
         match found, method, values:
             case list(), "append", [one]:
-                self._change(name, [*found, one])
+                self.change(name, [*found, one])
             case list(), "extend", [many]:
-                self._change(name, [*found, *self._elements(many, node)])
+                self.change(name, [*found, *self.elements(many, node)])
             case list(), "insert", [int(at), one]:
-                self._change(name, [*found[:at], one, *found[at:]])
+                self.change(name, [*found[:at], one, *found[at:]])
             case dict(), "update", [dict(more)]:
-                self._change(name, {**found, **more})
+                self.change(name, {**found, **more})
             case (list() | dict(), _, _) if method not in _READING:
-                self._forget(name)
-
-    def _elements(self, value: Any, node: Node) -> list[Any]:
-        if type(value) in SEQUENCES:
-            return list(value)
-        what = value.what if isinstance(value, Computed) else short(node)
-        return [Unread(f"`{what}`", place=placed(node))]
+                self.forget(name)
 
     def _hand_out(self, node: Node, what: str) -> None:
         """Take note of lists and descriptions that a function gets, which may add to them."""
         for argument in positional_of(node):
             name = source_of(argument) if argument.type == "identifier" else ""
-            if name in self._descriptions:
+            if name in self.descriptions:
                 self.items.append(Unread(f"what {what} adds", place=placed(node)))
-            elif name in self._names and callee(node) not in _ADDING:
-                self._doubt(name, what, node)
+            elif name in self.names and callee(node) not in _ADDING:
+                self.doubt(name, what, node)
 
     def _branch(self, node: Node, what: str) -> None:
         """Take note of what a branch or a loop may do: it is not known to be done once."""
@@ -253,54 +330,24 @@ class _Reader:
             of = None if function is None else function.child_by_field_name("object")
             if each.type == "return_statement":
                 found.add("returns")
-            elif each.type == "identifier" and source_of(each) in self._descriptions:
+            elif each.type == "identifier" and source_of(each) in self.descriptions:
                 found.add("adds")
             elif each.type == "augmented_assignment":
                 left = each.child_by_field_name("left")
                 if left is not None and left.type == "identifier":
-                    self._doubt(source_of(left), what, each)
+                    self.doubt(source_of(left), what, each)
                 else:
-                    self._forget_all(left)
+                    self.forget_all(left)
             elif each.type in ("assignment", "for_statement", "named_expression", "as_pattern"):
                 target = next((each.child_by_field_name(name) for name in ("left", "name", "alias")
                                if each.child_by_field_name(name) is not None), None)  # fmt: skip
-                self._forget_all(target)
-            elif of is not None and source_of(of) in self._names:
+                self.forget_all(target)
+            elif of is not None and source_of(of) in self.names:
                 if field(function, "attribute") not in _READING:  # type: ignore[arg-type]
-                    self._doubt(source_of(of), what, each)
+                    self.doubt(source_of(of), what, each)
             elif each.type == "call":
                 self._hand_out(each, what)
         self.items += (Unread(f"what {what} {does}", place=placed(node)) for does in sorted(found))
-
-    def _doubt(self, name: str, what: str, node: Node) -> None:
-        """Take note that a list may get more elements, or that a value is not known any more."""
-        found = self._names.get(name)
-        if isinstance(found, list):
-            self._change(name, [*found, Unread(f"what {what} adds", place=placed(node))])
-        elif isinstance(found, dict) or (found is not None and node.type != "call"):
-            self._forget(name)
-
-    def _change(self, name: str, new: Any) -> None:
-        """Give a name another value, and all names that stand for the same list."""
-        old, weight = self._names[name], weight_of(new)
-        is_shared = isinstance(old, (list, dict))
-        self._work += weight
-        if weight > HEAVIEST or self._work > _MOST_WORK:
-            new = Computed(name)
-        same = [key for key, value in self._names.items() if is_shared and value is old]
-        self._names |= dict.fromkeys((name, *same), new)
-
-    def _forget(self, name: str) -> None:
-        self._descriptions.discard(name)
-        if name in self._names:
-            self._change(name, Computed(name))
-
-    def _forget_all(self, target: Node | None) -> None:
-        """Forget what is assigned to: a name, some, or a part of what a name stands for."""
-        for name in set() if target is None else _names_in(target):
-            if target is not None and name in self._descriptions:
-                self.items.append(Unread(f"`{short(target)}`", place=placed(target)))
-            self._forget(name)
 
     def _description(self, node: Node) -> None:
         if node.type == "call" and callee(node) == "LaunchDescription":
@@ -308,8 +355,8 @@ class _Reader:
                 value = argument
                 if argument.type == "keyword_argument":
                     value = argument.child_by_field_name("value") or argument
-                self._add(self._values.value(value), value)
-        elif not (node.type == "identifier" and source_of(node) in self._descriptions):
+                self._add(self.values.value(value), value)
+        elif not (node.type == "identifier" and source_of(node) in self.descriptions):
             self.items.append(Unread("a description that is computed", place=placed(node)))
 
     def _add(self, value: Any, node: Node) -> None:
@@ -321,18 +368,3 @@ class _Reader:
         else:
             what = value.what if isinstance(value, Computed) else "a value"
             self.items.append(Unread(f"`{what}`", place=placed(node)))
-
-
-def _names_in(node: Node) -> set[str]:
-    """Return the names that something stands for, without those in what selects a part of it."""
-    found, stack = set(), [node]
-    while stack:
-        each = stack.pop()
-        if each.type == "identifier":
-            found.add(source_of(each))
-        elif each.type in ("attribute", "subscript"):
-            of = each.child_by_field_name("object") or each.child_by_field_name("value")
-            stack += [] if of is None else [of]
-        elif each.type != "call":
-            stack += each.named_children
-    return found

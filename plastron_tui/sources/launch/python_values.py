@@ -4,24 +4,38 @@ from __future__ import annotations
 
 import ast
 from collections.abc import Callable
+from itertools import chain
 from typing import Any
 
 from tree_sitter import Node
 
 from plastron_tui.diagnostics import Span
-from plastron_tui.ros.launch import Group
-from plastron_tui.ros.launch_text import Text, text
+from plastron_tui.ros.launch import Group, Item
+from plastron_tui.ros.launch_text import Kind, Substitution, Text, text
 
 from .python_actions import ACTIONS, SEQUENCES, Computed, Written, as_text, placed
+from .python_deferred import LATER, maybe
+from .python_functions import Function
+from .python_nodes import arguments_of, callee, field, positional_of, short, source_of
 
 _DEEPEST = 60
 _MOST_TURNS = 1000
 """How many turns all loops and comprehensions of a file have that are followed."""
 
+_KNOWN = ACTIONS | LATER
+_PERFORMING = frozenset(("perform", "perform_substitution"))
+_PLAIN = (bool, int, str, type(None))
 _LONGEST_LITERAL = 20_000
+MOST_WORK = 1_000_000
+"""How many values are copied at most where lists are changed again and again."""
+
 HEAVIEST = 50_000
 """How many values and characters a value has at most: one that is doubled again and again is none
 that a person wrote."""
+
+
+class Performed(Text):
+    """What a substitution comes to when the file runs: a text of Python."""
 
 
 class Values:
@@ -29,10 +43,14 @@ class Values:
 
     Attributes:
         names: the values of plain names. A list in it is replaced, never changed.
+        run: returns what a function of the file returns for arguments.
+        work: how many values were copied where lists and names are changed.
     """
 
-    def __init__(self) -> None:
+    def __init__(self, run: Callable[[Function, list[Any], dict[str, Any]], Any]) -> None:
         self.names: dict[str, Any] = {}
+        self.run = run
+        self.work = 0
         self._depth = 0
         self._turns = 0
 
@@ -111,7 +129,7 @@ class Values:
                 value = self.value(inner[0]) if len(inner) == 1 else None
                 if type(value) is int:
                     parts.append(str(value))
-                elif isinstance(value, str):
+                elif isinstance(value, (str, Performed)):
                     parts.append(value)
                 else:
                     return Computed(short(node))
@@ -183,6 +201,10 @@ class Values:
         values = self.value(left), self.value(right)
         if isinstance(values[0], list) and isinstance(values[1], list):
             return values[0] + values[1]
+        if any(isinstance(each, list) for each in values):
+            pairs = zip(values, (left, right), strict=True)
+            lists = (x if type(x) in SEQUENCES else [Computed(short(side))] for x, side in pairs)
+            return [*chain.from_iterable(lists)]
         parts = [each if isinstance(each, (str, Text)) else None for each in values]
         known = [part for part in parts if part is not None]
         return text(*known) if len(known) == len(parts) else Computed(short(node))
@@ -207,8 +229,12 @@ class Values:
             values = [self.value(each) for each in positional_of(node)]
             is_one = len(values) == 1 and name == "str" and isinstance(values[0], (str, Text))
             return values[0] if is_one else Computed(short(node))
-        action = ACTIONS.get(name)
-        if action is None or name in self.names:
+        if name in _PERFORMING and len(positional_of(node)) == 1:
+            return self._performed(node)
+        of = self.names.get(name)
+        action = _KNOWN.get(name)
+        is_own = isinstance(of, Function) and function is not None and function.type == "identifier"
+        if not is_own and (action is None or name in self.names):
             return Computed(name or short(node))
         positional: list[Any] = []
         named: dict[str, Any] = {}
@@ -223,8 +249,70 @@ class Values:
                 return Computed(name)
             else:
                 positional.append(self.value(argument))
-        found = action(positional, named, placed(node))
+        if is_own and isinstance(of, Function):
+            return self.run(of, positional, named)
+        found = None if action is None else action(positional, named, placed(node))
         return Computed(name) if found is None else found
+
+    def _performed(self, node: Node) -> Any:
+        """Return what `x.perform(context)` and `context.perform_substitution(x)` come to."""
+        function = node.child_by_field_name("function")
+        of = None if function is None else function.child_by_field_name("object")
+        is_own = callee(node) == "perform"
+        value = None if of is None else self.value(of if is_own else positional_of(node)[0])
+        return Performed(value.parts) if isinstance(value, Text) else Computed(short(node))
+
+    def _function(self, node: Node) -> Function:
+        return Function(node, self.names)
+
+    def _subscript(self, node: Node) -> Any:
+        of, words = node.child_by_field_name("value"), node.children_by_field_name("subscript")
+        key = self.value(words[0]) if len(words) == 1 else None
+        if of is None:
+            return Computed(short(node))
+        if is_of_context(of) and isinstance(key, str):
+            return Performed((Substitution(Kind.ARGUMENT, text(key)),))
+        found = self.value(of)
+        if isinstance(found, dict) and isinstance(key, str):
+            return found.get(text(key), Computed(short(node)))
+        is_inside = type(key) is int and type(found) in SEQUENCES and 0 <= key < len(found)
+        return found[key] if is_inside else Computed(short(node))
+
+    def truth(self, node: Node | None) -> bool | None:
+        """Tell whether a condition holds, None where that is not known."""
+        found = Computed("") if node is None else self.value(node)
+        return bool(found) if type(found) in _PLAIN else None
+
+    def _comparison(self, node: Node) -> Any:
+        sides = [self.value(each) for each in node.named_children]
+        if len(sides) != 2:
+            return Computed(short(node))
+        first, second = (source_of(each) for each in node.named_children)
+        word = source_of(node)[len(first) :].removesuffix(second).strip()
+        if all(type(each) in _PLAIN for each in sides) and word in ("==", "!="):
+            return (sides[0] == sides[1]) is (word == "==")
+        if second == "None" and word in ("is", "is not") and not isinstance(sides[0], Computed):
+            return (sides[0] is None) is (word == "is")
+        return Computed(short(node))
+
+    def _negated(self, node: Node) -> Any:
+        found = self.truth(node.child_by_field_name("argument"))
+        return Computed(short(node)) if found is None else not found
+
+    def _conditional(self, node: Node) -> Any:
+        """Return what `one if condition else other` comes to; lists of both are doubtful."""
+        inner = [child for child in node.named_children if child.type != "comment"]
+        if len(inner) != 3:
+            return Computed(short(node))
+        one, condition, other = inner
+        truth = self.truth(condition)
+        if truth is not None:
+            return self.value(one if truth else other)
+        found = [self.value(each) for each in (one, other)]
+        if all(isinstance(each, list) and all(isinstance(x, Item) for x in each) for each in found):
+            place = placed(node)
+            return [maybe(each, short(condition), place) for each in found if each]
+        return Computed(short(node))
 
     def _joined(self, node: Node, function: Node) -> Any:
         """Return what the `join` of a text comes to."""
@@ -258,6 +346,11 @@ _VALUES: dict[str, Callable[[Values, Node], Any]] = {
     "parenthesized_expression": Values._parenthesized,
     "call": Values._call,
     "attribute": lambda reader, node: Computed(short(node)),
+    "subscript": Values._subscript,
+    "lambda": Values._function,
+    "comparison_operator": Values._comparison,
+    "not_operator": Values._negated,
+    "conditional_expression": Values._conditional,
 }
 
 
@@ -292,17 +385,6 @@ def weight_of(value: Any) -> int:
     return weight
 
 
-def field(node: Node, name: str) -> str:
-    """Return the text of a field of a node, "" where it has none."""
-    child = node.child_by_field_name(name)
-    return "" if child is None else source_of(child)
-
-
-def source_of(node: Node) -> str:
-    """Return the text of a node."""
-    return (node.text or b"").decode("utf-8", "replace")
-
-
 def _is_of_paths(function: Node) -> bool:
     """Tell whether a function called `join` is that of `os.path`."""
     if function.type == "identifier":
@@ -310,30 +392,6 @@ def _is_of_paths(function: Node) -> bool:
     return field(function, "object") in ("os.path", "path", "osp", "posixpath")
 
 
-def callee(node: Node) -> str:
-    """Return the last word of what is called: `join` for `os.path.join`."""
-    function = node.child_by_field_name("function")
-    if function is None:
-        return ""
-    if function.type == "attribute":
-        return field(function, "attribute")
-    return source_of(function) if function.type == "identifier" else ""
-
-
-def arguments_of(node: Node) -> list[Node]:
-    """Return the arguments of a call."""
-    arguments = node.child_by_field_name("arguments")
-    if arguments is None or arguments.type != "argument_list":
-        return []
-    return [child for child in arguments.named_children if child.type != "comment"]
-
-
-def positional_of(node: Node) -> list[Node]:
-    """Return the arguments of a call that have no names."""
-    return [each for each in arguments_of(node) if each.type != "keyword_argument"]
-
-
-def short(node: Node) -> str:
-    """Return the first line of a node, cut where it is long."""
-    first = source_of(node).split("\n", 1)[0]
-    return first if len(first) <= 40 else f"{first[:40]}…"
+def is_of_context(node: Node) -> bool:
+    """Tell whether something is where a launch context keeps the values of arguments."""
+    return source_of(node).endswith(".launch_configurations")
