@@ -6,6 +6,7 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from functools import cached_property, wraps
 from pathlib import Path
+from types import MappingProxyType
 from typing import NamedTuple, TypeVar, cast
 
 from plastron_tui.diagnostics import Diagnostic, Span
@@ -113,11 +114,14 @@ class Earlier(NamedTuple):
         revision: what it is called.
         interfaces: the types that it defined.
         unchanged: the files of nodes that hold what they held.
+        places: where the members of definitions stand that are not what they were, by their
+            sections and names.
     """
 
     revision: str
     interfaces: Mapping[tuple[InterfaceKind, InterfaceName], Interface]
     unchanged: frozenset[Path] = frozenset()
+    places: Mapping[Path, Mapping[tuple[int, str], Span]] = MappingProxyType({})
 
 
 @dataclass(frozen=True, eq=False)

@@ -77,6 +77,27 @@ def parse_definition(
     return Definition(Interface(name, kind, sections, reader.comment))
 
 
+def member_spans(text: str, ros_version: int) -> dict[tuple[int, str], Span]:
+    """Return where the members of a definition stand, by the numbers of their sections and names.
+
+    A span has the type and the name, in bytes.
+    """
+    found: dict[tuple[int, str], Span] = {}
+    section = start = 0
+    for line in text.split("\n"):
+        match = _LINE.match(line, len(line) - len(line.lstrip(" \t\ufeff")))
+        if match is not None:
+            first, last = (
+                start + len(line[:at].encode("utf-8", "surrogateescape"))
+                for at in (match.start(), match.end("name"))
+            )
+            found.setdefault((section, match["name"]), Span(first, last))
+        elif is_separator(line.rstrip(" \t\r"), ros_version):
+            section += 1
+        start += len(line.encode("utf-8", "surrogateescape")) + 1
+    return found
+
+
 @dataclass(slots=True)
 class _Part:
     """A section as it grows."""

@@ -60,6 +60,8 @@ _LEFT = [
     (_ANGLE | {"wheels/wheels/mover.py": _USES}, Severity.ERROR),
     ({"rover/CMakeLists.txt": CMAKE["rover/CMakeLists.txt"].replace("Speed.msg", "Far.msg")}
      | {"rover/msg/Speed.msg": ""}, Severity.ERROR),
+    (_ANGLE | {"rover/msg/Speed.msg": "Angle value\n"}, Severity.ERROR),
+    (_ANGLE | {"rover/msg/Turn.msg": "Angle[] value\n"}, Severity.WARNING),
 ]  # fmt: skip
 
 

@@ -18,6 +18,7 @@ from plastron_tui.lint.tree import Earlier, SourceTree
 from plastron_tui.project.linting import read_tree
 from plastron_tui.project.linting.cache import FactCache
 from plastron_tui.project.linting.earlier import interfaces_of, read_earlier
+from plastron_tui.ros.definition import member_spans
 
 _SPEED = "float64 value\nstring unit\nint32[] history\nuint8 FAST=1\n"
 _USER = PY_NODE.replace("geometry_msgs.msg import Twist", "rover.msg import Speed").replace(
@@ -167,6 +168,43 @@ def _committed(folder: Path) -> Path:
     _git(root, "add", "-A")
     _git(root, "commit", "-q", "-m", "before")
     return root
+
+
+_MEMBERS = "\ufeff# A speed.\n\nfloat64 value  # m/s\nstring unit\nuint8 FAST=1\n"
+
+
+@pytest.mark.parametrize(
+    ("now", "place"),
+    [
+        (_MEMBERS.replace("string", "int32"), "int32 unit"),
+        (_MEMBERS.replace("float64 value", "bool[]  value"), "bool[]  value"),
+        (_MEMBERS.replace("string unit", "string name"), "string name"),
+        (_MEMBERS.replace("string unit\n", ""), ""),
+    ],
+)
+def test_place_of_a_change(tmp_path: Path, now: str, place: str) -> None:
+    """What became of a field is told where it stands, where no node uses it."""
+    files = {**CMAKE, "rover/msg/Speed.msg": _MEMBERS}
+    root = write_tree(tmp_path, files)
+    _git(root, "init", "-q")
+    _git(root, "add", "-A")
+    _git(root, "commit", "-q", "-m", "before")
+    (root / "rover/msg/Speed.msg").write_text(now)
+    tree = read_tree([root], FactCache(root, tmp_path / "cache"), workers=1)
+    earlier = read_earlier(tree, "HEAD")
+    assert isinstance(earlier, Earlier)
+    (found,) = lint(replace(tree, earlier=earlier), [RULES["RK508"]])
+    span = found.diagnostic.span
+    assert span is not None
+    assert now.encode()[span.start : span.end] == place.encode()
+
+
+def test_places_of_members() -> None:
+    text = "int32 a\n---\n bool  b # b\nint32 a = 1\n---\nint32[<=3] c\n"
+    found = {key: text[span.start : span.end] for key, span in member_spans(text, 2).items()}
+    assert found == {(0, "a"): "int32 a", (1, "b"): "bool  b", (1, "a"): "int32 a"} | {
+        (2, "c"): "int32[<=3] c"
+    }
 
 
 def _lose(root: Path, name: str) -> None:

@@ -75,7 +75,9 @@ def breaking_interface_change(tree: SourceTree, code: Code) -> Iterator[Diagnost
                 found = uses.get(((kind, name), at, change.field), [])
                 if not change.is_gone:
                     found = [each for each in found if each.unit.path in earlier.unchanged]
-                yield from _told(code, earlier, name, change, found, file)
+                spans = earlier.places.get(file, {})
+                place = spans.get((at, change.renamed or change.field), Span(0, 0))
+                yield from _told(code, earlier, name, change, found, file, place)
 
 
 class _Change(NamedTuple):
@@ -137,6 +139,7 @@ def _told(
     change: _Change,
     uses: list[_Use],
     file: Path,
+    place: Span,
 ) -> Iterator[Diagnostic]:
     message = f"`{change.field}` of `{name}` {change.message} since `{earlier.revision}`"
     help_ = f"it may be called `{change.renamed}` now" if change.renamed else None
@@ -148,11 +151,11 @@ def _told(
             use.file,
             help=help_,
             fix=_renamed(change, use),
-            labels=(Label(Span(0, 0), "the definition", file),),
+            labels=(Label(place, "the definition", file),),
         )
     if not uses:
         message += ", which breaks whoever uses it"
-        yield Diagnostic(code, message, Span(0, 0), file, help_, severity=Severity.WARNING)
+        yield Diagnostic(code, message, place, file, help_, severity=Severity.WARNING)
 
 
 def _renamed(change: _Change, use: _Use) -> Fix | None:

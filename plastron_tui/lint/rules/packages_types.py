@@ -24,10 +24,11 @@ from .package_examples import TYPES_PACKAGE
     "`generate_messages`) names the files and the packages that they are made of, what generates "
     "them is found, and, in ROS 2, the package is a member of `rosidl_interface_packages`. Lists "
     "that are computed are not followed. It is an error where a node of the workspace uses the "
-    "type, and where the commands or package.xml themselves lack something. A definition that is "
-    "left out, and that no node of the workspace uses, is a warning, as it may be there for later: "
-    "it is told once for all of a package where they are many, and not where a comment in the "
-    "command has its name. Messages that the build makes of an action are left alone.",
+    "type, or a definition that is built is made of it, and where the commands or package.xml "
+    "themselves lack something. A definition that is left out, and that nothing of the "
+    "workspace uses, is a warning, as it may be there for later: it is told once for all of a "
+    "package where they are many, and not where a comment in the command "
+    "has its name. Messages that the build makes of an action are left alone.",
     bad=TYPES_PACKAGE | {"demo/msg/Angle.msg": "float64 value\n"},
     good=TYPES_PACKAGE,
 )
@@ -47,7 +48,7 @@ def definition_not_built(tree: SourceTree, code: Code) -> Iterator[Diagnostic]:
         left = [each for each in left if not each.is_taken_out]
         for each in left if len(left) <= _FEW else ():
             told = _told(code, package, each)
-            remedy = f"{each.help}, or take the file out: no node uses it"
+            remedy = f"{each.help}, or take the file out: nothing uses it"
             yield told._replace(help=remedy, severity=Severity.WARNING)
         if len(left) > _FEW:
             yield _told_at_once(code, package, left)
@@ -64,7 +65,7 @@ def _told_at_once(
     told = _told(code, package, first)
     return told._replace(
         message=f"{first.message}, nor {len(others)} more: {listed(each.type for each in others)}",
-        help="name them in the commands that build types, or take the files out: no node uses them",
+        help="name them in the commands that build types, or take the files out: nothing uses them",
         severity=Severity.WARNING,
     )
 
@@ -84,11 +85,27 @@ def _told(code: Code, package: PackageFacts, mistake: DefinitionMistake) -> Diag
     )
 
 
-def _used(tree: SourceTree) -> frozenset[InterfaceName | None]:
-    """Return the types that nodes of the workspace use."""
-    return frozenset(
+def _used(tree: SourceTree) -> frozenset[InterfaceName]:
+    """Return the types that nodes of the workspace use, and those that built ones are made of."""
+    found = {
         endpoint.type for unit in tree.built for node in unit.nodes for endpoint in node.endpoints
-    )
+    } | {each.type.name for unit in tree.built for each in unit.code.built}
+    used = {each for each in found if each is not None}
+    for package in tree.packages.values():
+        left = {each.type for each in (package.build.definitions if package.build else ())}
+        catalog = tree.catalogs.get(package.ros_versions[0])
+        if catalog is None or not left - {""}:
+            continue
+        for kind in InterfaceKind:
+            own = [each for each in catalog.names(kind) if each.package == package.name]
+            for interface in (catalog.find(each, kind) for each in own if each.name not in left):
+                used.update(
+                    each.type.message
+                    for section in (interface.sections if interface else ())
+                    for each in section.fields
+                    if each.type.message is not None
+                )
+    return frozenset(used)
 
 
 def _comes_along(mistake: DefinitionMistake, catalog: Catalog) -> bool:

@@ -10,22 +10,23 @@ import hashlib
 import json
 import os
 import re
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from contextlib import suppress
 from pathlib import Path
 from typing import Any
 
-from plastron_tui.diagnostics import Diagnostic, codes
+from plastron_tui.diagnostics import Diagnostic, Span, codes
 from plastron_tui.limited_process import TimedOutError, run_limited, starting
 from plastron_tui.lint.tree import Earlier, PackageFacts, SourceTree
 from plastron_tui.model.source import LARGEST_FILE
 from plastron_tui.regular_files import read_regular
-from plastron_tui.ros.definition import parse_definition
+from plastron_tui.ros.definition import MAX_DEFINITION_BYTES, member_spans, parse_definition
 from plastron_tui.ros.interfaces import Interface, InterfaceKind, InterfaceName
 
 from .earlier_process import LIMITS
 
 _MODULE = "plastron_tui.project.linting.earlier_process"
+_DEFINITIONS = frozenset(f".{each.value}" for each in InterfaceKind)
 _NAME = re.compile(r"<name>\s*([A-Za-z0-9_-]+)\s*</name>")
 
 
@@ -57,7 +58,24 @@ def read_earlier(tree: SourceTree, revision: str) -> Earlier | Diagnostic:
         return Diagnostic(codes.UNREADABLE_FILE, message, file=tree.root)
     interfaces = interfaces_of(answer["files"], tree.packages)
     unchanged = _unchanged(tree.root, answer["code"], (each.path for each in tree.units))
-    return Earlier(revision, interfaces, frozenset(unchanged))
+    places = dict(_places(tree, answer["files"]))
+    return Earlier(revision, interfaces, frozenset(unchanged), places)
+
+
+def _places(
+    tree: SourceTree, files: Mapping[str, str]
+) -> Iterator[tuple[Path, Mapping[tuple[int, str], Span]]]:
+    """Yield the definitions that are not what they were, with the places of their members."""
+    versions = {each.folder: each.ros_versions[0] for each in tree.packages.values()}
+    for name, old in files.items():
+        path = tree.root / name
+        version = versions.get(path.parent.parent)
+        if version is None or path.suffix not in _DEFINITIONS:
+            continue
+        with suppress(OSError, ValueError):
+            text = read_regular(path, MAX_DEFINITION_BYTES).decode("utf-8", "surrogateescape")
+            if text != old:
+                yield path, member_spans(text, version)
 
 
 def _unchanged(root: Path, code: Mapping[str, str], paths: Iterable[Path]) -> Iterable[Path]:
