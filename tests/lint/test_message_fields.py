@@ -32,14 +32,6 @@ READ = {
         other.lineal.x = 1.0  # wrong
         geometry.Pose().positions  # wrong
     """),
-    "of a variable with an annotation": tick("""
-        msg: PoseStamped = self.buffer.transform('map')
-        print(msg.position.x)  # wrong
-        print(msg.pose.position.x)
-        other: PoseStamped = self.buffer.transform('map')
-        if isinstance(other, Pose):
-            print(other.position.x)
-    """),
     "of a subscription": node("""
         def on_odometry(self, msg):
             x = msg.pose.position.x  # wrong

@@ -268,14 +268,12 @@ class MessageValues:
 
     def _said(self, name: str, binding: Binding) -> Helds:
         """Return what the annotation says of a variable that a call gives its value."""
-        target = binding.node.child_by_field_name("left")
-        value = binding.value
+        target, value = binding.node.child_by_field_name("left"), binding.value
         if target is None or target.type != "identifier" or value is None or value.type != "call":
             return ()
         said = self._annotated(binding)
-        if said is None or self._is_looked_at(name, binding.scope):
-            return ()
-        return (Held(said, is_said=True),)
+        is_sure = said is not None and not self._is_looked_at(name, binding.scope)
+        return (Held(said, is_said=True),) if said is not None and is_sure else ()
 
     def _annotated(self, binding: Binding) -> MessageType | None:
         annotation = binding.annotation
