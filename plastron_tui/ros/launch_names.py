@@ -1,7 +1,8 @@
 """How the names of launch files end, and what they are in.
 
 From the ROS 2 documentation, "Creating a launch file" (`NAME_launch.py`, `.xml` and `.yaml`), and
-the ROS wiki, "roslaunch/XML" (`NAME.launch`); people write a dot for the underscore as well.
+the ROS wiki, "roslaunch/XML" (`NAME.launch`); people write a dot or a hyphen for the underscore as
+well.
 """
 
 from __future__ import annotations
@@ -12,11 +13,14 @@ LAUNCH_ENDINGS: Mapping[str, str] = {
     ".launch": "xml",
     ".launch.xml": "xml",
     "_launch.xml": "xml",
+    "-launch.xml": "xml",
     ".launch.py": "py",
     "_launch.py": "py",
+    "-launch.py": "py",
     ".launch.yaml": "yaml",
     ".launch.yml": "yaml",
     "_launch.yaml": "yaml",
+    "-launch.yaml": "yaml",
     "_launch.yml": "yaml",
 }
 """The language of each ending: `xml`, `py` or `yaml`."""

@@ -223,6 +223,20 @@ def test_wrong_value_is_told_and_nothing_else(
     assert told(tmp_path, whole, code) == marked(whole)
 
 
+SHARES = [
+    "FindPackageShare('rover').find('rover')",
+    "FindPackageShare(package='rover').find(*word)",
+]
+
+
+@pytest.mark.parametrize(("share", "is_known"), zip(SHARES, (True, False), strict=True))
+def test_file_in_the_share_of_a_package(tmp_path: Path, share: str, is_known: bool) -> None:
+    text = launch(driver(f"{share} + '/config/driver.yaml'"))
+    config = _config("max_sped: 1.0  # wrong").replace("driver:", "/**:")
+    files = package({NODE: SPEED, LAUNCH: text, CONFIG: config})
+    assert told(tmp_path, files, "RP301") == (marked(files) if is_known else [])
+
+
 RIGHT = {
     "what is declared": {NODE: TYPES, CONFIG: _config("rate: 10.0\ncount: 1\non: yes\nframe: x")},
     "what every node has": {

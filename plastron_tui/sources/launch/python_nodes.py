@@ -19,12 +19,18 @@ def source_of(node: Node) -> str:
 
 
 def callee(node: Node) -> str:
-    """Return the last word of what is called: `join` for `os.path.join`."""
+    """Return the last word of what is called: `join` for `os.path.join`.
+
+    `FindPackageShare(…).find(package)` gives what `FindPackageShare(package)` stands for.
+    """
     function = node.child_by_field_name("function")
     if function is None:
         return ""
     if function.type == "attribute":
-        return field(function, "attribute")
+        of = function.child_by_field_name("object")
+        is_share = of is not None and of.type == "call" and callee(of) == "FindPackageShare"
+        word = field(function, "attribute")
+        return "FindPackageShare" if is_share and word == "find" else word
     return source_of(function) if function.type == "identifier" else ""
 
 
