@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 from graph_packages import LISTENER, code_of, package_of
 from linted import run_over, write_tree
-from packages import CMAKE, PYTHON, Break, found_in
+from packages import CATKIN, CMAKE, PYTHON, Break, found_in
 from parameter_packages import CONFIG, LAUNCH, NODE, driver, found, launch, package, python
 
 from plastron_tui.diagnostics import Severity
@@ -62,6 +62,9 @@ _LEFT = [
      | {"rover/msg/Speed.msg": ""}, Severity.ERROR),
     (_ANGLE | {"rover/msg/Speed.msg": "Angle value\n"}, Severity.ERROR),
     (_ANGLE | {"rover/msg/Turn.msg": "Angle[] value\n"}, Severity.WARNING),
+    # In ROS 1 what lies there of an action need not be built.
+    (CATKIN | {"old/msg/Angle.msg": "bool a\n", "old/action/Go.action": "---\n---\n"}
+     | {"old/msg/GoGoal.msg": "Angle value\n"}, Severity.WARNING),
 ]  # fmt: skip
 
 

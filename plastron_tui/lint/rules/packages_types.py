@@ -94,7 +94,8 @@ def _used(tree: SourceTree) -> frozenset[InterfaceName]:
     for package in tree.packages.values():
         left = {each.type for each in (package.build.definitions if package.build else ())}
         catalog = tree.catalogs.get(package.ros_versions[0])
-        if catalog is None or not left - {""}:
+        # ROS 1 makes messages of actions, of which copies may lie there that no build takes.
+        if catalog is None or 1 in package.ros_versions or not left - {""}:
             continue
         for kind in InterfaceKind:
             own = [each for each in catalog.names(kind) if each.package == package.name]
