@@ -85,7 +85,10 @@ _HOW = [
     ("install(DIRECTORY . DESTINATION share/rover)", "UNKNOWN"),
     (f"if(WITH)\ninstall(DIRECTORY scripts/ {_HERE})\nendif()", "UNKNOWN"),
     (f"catkin_install_python(PROGRAMS scripts/mover.py {_HERE})", "PYTHON"),
-    ("function(acme)\nendfunction()", "UNKNOWN"),
+    ("function(acme)\nreturn()\nendfunction()", "NOT"),
+    ("function(acme)\nreturn()\nendfunction()\nacme()", "UNKNOWN"),
+    (f"function(acme x)\ninstall(PROGRAMS ${{x}} {_HERE})\nendfunction()\nacme(scripts/mover.py)",
+     "PROGRAM"),
     ("if(WITH)\nmacro(acme)\nendmacro()\nendif()", "UNKNOWN"),
 ]  # fmt: skip
 
@@ -231,7 +234,8 @@ _FACTS = [
     # Whether all programs are known, and which words may be one.
     ("rover", {}, _settled, True),
     ("rover", _last("acme(a b)"), _settled, False),
-    ("rover", _last("macro(acme)\nendmacro()"), _settled, False),
+    ("rover", _last("macro(acme)\nreturn()\nendmacro()"), _settled, True),
+    ("rover", _last("macro(acme)\nreturn()\nendmacro()\nacme()"), _settled, False),
     ("rover", _last("add_executable(${X}_node a.cpp)"), _settled, False),
     ("rover", {"CMakeLists.txt": f"{_INSTALL} -> install(PROGRAMS ${{all}} {_HERE})"}, _settled, False),
     ("rover", {"CMakeLists.txt": f"{_INSTALL} -> install(PROGRAMS ${{CATKIN_X}}/a.py {_HERE})"}, _settled, False),

@@ -73,7 +73,7 @@ def read_package(folder: str, names: frozenset[str], programs: frozenset[str]) -
     source, found = read_package_files(files, 2)
     if source is None:
         return PackageRead(None, kept(_left_out(found, texts)))
-    further = further_programs(source)
+    further = further_programs(source, read)
     source = replace(source, executables={**further.programs, **source.executables})
     facts = PackageFacts(
         source.folder,

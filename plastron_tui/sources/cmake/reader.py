@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import NamedTuple
@@ -10,12 +10,13 @@ from typing import NamedTuple
 from plastron_tui.diagnostics import Diagnostic
 from plastron_tui.sources.build_files import RefusedError, refusal
 
+from .definitions import definitions_of
 from .syntax import Argument, Block, Command, Listing, Statement, parse_cmake
-from .variables import Item, Variable, Variables, appended, reference_of
+from .variables import Item, Variable, Variables, appended, reference_of, split_list
 
 _MOST_CALLS = 20_000
 # Commands that change no variable that is named by one of their arguments.
-_HARMLESS = (
+HARMLESS = (
     "add_",
     "ament_",
     "catkin_",
@@ -45,6 +46,8 @@ class Call(NamedTuple):
         conditions: what has to be true for it, the outermost first: `if(BUILD_TESTING)`.
         is_whole: whether all variables that it is given are known.
         is_repeated: whether it is in a loop.
+        is_followed: whether all that it does is known, of a function, a macro or a file.
+        open_lists: the variables that it is given and that may hold more than is known.
     """
 
     command: Command
@@ -52,6 +55,8 @@ class Call(NamedTuple):
     conditions: tuple[str, ...] = ()
     is_whole: bool = True
     is_repeated: bool = False
+    is_followed: bool = False
+    open_lists: tuple[str, ...] = ()
 
     @property
     def is_plain(self) -> bool:
@@ -80,13 +85,15 @@ class CMakeLists:
         listing: its commands as they are written.
         name: what its project is called, None where that is computed.
         calls: what runs.
-        settings: the last `set` or `list(APPEND)` of each list, None where it is not sure.
+        variables: the variables as they are at its end.
+        opaque: the functions and macros that may do what is not known.
     """
 
     listing: Listing
     name: str | None
     calls: tuple[Call, ...]
     variables: Variables
+    opaque: tuple[Block, ...] = ()
 
     def named(self, *names: str) -> list[Call]:
         """Return the calls of some commands."""
@@ -110,13 +117,16 @@ def read_cmake(text: bytes, path: Path) -> ReadCMake:
 
 def interpret(listing: Listing) -> CMakeLists:
     """Follow the commands of a file from its first to its last."""
-    run = _Run(listing)
+    run = Run(listing)
     run.statements(listing.statements, Variables.copy(run.variables), (), False, top=True)
-    return CMakeLists(listing, run.name, tuple(run.calls), run.variables)
+    opaque = tuple(each.block for each in definitions_of(listing))
+    return CMakeLists(listing, run.name, tuple(run.calls), run.variables, opaque)
 
 
 @dataclass
-class _Run:
+class Run:
+    """Follows the commands of a file."""
+
     listing: Listing
     calls: list[Call] = field(default_factory=list)
     variables: Variables = field(default_factory=Variables)
@@ -154,7 +164,12 @@ class _Run:
     ) -> None:
         items = [item for each in command.arguments for item in variables.expand(each, command)]
         is_whole = variables.is_whole(command.arguments)
-        self.calls.append(Call(command, tuple(items), conditions, is_whole, loop))
+        call = Call(command, tuple(items), conditions, is_whole, loop,
+                    open_lists=tuple(_open_lists(command, variables)))  # fmt: skip
+        if self.follows(call, variables):
+            return
+        self.calls.append(call)
+        self.before(call, variables)
         if command.name == "project" and items:
             self.name = items[0].value
             for name in ("PROJECT_NAME", "CMAKE_PROJECT_NAME"):
@@ -165,11 +180,19 @@ class _Run:
             _change_list(command, variables, is_whole)
         elif command.name == "file":
             _glob(command, items, variables)
-        elif not command.name.startswith(_HARMLESS):
+        elif not command.name.startswith(HARMLESS):
             for each in command.arguments:
                 variables.put(each.value, None)
         elif command.name == "unset" and command.arguments:
             variables.put(command.arguments[0].value, None)
+
+    def follows(self, call: Call, variables: Variables) -> bool:
+        """Follow what a call does that is written elsewhere; tell whether all of it is known."""
+        del call, variables
+        return False
+
+    def before(self, call: Call, variables: Variables) -> None:
+        """Do what a call does besides what it does in a file."""
 
     def _branches(
         self, block: Block, variables: Variables, conditions: tuple[str, ...], loop: bool
@@ -208,6 +231,18 @@ def _set(command: Command, variables: Variables, is_whole: bool) -> None:
     items = [item for each in given for item in variables.expand(each, command)]
     has_unknown = any(_has_unknown(each, variables) for each in given)
     variables.put(name.value, Variable(items, is_whole and not has_unknown, command))
+
+
+def _open_lists(command: Command, variables: Variables) -> Iterator[str]:
+    """Yield the variables that a command is given and that may hold more than is known."""
+    for argument in command.arguments:
+        name = reference_of(argument)
+        known = None if name is None else variables.get(name)
+        if name is None or (known is not None and known.is_whole):
+            continue
+        # All that patterns find is known.
+        if known is None or not (known.items and all(each.is_pattern for each in known.items)):
+            yield name
 
 
 def _has_unknown(argument: Argument, variables: Variables) -> bool:
@@ -264,7 +299,7 @@ def _loop_values(opening: Command, variables: Variables) -> list[Item] | None:
                 variable = variables.get(each.value)
                 if variable is None or not variable.is_whole or each.value == "ITEMS":
                     return None
-                items += variable.items
+                items += [part for one in variable.items for part in split_list(one)]
             return items
         given = given[2:]
     if not variables.is_whole(given):

@@ -79,6 +79,16 @@ class Variables:
             else:
                 self._known[name] = Variable(here.items, False, here.setting)
 
+    def become(self, other: Variables) -> None:
+        """Take over the variables as they are elsewhere."""
+        self._known = dict(other._known)
+
+    def forget_changed(self, other: Variables) -> None:
+        """Forget what is not the same elsewhere."""
+        for name in list(self._known):
+            if other._known.get(name) is not self._known[name]:
+                del self._known[name]
+
     def expand(self, argument: Argument, command: Command) -> list[Item]:
         """Return the values of an argument."""
         if argument.is_bracket:
@@ -86,8 +96,8 @@ class Variables:
         alone = _alone(argument)
         variable = self.get(alone) if alone else None
         if variable is not None and not argument.is_quoted:
-            return list(variable.items)
-        value = self._substituted(argument.value)
+            return [part for each in variable.items for part in split_list(each)]
+        value = self.substituted(argument.value)
         if argument.is_quoted or "$<" in value:
             return [Item(value, argument, command)]
         parts = [part for part in value.split(";") if part]
@@ -103,7 +113,7 @@ class Variables:
                 return False
         return True
 
-    def _substituted(self, value: str) -> str:
+    def substituted(self, value: str) -> str:
         """Return a value with what is known of `${NAME}` in its place, the innermost first."""
         end = value.find("}")
         while end >= 0 and len(value) <= _MOST:
@@ -121,6 +131,14 @@ class Variables:
             value = value[:start] + text + value[end + 1 :]
             end = value.find("}", start + len(text))
         return value
+
+
+def split_list(item: Item) -> list[Item]:
+    """Return the values of one that was written as a list within quotes."""
+    if ";" not in item.value or "$<" in item.value:
+        return [item]
+    parts = [each for each in item.value.split(";") if each]
+    return [replace(item, value=each, is_own=False) for each in parts]
 
 
 def _alone(argument: Argument) -> str | None:

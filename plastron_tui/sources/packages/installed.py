@@ -12,13 +12,15 @@ from typing import NamedTuple
 
 from plastron_tui.model.package_source import InstalledExecutable, PackageSource
 from plastron_tui.sources.build_files import RefusedError
+from plastron_tui.sources.cmake.definitions import ReadFile
+from plastron_tui.sources.cmake.following import follow
 from plastron_tui.sources.cmake.reader import Call, CMakeLists
 from plastron_tui.sources.cmake.shared_reading import read_shared
 from plastron_tui.sources.setup_py.configuration import read_scripts
 from plastron_tui.sources.setup_py.reader import SetupFile, read_setup
 from plastron_tui.sources.splices import line_number
 
-from .reading import CMAKE_LISTS, SETUP_CFG, SETUP_PY, finds_scripts
+from .reading import CMAKE_LISTS, SETUP_CFG, SETUP_PY, cmake_executables, finds_scripts
 
 
 class Installed(NamedTuple):
@@ -33,15 +35,25 @@ class Installed(NamedTuple):
     is_whole: bool = True
 
 
-def further_programs(source: PackageSource) -> Installed:
-    """Return the scripts of a setup.py, and the console scripts that CMake installs."""
+def further_programs(source: PackageSource, read: ReadFile) -> Installed:
+    """Return the scripts of a setup.py, and what CMake makes in functions, and by a setup.cfg.
+
+    Args:
+        source: the package.
+        read: returns what a file of it holds, None where it cannot be read.
+    """
     if source.build_type == "ament_python":
         setup, _ = read_setup(source.texts[SETUP_PY], source.folder / SETUP_PY)
         return Installed({} if setup is None else dict(_of_setup(source, setup)))
-    if source.build_type == "ament_cmake" and CMAKE_LISTS in source.texts:
-        lists, _ = read_shared(source.texts[CMAKE_LISTS], source.folder / CMAKE_LISTS)
-        return Installed({}) if lists is None else _of_cmake(source, lists)
-    return Installed({})
+    if CMAKE_LISTS not in source.texts:
+        return Installed({})
+    lists, _ = read_shared(source.texts[CMAKE_LISTS], source.folder / CMAKE_LISTS)
+    if lists is None:
+        return Installed({})
+    followed = follow(lists, lambda name: read(name) if name in source.names else None)
+    made = {} if followed is lists else cmake_executables(followed, source.names)
+    installed = _of_cmake(source, followed)
+    return installed._replace(programs={**made, **installed.programs})
 
 
 def _of_setup(source: PackageSource, setup: SetupFile) -> Iterator[tuple[str, InstalledExecutable]]:
@@ -57,6 +69,8 @@ def _of_setup(source: PackageSource, setup: SetupFile) -> Iterator[tuple[str, In
 def _of_cmake(source: PackageSource, lists: CMakeLists) -> Installed:
     programs: dict[str, InstalledExecutable] = {}
     is_whole = True
+    if source.build_type != "ament_cmake":
+        return Installed(programs)
     for call in lists.named("ament_python_install_package"):
         values = [each.value for each in call.items]
         where = _behind(call, "SCRIPTS_DESTINATION")

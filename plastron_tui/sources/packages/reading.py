@@ -17,6 +17,7 @@ from plastron_tui.sources.splices import line_number
 from plastron_tui.sources.xml.package_xml import read_package
 
 if TYPE_CHECKING:
+    from plastron_tui.sources.cmake.reader import CMakeLists
     from plastron_tui.sources.setup_py.reader import ConsoleScript, SetupFile
 
 PACKAGE_XML, SETUP_PY, SETUP_CFG, PYPROJECT, CMAKE_LISTS = (
@@ -176,15 +177,6 @@ def _scripts(files: PackageFiles, setup: SetupFile) -> tuple[tuple[ConsoleScript
 
 def _cmake_parts(files: PackageFiles) -> _Parts:
     from plastron_tui.sources.cmake.changing import build_type_of
-    from plastron_tui.sources.cmake.facts import (
-        component_class,
-        component_sources,
-        executable_of,
-        programs,
-        registered_components,
-        sources_of,
-        targets,
-    )
     from plastron_tui.sources.cmake.shared_reading import read_shared
 
     from .nodelets import nodelets
@@ -194,6 +186,31 @@ def _cmake_parts(files: PackageFiles) -> _Parts:
     if lists is None:
         raise RefusedError(found[0])
     build_type_of(lists)
+    executables = cmake_executables(lists, files.names)
+    folders = _usual_folders(each.file for each in executables.values())
+    folders += [each for each in _SCRIPT_FOLDERS[:-1] if _has_folder(files, each)]
+    folder = folders[0] if folders else _SCRIPT_FOLDERS[0]
+    return _Parts(executables, folder, plugins=nodelets(files.texts, files.folder, lists))
+
+
+def cmake_executables(lists: CMakeLists, names: frozenset[str]) -> dict[str, InstalledExecutable]:
+    """Return what a CMakeLists.txt makes for people to start, by what they start it by.
+
+    Args:
+        lists: the file.
+        names: the files of the package.
+    """
+    from plastron_tui.sources.cmake.facts import (
+        component_class,
+        component_sources,
+        executable_of,
+        programs,
+        registered_components,
+        sources_of,
+        targets,
+    )
+
+    text = lists.listing.text
     executables: dict[str, InstalledExecutable] = {}
     for target in targets(lists):
         if target.call.command.name != "add_library":
@@ -217,16 +234,13 @@ def _cmake_parts(files: PackageFiles) -> _Parts:
         if entry.destination != f"lib/{lists.name}":
             continue
         line = line_number(text, entry.call.command.start)
-        names = [each.value for each in entry.call.items]
-        for file in filter(entry.has, files.names) if entry.item.is_pattern else (entry.what,):
+        words = [each.value for each in entry.call.items]
+        for file in filter(entry.has, names) if entry.item.is_pattern else (entry.what,):
             name = file.rpartition("/")[2]
-            if "RENAME" in names[:-1]:
-                name = names[names.index("RENAME") + 1]
+            if "RENAME" in words[:-1]:
+                name = words[words.index("RENAME") + 1]
             executables[name] = InstalledExecutable(file, CMAKE_LISTS, line)
-    folders = _usual_folders(each.file for each in executables.values())
-    folders += [each for each in _SCRIPT_FOLDERS[:-1] if _has_folder(files, each)]
-    folder = folders[0] if folders else _SCRIPT_FOLDERS[0]
-    return _Parts(executables, folder, plugins=nodelets(files.texts, files.folder, lists))
+    return executables
 
 
 def _usual_folders(paths: Iterable[str | None]) -> list[str]:

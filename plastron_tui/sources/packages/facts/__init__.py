@@ -50,7 +50,7 @@ def build_facts(
     lists = Lists()
     setup = PythonSetup()
     if source.build_type != "ament_python" and CMAKE_LISTS in source.texts:
-        lists = read_lists(source)
+        lists = read_lists(texts)
     if SETUP_PY in source.texts:
         setup = read_python_setup(texts)
     name = package.document.root.named("name")[0]

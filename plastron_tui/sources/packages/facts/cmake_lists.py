@@ -10,44 +10,43 @@ from typing import NamedTuple
 
 from plastron_tui.diagnostics import Span
 from plastron_tui.model.package_facts import How, Place, Target
-from plastron_tui.model.package_source import PackageSource
 from plastron_tui.sources.build_files import matches
+from plastron_tui.sources.cmake.definitions import MODULES, is_for_tests
 from plastron_tui.sources.cmake.facts import (
     INSTALL_WORDS,
     Entry,
     covers,
     executable_of,
     exported,
+    registered_components,
     sources_of,
     targets,
 )
+from plastron_tui.sources.cmake.following import follow
 from plastron_tui.sources.cmake.reader import Call, CMakeLists, in_package
 from plastron_tui.sources.cmake.shared_reading import read_shared
-from plastron_tui.sources.cmake.syntax import Block, Statement
-from plastron_tui.sources.cmake.variables import reference_of
 from plastron_tui.sources.packages.reading import CMAKE_LISTS
 
 from .destinations import UNKNOWN, program_destination, set_destination
 from .texts import PackageTexts
 
-_OWN_FILES = ("CheckC", "CheckI", "CheckS", "CTest", "CMake", "GNUInstallDirs", "GenerateExport",
-              "ExternalProject", "FetchContent", "FeatureSummary", "Find")  # fmt: skip
 _KNOWN = (
-    "add_", "ament_", "aux_source_directory", "break", "catkin_", "cmake_", "configure_",
-    "continue", "cuda_", "doxygen_", "enable_", "execute_process", "export", "fetchcontent_",
-    "file", "find_",
-    "generate_", "get_", "gtest_", "include", "install", "link_", "list", "mark_as_advanced",
-    "math", "message", "nav2_package", "nvcc", "option", "pkg_", "pluginlib_", "project",
-    "pybind11_", "qt4_",
-    "qt5_", "qt_", "rclcpp_components_", "return", "roslaunch_", "roslint_", "rosidl_",
-    "separate_arguments", "set", "source_group", "string", "target_", "unset", "variable_watch",
+    "add_action_files", "add_compile_", "add_custom_", "add_definitions", "add_dependencies",
+    "add_executable", "add_launch_test", "add_library", "add_link_options", "add_message_files",
+    "add_rostest", "add_service_files", "add_test", "ament_", "aux_source_directory",
+    "break", "catkin_", "cmake_", "configure_", "continue", "cuda_", "doxygen_", "enable_",
+    "execute_process", "export", "fetchcontent_", "file", "find_", "generate_", "get_", "gtest_",
+    "include", "install", "link_", "list", "mark_as_advanced", "math", "message", "nav2_package",
+    "nvcc", "option", "pkg_", "pluginlib_", "project", "pybind11_", "qt4_", "qt5_", "qt_",
+    "rclcpp_components_", "return", "roslaunch_", "roslint_", "rosidl_", "separate_arguments",
+    "set", "source_group", "string", "target_", "unset", "variable_watch",
 )  # fmt: skip
 _PROGRAMS = ("PROGRAMS", INSTALL_WORDS)
 _FOLDERS = ("CATKIN_", "CMAKE_INSTALL_")
 _NO_SCRIPTS = ("CODE", "SCRIPT")
+_PROGRAM_COMMANDS = ("add_executable", "ament_auto_add_executable")
 _WORD = re.compile(rb"[A-Za-z_][\w.-]*")
 _HEADERS = (".h", ".hh", ".hpp", ".hxx")
-_TESTING = ("BUILD_TESTING", "CATKIN_ENABLE_TESTING")
 _FINDING = ("ament_auto_find_build_dependencies", "catkin_simple", "find_package")
 _EXPORTS = ("ament_export_dependencies", "ament_export_targets")
 
@@ -114,14 +113,16 @@ class Lists:
         )
 
 
-def read_lists(source: PackageSource) -> Lists:
+def read_lists(texts: PackageTexts) -> Lists:
     """Return what is known of a package's CMakeLists.txt."""
+    source = texts.source
     lists, _ = read_shared(source.texts[CMAKE_LISTS], source.folder / CMAKE_LISTS)
     if lists is None:
         return Lists(is_open=True)
+    lists = follow(lists, lambda name: texts.get(name) if name in source.names else None)
     unknown = [each for each in lists.calls if not _is_known(each)]
-    blocks = list(_definitions(lists.listing.statements))
-    is_computed = any("${" in each.what for each in targets(lists)) or _has_open_programs(lists)
+    blocks = lists.opaque
+    is_computed = _has_open_names(lists) or _has_open_programs(lists)
     is_open = bool(unknown or blocks) or any(map(_installs_more, lists.calls))
     installs = dict(_installs(lists, source.names))
     programs = tuple(_targets(lists, is_open))
@@ -165,24 +166,14 @@ def _hands_headers_on(call: Call) -> bool:
 def _is_known(call: Call) -> bool:
     """Tell whether a command is one that makes no program by itself, or one that is read."""
     name = call.command.name
-    if any(word in each for word in _TESTING for each in call.conditions):
+    if call.is_followed or is_for_tests(call.conditions):
         return True
     if name == "include":
         file = call.items[0].value if call.items else ""
-        return file.startswith(_OWN_FILES) and not file.endswith(".cmake")
-    if name == "add_subdirectory":
+        return file.startswith(MODULES) and not file.endswith(".cmake")
+    if name.endswith("_executable") and name not in _PROGRAM_COMMANDS:
         return False
     return name.startswith(_KNOWN)
-
-
-def _definitions(statements: tuple[Statement, ...]) -> Iterator[Block]:
-    """Yield the functions and macros that a file defines."""
-    for each in statements:
-        if isinstance(each, Block):
-            if each.kind in ("function", "macro"):
-                yield each
-            for branch in each.branches:
-                yield from _definitions(branch.statements)
 
 
 def _installs_more(call: Call) -> bool:
@@ -197,26 +188,27 @@ def _installs_more(call: Call) -> bool:
     return values[0] in _NO_SCRIPTS or values[0].startswith("${")
 
 
+def _has_open_names(lists: CMakeLists) -> bool:
+    """Tell whether programs are built whose names are not known."""
+    return (
+        any("${" in executable_of(lists, each) + each.what for each in targets(lists))
+        or any("${" in each.what for each in registered_components(lists))
+        or any(x.value == "OUTPUT_NAME" for call in lists.named("set_property") for x in call.items)
+    )
+
+
 def _has_open_programs(lists: CMakeLists) -> bool:
     """Tell whether programs are installed whose names are not known."""
     return any(
-        _is_open(lists, call) or any("${" in each.value for each in call.section(*_PROGRAMS))
+        _is_open(call) or any("${" in each.value for each in call.section(*_PROGRAMS))
         for call in lists.named("install", "catkin_install_python")
         if call.section(*_PROGRAMS)
     )
 
 
-def _is_open(lists: CMakeLists, call: Call) -> bool:
+def _is_open(call: Call) -> bool:
     """Tell whether a call is given a list that may have more than is known, a folder apart."""
-    for argument in call.command.arguments:
-        name = reference_of(argument)
-        if name is None or name.startswith(_FOLDERS):
-            continue
-        known = lists.variables.get(name)
-        is_glob = known is not None and all(each.is_pattern for each in known.items)
-        if known is None or not (known.is_whole or (is_glob and known.items)):
-            return True
-    return False
+    return any(not name.startswith(_FOLDERS) for name in call.open_lists)
 
 
 def _place(span: tuple[int, int]) -> Place:
@@ -281,8 +273,7 @@ def _targets(lists: CMakeLists, is_open: bool) -> Iterator[Target]:
     """Yield the programs that are built in any case, and whether nodes are looked for there."""
     auto = bool(lists.named("ament_auto_package"))
     open_targets = any(
-        _is_open(lists, call)
-        or any("${" in x.value for x in call.section("TARGETS", INSTALL_WORDS))
+        _is_open(call) or any("${" in x.value for x in call.section("TARGETS", INSTALL_WORDS))
         for call in lists.named("install")
         if any(each.value == "TARGETS" for each in call.items)
     )
