@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence, Set
 from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
@@ -18,6 +18,7 @@ from plastron_tui.ros.names import spelled
 from plastron_tui.ros.run_names import Remap, RunNames
 
 from .executables import Executables, executables_of
+from .given_names import UNKNOWN, GivenNames, Values, asked_of, given_names_of, named
 from .tree import LaunchFacts, SourceTree, UnitFacts, once_a_tree
 
 
@@ -31,6 +32,7 @@ class RunningNode(NamedTuple):
         names: the namespace and the remaps that it gets.
         started: where a launch file starts it, None where none does.
         is_read: whether all that creates its endpoints was read.
+        values: what the parameters have that name endpoints of it.
     """
 
     unit: UnitFacts
@@ -39,6 +41,16 @@ class RunningNode(NamedTuple):
     names: RunNames
     started: Started | None = None
     is_read: bool = False
+    values: Values = ()
+
+    @property
+    def endpoints(self) -> tuple[SourceEndpoint, ...]:
+        """Its endpoints, with the names that parameters give them where these are known."""
+        values, version = dict(self.values), self.unit.ros_version
+        return tuple(
+            each if each.given_by is None else each._replace(name=named(each, values, version))
+            for each in self.node.endpoints
+        )
 
     @property
     def is_named(self) -> bool:
@@ -114,7 +126,7 @@ class Run:
         found: dict[Place, list[User]] = defaultdict(list)
         strays: list[User] = []
         for node in self.nodes:
-            for endpoint in node.node.endpoints:
+            for endpoint in node.endpoints:
                 interface = endpoint.kind.facts.interface
                 if interface is None:
                     continue
@@ -135,16 +147,16 @@ def runs_of(tree: SourceTree) -> tuple[Run, ...]:
     what lies in two packages need never run together. One that a launch file starts only with
     other arguments has the names that it gets there.
     """
-    executables = executables_of(tree)
+    executables, given = executables_of(tree), given_names_of(tree)
     launched: dict[object, dict[object, RunningNode]] = defaultdict(dict)
     paths: set[Path] = set()
     found: list[Run] = []
     for launch in tree.launches:
-        run = _launch_run(launch, executables)
+        run = _launch_run(launch, executables, given)
         found.append(run)
         for each in run.nodes:
             paths.add(each.unit.path)
-            launched[_home(tree, each.unit)][each.key, each.names] = each
+            launched[_home(tree, each.unit)][each.key, each.names, each.values] = each
     alone: dict[object, list[RunningNode]] = defaultdict(list)
     unstarted: dict[Path, list[Started]] = defaultdict(list)
     for started in tree.unstarted:
@@ -154,10 +166,38 @@ def runs_of(tree: SourceTree) -> tuple[Run, ...]:
     for unit in tree.built:
         if unit.path not in paths and unit.path not in executables.parts and not unit.is_test:
             whole = executables.programs.get(unit.path, unit)
-            alone[_home(tree, unit)] += _by_hand(whole, unstarted[unit.path])
+            alone[_home(tree, unit)] += _by_hand(whole, unstarted[unit.path], given)
     for key, nodes in alone.items():
         found.append(Run(None, (*nodes, *launched[key].values())))
-    return tuple(found)
+    return _settled(found)
+
+
+def _settled(runs: Sequence[Run]) -> tuple[Run, ...]:
+    """Return runs without the values of parameters that are not known wherever a node is started.
+
+    A launch file that has such a value may be the one that people use.
+    """
+    unknown = {
+        (node.key[:2], parameter)
+        for run in runs
+        for node in run.nodes
+        for parameter, value in node.values
+        if value == UNKNOWN
+    }
+    return tuple(_without(run, unknown) for run in runs) if unknown else tuple(runs)
+
+
+def _without(run: Run, unknown: Set[tuple[object, str]]) -> Run:
+    nodes = (
+        node._replace(
+            values=tuple(
+                (parameter, UNKNOWN if (node.key[:2], parameter) in unknown else value)
+                for parameter, value in node.values
+            )
+        )
+        for node in run.nodes
+    )
+    return Run(run.launch, tuple(nodes), run.others)
 
 
 def _home(tree: SourceTree, unit: UnitFacts) -> object:
@@ -167,7 +207,7 @@ def _home(tree: SourceTree, unit: UnitFacts) -> object:
     return unit.package, folder, unit.ros_version
 
 
-def _launch_run(launch: LaunchFacts, executables: Executables) -> Run:
+def _launch_run(launch: LaunchFacts, executables: Executables, given: GivenNames) -> Run:
     nodes: list[RunningNode] = []
     others: list[Started] = []
     for started in launch.resolved.started:
@@ -176,7 +216,9 @@ def _launch_run(launch: LaunchFacts, executables: Executables) -> Run:
             others.append(started)
         else:
             is_read = unit.code.is_closed and executables.is_alone(started, unit)
-            nodes += _running(unit, started, is_read=is_read)
+            for node in _running(unit, started, is_read=is_read):
+                values = given.launched(launch, started, unit, node.node)
+                nodes.append(node._replace(values=values))
     return Run(launch, tuple(nodes), tuple(others))
 
 
@@ -188,13 +230,17 @@ def _running(unit: UnitFacts, started: Started, *, is_read: bool) -> Iterator[Ru
         yield RunningNode(unit, node, started.name or node.label, names, started, is_read)
 
 
-def _by_hand(unit: UnitFacts, unstarted: Sequence[Started]) -> Iterator[RunningNode]:
+def _by_hand(
+    unit: UnitFacts, unstarted: Sequence[Started], given: GivenNames
+) -> Iterator[RunningNode]:
     """Yield the nodes of files that no launch file starts unless it is given other arguments."""
     for started in unstarted:
-        yield from _running(unit, started, is_read=False)
+        for each in _running(unit, started, is_read=False):
+            yield each._replace(values=tuple((name, UNKNOWN) for name in asked_of(each.node)))
     if not unstarted:
         for node in unit.nodes:
-            yield RunningNode(unit, node, node.label, RunNames())
+            values = given.by_hand(unit, node)
+            yield RunningNode(unit, node, node.label, RunNames(), values=values)
 
 
 def _argument_remaps(started: Started, ros_version: int) -> Iterator[tuple[str, str]]:

@@ -99,6 +99,8 @@ class SourceEndpoint(NamedTuple):
         callback: the callback's name as the source has it (`on_chatter` for `self.on_chatter`),
             None where there is none or it has no name.
         default: the literal default of a name that is read from a parameter.
+        given_by: the parameter whose value is the name as it stands, or `~` where that is the
+            full name of the node; None where neither is sure.
         span: the call.
         line: the call's line, from 1.
         file: the name of the file in its set that has the call, "" for the main file.
@@ -126,6 +128,7 @@ class SourceEndpoint(NamedTuple):
     qos: Qos | None = None
     details: EndpointDetails | None = None
     transition: str | None = None
+    given_by: str | None = None
 
     @property
     def label(self) -> str | None:

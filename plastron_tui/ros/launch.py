@@ -11,7 +11,7 @@ from dataclasses import dataclass, field
 from enum import Enum
 from typing import NamedTuple, TypeVar
 
-from .launch_text import Kind, Substitution, Text
+from .launch_text import Kind, Scope, Substitution, Text
 from .parameters import Setting
 
 
@@ -34,6 +34,14 @@ class Condition(NamedTuple):
 
     value: Text
     is_negated: bool = False
+
+    def holds(self, scope: Scope) -> bool | None:
+        """Tell whether it holds, None where that is not known."""
+        value = scope.value(self.value)
+        found = {"true": True, "1": True, "false": False, "0": False}.get(
+            (value or "").strip().lower()
+        )
+        return None if value is None or found is None else found is not self.is_negated
 
 
 class Place(NamedTuple):

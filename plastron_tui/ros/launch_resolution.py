@@ -9,8 +9,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable, Iterable, Mapping
-from dataclasses import dataclass, field, replace
-from typing import NamedTuple
+from dataclasses import replace
 
 from .launch import (
     Argument,
@@ -33,16 +32,16 @@ from .launch import (
 )
 from .launch_inclusion import Including
 from .launch_started import (
+    SETTINGS,
     SHOWN,
     VALUES,
     Opened,
     Resolved,
-    Settings,
-    Site,
     Started,
     Unresolved,
     setting_spans,
 )
+from .launch_state import Renaming, State
 from .launch_text import Scope, Text
 from .launch_values import typed, typed_as
 from .names import spelled
@@ -59,30 +58,6 @@ OpenInclude = Callable[[str], Opened]
 
 def _no_include(path: str) -> Opened:
     return Opened(None, 2, "", "included files are not read here")
-
-
-class _Renaming(NamedTuple):
-    """A remap, and where it stands."""
-
-    names: tuple[str, str]
-    site: Site
-
-
-@dataclass(frozen=True, slots=True)
-class _State:
-    """What holds at a place of a launch file."""
-
-    scope: Scope
-    file: str | None
-    ros_version: int
-    around: tuple[Including, ...] = ()
-    namespace: str = ""
-    remaps: tuple[_Renaming, ...] = ()
-    settings: Settings = ()
-    given: frozenset[str] = field(default_factory=frozenset)
-    included: tuple[Site, ...] = ()
-    pushed: Site | None = None
-    is_named: bool = True
 
 
 def resolve(
@@ -102,8 +77,8 @@ def resolve(
         open_include: reads a file that it includes.
     """
     run = _Resolution(open_include)
-    run.go(launch.items, _State(scope, file, ros_version, given=frozenset(scope.arguments)))
-    return Resolved(tuple(run.started), tuple(run.unresolved))
+    run.go(launch.items, State(scope, file, ros_version, given=frozenset(scope.arguments)))
+    return Resolved(tuple(run.started), tuple(run.unresolved), frozenset(run.shared))
 
 
 class _Resolution:
@@ -112,10 +87,11 @@ class _Resolution:
     def __init__(self, open_include: OpenInclude) -> None:
         self.started: list[Started] = []
         self.unresolved: list[Unresolved] = []
+        self.shared: set[str] = set()
         self._open = open_include
         self._included = 0
 
-    def go(self, items: Iterable[Item], state: _State) -> _State:
+    def go(self, items: Iterable[Item], state: State) -> State:
         """Resolve items one by one, and return what holds behind them."""
         for item in items:
             if len(self.started) >= MOST_NODES:
@@ -124,7 +100,7 @@ class _Resolution:
                 state = self._item(item, state)
         return state
 
-    def _item(self, item: Item, state: _State) -> _State:
+    def _item(self, item: Item, state: State) -> State:
         match item:
             case Argument(name=name, default=default):
                 if not state.scope.has(name):
@@ -143,13 +119,16 @@ class _Resolution:
                 pair = state.scope.value(old), state.scope.value(new)
                 if pair[0] is not None and pair[1] is not None:
                     names = (spelled(pair[0]), spelled(pair[1]))
-                    found = _Renaming(names, (state.file, item.place))
+                    found = Renaming(names, (state.file, item.place))
                     return replace(state, remaps=(*state.remaps, found))
                 self._tell(state, item, "a remap", old if pair[0] is None else new)
                 return replace(state, is_named=False)
             case SetParameter(parameter=parameter) if state.ros_version == 2:
                 set_ = self._settings((parameter,), state, item)
                 return replace(state, settings=(*state.settings, *set_))
+            case SetParameter(parameter=parameter):
+                named = None if isinstance(parameter, ParameterFile) else parameter.name
+                self.shared.add("" if named is None else state.scope.value(named) or "")
             case StartedNode():
                 self._start(item, state, None)
             case Container():
@@ -162,25 +141,27 @@ class _Resolution:
             case Unread(what=what):
                 message = f"{what} is not understood, and left out"
                 self._left_out(state, item, message, is_value=what in VALUES)
+                if what in SETTINGS:
+                    self._sets("")
             case _:
                 pass
         return state
 
-    def _applies(self, item: Item, state: _State) -> bool:
+    def _applies(self, item: Item, state: State) -> bool:
         if item.condition is None:
             return True
-        found = holds(item.condition, state.scope)
+        found = item.condition.holds(state.scope)
         if found is None:
             self._tell(state, item, "what hangs on a condition", item.condition.value)
         return found is True
 
-    def _set(self, state: _State, name: str, value: Text, item: Item) -> _State:
+    def _set(self, state: State, name: str, value: Text, item: Item) -> State:
         found = state.scope.value(value)
         if found is None:
             self._tell(state, item, f"the value of `{name}`", value, is_value=True)
         return replace(state, scope=state.scope.with_argument(name, found))
 
-    def _start(self, item: StartedNode, state: _State, container: str | None) -> Started | None:
+    def _start(self, item: StartedNode, state: State, container: str | None) -> Started | None:
         names = [item.package, item.executable, *(x for x in (item.name, item.namespace) if x)]
         if any(self._value(each, state, item, "a node") is None for each in names):
             return None
@@ -207,12 +188,12 @@ class _Resolution:
         self.started.append(found)
         return found
 
-    def _within(self, item: StartedNode | Include, state: _State) -> str | None:
+    def _within(self, item: StartedNode | Include, state: State) -> str | None:
         """Return the namespace of a node or an included file, None where it is not known."""
         own = "" if item.namespace is None else state.scope.value(item.namespace)
         return None if own is None else joined(state.namespace, own)
 
-    def _others(self, item: StartedNode, state: _State) -> Iterable[tuple[str, str]]:
+    def _others(self, item: StartedNode, state: State) -> Iterable[tuple[str, str]]:
         for key, text in item.others:
             found = state.scope.value(text)
             if found is not None:
@@ -220,7 +201,7 @@ class _Resolution:
             elif key not in SHOWN:
                 self._tell(state, item, f"`{key}`", text)
 
-    def _remaps(self, item: StartedNode, state: _State) -> tuple[_Renaming, ...]:
+    def _remaps(self, item: StartedNode, state: State) -> tuple[Renaming, ...]:
         """Return the remaps of a node, the one that holds first.
 
         In ROS 1 one that stands nearer to the node holds. ROS 2 has those around it before its
@@ -233,17 +214,18 @@ class _Resolution:
                 self._tell(state, item, "a remap", each.old if pair[0] is None else each.new)
             else:
                 names, place = (spelled(pair[0]), spelled(pair[1])), each.place or item.place
-                found.append(_Renaming(names, (state.file, place)))
+                found.append(Renaming(names, (state.file, place)))
         return tuple(found if state.ros_version == 2 else reversed(found))
 
     def _settings(
-        self, parameters: Iterable[Parameter], state: _State, item: Item
+        self, parameters: Iterable[Parameter], state: State, item: Item
     ) -> Iterable[tuple[str, Setting] | str]:
         for each in parameters:
             if isinstance(each, ParameterFile):
                 file = state.scope.value(each.file)
                 if file is None:
                     self._tell(state, item, "a parameter file", each.file, is_value=True)
+                    self._sets("")
                 else:
                     yield file
                 continue
@@ -253,9 +235,9 @@ class _Resolution:
             else:
                 unknown = each.value if isinstance(each.value, Text) else each.name
                 self._tell(state, item, f"the parameter `{each.name}`", unknown, is_value=True)
-                self.unresolved[-1] = self.unresolved[-1]._replace(parameter=name or "")
+                self._sets(name or "")
 
-    def _setting(self, parameter: ParameterValue, state: _State) -> Setting | None:
+    def _setting(self, parameter: ParameterValue, state: State) -> Setting | None:
         if not isinstance(parameter.value, Text):
             return parameter.value
         found = state.scope.value(parameter.value)
@@ -264,7 +246,7 @@ class _Resolution:
         held = typed_as(found, "float", state.ros_version) if parameter.is_float else None
         return typed(found, state.ros_version) if held is None else held
 
-    def _container(self, item: Container, state: _State) -> None:
+    def _container(self, item: Container, state: State) -> None:
         name = None if item.target is None else self._value(item.target, state, item, "a container")
         if item.target is not None and name is None:
             return
@@ -275,7 +257,7 @@ class _Resolution:
             if self._applies(component, state):
                 self._start(component, state, name or "")
 
-    def _include(self, item: Include, state: _State) -> _State:
+    def _include(self, item: Include, state: State) -> State:
         """Resolve an included file, and return what holds behind it.
 
         In ROS 2 what the file sets holds there, too, as if it was written in the place of the
@@ -330,13 +312,13 @@ class _Resolution:
             settings=after.settings,
         )
 
-    def _passed(self, item: Include, state: _State) -> dict[str, str] | None:
+    def _passed(self, item: Include, state: State) -> dict[str, str] | None:
         """Return the arguments that an included file is given, None where they are not known."""
         # In ROS 2 the arguments of a file are those of what it includes, too.
         is_all: bool | None = state.ros_version == 2
         flag = dict(item.others).get("pass_all_args")
         if flag is not None and state.ros_version == 1:
-            is_all = holds(Condition(flag), state.scope)
+            is_all = Condition(flag).holds(state.scope)
             if is_all is None:
                 self._tell(state, item, "an included file", flag)
                 return None
@@ -350,7 +332,7 @@ class _Resolution:
                 known[name] = value
         return known
 
-    def _around(self, state: _State) -> tuple[Including, ...]:
+    def _around(self, state: State) -> tuple[Including, ...]:
         """Return the files that include each other at a place, the outermost first."""
         if state.file is None:
             return state.around
@@ -358,7 +340,7 @@ class _Resolution:
         return (*state.around, Including(real, state.given, state.scope.arguments))
 
     def _endless(
-        self, item: Include, state: _State, between: tuple[Including, ...], again: Including
+        self, item: Include, state: State, between: tuple[Including, ...], again: Including
     ) -> None:
         names = " and ".join(f"`{os.path.basename(each.path)}`" for each in between)  # noqa: PTH119
         message = f"`{os.path.basename(again.path)}` includes itself without end"  # noqa: PTH119
@@ -366,32 +348,30 @@ class _Resolution:
             message += f", by {names}"
         self.unresolved.append(Unresolved(message, state.file, item.place, is_wrong=True))
 
-    def _value(self, text: Text, state: _State, item: Item, what: str) -> str | None:
+    def _value(self, text: Text, state: State, item: Item, what: str) -> str | None:
         found = state.scope.value(text)
         if found is None:
             self._tell(state, item, what, text)
         return found
 
     def _tell(
-        self, state: _State, item: Item, what: str, text: Text, *, is_value: bool = False
+        self, state: State, item: Item, what: str, text: Text, *, is_value: bool = False
     ) -> None:
         unknown = state.scope.unknown(text)
         shown = f"`{text}`" if unknown is None else f"`{Text((unknown,))}`"
         message = f"{what} is left out: {shown} is not known here"
         self._left_out(state, item, message, is_value=is_value)
 
-    def _left_out(self, state: _State, item: Item, message: str, *, is_value: bool = False) -> None:
+    def _left_out(self, state: State, item: Item, message: str, *, is_value: bool = False) -> None:
         self.unresolved.append(Unresolved(message, state.file, item.place, is_value=is_value))
 
+    def _sets(self, parameter: str) -> None:
+        """Note that what is left out last may give a parameter its value, "" for any."""
+        last = self.unresolved[-1]
+        self.unresolved[-1] = last._replace(parameter=parameter, sets_parameters=True)
 
-def _unknown_in(item: Include, state: _State, known: Mapping[str, str]) -> frozenset[str]:
+
+def _unknown_in(item: Include, state: State, known: Mapping[str, str]) -> frozenset[str]:
     """Return the arguments that an included file is given, and whose values are not known."""
     around = state.scope.unknown_arguments if state.ros_version == 2 else ()
     return frozenset((*around, *(name for name, _ in item.arguments))) - known.keys()
-
-
-def holds(condition: Condition, scope: Scope) -> bool | None:
-    """Tell whether a condition holds, None where that is not known."""
-    value = scope.value(condition.value)
-    found = {"true": True, "1": True, "false": False, "0": False}.get((value or "").strip().lower())
-    return None if value is None or found is None else found is not condition.is_negated

@@ -26,6 +26,9 @@ VALUES = frozenset(
 )  # fmt: skip
 """What is not understood and starts no node: it sets values, or says something."""
 
+SETTINGS = frozenset(("`<param>`", "`<rosparam>`", "`SetParametersFromFile`"))
+"""Of these, what gives parameters of nodes their values."""
+
 Settings = tuple[tuple[str, Setting] | str, ...]
 """Values of parameters by their names, and files with such, in the order that nodes get them."""
 
@@ -102,6 +105,7 @@ class Unresolved(NamedTuple):
         is_wrong: whether the files cannot be started at all.
         is_value: whether it is a value alone: no node and no name is left out with it.
         parameter: the parameter whose value it is, "" for anything else.
+        sets_parameters: whether parameters of nodes may have their values by it.
     """
 
     message: str
@@ -110,13 +114,22 @@ class Unresolved(NamedTuple):
     is_wrong: bool = False
     is_value: bool = False
     parameter: str = ""
+    sets_parameters: bool = False
 
 
 class Resolved(NamedTuple):
-    """What a launch file starts, and what of it is not known."""
+    """What a launch file starts, and what of it is not known.
+
+    Attributes:
+        started: what it starts.
+        unresolved: what of it is not known.
+        shared: the parameters that a file of ROS 1 sets for whichever node reads them, "" for
+            those of a parameter file.
+    """
 
     started: tuple[Started, ...]
     unresolved: tuple[Unresolved, ...]
+    shared: frozenset[str] = frozenset()
 
 
 class Opened(NamedTuple):

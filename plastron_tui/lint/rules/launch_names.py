@@ -100,7 +100,7 @@ def _has_name(old: str, node: RunningNode) -> bool:
     if bare in IS_EVERYWHERE or full.rpartition("/")[2] in OWN_SERVICES:
         return True
     is_ros1 = node.unit.ros_version == 1
-    for endpoint in node.node.endpoints:
+    for endpoint in node.endpoints:
         is_parameter = endpoint.kind is EndpointKind.PARAMETER
         if endpoint.kind.facts.interface is None and not (is_ros1 and is_parameter):
             continue
@@ -119,7 +119,7 @@ def _names(node: RunningNode) -> list[str]:
 
 def _named(node: RunningNode) -> Iterator[tuple[str, SourceEndpoint]]:
     """Yield the names of a node's topics, services and actions, as far as they are known."""
-    for endpoint in node.node.endpoints:
+    for endpoint in node.endpoints:
         if endpoint.name is not None and endpoint.kind.facts.interface is not None:
             yield endpoint.name, endpoint
 

@@ -8,6 +8,7 @@ from functools import cache, partial
 from typing import NamedTuple
 
 from plastron_tui.diagnostics import Code, Diagnostic, Label, Severity
+from plastron_tui.lint.given_names import may_be_started_otherwise
 from plastron_tui.lint.rule import RULES, rule
 from plastron_tui.lint.runs import Place, RunningNode, User
 from plastron_tui.lint.sides import Sides, everywhere
@@ -219,20 +220,9 @@ def _is_read(tree: SourceTree, type_: InterfaceName) -> bool:
 
 
 def _may_be_renamed(tree: SourceTree, *nodes: RunningNode) -> bool:
-    """Tell whether what is not known of a launch file may start a node under other names.
-
-    It is looked for in the launch files of the node's package, and in those that start any of it.
-    """
+    """Tell whether what is not known of a launch file may start a node under other names."""
     packages = {each.unit.package for each in nodes if each.started is None}
-    for launch in tree.launches if packages else ():
-        if all(each.is_value for each in launch.resolved.unresolved):
-            continue
-        if any(each.package in packages for each in launch.resolved.started):
-            return True
-        folders = (tree.packages[name].folder for name in packages if name in tree.packages)
-        if any(launch.path.is_relative_to(folder) for folder in folders):
-            return True
-    return False
+    return any(may_be_started_otherwise(tree, each) for each in packages)
 
 
 def _may_meet_a_nameless(tree: SourceTree, user: User) -> bool:

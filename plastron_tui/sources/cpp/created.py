@@ -14,6 +14,7 @@ from plastron_tui.ros.interfaces import InterfaceName
 from .analysis import Analysis
 from .arguments import Call
 from .callbacks import NONE, Callback, callback_of
+from .given_names import OWN_NAME, given_by
 from .listed_parameters import listed_parameters
 from .qos import qos_of
 from .receivers import HANDLE, Prefix
@@ -109,8 +110,21 @@ def _endpoint(
         file=call.scope.file.name,
         is_guess=named.is_guess,
         qos=qos_of(analysis, found),
+        given_by=None if named.name is not None else _given_by(analysis, found, node),
     )
     return endpoint, callback
+
+
+def _given_by(analysis: Analysis, found: Found, node: Node | None) -> str | None:
+    """Return the parameter whose value is the name of an endpoint as it stands, if one is."""
+    if node is None or found.shape.kind.facts.interface is None:
+        return None
+    given = given_by(analysis, node, (found.options or found.call).scope)
+    if given is None or given == OWN_NAME:
+        return given
+    if analysis.ros_version == 1:
+        return given if _prefix(analysis, found) == Prefix("") else None
+    return given if _in_sub_node(analysis, found, given) == given else None
 
 
 def _name(analysis: Analysis, found: Found, node: Node | None) -> _Name:

@@ -87,7 +87,7 @@ class Objects:
             is_text = (
                 is_text
                 or first.endswith("string")
-                or (value is not None and value.text is not None)
+                or (first != HANDLE and value is not None and value.text is not None)
             )
             if not is_text and len(given) > 1 and (first == HANDLE or not first or len(given) > 2):
                 second = given[1]

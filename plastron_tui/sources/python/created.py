@@ -16,6 +16,7 @@ from .arguments import Arguments
 from .callbacks import callback_name
 from .calls import ACTIONS, Argument, CallShape
 from .constants import Defaulted, Known
+from .given_names import given_by
 from .guesses import is_default_guess, is_star_guess
 from .qos import qos_of
 from .runs import EVERYWHERE, World
@@ -78,6 +79,7 @@ def _endpoint(
             name = _in_namespace(analysis, read, shape, arguments, scope)
         elif isinstance(folded, Defaulted):
             default = name_as_read(folded.value, analysis.library.ros_version)
+    is_given = name is None and shape.kind.facts.interface is not None
     type_node = arguments.get(shape.type) if shape.type is not None else None
     callback = arguments.get(shape.callback) if shape.callback is not None else None
     type_ = resolver.interface(type_node, scope) if type_node is not None else None
@@ -104,6 +106,7 @@ def _endpoint(
             None if type_ is None else type_node,
             scope,
         ),
+        given_by=given_by(analysis, name_node, scope) if is_given else None,
     )
 
 
