@@ -8,6 +8,7 @@ from collections.abc import Iterable
 from functools import cached_property
 from pathlib import Path
 
+from plastron_tui.model.package_source import InstalledExecutable
 from plastron_tui.ros.launch import loaded_nodelet
 from plastron_tui.ros.launch_started import Started
 
@@ -40,10 +41,7 @@ class Executables:
         if unit.is_python:
             return True
         package = self._tree.package_of(unit)
-        executables = {} if package is None else package.executables
-        known = executables.get(started.executable) or next(
-            (each for each in executables.values() if each.loaded == started.executable), None
-        )
+        known = None if package is None else _known(package, _loaded_name(started))
         has_endpoints = any(
             endpoint.kind.facts.interface is not None
             for node in unit.nodes
@@ -51,6 +49,11 @@ class Executables:
         )
         if known is None or package is None or not has_endpoints:
             return False
+        if unit.ros_version == 2 and [each.class_name for each in unit.nodes] == [
+            _class_name(known.loaded)
+        ]:
+            # What else is in its library gets nothing of the node.
+            return True
         read = {package.folder / each for each in known.sources} & self._tree.by_path.keys()
         return len(known.sources) == 1 or (
             unit.path in self.programs and len(read) == len(known.sources)
@@ -58,12 +61,10 @@ class Executables:
 
     def started(self, started: Started) -> UnitFacts | None:
         """Return the files of what a launch file starts, None where that is not known."""
-        name, file = started.executable, started.file
-        package = self._tree.package(started.package, file)
-        nodelet = loaded_nodelet(started.package, dict(started.others).get("args", ""))
-        if nodelet is not None:
-            name = nodelet
-            package = self._tree.package(nodelet.partition("/")[0], file)
+        name = _loaded_name(started)
+        is_nodelet = name != started.executable
+        of = name.partition("/")[0] if is_nodelet else started.package
+        package = self._tree.package(of, started.file)
         return None if package is None else self.find(package, name)
 
     def find(self, package: PackageFacts, name: str) -> UnitFacts | None:
@@ -81,13 +82,24 @@ class Executables:
             # `rosrun` starts any file of a package that may be executed, installed or not.
             is_found = 1 in package.ros_versions
             return _only(self._by_file[package.folder, name]) if is_found else None
+        if known.loaded:
+            return self._of_class(package, known.loaded)
         return self._made_of(package, [known.file] if known.file is not None else known.sources)
 
     def _of_class(self, package: PackageFacts, name: str) -> UnitFacts | None:
-        for each in package.executables.values():
-            if each.loaded == name:
-                return self._made_of(package, each.sources)
-        return _only(self._by_class[package.folder, re.split("::|/", name)[-1]])
+        known, class_name = _known(package, name), _class_name(name)
+        units = self._by_class[package.folder, class_name]
+        if known is not None and known.sources:
+            paths = {package.folder / each for each in known.sources}
+            units = [unit for unit in units if unit.path in paths]
+            if not units:
+                made = self._made_of(package, known.sources)
+                is_sure = made is not None and (len(paths) == 1 or _has_no_class(made))
+                return made if is_sure else None
+        # Others have the class from a header, or load it; its own source says what it is for.
+        own = [unit for unit in units if unit.library == "component"] or units
+        unit = _only(own) or _only([each for each in own if _creates(each, class_name)])
+        return None if unit is None else _only_class(unit, class_name)
 
     def sources(self, started: Started) -> list[UnitFacts]:
         """Return the files of nodes among the sources of what a launch file starts."""
@@ -140,6 +152,44 @@ class Executables:
 def executables_of(tree: SourceTree) -> Executables:
     """Return what finds the files of nodes of a workspace, the same for all who ask."""
     return Executables(tree)
+
+
+def _loaded_name(started: Started) -> str:
+    """Return what a launch file starts, or the class of the nodelet that it lets a node load."""
+    arguments = dict(started.others).get("args", "")
+    return loaded_nodelet(started.package, arguments) or started.executable
+
+
+def _known(package: PackageFacts, name: str) -> InstalledExecutable | None:
+    """Return what the build says of an executable, or of a class that is loaded."""
+    return package.executables.get(name) or package.loaded.get(name)
+
+
+def _class_name(name: str) -> str:
+    return re.split("::|/", name)[-1]
+
+
+def _has_no_class(unit: UnitFacts) -> bool:
+    return all(each.class_name is None for each in unit.nodes)
+
+
+def _creates(unit: UnitFacts, class_name: str) -> bool:
+    """Tell whether a file creates endpoints of the nodes of a class."""
+    return any(
+        endpoint.kind.facts.interface is not None
+        for node in unit.nodes
+        if node.class_name == class_name
+        for endpoint in node.endpoints
+    )
+
+
+def _only_class(unit: UnitFacts, class_name: str) -> UnitFacts:
+    """Return a file of several nodes with the one alone that is of a class."""
+    at = [at for at, node in enumerate(unit.nodes) if node.class_name == class_name]
+    if len(at) != 1 or len(unit.nodes) == 1:
+        return unit
+    parameters = unit.code.parameters[at[0] : at[0] + 1]
+    return unit._replace(nodes=(unit.nodes[at[0]],), code=unit.code._replace(parameters=parameters))
 
 
 def _only(units: list[UnitFacts]) -> UnitFacts | None:

@@ -149,13 +149,13 @@ def runs_of(tree: SourceTree) -> tuple[Run, ...]:
     """
     executables, given = executables_of(tree), given_names_of(tree)
     launched: dict[object, dict[object, RunningNode]] = defaultdict(dict)
-    paths: set[Path] = set()
+    ran: set[tuple[Path, str]] = set()
     found: list[Run] = []
     for launch in tree.launches:
         run = _launch_run(launch, executables, given)
         found.append(run)
         for each in run.nodes:
-            paths.add(each.unit.path)
+            ran.add((each.unit.path, each.node.label))
             launched[_home(tree, each.unit)][each.key, each.names, each.values] = each
     alone: dict[object, list[RunningNode]] = defaultdict(list)
     unstarted: dict[Path, list[Started]] = defaultdict(list)
@@ -164,9 +164,11 @@ def runs_of(tree: SourceTree) -> tuple[Run, ...]:
         if made_of is not None:
             unstarted[made_of.path].append(started)
     for unit in tree.built:
-        if unit.path not in paths and unit.path not in executables.parts and not unit.is_test:
+        if unit.path not in executables.parts and not unit.is_test:
             whole = executables.programs.get(unit.path, unit)
-            alone[_home(tree, unit)] += _by_hand(whole, unstarted[unit.path], given)
+            left = [node for node in whole.nodes if (unit.path, node.label) not in ran]
+            if left or not whole.nodes:
+                alone[_home(tree, unit)] += _by_hand(whole, left, unstarted[unit.path], given)
     for key, nodes in alone.items():
         found.append(Run(None, (*nodes, *launched[key].values())))
     return _settled(found)
@@ -231,14 +233,18 @@ def _running(unit: UnitFacts, started: Started, *, is_read: bool) -> Iterator[Ru
 
 
 def _by_hand(
-    unit: UnitFacts, unstarted: Sequence[Started], given: GivenNames
+    unit: UnitFacts,
+    nodes: Sequence[SourceNode],
+    unstarted: Sequence[Started],
+    given: GivenNames,
 ) -> Iterator[RunningNode]:
-    """Yield the nodes of files that no launch file starts unless it is given other arguments."""
+    """Yield nodes of files that no launch file starts unless it is given other arguments."""
     for started in unstarted:
         for each in _running(unit, started, is_read=False):
-            yield each._replace(values=tuple((name, UNKNOWN) for name in asked_of(each.node)))
+            if each.node in nodes:
+                yield each._replace(values=tuple((name, UNKNOWN) for name in asked_of(each.node)))
     if not unstarted:
-        for node in unit.nodes:
+        for node in nodes:
             values = given.by_hand(unit, node)
             yield RunningNode(unit, node, node.label, RunNames(), values=values)
 

@@ -68,6 +68,7 @@ class PackageFacts(NamedTuple):
         ros_versions: the generations of ROS that it is for.
         executables: what it installs for people to start.
         build: what its files say of each other, None where that is not known.
+        loaded: what a container or a manager loads of it, by its class.
     """
 
     folder: Path
@@ -75,6 +76,7 @@ class PackageFacts(NamedTuple):
     ros_versions: tuple[int, ...]
     executables: Mapping[str, InstalledExecutable]
     build: BuildFacts | None = None
+    loaded: Mapping[str, InstalledExecutable] = MappingProxyType({})
 
 
 class LaunchFacts(NamedTuple):

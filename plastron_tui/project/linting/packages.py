@@ -14,6 +14,7 @@ from plastron_tui.diagnostics import Diagnostic, codes
 from plastron_tui.lint.tree import PackageFacts
 from plastron_tui.regular_files import read_regular
 from plastron_tui.sources.packages.facts import build_facts
+from plastron_tui.sources.packages.facts.components import programs_of
 from plastron_tui.sources.packages.facts.texts import LARGEST
 from plastron_tui.sources.packages.files import BUILD_FILES
 from plastron_tui.sources.packages.installed import further_programs
@@ -75,12 +76,14 @@ def read_package(folder: str, names: frozenset[str], programs: frozenset[str]) -
         return PackageRead(None, kept(_left_out(found, texts)))
     further = further_programs(source, read)
     source = replace(source, executables={**further.programs, **source.executables})
+    built = programs_of(source)
     facts = PackageFacts(
         source.folder,
         source.name,
         (source.ros_version,),
-        dict(source.executables),
+        built.executables,
         build_facts(source, read, programs, is_whole=further.is_whole),
+        built.loaded,
     )
     return PackageRead(facts)
 
