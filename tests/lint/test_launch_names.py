@@ -84,8 +84,9 @@ def test_a_remap_meets_nothing(tmp_path: Path, launches: dict[str, str], line: i
 
 UNREAD = {
     "a_name_that_is_not_known": "self.more = self.create_publisher(String, sys.argv[1], 10)",
-    "a_name_of_a_parameter": (
-        "self.more = self.create_publisher(String, self.declare_parameter('topic', 'x').value, 10)"
+    "a_name_made_of_a_parameter": (
+        "topic = self.declare_parameter('topic', 'x').value; "
+        "self.more = self.create_publisher(String, topic + '/raw', 10)"
     ),
     "a_node_that_others_get": "helpers.add_everything(self)",
 }
