@@ -137,7 +137,9 @@ class SourceTree:
         launches: what the launch files start.
         catalogs: the interface types, those of the workspace among them, by generation of ROS.
         parameter_files: what the parameter files of ROS 2 say.
-        unstarted: the nodes that launch files start only where they are given other arguments.
+        unstarted: the nodes that launch files of ROS 2 start only where they are given other
+            arguments.
+        unstarted_ros1: those of ROS 1, of which only the programs count.
         setting_places: where launch files name the parameters that they set, as far as known.
         started_places: where launch files name what the workspace lacks, as far as known.
         is_whole: whether nothing was left out, for being too much or for a problem.
@@ -159,6 +161,7 @@ class SourceTree:
     catalogs: Mapping[int, Catalog] = field(default_factory=dict)
     parameter_files: Mapping[Path, tuple[ParameterBlock, ...]] = field(default_factory=dict)
     unstarted: tuple[Started, ...] = ()
+    unstarted_ros1: tuple[Started, ...] = ()
     setting_places: Mapping[SettingPlace, Span] = field(default_factory=dict)
     started_places: Mapping[StartedPlace, Span] = field(default_factory=dict)
     is_whole: bool = True

@@ -6,7 +6,7 @@ left out, or said to be not known.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 from enum import Enum
 from types import MappingProxyType
 from typing import NamedTuple
@@ -75,6 +75,10 @@ class How(Enum):
     SCRIPT = "as a console script"
     ELSEWHERE = "where no node is looked for"
     UNKNOWN = "in a way that is not followed"
+
+
+INSTALLED = (How.PROGRAM, How.PYTHON, How.KEPT, How.PLAIN)
+"""How a script gets to where people start it from, by itself."""
 
 
 class Shebang(Enum):
@@ -250,3 +254,13 @@ class BuildFacts(NamedTuple):
     entries: tuple[Entry, ...] = ()
     script_folder: ScriptFolder | None = None
     definitions: tuple[DefinitionMistake, ...] = ()
+
+    def folders_installed(self, ways: Collection[How] = INSTALLED) -> frozenset[str]:
+        """Return the folders from which something is installed for people to start.
+
+        Args:
+            ways: how a script is installed for that.
+        """
+        files = [each.file for each in self.scripts if each.how in ways]
+        files += [file for each in self.targets if each.is_installed for file in each.sources]
+        return frozenset(file.rpartition("/")[0] for file in files)

@@ -30,7 +30,8 @@ LEFT_BEHIND = frozenset(
 )  # fmt: skip
 """Folders of a package for what nobody starts any more, or not as it is."""
 
-_TESTS = re.compile(r"(?:tests?_?\d*|(?:g|ros|unit_?)tests?|.+_tests)", re.IGNORECASE)
+_TESTS = re.compile(r"(?:tests?_?\d*|(?:g|ros|unit_?)tests?)", re.IGNORECASE)
+_SOME_TESTS = re.compile(r".+_tests", re.IGNORECASE)
 
 LONGEST_PACKAGE_NAME = 160
 """The longest name of a package, in characters.
@@ -84,8 +85,16 @@ class Maintainer(NamedTuple):
     mail: str
 
 
-def is_test_folder(name: str) -> bool:
-    """Tell whether a folder is for tests, as its name says, and for what these need."""
+def is_test_folder(name: str, *, is_package: bool = False) -> bool:
+    """Tell whether a folder is for tests, as its name says, and for what these need.
+
+    Args:
+        name: its name, without those of the folders around it.
+        is_package: whether it is that of a package. One called `arm_system_tests` has nodes of its
+            own that people start, and these are as those of any other package.
+    """
+    if not is_package and _SOME_TESTS.fullmatch(name) is not None:
+        return True
     return _TESTS.fullmatch(name) is not None
 
 

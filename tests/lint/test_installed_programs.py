@@ -90,3 +90,27 @@ _CASES = [
 def test_programs(case: Break, tmp_path: Path) -> None:
     """A program that a package may have is not told, and one that it surely has not is."""
     assert told_of(tmp_path, case.files(PYTHON | CMAKE)) == case.found
+
+
+_IN_TESTS = {
+    f"rover_tests{name.removeprefix('rover')}": text.replace("(rover)", "(rover_tests)")
+    .replace("<name>rover<", "<name>rover_tests<")
+    .replace('pkg="rover"', 'pkg="rover_tests"')
+    for name, text in CMAKE.items()
+}
+
+
+@pytest.mark.parametrize(
+    "case",
+    [
+        Break("rover_tests/launch/more.launch.xml", "", _STARTS.replace('"rover"', '"rover_tests"'),
+              "RK506 rover_tests/launch/more.launch.xml:2"),
+        Break("rover_tests/test/more.launch.xml", "", _STARTS.replace('"rover"', '"rover_tests"')),
+        Break("rover_tests/scripts/runner.py", "", PY_NODE,
+              "RK503 rover_tests/scripts/runner.py:18"),
+        # What tests alone start need not be installed.
+        Break("rover_tests/other/runner.py", "", PY_NODE),
+    ],
+)  # fmt: skip
+def test_package_may_be_called_as_tests_are(case: Break, tmp_path: Path) -> None:
+    assert told_of(tmp_path, case.files(_IN_TESTS), ()) == case.found

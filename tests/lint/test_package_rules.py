@@ -193,7 +193,7 @@ _CASES = [
     Break("rover/scripts/mover.py", "python3\n", "python3\r\n", "RK504 rover/scripts/mover.py:1"),
     Break("old/CMakeLists.txt", "catkin_install_python(PROGRAMS", "install(FILES",
           "RK504 old/CMakeLists.txt:10"),
-    Break("old/scripts/mover.py", "#!/usr/bin/env python\n", ""),
+    Break("old/scripts/mover.py", "#!/usr/bin/env python\n", "", "RK504 old/scripts/mover.py:1"),
     # An entry point to nothing.
     Break("wheels/setup.py", "wheels.mover:main", "wheels.mover:mian", "RK505 wheels/setup.py:8"),
     Break("wheels/setup.py", "wheels.mover:main", "wheels.moverr:main",

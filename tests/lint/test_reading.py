@@ -15,7 +15,7 @@ from plastron_tui.project.linting.fingerprints import Reads
 
 PACKAGE = """\
 <package format="3"><name>arm</name><version>0.1.0</version><description>d</description>
-<maintainer email="a@b.c">m</maintainer><license>MIT</license>
+<maintainer email="a@b.cd">m</maintainer><license>MIT</license>
 <export><build_type>ament_cmake</build_type></export></package>
 """
 HEADER = """\
@@ -120,6 +120,41 @@ def test_test_is_told_by_where_it_is_below_the_workspace(
     folder = tmp_path / "test"
     (folder / "src").mkdir(parents=True)
     (unit,) = _read(folder, {place: "import rclpy\nrclpy.create_node('a')\n"}).units
+    assert unit.is_test == is_test
+
+
+LISTS = """\
+cmake_minimum_required(VERSION 3.8)
+project(arm)
+find_package(ament_cmake REQUIRED)
+install(PROGRAMS src/b.py DESTINATION lib/arm)
+ament_package()
+"""
+
+
+@pytest.mark.parametrize(
+    ("package", "place", "is_test"),
+    [
+        # People start the nodes of a package that is called by what it tries out.
+        ("arm_system_tests", "src/a.py", False),
+        ("arm_system_tests", "other/a.py", True),
+        ("arm_system_tests", "src/test/a.py", True),
+        ("arm_system_tests", "src/test_a.py", True),
+        ("arm_tests/arm", "src/a.py", True),
+        ("tests", "src/a.py", True),
+        ("arm/test", "src/a.py", True),
+    ],
+)
+def test_package_may_be_called_as_tests_are(
+    package: str, place: str, tmp_path: Path, *, is_test: bool
+) -> None:
+    files = {
+        f"{package}/package.xml": PACKAGE,
+        f"{package}/CMakeLists.txt": LISTS,
+        f"{package}/src/b.py": "print()\n",
+        f"{package}/{place}": "import rclpy\nrclpy.create_node('a')\n",
+    }
+    (unit,) = _read(tmp_path, files).units
     assert unit.is_test == is_test
 
 

@@ -6,14 +6,17 @@ import re
 import shlex
 from collections.abc import Iterator
 from functools import cache
+from itertools import chain
 
 from plastron_tui.diagnostics import Code, Diagnostic, Label, Severity
 from plastron_tui.lint.rule import rule
 from plastron_tui.lint.tree import PackageFacts, SourceTree, UnitFacts
 from plastron_tui.model.package_facts import BuildFacts, How, Place, Script, Shebang, Target
+from plastron_tui.ros.launch_started import Started
 from plastron_tui.ros.packages import LEFT_BEHIND
 
 from .package_examples import NODE_PACKAGE, SCRIPT_PACKAGE, cmake_lists, setup_py
+from .packages_started import is_old_or_test
 
 _LEFT_ALONE = LEFT_BEHIND | {
     "demo", "demos", "doc", "docs", "example", "examples", "launch", "sample", "samples", "tools",
@@ -22,7 +25,6 @@ _LEFT_ALONE = LEFT_BEHIND | {
 """Folders of what people start by its path, or not any more."""
 
 
-_INSTALLED = (How.PROGRAM, How.PYTHON, How.KEPT, How.PLAIN)
 _VARIANT = re.compile(
     r"(?:^|_)(?:old|original|orig|backup|bak|copy|working|wip|draft|template|deprecated|unused|"
     r"test|tmp|v?\d+|\d+\w\w)(?:_|$)"
@@ -40,17 +42,19 @@ _VARIANT = re.compile(
     "entry points: below `[install]`, and below `[develop]` for `colcon build --symlink-install`. "
     "ROS 1 starts scripts and programs from the workspace as well: there it is told where other "
     "nodes of the package are installed. What another file imports or starts by its path, a "
-    "script that only `python3 PATH` can run, tests and examples are left alone.",
+    "script that only `python3 PATH` can run, tests and examples are left alone. A package whose "
+    "name ends in `_tests` has tests alone in the folders from which it installs no program.",
     bad=NODE_PACKAGE | {"demo/setup.py": setup_py()},
     good=NODE_PACKAGE,
 )
 def node_not_installed(tree: SourceTree, code: Code) -> Iterator[Diagnostic]:
     """Find nodes that are nowhere where nodes are looked for."""
-    started = _started(tree)
+    started_of = {1: _started_in_use(tree), 2: _started(tree)}
     for package in tree.packages.values():
         build = package.build
         if build is None:
             continue
+        started = started_of[1 if 1 in package.ros_versions else 2]
         if build.script_folder is not None:
             message, place, help_ = build.script_folder
             yield Diagnostic(code, message, place.span, package.folder / place.file, help=help_)
@@ -61,11 +65,25 @@ def node_not_installed(tree: SourceTree, code: Code) -> Iterator[Diagnostic]:
 
 
 def _started(tree: SourceTree) -> frozenset[tuple[str, str]]:
-    """Return what launch files start: packages, and what starts the nodes of them."""
+    """Return what launch files may start: packages, and what starts the nodes of them."""
+    return frozenset((each.package, each.executable) for each in _starts(tree))
+
+
+def _starts(tree: SourceTree) -> Iterator[Started]:
+    at_once = (each for launch in tree.launches for each in launch.resolved.started)
+    return chain(at_once, tree.unstarted, tree.unstarted_ros1)
+
+
+def _started_in_use(tree: SourceTree) -> frozenset[tuple[str, str]]:
+    """Return what other launch files than those of tests may start.
+
+    In ROS 1 tests are run in the workspace, where nothing has to be installed.
+    """
+    packages = {each.folder for each in tree.every_package}
+    files = {each.file for each in _starts(tree) if each.file is not None}
+    left = {file for file in files if is_old_or_test(tree, packages, file)}
     return frozenset(
-        (each.package, each.executable)
-        for launch in tree.launches
-        for each in launch.resolved.started
+        (each.package, each.executable) for each in _starts(tree) if each.file not in left
     )
 
 
@@ -73,23 +91,12 @@ def _is_node(unit: UnitFacts | None) -> bool:
     return unit is not None and bool(unit.nodes) and not unit.is_test and not unit.is_unbuilt
 
 
-def _is_left_alone(package: PackageFacts, file: str) -> bool:
-    if package.name.endswith(("_test", "_tests", "_testing")):
-        return True
+def _is_left_alone(package: PackageFacts, build: BuildFacts, file: str) -> bool:
+    is_for_tests = package.name.endswith(("_test", "_tests", "_testing"))
     *folders, _ = file.split("/")
-    return any(
-        each.lower() in _LEFT_ALONE for each in folders if each != package.name
-    ) and file.rpartition("/")[0] not in _installed_folders(package)
-
-
-def _installed_folders(package: PackageFacts) -> set[str]:
-    """Return the folders of a package from which something is installed for people to start."""
-    build = package.build
-    if build is None:
-        return set()
-    files = [each.file for each in build.scripts if each.how in _INSTALLED]
-    files += [file for each in build.targets if each.is_installed for file in each.sources]
-    return {file.rpartition("/")[0] for file in files}
+    return (
+        is_for_tests or any(each.lower() in _LEFT_ALONE for each in folders if each != package.name)
+    ) and file.rpartition("/")[0] not in build.folders_installed()
 
 
 def _missing(
@@ -101,10 +108,11 @@ def _missing(
         each
         for each in build.scripts
         if _is_node(tree.by_path.get(package.folder / each.file))
-        and not _is_left_alone(package, each.file)
+        and not _is_left_alone(package, build, each.file)
     ]
     left = [each for each in nodes if each.how is How.NOT and each.is_program]
     installed = [each for each in nodes if each.how in (How.PROGRAM, How.PYTHON)]
+    has_installed = installed or any(each.installed and each.how is How.UNKNOWN for each in nodes)
     # ROS 1 starts what lies in the workspace: one that was left out is one among many.
     is_one_left = len(left) == 1 and len(installed) > 1
     # What is started by its path may be in any folder, and so may what lies beside it.
@@ -124,7 +132,7 @@ def _missing(
             continue
         if not is_started and (each.is_mentioned or (not is_python and _is_for_python(each))):
             continue
-        if 1 in package.ros_versions and not (is_started and installed) and not is_one_left:
+        if 1 in package.ros_versions and not (is_started and has_installed) and not is_one_left:
             continue
         if is_started or not _VARIANT.search(name.removesuffix(".py").lower()):
             yield each
@@ -202,7 +210,7 @@ def _target(
     units = [tree.by_path.get(package.folder / each) for each in target.sources]
     is_started = (package.name, target.name) in started
     if not (is_started or any(map(_is_node, units))) or any(
-        _is_left_alone(package, each) for each in target.sources
+        _is_left_alone(package, build, each) for each in target.sources
     ):
         return
     is_first = 1 in package.ros_versions
@@ -233,8 +241,9 @@ def _target(
     "A script is where nodes are looked for, and the system cannot run it.",
     why="A script runs if its mode says that it may be run and its first line says by what. "
     "`install(FILES …)` and `install(DIRECTORY …)` take the permission away, and a first line that "
-    "ends with the carriage return of Windows names a program that is not there. Modes are not "
-    "looked at where no file of the workspace has the permission: it came without modes then.",
+    "ends with the carriage return of Windows names a program that is not there. What "
+    "`catkin_install_python` installs without such a line fails where it is installed. Modes are "
+    "not looked at where no file of the workspace has the permission: it came without modes then.",
     bad=SCRIPT_PACKAGE
     | {
         "demo/CMakeLists.txt": cmake_lists(
@@ -255,11 +264,14 @@ def node_not_executable(tree: SourceTree, code: Code) -> Iterator[Diagnostic]:
         )
     )
     for package in tree.packages.values():
-        for script in () if package.build is None else package.build.scripts:
+        build = package.build
+        if build is None:
+            continue
+        for script in build.scripts:
             path = package.folder / script.file
             is_started = (package.name, script.file.rpartition("/")[2]) in started
             if not is_started and (
-                not _is_node(tree.by_path.get(path)) or _is_left_alone(package, script.file)
+                not _is_node(tree.by_path.get(path)) or _is_left_alone(package, build, script.file)
             ):
                 continue
             found = _not_run(package, script, is_started, has_modes())
@@ -267,8 +279,11 @@ def node_not_executable(tree: SourceTree, code: Code) -> Iterator[Diagnostic]:
                 message, place, help_ = found
                 span = script.first if place is None else place.span
                 file = path if place is None else package.folder / place.file
-                # ROS 1 starts it from the workspace all the same, and not where it is installed.
-                is_half = place is not None and 1 in package.ros_versions
+                # ROS 1 starts it from the workspace all the same, and not where it is installed:
+                # what `catkin_install_python` installs has a script before it in the workspace.
+                is_half = 1 in package.ros_versions and (
+                    place is not None or script.how is How.PYTHON
+                )
                 severity = Severity.WARNING if is_half else None
                 yield Diagnostic(code, message, span, file, help=help_, severity=severity)
 
@@ -295,14 +310,16 @@ def _not_run(
         is_meant = script.is_program and script.shebang is Shebang.GOOD and script.how is How.NOT
         if is_started or (is_meant and not script.is_mentioned and _has_runnable(package, script)):
             return f"`{name}` is not executable, and so nothing starts it", None, how
-    is_found = script.how in (How.PROGRAM, How.KEPT) and script.is_program
-    if not is_found and not (is_first and is_started and script.how is not How.PYTHON):
+    is_found = script.how in (How.PROGRAM, How.PYTHON, How.KEPT) and script.is_program
+    if not is_found and not (is_first and is_started):
         return None
     if script.shebang is Shebang.MISSING:
         help_ = "begin it with `#!/usr/bin/env python3`"
         return f"the first line of `{name}` does not say what runs it", None, help_
     if script.shebang is Shebang.CARRIAGE_RETURN:
         message = f"the first line of `{name}` ends with a carriage return, so nothing runs it"
+        if script.how is How.PYTHON:
+            message += " where it is installed"
         return message, None, "write the file with the line ends of Linux"
     return None
 

@@ -51,11 +51,12 @@ def entry_point_to_nothing(tree: SourceTree, code: Code) -> Iterator[Diagnostic]
     "RK506",
     "launch-of-nothing",
     "A launch file starts a program that its package does not have.",
-    why="The launch ends with an error, or goes on without that node. It is told of packages of "
-    "the workspace whose programs are all known, and of components in a container; what "
-    "`CMakeLists.txt` makes in a way that is not followed, packages that are not in the workspace, "
-    "and the workspace of another `machine`, may have any program. What tests start, and what lies "
-    "in folders such as `old`, is left alone.",
+    why="The launch ends with an error, or goes on without that node. It is told whatever the "
+    "conditions around the node say, of packages of the workspace whose programs are all known, "
+    "and of components in a container; what `CMakeLists.txt` makes in a way that is not "
+    "followed, packages that are not in the workspace, and the workspace of another "
+    "`machine`, may have any program. What tests start, and what lies in folders such as "
+    "`old`, is left alone.",
     bad=NODE_PACKAGE | {"demo/launch/demo.launch.xml": _LAUNCH.format("taker")},
     good=NODE_PACKAGE | {"demo/launch/demo.launch.xml": _LAUNCH.format("talker")},
 )
@@ -68,7 +69,7 @@ def launch_of_nothing(tree: SourceTree, code: Code) -> Iterator[Diagnostic]:
         if place is None or started.file is None:
             continue
         fault = _fault(tree, started, version)
-        if fault is None or _is_left_alone(tree, packages, started.file):
+        if fault is None or is_old_or_test(tree, packages, started.file):
             continue
         # A name that was mistyped is mended in each file, a program that is not made once.
         places = found.setdefault((started.file if fault.near else "", fault), {})
@@ -98,12 +99,18 @@ def _starts(tree: SourceTree) -> Iterator[tuple[Started, int]]:
     for launch in tree.launches:
         yield from ((each, launch.ros_version) for each in launch.resolved.started)
     yield from ((each, 2) for each in tree.unstarted)
+    # Values that hang on other conditions may never come together.
+    whole = (each for each in tree.unstarted_ros1 if each.package_span and each.executable_span)
+    yield from ((each, 1) for each in whole)
 
 
-def _is_left_alone(tree: SourceTree, packages: Collection[Path], file: str) -> bool:
+def is_old_or_test(tree: SourceTree, packages: Collection[Path], file: str) -> bool:
     """Tell whether a launch file is left behind, or for tests: they may start what they build."""
     folders = [each for each in Path(file).parents if tree.root in each.parents]
-    if any(each.name == "deprecated" or is_test_folder(each.name) for each in folders):
+    if any(
+        each.name == "deprecated" or is_test_folder(each.name, is_package=each in packages)
+        for each in folders
+    ):
         return True
     inner = takewhile(lambda each: each not in packages, folders)
     return any(each.name.lower() in LEFT_BEHIND for each in inner)
@@ -156,6 +163,8 @@ def _fault(tree: SourceTree, started: Started, version: int) -> _Fault | None:
     broken = {each.name for each in build.entries}
     whole = [each for each in package.executables if each not in broken]
     near = _slip(name, whole) or _longer(name, whole)
+    if version == 1 and f"{name}.py" in build.files:
+        near = f"{name}.py"
     message = f"`{package.name}` has no program `{name}`"
     if included := _launch_file(tree, package, name):
         return _Fault(message, name, "", included)

@@ -117,15 +117,17 @@ def setting_places(
 
 def unstarted(
     launch: LaunchFile,
+    ros_version: int,
     scope: Scope,
     file: str,
     open_include: Callable[[str], Opened],
     started: Resolved,
 ) -> Iterator[Started]:
-    """Yield the nodes that a launch file of ROS 2 starts only where it is given other arguments.
+    """Yield the nodes that a launch file starts only where it is given other arguments.
 
     Args:
         launch: what it says.
+        ros_version: the generation of ROS that it is for.
         scope: the arguments that it is given, and what else substitutions ask for.
         file: its path.
         open_include: reads a file that it includes.
@@ -137,7 +139,7 @@ def unstarted(
         return found if found.launch is None else found._replace(launch=_always(found.launch))
 
     known = {(each.file, each.place) for each in started.started}
-    resolved = resolve(_always(launch), 2, scope, file, opened)
+    resolved = resolve(_always(launch), ros_version, scope, file, opened)
     yield from (each for each in resolved.started if (each.file, each.place) not in known)
 
 

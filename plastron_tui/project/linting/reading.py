@@ -18,7 +18,6 @@ from plastron_tui.ros.launch_names import launch_language
 from plastron_tui.ros.launch_resolution import resolve
 from plastron_tui.ros.launch_started import Opened, Started
 from plastron_tui.ros.launch_text import Scope
-from plastron_tui.ros.packages import is_test_folder
 from plastron_tui.ros.parameter_blocks import ParameterBlock
 from plastron_tui.sources.grammars import bounding
 from plastron_tui.sources.launch.xml_reader import LaunchRead
@@ -36,6 +35,7 @@ from .parameter_files import is_parameter_file, read_parameter_file, setting_pla
 from .pool import Died, Pool
 from .same_names import by_name, namesakes_of, same_names
 from .started_places import started_places
+from .tests_of_packages import is_test
 from .unbuilt import is_ported, read_unbuilt, unbuilt_units
 from .units import UnitAnswer, UnitRead, failure, read_unit
 
@@ -82,7 +82,8 @@ def read_tree(
     parameters = dict(reading.parameter_files())
     named = dict(setting_places(launches, reading.unstarted))
     commented = tuple(commented_files(listing.files, reading.package_of, cache))
-    places = dict(started_places(launches, reading.unstarted, packages))
+    others = (*reading.unstarted, *reading.unstarted_ros1)
+    places = dict(started_places(launches, others, packages))
     cache.save()
     catalogs = {
         version: Catalog(distribution, type_folders=(listing.root,))
@@ -96,6 +97,7 @@ def read_tree(
         catalogs,
         parameter_files=parameters,
         unstarted=tuple(reading.unstarted),
+        unstarted_ros1=tuple(reading.unstarted_ros1),
         setting_places=named,
         started_places=places,
         is_whole=listing.is_whole and not reading.problems,
@@ -116,6 +118,7 @@ class _Reading:
     progress: Progress | None = None
     problems: list[tuple[str, str]] = field(default_factory=list)
     unstarted: list[Started] = field(default_factory=list)
+    unstarted_ros1: list[Started] = field(default_factory=list)
     wrong: list[Diagnostic] = field(default_factory=list)
     _owners: dict[str, str] = field(default_factory=dict)
 
@@ -131,18 +134,17 @@ class _Reading:
         headers = (each for each in self.listing.files if each.endswith(_HEADERS))
         found.update(self._read_units(pool, (each for each in headers if each not in parts)))
         folders = {str(each.folder): each.name for each in self.packages}
+        builds = {str(each.folder): each.build for each in self.packages}
         ported = {str(each.folder) for each in self.packages if is_ported(each)}
         unbuilt = self._unbuilt(found)
         below = len(os.fspath(self.listing.root))
         for path in sorted(found):
-            place = path[below:].split(os.sep)
-            is_test = place[-1].startswith("test_") or any(map(is_test_folder, place[:-1]))
             folder, facts = self.package_of(path), found[path].facts
             assert facts is not None
             is_left = facts.ros_version == 1 and folder in ported
             yield facts._replace(
                 package=folders.get(folder, ""),
-                is_test=is_test,
+                is_test=is_test(path[below:], folder[below:], builds.get(folder)),
                 is_unbuilt=is_left or path in unbuilt,
             )
 
@@ -299,8 +301,9 @@ class _Reading:
                 scope = Scope({}, {}, os.path.dirname(path), found_in, content_of)
                 resolved = resolve(read.launch, read.format.ros_version, scope, path, opened)
                 found.append(LaunchFacts(Path(path), resolved, read.format.ros_version))
-                if read.format.ros_version == 2:
-                    self.unstarted += unstarted(read.launch, scope, path, read_of, resolved)
+                version = read.format.ros_version
+                rest = unstarted(read.launch, version, scope, path, read_of, resolved)
+                (self.unstarted if version == 2 else self.unstarted_ros1).extend(rest)
         yield from (each for each in found if str(each.path) not in included)
 
     def parameter_files(self) -> Iterator[tuple[Path, tuple[ParameterBlock, ...]]]:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
+from itertools import chain
 
 from plastron_tui.diagnostics import Span
 from plastron_tui.model.package_facts import How, Place, Script, Shebang
@@ -16,6 +17,7 @@ from .texts import SCRIPT_FOLDERS, PackageTexts, is_test
 _GUARD = re.compile(rb"^if[ \t]*\(?[ \t]*__name__[ \t]*==[ \t]*['\"]__main__['\"]", re.M)
 _MAIN = re.compile(rb"^(?:async[ \t]+)?def[ \t]+main\b", re.M)
 _SHEBANG = re.compile(rb"\A(?:\xef\xbb\xbf)?#!.*")
+_PYTHON_RUNS = re.compile(rb"\A#![^\n]*\bpython[\d.]*[ \t\r]*(?:\n|\Z)")
 _IMPORTED = re.compile(
     rb"^[ \t]*(?:from[ \t]+([\w.]+)[ \t]+)?import[ \t]+(\([^)]*\)|[^\n#]*)", re.M
 )
@@ -25,13 +27,17 @@ _NAME = re.compile(r"\w+")
 def find_scripts(texts: PackageTexts, lists: Lists, setup: PythonSetup) -> Iterator[Script]:
     """Yield the files of a package that do something when they are started."""
     imported, named = _imported(texts), _named(lists)
-    for name in texts.python:
+    is_first = texts.source.ros_version == 1
+    for name in chain(texts.python, _without_suffix(texts, lists)):
         text = texts.get(name)
         if text is None or is_test(name) or launch_language(name):
             continue
         guard, main = _GUARD.search(text), _MAIN.search(text)
         found = guard or main
-        if found is None and name not in lists.installs and name not in texts.programs:
+        # ROS 1 starts what lies in the workspace, and such a first line asks for that.
+        is_meant = is_first and _PYTHON_RUNS.match(text) is not None
+        is_named = name in lists.installs or name in texts.programs
+        if found is None and not is_named and not is_meant:
             continue
         how, installed = _how(texts, name, lists, setup)
         base = name.rpartition("/")[2]
@@ -54,6 +60,21 @@ def find_scripts(texts: PackageTexts, lists: Lists, setup: PythonSetup) -> Itera
             ),
             has_main=main is not None,
         )
+
+
+def _without_suffix(texts: PackageTexts, lists: Lists) -> Iterator[str]:
+    """Yield the scripts whose names have no suffix, as their first line or the build says."""
+    if texts.source.build_type == "ament_python":
+        return
+    for name in texts.names:
+        if "." in name.rpartition("/")[2]:
+            continue
+        installed = lists.installs.get(name)
+        # Only what is said to be one is, where the first line does not tell.
+        is_python = installed is not None and installed.how is How.PYTHON
+        is_found = installed is not None or name in texts.programs
+        if is_python or (is_found and _PYTHON_RUNS.match(texts.get(name) or b"")):
+            yield name
 
 
 def _shebang(text: bytes) -> Shebang:

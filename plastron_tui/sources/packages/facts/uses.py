@@ -32,6 +32,8 @@ _CODE = re.compile(rb"^[^/*\n]*[;{#]", re.M)
 _FIELD = re.compile(rb"^[ \t]*([A-Za-z]\w*)/\w", re.M)
 _HEADER = re.compile(rb"^[ \t]*Header[ \t]", re.M)
 _WORD = rb"(?<![\w])(?:%b)(?![\w])"
+_NODE = re.compile(rb"<node\b[^>]*")
+_XML_COMMENT = re.compile(rb"<!--.*?-->", re.S)
 
 
 class _Named(NamedTuple):
@@ -169,7 +171,23 @@ def _is_run(texts: PackageTexts, name: str, lists: Lists, setup: PythonSetup) ->
     if name in lists.programs or (setup.has_module(name) and "/" in name):
         return True
     is_script = name.split("/")[0] in SCRIPT_FOLDERS
-    return texts.source.ros_version == 1 and is_script and name in texts.programs
+    if texts.source.ros_version != 1 or not is_script:
+        return False
+    return name in texts.programs or _is_launched(texts, name)
+
+
+def _is_launched(texts: PackageTexts, name: str) -> bool:
+    """Tell whether a launch file of the package starts a script, whatever its mode is."""
+    base = name.rpartition("/")[2]
+    if any(each != name and f"/{each}".endswith(f"/{base}") for each in texts.names):
+        return False
+    package, type_ = f'pkg="{texts.source.name}"'.encode(), f'type="{base}"'.encode()
+    return any(
+        package in node and type_ in node
+        for each in texts.names
+        if launch_language(each) and type_ in (text := texts.get(each) or b"")
+        for node in _NODE.findall(_XML_COMMENT.sub(b"", text))
+    )
 
 
 def _built(texts: PackageTexts, lists: Lists) -> Iterator[str]:
