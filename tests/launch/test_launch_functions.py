@@ -101,11 +101,19 @@ def _shown(items: tuple[Item, ...], *, is_sure: bool = True) -> Iterator[str]:
         ("", f"ld = LaunchDescription()\ndef add():\n    ld.add_action({A})\nadd()\nreturn ld",
          "-- what `add` adds"),
         (f"class Node:\n    pass\ndef f(x):\n    return {A}", "NODES(f(word()))", "a"),
+        # What a branch did before it returned is not known behind it.
+        ("", f"nodes = []\ndef add():\n    if os:\n        nodes.append({A})\n        return\n"
+         f"    nodes.append({B})\nadd()\nNODES(*nodes)", "-- what `add` adds"),
+        ("", f"nodes = []\ndef add():\n    nodes.append({A})\n    if os:\n        return True\n"
+         "    else:\n        return False\nadd()\nNODES(*nodes)", "-- what `add` adds"),
+        ("x = 'c'\ndef setup():\n    global x\n    x = 'd'", f"setup()\nNODES({X})", "$(x)"),
         # Branches.
         ("", f"nodes = [{A}]\nif os:\n    nodes.append({B})\nNODES(*nodes)", "a ?b"),
         ("", f"if os:\n    nodes = [{A}]\nelse:\n    nodes = [{B}]\nNODES(*nodes)", "?a ?b"),
         ("", f"if os:\n    node = {A}\nelif dir:\n    node = {B}\nelse:\n    node = None\n"
          "NODES(node)", "?a ?b"),
+        ("", f"node = None\nif os:\n    node = {A}\nif node is None:\n    nodes = [{B}]\n"
+         "else:\n    nodes = [node]\nNODES(*nodes)", "?b ?a"),
         ("", f"if os:\n    x = 'c'\nelse:\n    x = 'd'\nNODES({X})", "$(x)"),
         ("", f"if os:\n    x = 'c'\nelse:\n    x = 'c'\nNODES({X})", "c"),
         ("", f"x = 'c'\nif os:\n    x = 'd'\nNODES({X})", "$(x)"),

@@ -84,7 +84,9 @@ def _arguments(block: Block) -> tuple[Argument, ...]:
 
 def is_for_tests(conditions: Iterable[str]) -> bool:
     """Tell whether something runs only where tests are built."""
-    return any(word in each for word in _TESTING for each in conditions)
+    return any(
+        word in each and "NOT" not in each.split() for word in _TESTING for each in conditions
+    )
 
 
 def definitions_of(listing: Listing) -> tuple[Definition, ...]:

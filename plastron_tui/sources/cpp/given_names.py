@@ -25,6 +25,7 @@ _SAME = frozenset({*AS_VALUE, "c_str", "str", "data", "get", "get_value", "get_p
 _TEXTS = frozenset({"std::string", "string"})
 _MOST_STEPS = 8
 _MOST_CALLS = 16
+_MOST_BRANCHED = 2
 
 
 def given_by(analysis: Analysis, node: Node | None, scope: Scope, depth: int = 0) -> str | None:
@@ -124,7 +125,8 @@ def _argument(analysis: Analysis, variable: Variable, depth: int) -> str | None:
     position = function.parameters.index(variable)
     bound = analysis.unit.bindings.get(function)
     calls = callers.of(function) if bound is None else bound_calls(bound)
-    if len(calls) > _MOST_CALLS:
+    # Callers of callers are asked again and again: several are one time.
+    if len(calls) > _MOST_CALLS or (len(calls) > 1 and depth > _MOST_BRANCHED):
         return None
     found = {
         given_by(analysis, callers.given(call, function, position), call.scope, depth + 1)

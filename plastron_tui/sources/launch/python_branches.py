@@ -31,6 +31,9 @@ class Outcome(NamedTuple):
 def merged(before: dict[str, Any], outcomes: Sequence[Outcome], place: Place) -> dict[str, Any]:
     """Return what names stand for where one of some branches was taken, and nobody knows which."""
     going = [each for each in outcomes if not each.is_over]
+    if not going:
+        # Nobody comes there.
+        return dict(before)
     found: dict[str, Any] = {}
     # Two names for one list stay so.
     known: dict[tuple[int, ...], Any] = {}

@@ -44,6 +44,8 @@ class Calls:
         body = function.body
         self._code += len(function.node.text or b"")
         self.values.work += len(function.names)
+        for name in function.outer_names() & self.values.names.keys():
+            self.values.names[name] = Computed(name)
         if bound is None or body is None or not function.is_followed:
             return unknown
         is_much = self._code > _MOST_CODE or self.values.work > MOST_WORK
@@ -69,10 +71,22 @@ class Calls:
         own = function.locals()
         names = self.values.names
         reader.block(body)
+        if any(each.what for each in reader.returned):
+            # What was done before the return of a branch is not among the names behind it.
+            for name in function.named() & function.names.keys() - own:
+                self._doubt(function, name)
+            return _whole(reader.items, reader.returned, function.name)
         for name in function.names.keys() & names.keys() - own:
             # A list of the function around it has more elements now.
             function.names[name] = names[name]
         return _whole(reader.items, reader.returned, function.name)
+
+    def _doubt(self, function: Function, name: str) -> None:
+        """Let a list of the function around one have what nobody knows besides."""
+        known = function.names[name]
+        if isinstance(known, list):
+            what = Unread(f"what `{function.name}` adds")
+            function.names[name] = [*known, what]
 
     def expanded(self, items: Iterable[Item], depth: int = 0) -> tuple[Item, ...]:
         """Return items with what functions return that are called when the file runs."""

@@ -13,6 +13,8 @@ from .python_actions import Computed
 from .python_nodes import field, source_of
 
 _NOT_FOLLOWED = re.compile(rb"\b(?:yield|await|global|nonlocal)\b")
+_OUTER = re.compile(rb"\b(?:global|nonlocal)\b([\w, \t]*)")
+_WORD = re.compile(rb"[A-Za-z_]\w*")
 _BINDING = {
     "assignment": "left",
     "augmented_assignment": "left",
@@ -82,6 +84,16 @@ class Function:
             else:
                 return None
         return None if (values or others) and not has_more else found
+
+    def named(self) -> set[str]:
+        """Return the names, and other words, that stand in it."""
+        text = b"" if self.body is None else self.body.text or b""
+        return {each.decode() for each in _WORD.findall(text)}
+
+    def outer_names(self) -> set[str]:
+        """Return the names around it that it may give values to."""
+        found = _OUTER.findall(self.node.text or b"")
+        return {each.decode() for names in found for each in _WORD.findall(names)}
 
     def locals(self) -> set[str]:
         """Return the names that are assigned to in it, and are no other function's."""

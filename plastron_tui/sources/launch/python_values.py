@@ -291,7 +291,9 @@ class Values:
         word = source_of(node)[len(first) :].removesuffix(second).strip()
         if all(type(each) in _PLAIN for each in sides) and word in ("==", "!="):
             return (sides[0] == sides[1]) is (word == "==")
-        if second == "None" and word in ("is", "is not") and not isinstance(sides[0], Computed):
+        # A group stands for what one branch names, and others do not.
+        is_sure = not isinstance(sides[0], (Computed, Group))
+        if second == "None" and word in ("is", "is not") and is_sure:
             return (sides[0] is None) is (word == "is")
         return Computed(short(node))
 

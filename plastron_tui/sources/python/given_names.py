@@ -21,6 +21,8 @@ OWN_NAME = "~"
 _NAME = Argument(0, "name")
 _OWN_NAMES = frozenset({"rospy.get_name", "rospy.names.get_name"})
 _MOST_STEPS = 8
+_MOST_CALLS = 16
+_MOST_BRANCHED = 2
 
 
 def given_by(analysis: Analysis, node: Node | None, scope: Scope, depth: int = 0) -> str | None:
@@ -61,6 +63,9 @@ def _bound(analysis: Analysis, bindings: list[Binding], node: Node, depth: int) 
         return None
     name = analysis.syntax.slice(node.child_by_field_name("attribute") or node)
     calls = analysis.resolver.given(binding, name)
+    # Callers of callers are asked again and again: several are one time.
+    if len(calls) > _MOST_CALLS or (len(calls) > 1 and depth > _MOST_BRANCHED):
+        return None
     found = {given_by(analysis, value, scope, depth + 1) for value, scope in calls}
     return found.pop() if len(found) == 1 else None
 

@@ -33,7 +33,7 @@ _FIELD = re.compile(rb"^[ \t]*([A-Za-z]\w*)/\w", re.M)
 _HEADER = re.compile(rb"^[ \t]*Header[ \t]", re.M)
 _WORD = rb"(?<![\w])(?:%b)(?![\w])"
 _NODE = re.compile(rb"<node\b[^>]*")
-_XML_COMMENT = re.compile(rb"<!--.*?-->", re.S)
+_XML_COMMENT = re.compile(rb"<!--.*?(?:-->|\Z)", re.S)
 
 
 class _Named(NamedTuple):
