@@ -52,6 +52,8 @@ _CASES = [
     _case(_WHOLE.replace("  install", "  return()\n  install") + _CALLS, "runner"),
     _case(_WHOLE + "add_node(${ANY})\n", "runner"),
     _case(_WHOLE + "add_nodes(walker)\n", "walker"),
+    _case(_WHOLE + "add_node(runner)\nif(NOT BUILD_TESTING)\n  add_nodes(walker)\nendif()\n",
+          "walker"),
     _case("cuda_add_executable(walker src/walker.cpp)\n", "walker"),
     # Names in one list within quotes.
     *(_case(_WHOLE + 'set(N "walker;runner")\n' + _EACH.format(names), "runner")

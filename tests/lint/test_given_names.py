@@ -72,6 +72,28 @@ def test_a_parameter_of_rclpy_gives_a_name(made: str, later: str, parameter: str
     assert [each.given_by for each in _endpoints(".py", _RCLPY.format(made, later))] == [parameter]
 
 
+def _chain(definition: str, call: str, first: str, count: int) -> str:
+    """Return functions of which each calls the one before several times, with what it gets."""
+    made = [definition.format(0, first)]
+    made += [definition.format(n, call.format(n - 1) * 16) for n in range(1, count)]
+    return "".join(made)
+
+
+def test_callers_of_callers_of_python_have_an_end() -> None:
+    first = "rospy.Publisher(t, String, queue_size=1)"
+    text = "import rospy\nfrom std_msgs.msg import String\nrospy.init_node('talker')\n"
+    text += _chain("def f{}(t):\n    {}\n", "f{}(t); ", first, 9)
+    assert [each.given_by for each in _endpoints(".py", text)] == [None]
+
+
+def test_callers_of_callers_of_cpp_have_an_end() -> None:
+    first = "nh->create_publisher<std_msgs::msg::String>(t, 10);"
+    text = "#include <rclcpp/rclcpp.hpp>\n#include <std_msgs/msg/string.hpp>\n"
+    text += "std::shared_ptr<rclcpp::Node> nh;\n"
+    text += _chain("void f{}(std::string t) {{ {} }}\n", "f{}(t); ", first, 9)
+    assert {each.given_by for each in _endpoints(".cpp", text)} <= {None}
+
+
 _ROSPY = "import rospy\nfrom std_msgs.msg import String\nrospy.init_node('talker')\n{}\n"
 _IN_ROSPY = {
     "private": ("rospy.Publisher(rospy.get_param('~topic', 'a'), String)", "~/topic"),

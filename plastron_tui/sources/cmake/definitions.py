@@ -5,6 +5,7 @@ Source: "function", "macro", "include" and "cmake_parse_arguments" of CMake's ma
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from typing import NamedTuple
 
@@ -18,7 +19,8 @@ DEEPEST_CALL = 8
 MODULES = ("CheckC", "CheckI", "CheckS", "CTest", "CMake", "GNUInstallDirs", "GenerateExport",
            "ExternalProject", "FetchContent", "FeatureSummary", "Find")  # fmt: skip
 """How the names of files begin that CMake brings along and that make no program."""
-_TESTING = ("BUILD_TESTING", "CATKIN_ENABLE_TESTING")
+_TESTS = re.compile(r"BUILD_TESTING|CATKIN_ENABLE_TESTING")
+_NOT = re.compile(r"\bNOT\b")
 _MAKING = frozenset({
     "add_executable", "add_subdirectory", "ament_auto_add_executable", "catkin_install_python",
     "include", "install", "rclcpp_components_register_node", "rclcpp_components_register_nodes",
@@ -84,9 +86,7 @@ def _arguments(block: Block) -> tuple[Argument, ...]:
 
 def is_for_tests(conditions: Iterable[str]) -> bool:
     """Tell whether something runs only where tests are built."""
-    return any(
-        word in each and "NOT" not in each.split() for word in _TESTING for each in conditions
-    )
+    return any(_TESTS.search(each) and not _NOT.search(each) for each in conditions)
 
 
 def definitions_of(listing: Listing) -> tuple[Definition, ...]:
