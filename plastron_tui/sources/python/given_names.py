@@ -9,7 +9,7 @@ from plastron_tui.ros.names import name_as_read
 from .analysis import Analysis
 from .arguments import Arguments
 from .calls import Argument
-from .constants import Known, without_none
+from .constants import MOST_BINDINGS, Known, without_none
 from .evaluation import Evaluator
 from .flow import reaching
 from .parameter_calls import READERS
@@ -37,7 +37,9 @@ def given_by(analysis: Analysis, node: Node | None, scope: Scope, depth: int = 0
             return given_by(analysis, node.named_children[0], scope, depth + 1)
         case "identifier":
             found = scope.lookup(analysis.syntax.slice(node))
-            bindings = [] if found is None else reaching(found[1], found[0], node, scope)
+            if found is None or len(found[1]) > MOST_BINDINGS:
+                return None
+            bindings = reaching(found[1], found[0], node, scope)
             return _bound(analysis, bindings, node, depth)
         case "attribute":
             read = Evaluator(analysis).read_parameter(node, scope)
