@@ -11,14 +11,11 @@ from collections import defaultdict
 from collections.abc import Mapping
 from pathlib import Path
 
-from plastron_tui.model.source import SourceEndpoint, SourceNode
+from plastron_tui.model.source import OWN_NAME, SourceEndpoint, SourceNode
 from plastron_tui.ros.launch_started import Started, Unresolved
 from plastron_tui.ros.names import check_topic_name, spelled
 
 from .tree import LaunchFacts, SourceTree, UnitFacts, once_a_tree
-
-OWN_NAME = "~"
-"""What a name is given by that is the full name of its node."""
 
 UNKNOWN = ""
 """The value of a parameter that may be set to something that is not known."""

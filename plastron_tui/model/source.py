@@ -85,6 +85,10 @@ def place_of(main: P, name: str) -> P:
     return folder / name
 
 
+OWN_NAME = "~"
+"""What a name is given by that is the full name of its node."""
+
+
 class SourceEndpoint(NamedTuple):
     """One call site.
 

@@ -123,11 +123,6 @@ class Variables:
                 end = value.find("}", end + 1)
                 continue
             text = ";".join(each.value for each in known.items)
-            if "${" in text:
-                # What is not known within it is not looked for again.
-                value = value[:start] + text + value[end + 1 :]
-                end = value.find("}", start + len(text))
-                continue
             value = value[:start] + text + value[end + 1 :]
             end = value.find("}", start + len(text))
         return value

@@ -8,13 +8,13 @@ from typing import TYPE_CHECKING, NamedTuple
 from tree_sitter import Node
 
 from plastron_tui.diagnostics import Span
-from plastron_tui.model.source import EndpointKind, SourceEndpoint
+from plastron_tui.model.source import OWN_NAME, EndpointKind, SourceEndpoint
 from plastron_tui.ros.interfaces import InterfaceName
 
 from .analysis import Analysis
 from .arguments import Call
 from .callbacks import NONE, Callback, callback_of
-from .given_names import OWN_NAME, given_by
+from .given_names import given_by
 from .listed_parameters import listed_parameters
 from .qos import qos_of
 from .receivers import HANDLE, Prefix

@@ -6,7 +6,9 @@ from typing import TYPE_CHECKING
 
 from tree_sitter import Node
 
+from plastron_tui.model.source import OWN_NAME
 from plastron_tui.ros.names import spelled
+from plastron_tui.sources.caller_limits import MOST_STEPS, are_followed
 
 from .arguments import Call, call_of
 from .read_parameters import AS_VALUE, parameter_call
@@ -18,14 +20,8 @@ if TYPE_CHECKING:
     from .analysis import Analysis
     from .writes import Write
 
-OWN_NAME = "~"
-"""What stands for the full name of the node."""
-
 _SAME = frozenset({*AS_VALUE, "c_str", "str", "data", "get", "get_value", "get_parameter_value"})
 _TEXTS = frozenset({"std::string", "string"})
-_MOST_STEPS = 8
-_MOST_CALLS = 16
-_MOST_BRANCHED = 2
 
 
 def given_by(analysis: Analysis, node: Node | None, scope: Scope, depth: int = 0) -> str | None:
@@ -33,7 +29,7 @@ def given_by(analysis: Analysis, node: Node | None, scope: Scope, depth: int = 0
 
     `OWN_NAME` is the full name of the node. None where it is neither, or something is put to it.
     """
-    if node is None or depth > _MOST_STEPS:
+    if node is None or depth > MOST_STEPS:
         return None
     match node.type:
         case "identifier" | "field_identifier" | "type_identifier":
@@ -125,8 +121,7 @@ def _argument(analysis: Analysis, variable: Variable, depth: int) -> str | None:
     position = function.parameters.index(variable)
     bound = analysis.unit.bindings.get(function)
     calls = callers.of(function) if bound is None else bound_calls(bound)
-    # Callers of callers are asked again and again: several are one time.
-    if len(calls) > _MOST_CALLS or (len(calls) > 1 and depth > _MOST_BRANCHED):
+    if not are_followed(len(calls), depth):
         return None
     found = {
         given_by(analysis, callers.given(call, function, position), call.scope, depth + 1)

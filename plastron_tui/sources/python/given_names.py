@@ -4,7 +4,9 @@ from __future__ import annotations
 
 from tree_sitter import Node
 
+from plastron_tui.model.source import OWN_NAME
 from plastron_tui.ros.names import name_as_read
+from plastron_tui.sources.caller_limits import MOST_STEPS, are_followed
 
 from .analysis import Analysis
 from .arguments import Arguments
@@ -15,14 +17,8 @@ from .flow import reaching
 from .parameter_calls import READERS
 from .scopes import Binding, BindingKind, Scope
 
-OWN_NAME = "~"
-"""What stands for the full name of the node."""
-
 _NAME = Argument(0, "name")
 _OWN_NAMES = frozenset({"rospy.get_name", "rospy.names.get_name"})
-_MOST_STEPS = 8
-_MOST_CALLS = 16
-_MOST_BRANCHED = 2
 
 
 def given_by(analysis: Analysis, node: Node | None, scope: Scope, depth: int = 0) -> str | None:
@@ -30,7 +26,7 @@ def given_by(analysis: Analysis, node: Node | None, scope: Scope, depth: int = 0
 
     `OWN_NAME` is the full name of the node. None where it is neither, or something is put to it.
     """
-    if node is None or depth > _MOST_STEPS:
+    if node is None or depth > MOST_STEPS:
         return None
     match node.type:
         case "parenthesized_expression" if node.named_child_count == 1:
@@ -65,8 +61,7 @@ def _bound(analysis: Analysis, bindings: list[Binding], node: Node, depth: int) 
         return None
     name = analysis.syntax.slice(node.child_by_field_name("attribute") or node)
     calls = analysis.resolver.given(binding, name)
-    # Callers of callers are asked again and again: several are one time.
-    if len(calls) > _MOST_CALLS or (len(calls) > 1 and depth > _MOST_BRANCHED):
+    if not are_followed(len(calls), depth):
         return None
     found = {given_by(analysis, value, scope, depth + 1) for value, scope in calls}
     return found.pop() if len(found) == 1 else None
