@@ -14,6 +14,7 @@ from plastron_tui.sources.launch.python_reader import read_launch_python
 
 A, B, X = (f"Node(package='p', executable={each})" for each in ("'a'", "'b'", "x"))
 PART = "ComposableNode(package='p', plugin='p::{}')"
+LATER = "LaunchDescription([OpaqueFunction(function=f)])"
 HELD = "composable_node_descriptions=parts"
 
 
@@ -72,6 +73,9 @@ def _shown(items: tuple[Item, ...], *, is_sure: bool = True) -> Iterator[str]:
         # What the function around it names later counts.
         ("", f"x = 'c'\ndef f(context):\n    return [{X}]\nx = 'd'\n"
          "NODES(OpaqueFunction(function=f))", "d"),
+        # They are not forgotten where every branch returns.
+        ("", f"x = 'c'\ndef f(context):\n    return [{X}]\nif os:\n    return {LATER}\n"
+         f"else:\n    return {LATER}", "?c -- what an `if` returns ?c -- what an `if` returns"),
         # What another function names does not.
         (f"def f(context):\n    return [{X}]", "x = 'c'\nNODES(OpaqueFunction(function=f))",
          "$(x)"),
